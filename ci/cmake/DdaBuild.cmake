@@ -1,0 +1,77 @@
+# Build rules every folder shares: compiler settings, and dda_module() for one engine or verification folder.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(DDA_CCACHE ccache)
+if(DDA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${DDA_CCACHE}")
+endif()
+find_program(DDA_MOLD mold)
+if(DDA_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+# The same bits everywhere: no fused multiply-add that one build has and another has not, never -ffast-math.
+add_compile_options(-ffp-contract=off)
+if(DDA_SANITIZE)
+  add_compile_options(-fsanitize=${DDA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${DDA_SANITIZE})
+endif()
+
+add_library(dda_options INTERFACE)
+target_compile_options(dda_options INTERFACE $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wnull-dereference -Wdouble-promotion
+  $<$<BOOL:${DDA_WERROR}>:-Werror>>)
+
+# Headers are included as <dda/FOLDER/file.h> in the tree and after installation alike.
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/include")
+file(CREATE_LINK "${CMAKE_SOURCE_DIR}/engine" "${CMAKE_BINARY_DIR}/include/dda" SYMBOLIC)
+
+# dda_module(NAME DEPENDS other... [LINK library...] [PRIVATE_LINK library...])
+# One engine folder: every .cpp of it but main.cpp and *_test.cpp becomes the static library dda::NAME; every
+# *_test.cpp becomes its unit-test program, found by ctest under the label "fast".
+function(dda_module NAME)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LINK;PRIVATE_LINK;TEST_LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  set(tests ${sources})
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
+  if(sources)
+    set(scope PUBLIC)
+    add_library(dda_${NAME} STATIC ${sources})
+    target_link_libraries(dda_${NAME} PRIVATE dda_options ${ARG_PRIVATE_LINK})
+  else()
+    set(scope INTERFACE)
+    add_library(dda_${NAME} INTERFACE)
+  endif()
+  add_library(dda::${NAME} ALIAS dda_${NAME})
+  list(TRANSFORM ARG_DEPENDS PREPEND "dda::")
+  target_link_libraries(dda_${NAME} ${scope} Eigen3::Eigen ${ARG_DEPENDS} ${ARG_LINK})
+  target_include_directories(dda_${NAME} SYSTEM ${scope})
+  target_include_directories(dda_${NAME} ${scope} $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(dda_${NAME} PROPERTIES EXPORT_NAME ${NAME})
+  set_property(GLOBAL APPEND PROPERTY DDA_MODULES dda_${NAME})
+  if(tests AND BUILD_TESTING)
+    dda_test(${NAME}_test SOURCES ${tests} LINK dda::${NAME} ${ARG_TEST_LINK})
+  endif()
+endfunction()
+
+# dda_test(NAME SOURCES file... LINK target... [LABELS label...]): a GoogleTest program, its cases known to ctest.
+function(dda_test NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS fast)
+  endif()
+  add_executable(${NAME} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE dda_options ${ARG_LINK} GTest::gtest_main)
+  gtest_discover_tests(${NAME} PROPERTIES LABELS "${ARG_LABELS}" DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,23 @@
+#include "dda/core/error.h"
+
+#include <utility>
+
+namespace dda {
+namespace {
+
+std::string sentence(const std::string& file, const std::string& field, const std::string& value,
+                     const std::string& expected) {
+  return (file.empty() ? "" : file + ": ") + field + " is " + value + ", expected " + expected;
+}
+
+}  // namespace
+
+InputError::InputError(std::string file, std::string field, std::string value, std::string expected)
+    : std::runtime_error(sentence(file, field, value, expected)),
+      field_(std::move(field)),
+      value_(std::move(value)),
+      expected_(std::move(expected)) {}
+
+InputError InputError::in_file(const std::string& file) const { return {file, field_, value_, expected_}; }
+
+}  // namespace dda

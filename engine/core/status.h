@@ -1,0 +1,27 @@
+// How a step or a run ended. Anything but ok is reported, never swallowed.
+#pragma once
+
+#include <string_view>
+
+namespace dda {
+
+enum class Status {
+  ok,
+  not_converged,   // the open-close iteration or the linear solver did not converge
+  not_finite,      // a displacement, velocity or stress is NaN or infinite
+  singular,        // the system matrix is not positive definite: a block has neither inertia nor support
+  stopped,         // the user asked to stop; the state is complete and can be resumed
+};
+
+constexpr std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::ok: return "ok";
+    case Status::not_converged: return "not_converged";
+    case Status::not_finite: return "not_finite";
+    case Status::singular: return "singular";
+    case Status::stopped: return "stopped";
+  }
+  return "unknown";
+}
+
+}  // namespace dda

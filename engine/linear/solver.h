@@ -1,0 +1,59 @@
+// Solving A x = b for a symmetric positive definite block matrix, with the three stages of the work kept apart so that
+// a run pays only for what changed.
+#pragma once
+
+#include <cstdint>
+
+#include "dda/core/status.h"
+#include "dda/core/types.h"
+#include "dda/linear/block_matrix.h"
+
+namespace dda {
+
+struct SolverCounts {
+  std::int64_t analyses = 0;
+  std::int64_t factorizations = 0;  // numeric factorizations; for an iterative solver, set-ups of its preconditioner
+  std::int64_t solves = 0;
+  std::int64_t iterations = 0;  // of iterative solvers, summed over the solves
+};
+
+// Call order: analyze once per pattern, factorize once per set of values, solve once per right-hand side. A call out of
+// order, or with vectors or a matrix of another size than analyzed, throws std::logic_error. The matrix given to
+// factorize must live, unchanged and in place, until the last solve with it: iterative solvers multiply by it. Once
+// warm (a second factorize and solve after an analyze) nothing is allocated on the heap, unless the implementation says
+// otherwise.
+class LinearSolver {
+ public:
+  LinearSolver() = default;
+  LinearSolver(const LinearSolver&) = delete;
+  LinearSolver& operator=(const LinearSolver&) = delete;
+  virtual ~LinearSolver() = default;
+
+  // The pattern changed: orders the blocks and lays out the factor.
+  void analyze(const BlockMatrix& matrix);
+
+  // The values changed (same pattern as analyzed). singular: the matrix is not positive definite to working precision
+  // (or not finite); there is then no factor to solve with.
+  [[nodiscard]] Status factorize(const BlockMatrix& matrix);
+
+  // Solves for x, which comes in with 6n numbers: the starting guess of an iterative solver, ignored by a direct one.
+  // `rhs` and `x` are different vectors. not_converged: x holds the last iterate; not_finite: x is of no use.
+  [[nodiscard]] Status solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
+
+  [[nodiscard]] const SolverCounts& counts() const { return counts_; }
+
+ protected:
+  void count_iterations(int iterations) { counts_.iterations += iterations; }
+
+ private:
+  virtual void do_analyze(const BlockMatrix& matrix) = 0;
+  virtual Status do_factorize(const BlockMatrix& matrix) = 0;
+  virtual Status do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) = 0;
+
+  SolverCounts counts_;
+  Eigen::Index unknowns_ = -1;  // -1: not analyzed
+  int couplings_ = 0;
+  bool factored_ = false;
+};
+
+}  // namespace dda

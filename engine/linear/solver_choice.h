@@ -1,0 +1,38 @@
+// Which solver a scene gets, by a rule that can be printed and argued with.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "dda/linear/solver.h"
+
+namespace dda {
+
+enum class SolverKind { cholesky, pcg, dense };
+
+constexpr std::string_view to_string(SolverKind kind) {
+  switch (kind) {
+    case SolverKind::cholesky:
+      return "cholesky";
+    case SolverKind::pcg:
+      return "pcg";
+    case SolverKind::dense:
+      return "dense";
+  }
+  return "unknown";
+}
+
+// The facts of a scene that decide.
+struct SolverScene {
+  int blocks = 0;
+  int couplings = 0;  // coupled pairs of blocks; the couplings per block tell a chain from a grid
+  double chi = 0;     // k dt^2 / m: largest interface stiffness against the inertia of a block; infinite
+                      // for a static step
+  bool matrix_changes_every_step = false;  // contacts change or rotations are large: a factor serves one step only
+};
+
+SolverKind choose_solver(const SolverScene& scene);
+
+std::unique_ptr<LinearSolver> make_solver(SolverKind kind);
+
+}  // namespace dda

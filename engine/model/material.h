@@ -1,0 +1,53 @@
+// Materials of blocks and of joints.
+#pragma once
+
+#include <string>
+
+#include "dda/core/types.h"
+
+namespace dda {
+
+enum class PlaneState { stress, strain };
+
+// Isotropic linear elasticity of a block.
+struct Material {
+  std::string name;
+  double density = 0;  // kg/m3
+  double young = 0;    // Pa
+  double poisson = 0;  // -
+  PlaneState plane = PlaneState::stress;
+};
+
+// Stress = elasticity_matrix * (ex, ey, gxy), Pa; tension positive.
+Mat3 elasticity_matrix(const Material& material);
+
+double bar_wave_speed(const Material& material);  // sqrt(E/rho), m/s: a bar free to contract sideways (plane stress)
+double p_wave_speed(const Material& material);    // m/s, of the plane state: thesis Eq. 11 is the plane-strain value
+double s_wave_speed(const Material& material);    // m/s, sqrt(G/rho): thesis Eq. 12 lacks the factor 2
+
+enum class InterfaceLaw {
+  classical,   // Shi's vertex-edge springs, one at each end of a touching stretch
+  consistent,  // Nitsche's method at mid-edge with end stabilisation, for bonded and locked edges
+};
+
+// Strength and stiffness of a joint. Stresses positive in tension; strengths are positive numbers.
+struct JointMaterial {
+  std::string name;
+  InterfaceLaw law = InterfaceLaw::consistent;
+  bool bonded = false;          // never opens or slides, whatever its strength
+  double friction_angle = 0;    // rad
+  double cohesion = 0;          // Pa
+  double tensile_strength = 0;  // Pa
+
+  // Classical law: normal stiffness of one spring in N/m (per m of thickness); 0 means spring_over_young * E of the
+  // softer block, where 10 E is the thesis' g0 (in metres of material per metre of thickness).
+  double normal_spring = 0;
+  double spring_over_young = 10;
+  double shear_to_normal = 0.4;
+
+  // Consistent law: both in units of (plane modulus * interface length / block size across the interface).
+  double penalty = 4;          // must exceed 1 for stability
+  double stabilisation = 0.1;  // of the end-to-end difference of the gap, which mid-edge alone leaves free
+};
+
+}  // namespace dda

@@ -1,0 +1,102 @@
+// The constant description of a problem: blocks, materials, loads, supports, stages. Built once by engine/scene (or by
+// hand), never changed by a run. Indices refer to the vectors here. Points are in reference (as drawn) coordinates.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dda/core/types.h"
+#include "dda/geometry/polygon.h"
+#include "dda/model/material.h"
+#include "dda/model/settings.h"
+#include "dda/model/time_function.h"
+
+namespace dda {
+
+struct Block {
+  std::string name;
+  Polygon shape;        // reference outline, outer ring counter-clockwise
+  AreaMoments moments;  // of `shape`, m^2 and m^4
+  int material = 0;
+  Vec3 initial_stress = Vec3::Zero();    // Pa, tension positive
+  Vec2 initial_velocity = Vec2::Zero();  // m/s, of the centroid
+  double initial_spin = 0;               // rad/s
+};
+
+struct PointLoad {
+  int block = 0;
+  Vec2 point;  // material point of the block
+  Vec2 force;  // N per m of thickness, times history
+  TimeFunction history;
+};
+
+struct EdgeLoad {
+  int block = 0;
+  Vec2 from, to;  // ends of the loaded stretch of the block's outline
+  Vec2 traction;  // Pa, in x and y, uniform along the stretch, times history
+  TimeFunction history;
+};
+
+// A spring between a material point of a block and a point that moves as prescribed (or stands still).
+struct PointSupport {
+  int block = 0;
+  Vec2 point;
+  bool holds_x = true;
+  bool holds_y = true;
+  double stiffness = 0;                // N/m per m of thickness
+  Vec2 displacement = Vec2::Zero();  // m, prescribed, times history
+  TimeFunction history;
+};
+
+// Absorbing (Lysmer-Kuhlemeyer) edge: traction = -impedance * velocity, integrated exactly along the edge.
+struct ViscousEdge {
+  int block = 0;
+  Vec2 from, to;
+  double normal_impedance = 0;  // Pa s/m, e.g. rho c_p
+  double shear_impedance = 0;   // Pa s/m, e.g. rho c_s
+};
+
+enum class Quantity {
+  stress_xx, stress_yy, stress_xy,      // Pa, of the block (constant in it)
+  displacement_x, displacement_y,       // m, of the material point since the start
+  velocity_x, velocity_y,               // m/s, of the material point
+  acceleration_x, acceleration_y,       // m/s2
+  rotation,                             // rad, of the block since the start
+  traction_normal, traction_shear,      // Pa, mean over the interface at the point; tension positive
+};
+
+struct Measurement {
+  std::string name;
+  Quantity quantity = Quantity::stress_xx;
+  int block = 0;        // for a traction: one of the two blocks
+  int other_block = -1; // for a traction: the other block
+  Vec2 point;
+};
+
+struct Model {
+  std::string title;
+  std::vector<Material> materials;
+  std::vector<JointMaterial> joints;                      // joints[0] is the default
+  std::map<std::pair<int, int>, int> joint_of_block_pair;  // (smaller, larger block) -> joint, where not the default
+  std::vector<Block> blocks;
+  Vec2 gravity = Vec2::Zero();  // m/s2
+  std::vector<PointLoad> point_loads;
+  std::vector<EdgeLoad> edge_loads;
+  std::vector<PointSupport> supports;
+  std::vector<ViscousEdge> viscous_edges;
+  std::vector<Measurement> measurements;
+  std::vector<Stage> stages;
+  double length_tolerance = 0;  // m: points closer than this touch; set by finish_model
+
+  [[nodiscard]] const Material& material_of(int block) const;
+  [[nodiscard]] const JointMaterial& joint_between(int block_a, int block_b) const;
+  [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
+};
+
+// Fills what follows from the rest (area moments, length tolerance = 1e-9 of the extent) and checks the whole: throws
+// InputError naming field, value and what was expected (indices in range, positive density, valid polygons, ...).
+void finish_model(Model& model);
+
+}  // namespace dda

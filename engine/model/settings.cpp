@@ -1,0 +1,22 @@
+#include "dda/model/settings.h"
+
+namespace dda {
+
+Integrator thesis_integrator() { return {"thesis", 0.5, 1.0, 0, 0, false}; }
+
+Integrator trapezoidal_integrator() { return {"trapezoidal", 0.25, 0.5, 0, 0, false}; }
+
+Integrator hht_integrator(double alpha) {
+  return {"hht", (1 + alpha) * (1 + alpha) / 4, 0.5 + alpha, 0, alpha, false};
+}
+
+Integrator generalized_alpha_integrator(double rho_inf) {
+  const double alpha_m = (2 * rho_inf - 1) / (rho_inf + 1);
+  const double alpha_f = rho_inf / (rho_inf + 1);
+  const double shift = 1 - alpha_m + alpha_f;
+  return {"generalized_alpha", shift * shift / 4, 0.5 - alpha_m + alpha_f, alpha_m, alpha_f, false};
+}
+
+Integrator static_integrator() { return {"static", 0.5, 1.0, 0, 0, true}; }
+
+}  // namespace dda

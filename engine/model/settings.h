@@ -1,0 +1,51 @@
+// How a stage of a run is stepped: time integration, kinematics, solver.
+#pragma once
+
+#include <string>
+
+namespace dda {
+
+// General Newmark / generalized-alpha: M a(n+1-am) + C v(n+1-af) + Fint(n+1-af) = F(n+1-af), x(n+1-a) = (1-a) x1 + a x0,
+// d = dt v0 + dt^2 ((1/2 - beta) a0 + beta a1), v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
+struct Integrator {
+  std::string name = "trapezoidal";
+  double beta = 0.25;
+  double gamma = 0.5;
+  double alpha_m = 0;
+  double alpha_f = 0;
+  bool is_static = false;  // velocities are zeroed at the start of every step (Shi's static mode)
+};
+
+Integrator thesis_integrator();       // Eq. 5 of the thesis: beta = 1/2, gamma = 1, first-order numerical damping
+Integrator trapezoidal_integrator();  // beta = 1/4, gamma = 1/2: second order, no damping
+Integrator hht_integrator(double alpha);              // Hilber, Hughes & Taylor 1977, 0 <= alpha <= 1/3
+Integrator generalized_alpha_integrator(double rho_inf);  // Chung & Hulbert 1993, 0 <= rho_inf <= 1
+Integrator static_integrator();       // Eq. 5 with velocities zeroed
+
+enum class Kinematics {
+  small,   // geometry stays as drawn: matrices are built once (waves in bonded rock)
+  finite,  // blocks move and rotate, geometry follows
+};
+
+enum class SolverRequest { automatic, cholesky, pcg, dense };
+
+struct Stage {
+  std::string name = "run";
+  double dt = 0;        // s
+  double duration = 0;  // s
+  Integrator integrator;
+  Kinematics kinematics = Kinematics::finite;
+  SolverRequest solver = SolverRequest::automatic;
+
+  double velocity_factor = 1;  // k01: velocities are multiplied by it at the end of every step (depends on dt!)
+  double damping_rate = 0;     // 1/s: velocities decay as exp(-damping_rate t), whatever dt is
+
+  // Factor on the inertia of the strains. 1 is consistent (exact) inertia; 2 averages consistent and lumped inertia,
+  // which removes the leading dispersion of a chain of bonded blocks and leaves rigid motion exact.
+  double strain_inertia = 1;
+
+  int max_open_close_iterations = 20;
+  int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge
+};
+
+}  // namespace dda

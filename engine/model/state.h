@@ -1,0 +1,29 @@
+// What changes from step to step, in contiguous per-block arrays.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+struct State {
+  double time = 0;        // s
+  std::int64_t step = 0;
+  std::vector<Vec6> displacement;  // sums of the step increments
+  std::vector<Vec6> velocity;      // time derivatives of the six unknowns
+  std::vector<Vec6> acceleration;
+  std::vector<Vec3> stress;        // Pa, Cauchy stress in the global frame, tension positive
+  std::vector<Vec2> centroid;      // m, current
+  std::vector<Mat2> deformation;   // current = centroid + deformation * (reference - reference centroid)
+};
+
+State initial_state(const Model& model);
+
+// Current position, displacement-to-date and velocity of the material point that was at `reference`.
+Vec2 current_position(const Model& model, const State& state, int block, const Vec2& reference);
+Vec2 point_velocity(const Model& model, const State& state, int block, const Vec2& reference);
+
+}  // namespace dda

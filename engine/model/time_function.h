@@ -1,0 +1,34 @@
+// Dimensionless histories of loads and prescribed motions: value = amplitude * f(t), t in s from the start of the scene.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+namespace dda {
+
+struct Constant {};
+
+// Straight lines through (times, values), times strictly increasing; the end values hold outside the table.
+struct PiecewiseLinear {
+  std::vector<double> times;  // s
+  std::vector<double> values;
+};
+
+// sin(2 pi frequency (t - start)) for `cycles` periods from `start`, zero before and after. Infinite cycles: no end.
+struct SineCycles {
+  double frequency = 0;  // Hz
+  double cycles = 1;
+  double start = 0;  // s
+};
+
+// exp(-(t - start)/decay_time) from `start` on, zero before (thesis Eq. 18 with start = 1.1 ta, decay_time = ta).
+struct ExponentialDecay {
+  double decay_time = 0;  // s
+  double start = 0;       // s
+};
+
+using TimeFunction = std::variant<Constant, PiecewiseLinear, SineCycles, ExponentialDecay>;
+
+double evaluate(const TimeFunction& history, double time);
+
+}  // namespace dda

@@ -31,9 +31,11 @@ target_compile_options(dda_options INTERFACE $<BUILD_INTERFACE:-Wall -Wextra -Wp
   -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wnull-dereference -Wdouble-promotion
   $<$<BOOL:${DDA_WERROR}>:-Werror>>)
 
-# Headers are included as <dda/FOLDER/file.h> in the tree and after installation alike.
+# Headers are included as "dda/FOLDER/file.h" in the tree and after installation alike, those of verification as
+# "verification/FOLDER/file.h". Who may include whom is checked by ci/check-layers.
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/include")
 file(CREATE_LINK "${CMAKE_SOURCE_DIR}/engine" "${CMAKE_BINARY_DIR}/include/dda" SYMBOLIC)
+file(CREATE_LINK "${CMAKE_SOURCE_DIR}/verification" "${CMAKE_BINARY_DIR}/include/verification" SYMBOLIC)
 
 # dda_module(NAME DEPENDS other... [LINK library...] [PRIVATE_LINK library...])
 # One engine folder: every .cpp of it but main.cpp and *_test.cpp becomes the static library dda::NAME; every
@@ -55,7 +57,6 @@ function(dda_module NAME)
   add_library(dda::${NAME} ALIAS dda_${NAME})
   list(TRANSFORM ARG_DEPENDS PREPEND "dda::")
   target_link_libraries(dda_${NAME} ${scope} Eigen3::Eigen ${ARG_DEPENDS} ${ARG_LINK})
-  target_include_directories(dda_${NAME} SYSTEM ${scope})
   target_include_directories(dda_${NAME} ${scope} $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set_target_properties(dda_${NAME} PROPERTIES EXPORT_NAME ${NAME})

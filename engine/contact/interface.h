@@ -1,0 +1,26 @@
+// Interfaces: where the outlines of two blocks touch. Found once from the reference geometry.
+#pragma once
+
+#include <vector>
+
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+// A straight stretch along which two blocks touch; a single point (from == to) where a vertex of block b touches the
+// inside of an edge of block a.
+struct Interface {
+  int block_a = 0;
+  int block_b = 0;
+  Vec2 from, to;     // reference coordinates; block a lies on the left of from -> to
+  Vec2 normal;       // unit, from block a into block b
+  double length = 0; // m
+  int joint = 0;     // index into Model::joints
+};
+
+// All interfaces of the model, sorted by (block_a, block_b), with block_a < block_b for stretches. A vertex that meets
+// only another vertex makes none: bonded corners are held by the edges that meet there.
+std::vector<Interface> find_interfaces(const Model& model);
+
+}  // namespace dda

@@ -1,0 +1,33 @@
+#include "dda/contact/interface_state.h"
+
+#include <cmath>
+#include <limits>
+
+namespace dda {
+
+EndStrength end_strength(const JointMaterial& joint, double length) {
+  const double unlimited = std::numeric_limits<double>::infinity();
+  if (joint.bonded) return {unlimited, unlimited, 0};
+  return {joint.tensile_strength * length / 2, joint.cohesion * length / 2, std::tan(joint.friction_angle)};
+}
+
+bool exceeds(const EndStrength& strength, double normal_force, double shear_force) {
+  return normal_force > strength.tension || std::abs(shear_force) > strength.cohesion - strength.friction * normal_force;
+}
+
+Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b) {
+  Vec4 force = element.stiffness.cwiseProduct(gap);
+  if (element.law == InterfaceLaw::consistent) force.head<2>() += element.half_traction * (stress_a + stress_b);
+  return force;
+}
+
+InterfaceState as_classical(const InterfaceState& consistent, const Vec4& classical_stiffness) {
+  InterfaceState state = consistent;
+  state.force << consistent.force.head<2>() - consistent.force.tail<2>(),
+      consistent.force.head<2>() + consistent.force.tail<2>();
+  state.force /= 2;
+  state.gap = state.force.cwiseQuotient(classical_stiffness);
+  return state;
+}
+
+}  // namespace dda

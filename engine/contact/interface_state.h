@@ -1,0 +1,46 @@
+// What an interface remembers between steps, and the strength of its joint.
+//
+// The two ends of a classical interface open, slide and stick separately. Strength (Mohr-Coulomb, tension positive):
+// an unbroken end carries normal force up to `tension` and shear up to cohesion - friction * normal force; when it
+// exceeds either it breaks for good, and from then on carries no tension and shear up to -friction * normal force.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dda/contact/interface_element.h"
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+enum class ContactStatus : std::uint8_t { locked, sliding, open };
+
+struct InterfaceState {
+  Vec4 gap = Vec4::Zero();    // m, elastic: the tangential part excludes slip
+  Vec4 force = Vec4::Zero();  // N per m of thickness, conjugate to the gap
+  std::array<ContactStatus, 2> status{ContactStatus::locked, ContactStatus::locked};
+  std::array<bool, 2> broken{false, false};
+  std::array<double, 2> slip{0, 0};  // m, along the tangent, since the start
+};
+
+// Strength of one end of an interface, in forces per m of thickness.
+struct EndStrength {
+  double tension = 0;
+  double cohesion = 0;
+  double friction = 0;  // tangent of the friction angle
+};
+
+// Each end carries half of the length. Infinite strength for a bonded joint.
+EndStrength end_strength(const JointMaterial& joint, double length);
+
+bool exceeds(const EndStrength& strength, double normal_force, double shear_force);
+
+// Forces of the closed, stuck interface at this gap, and the traction part for these block stresses.
+Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b);
+
+// The state of a consistent interface as the classical law sees it: the same forces, shared by the two ends.
+InterfaceState as_classical(const InterfaceState& consistent, const Vec4& classical_stiffness);
+
+}  // namespace dda

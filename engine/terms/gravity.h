@@ -1,0 +1,10 @@
+// Weight: acts at the centroid.
+#pragma once
+
+#include "dda/core/types.h"
+
+namespace dda {
+
+inline Vec2 weight(double mass, const Vec2& gravity) { return mass * gravity; }
+
+}  // namespace dda

@@ -1,0 +1,12 @@
+// Absorbing boundary of Lysmer & Kuhlemeyer (1969): traction = -impedance * velocity on an edge, implicit.
+#pragma once
+
+#include "dda/core/types.h"
+
+namespace dda {
+
+// Damping matrix C (force = -C v) of a straight edge, ends relative to the block's centroid, impedances in Pa s/m.
+// The integral of T^T Z T is quadratic along the edge, so two Gauss points are exact.
+Mat6 viscous_damping(const Vec2& from, const Vec2& to, double normal_impedance, double shear_impedance);
+
+}  // namespace dda

@@ -27,9 +27,9 @@ if(DDA_SANITIZE)
 endif()
 
 add_library(dda_options INTERFACE)
-target_compile_options(dda_options INTERFACE $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -Wshadow -Wconversion
-  -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wnull-dereference -Wdouble-promotion
-  $<$<BOOL:${DDA_WERROR}>:-Werror>>)
+target_compile_options(dda_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+  -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wnull-dereference -Wdouble-promotion
+  $<$<BOOL:${DDA_WERROR}>:-Werror>)
 
 # Headers are included as "dda/FOLDER/file.h" in the tree and after installation alike, those of verification as
 # "verification/FOLDER/file.h". Who may include whom is checked by ci/check-layers.
@@ -37,9 +37,11 @@ file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/include")
 file(CREATE_LINK "${CMAKE_SOURCE_DIR}/engine" "${CMAKE_BINARY_DIR}/include/dda" SYMBOLIC)
 file(CREATE_LINK "${CMAKE_SOURCE_DIR}/verification" "${CMAKE_BINARY_DIR}/include/verification" SYMBOLIC)
 
-# dda_module(NAME DEPENDS other... [LINK library...] [PRIVATE_LINK library...])
+add_custom_target(unit_tests)
+
+# dda_module(NAME DEPENDS other... [LINK library...] [PRIVATE_LINK library...] [TEST_LINK library...])
 # One engine folder: every .cpp of it but main.cpp and *_test.cpp becomes the static library dda::NAME; every
-# *_test.cpp becomes its unit-test program, found by ctest under the label "fast".
+# *_test.cpp becomes its unit-test program NAME_test, known to ctest under the labels "fast" and "unit".
 function(dda_module NAME)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LINK;PRIVATE_LINK;TEST_LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
@@ -49,7 +51,7 @@ function(dda_module NAME)
   if(sources)
     set(scope PUBLIC)
     add_library(dda_${NAME} STATIC ${sources})
-    target_link_libraries(dda_${NAME} PRIVATE dda_options ${ARG_PRIVATE_LINK})
+    target_link_libraries(dda_${NAME} PRIVATE $<BUILD_INTERFACE:dda_options> ${ARG_PRIVATE_LINK})
   else()
     set(scope INTERFACE)
     add_library(dda_${NAME} INTERFACE)
@@ -62,11 +64,12 @@ function(dda_module NAME)
   set_target_properties(dda_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   set_property(GLOBAL APPEND PROPERTY DDA_MODULES dda_${NAME})
   if(tests AND BUILD_TESTING)
-    dda_test(${NAME}_test SOURCES ${tests} LINK dda::${NAME} ${ARG_TEST_LINK})
+    dda_test(${NAME}_test SOURCES ${tests} LINK dda::${NAME} ${ARG_TEST_LINK} LABELS fast unit)
   endif()
 endfunction()
 
-# dda_test(NAME SOURCES file... LINK target... [LABELS label...]): a GoogleTest program, its cases known to ctest.
+# dda_test(NAME SOURCES file... LINK target... [LABELS label...]): a GoogleTest program, its cases known to ctest under
+# the labels (default: fast). Those labelled "unit" are what the target unit_tests builds.
 function(dda_test NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT ARG_LABELS)
@@ -74,5 +77,13 @@ function(dda_test NAME)
   endif()
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE dda_options ${ARG_LINK} GTest::gtest_main)
-  gtest_discover_tests(${NAME} PROPERTIES LABELS "${ARG_LABELS}" DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60)
+  # gtest_discover_tests(PROPERTIES LABELS ...) loses all labels but the first, so they are set when ctest reads the tests.
+  set(labels_file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_labels.cmake")
+  file(WRITE "${labels_file}" "foreach(test IN LISTS ${NAME}_TESTS)
+  set_tests_properties(\"\${test}\" PROPERTIES LABELS \"${ARG_LABELS}\")\nendforeach()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${labels_file}")
+  if("unit" IN_LIST ARG_LABELS)
+    add_dependencies(unit_tests ${NAME})
+  endif()
 endfunction()

@@ -40,8 +40,9 @@ Polygon normalized(Polygon polygon);
 AreaMoments area_moments(const Polygon& polygon);
 
 // Why `polygon` is not a valid simple polygon, in words that end a sentence "block is ...", or nothing when it is:
-// fewer than three vertices, a coordinate that is not finite, repeated vertices, zero area, edges that cross, touch or
-// fold back, a hole outside, or holes that touch or nest. Things nearer than the round-off of the coordinates touch.
+// fewer than three vertices, a coordinate that is not finite or beyond 1e12 m, repeated vertices, zero area, edges that
+// cross, touch or fold back, a hole outside, or holes that touch or nest. Things nearer than the round-off of the
+// coordinates touch.
 std::optional<std::string> defect(const Polygon& polygon);
 
 // Where `point` lies; within `tolerance` (m) of an edge it is on the boundary.

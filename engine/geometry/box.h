@@ -1,0 +1,40 @@
+// Axis-aligned boxes.
+#pragma once
+
+#include <limits>
+
+#include "dda/geometry/polygon.h"
+
+namespace dda {
+
+// Empty until expanded: an empty box overlaps nothing.
+struct Box {
+  Vec2 lower = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 upper = Vec2::Constant(-std::numeric_limits<double>::infinity());
+};
+
+inline bool is_empty(const Box& box) { return (box.lower.array() > box.upper.array()).any(); }
+
+// Touching counts.
+inline bool overlap(const Box& a, const Box& b) {
+  return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
+}
+
+inline Box expanded(const Box& box, const Vec2& point) {
+  return {box.lower.cwiseMin(point), box.upper.cwiseMax(point)};
+}
+
+// Grown by `margin` (m) on every side.
+inline Box expanded(const Box& box, double margin) {
+  return {box.lower - Vec2::Constant(margin), box.upper + Vec2::Constant(margin)};
+}
+
+inline Box bounding_box(const Ring& ring) {
+  Box box;
+  for (const Vec2& vertex : ring) box = expanded(box, vertex);
+  return box;
+}
+
+inline Box bounding_box(const Polygon& polygon) { return bounding_box(polygon.outer); }
+
+}  // namespace dda

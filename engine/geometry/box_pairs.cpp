@@ -1,0 +1,148 @@
+#include "dda/geometry/box_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace dda {
+namespace {
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+struct Cell {
+  int level;
+  int column;
+  int row;
+  bool operator==(const Cell&) const = default;
+};
+
+std::pair<int, int> pair_of(std::size_t i, std::size_t j) { return {static_cast<int>(i), static_cast<int>(j)}; }
+
+Pairs brute_force(std::span<const Box> boxes) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (is_empty(boxes[i]) || is_empty(boxes[j])) continue;
+      if (overlap(boxes[i], boxes[j])) pairs.push_back(pair_of(i, j));
+    }
+  }
+  return pairs;
+}
+
+double size_of(const Box& box) { return (box.upper - box.lower).maxCoeff(); }
+
+// A grid for each level, cells doubling from level to level. A box belongs to the lowest level whose cells are larger
+// than it, and there to the one cell that holds its lower corner; so on any level the partners of a box start between
+// one cell before its lower corner and its upper corner.
+class GridLevels {
+ public:
+  explicit GridLevels(std::span<const Box> boxes) : boxes_(boxes), bucket_mask_(std::bit_ceil(boxes.size() * 2) - 1) {
+    choose_scale();
+    cells_.reserve(boxes_.size());
+    for (const Box& box : boxes_) cells_.push_back(cell_at(box.lower, is_empty(box) ? 0 : level_of(box)));
+    fill_buckets();
+  }
+
+  [[nodiscard]] Pairs pairs() const {
+    Pairs found;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (is_empty(boxes_[i])) continue;
+      for (int level = cells_[i].level; level < level_count; ++level) {
+        if (level_used_[static_cast<std::size_t>(level)]) append_partners(i, level, found);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  static constexpr int level_count = 24;
+  static constexpr double slack = 1 + 1.0 / 1024;  // cells exceed boxes by more than the round-off of cell indices
+
+  void choose_scale() {
+    Box bounds;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Box& box : boxes_) {
+      if (is_empty(box)) continue;
+      bounds = expanded(expanded(bounds, box.lower), box.upper);
+      smallest = std::min(smallest, size_of(box));
+    }
+    if (is_empty(bounds)) return;
+    origin_ = bounds.lower;
+    const double extent = size_of(bounds);
+    // The highest level must hold the largest box, and cell indices stay below 2^23.
+    smallest_cell_ = std::max(slack * smallest, std::ldexp(slack * extent, 1 - level_count));
+    if (smallest_cell_ == 0) smallest_cell_ = 1;
+  }
+
+  [[nodiscard]] int level_of(const Box& box) const {
+    const double cells = slack * size_of(box) / smallest_cell_;
+    return cells <= 1 ? 0 : static_cast<int>(std::ceil(std::log2(cells)));
+  }
+
+  [[nodiscard]] Cell cell_at(const Vec2& point, int level) const {
+    if (!point.allFinite()) return {level, 0, 0};
+    const Vec2 index = (point - origin_) / std::ldexp(smallest_cell_, level);
+    return {level, static_cast<int>(std::floor(index.x())), static_cast<int>(std::floor(index.y()))};
+  }
+
+  [[nodiscard]] std::size_t bucket(const Cell& cell) const {
+    const auto word = [](int value) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)); };
+    // Odd multipliers from the golden ratio and its like spread neighbouring cells over the buckets.
+    std::uint64_t hash = word(cell.column) * 0x9E3779B97F4A7C15u;
+    hash = (hash ^ (hash >> 32) ^ word(cell.row)) * 0xC2B2AE3D27D4EB4Fu;
+    hash = (hash ^ (hash >> 29) ^ word(cell.level)) * 0x165667B19E3779F9u;
+    return static_cast<std::size_t>(hash >> 32) & bucket_mask_;
+  }
+
+  // Counting sort of the boxes by bucket.
+  void fill_buckets() {
+    bucket_start_.assign(bucket_mask_ + 2, 0);
+    for (const Cell& cell : cells_) ++bucket_start_[bucket(cell) + 1];
+    for (std::size_t b = 1; b < bucket_start_.size(); ++b) bucket_start_[b] += bucket_start_[b - 1];
+    std::vector<std::size_t> next(bucket_start_.begin(), bucket_start_.end() - 1);
+    members_.assign(cells_.size(), 0);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      members_[next[bucket(cells_[i])]++] = i;
+      level_used_[static_cast<std::size_t>(cells_[i].level)] = true;
+    }
+  }
+
+  void append_partners(std::size_t i, int level, Pairs& found) const {
+    const Cell first = cell_at(boxes_[i].lower, level);
+    const Cell last = cell_at(boxes_[i].upper, level);
+    for (int column = first.column - 1; column <= last.column; ++column) {
+      for (int row = first.row - 1; row <= last.row; ++row) append_partners_in(i, {level, column, row}, found);
+    }
+  }
+
+  void append_partners_in(std::size_t i, const Cell& cell, Pairs& found) const {
+    const std::size_t at = bucket(cell);
+    for (std::size_t k = bucket_start_[at]; k < bucket_start_[at + 1]; ++k) {
+      const std::size_t j = members_[k];
+      if (cells_[j] != cell || (cell.level == cells_[i].level && j <= i)) continue;
+      if (!overlap(boxes_[i], boxes_[j]) || is_empty(boxes_[j])) continue;
+      found.push_back(pair_of(std::min(i, j), std::max(i, j)));
+    }
+  }
+
+  std::span<const Box> boxes_;
+  std::size_t bucket_mask_;
+  Vec2 origin_ = Vec2::Zero();
+  double smallest_cell_ = 1;
+  std::vector<Cell> cells_;
+  std::vector<std::size_t> bucket_start_;  // bucket b holds members_[bucket_start_[b]] up to bucket_start_[b + 1]
+  std::vector<std::size_t> members_;
+  std::array<bool, level_count> level_used_ = {};
+};
+
+}  // namespace
+
+std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
+  constexpr std::size_t few = 32;  // where comparing all is quicker than building a grid
+  return boxes.size() <= few ? brute_force(boxes) : GridLevels(boxes).pairs();
+}
+
+}  // namespace dda

@@ -1,0 +1,17 @@
+// Broad phase: which boxes overlap.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "dda/geometry/box.h"
+
+namespace dda {
+
+// All pairs (i, j), i < j, of boxes that overlap or touch, each once, in ascending order. Empty boxes overlap nothing;
+// the corners of the others must be finite. About linear in the number of boxes plus pairs, whatever the mix of sizes:
+// every box lies in one cell of a uniform grid with cells of about its own size (spatial hashing on levels).
+std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes);
+
+}  // namespace dda

@@ -1,0 +1,136 @@
+#include "dda/geometry/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "dda/geometry/box.h"
+#include "dda/geometry/segment.h"
+
+// With E(B) the part of B deeper than the tolerance, A and E(B) meet if and only if an edge of A meets E(B) or, no edge
+// of A entering E(B), A holds a whole component of E(B). The first is decided on each edge: what the strips of
+// half-width `tolerance` about the edges of B leave free of it is in E(B) or outside B, piece by piece. The second is
+// decided at one point of each stretch of the boundary of (nearly) E(B).
+
+namespace dda {
+namespace {
+
+struct Interval {
+  double first;
+  double last;
+};
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Interval nowhere = {infinite, -infinite};
+
+Interval meet(const Interval& a, const Interval& b) { return {std::max(a.first, b.first), std::min(a.last, b.last)}; }
+
+Interval hull(const Interval& a, const Interval& b) {
+  if (a.first > a.last) return b;
+  if (b.first > b.last) return a;
+  return {std::min(a.first, b.first), std::max(a.last, b.last)};
+}
+
+// Where lower <= constant + slope t <= upper.
+Interval between(double constant, double slope, double lower, double upper) {
+  if (slope == 0) return constant >= lower && constant <= upper ? Interval{-infinite, infinite} : nowhere;
+  const double at_lower = (lower - constant) / slope;
+  const double at_upper = (upper - constant) / slope;
+  return {std::min(at_lower, at_upper), std::max(at_lower, at_upper)};
+}
+
+// The parameters of the line through `line` within `radius` of `centre`.
+Interval within_disc(const Segment& line, const Vec2& centre, double radius) {
+  const Vec2 along = line.end - line.start;
+  const double length = along.norm();
+  const double off = cross(along, centre - line.start) / length;
+  if (std::abs(off) > radius) return nowhere;
+  const double middle = along.dot(centre - line.start) / (length * length);
+  const double half = std::sqrt((radius - off) * (radius + off)) / length;
+  return {middle - half, middle + half};
+}
+
+// The parameters of the line through `line` within `radius` of the segment `core`: one interval, as that set is convex.
+Interval within_strip(const Segment& line, const Segment& core, double radius) {
+  const Vec2 along = line.end - line.start;
+  const Vec2 direction = (core.end - core.start).normalized();
+  const double length = (core.end - core.start).norm();
+  const Vec2 start = line.start - core.start;
+  const Interval beside = meet(between(direction.dot(start), direction.dot(along), 0, length),
+                               between(cross(direction, start), cross(direction, along), -radius, radius));
+  return hull(beside, hull(within_disc(line, core.start, radius), within_disc(line, core.end, radius)));
+}
+
+std::vector<Segment> edges_of(const Polygon& polygon) {
+  std::vector<Segment> edges;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  };
+  add(polygon.outer);
+  for (const Ring& hole : polygon.holes) add(hole);
+  return edges;
+}
+
+struct Shape {
+  explicit Shape(const Polygon& given)
+      : polygon(normalized(given)), edges(edges_of(polygon)), box(bounding_box(given)) {}
+  Polygon polygon;
+  std::vector<Segment> edges;  // material on the left
+  Box box;
+};
+
+bool is_inside(const Shape& shape, const Vec2& point) { return locate(shape.polygon, point) == Location::inside; }
+
+// A point of each piece of `segment` that is farther than `tolerance` from all edges of `shape` and inside it.
+std::vector<Vec2> deep_points(const Segment& segment, const Shape& shape, double tolerance) {
+  std::vector<Interval> covered;
+  for (const Segment& edge : shape.edges) {
+    const Interval near = meet(within_strip(segment, edge, tolerance), {0, 1});
+    if (near.first <= near.last) covered.push_back(near);
+  }
+  covered.push_back({1, 1});
+  std::sort(covered.begin(), covered.end(), [](const Interval& p, const Interval& q) { return p.first < q.first; });
+  std::vector<Vec2> points;
+  double reached = 0;
+  for (const Interval& next : covered) {
+    const Vec2 middle = point_at(segment, (reached + next.first) / 2);
+    if (next.first > reached && is_inside(shape, middle)) points.push_back(middle);
+    reached = std::max(reached, next.last);
+  }
+  return points;
+}
+
+bool box_meets(const Segment& segment, const Box& box) {
+  return overlap(expanded(expanded(Box{}, segment.start), segment.end), box);
+}
+
+bool edge_enters(const Shape& a, const Shape& b, double tolerance) {
+  const Box deep = expanded(b.box, -tolerance);
+  return std::any_of(a.edges.begin(), a.edges.end(), [&](const Segment& edge) {
+    return box_meets(edge, deep) && !deep_points(edge, b, tolerance).empty();
+  });
+}
+
+// Whether `a` holds a component of the deep part of `b`, if no edge of `a` enters that.
+bool holds_deep_part(const Shape& a, const Shape& b, double tolerance) {
+  return std::any_of(b.edges.begin(), b.edges.end(), [&](const Segment& edge) {
+    const Vec2 along = (edge.end - edge.start).normalized();
+    const Vec2 inward = 1.5 * tolerance * Vec2(-along.y(), along.x());  // half as much again, for round-off
+    const Segment inner = {edge.start + inward, edge.end + inward};
+    if (!box_meets(inner, a.box)) return false;
+    const std::vector<Vec2> points = deep_points(inner, b, tolerance);
+    return std::any_of(points.begin(), points.end(), [&](const Vec2& point) { return is_inside(a, point); });
+  });
+}
+
+}  // namespace
+
+bool interiors_overlap(const Polygon& a, const Polygon& b, double tolerance) {
+  const Shape first(a);
+  const Shape second(b);
+  if (!overlap(first.box, second.box)) return false;
+  return edge_enters(first, second, tolerance) || edge_enters(second, first, tolerance) ||
+         holds_deep_part(first, second, tolerance) || holds_deep_part(second, first, tolerance);
+}
+
+}  // namespace dda

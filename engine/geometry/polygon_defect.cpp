@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "dda/geometry/box_pairs.h"
+#include "dda/geometry/polygon.h"
+#include "dda/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+using Reason = std::optional<std::string>;
+
+constexpr double largest_coordinate = 1e12;  // m; keeps fourth powers and grid indices far from overflow
+
+struct Edge {
+  Segment segment;
+  std::size_t ring;  // 0 the outer ring, i the hole i - 1
+  std::size_t index;
+  std::size_t ring_size;
+};
+
+std::string name_of(std::size_t ring) { return ring == 0 ? "the outer ring" : fmt::format("hole {}", ring - 1); }
+
+std::vector<const Ring*> rings_of(const Polygon& polygon) {
+  std::vector<const Ring*> rings = {&polygon.outer};
+  for (const Ring& hole : polygon.holes) rings.push_back(&hole);
+  return rings;
+}
+
+Reason vertex_defect(const Ring& ring, const std::string& name) {
+  if (ring.size() < 3) return fmt::format("degenerate: {} has fewer than 3 vertices ({})", name, ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (ring[i].lpNorm<Eigen::Infinity>() <= largest_coordinate && ring[i].allFinite()) continue;
+    return fmt::format("out of range: vertex {} of {} is ({}, {}) m", i, name, ring[i].x(), ring[i].y());
+  }
+  return std::nullopt;
+}
+
+// The round-off of the coordinates: two roundings of each of two coordinates, in units of the largest.
+double coordinate_tolerance(const Polygon& polygon) {
+  double largest = 0;
+  for (const Vec2& vertex : polygon.outer) largest = std::max(largest, vertex.lpNorm<Eigen::Infinity>());
+  return 4 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+// All vertices on one line. A figure of eight may have area zero too, but it is told that it crosses itself.
+bool is_flat(const Ring& ring, double tolerance) {
+  const auto farther = [&](const Vec2& p, const Vec2& q) {
+    return (p - ring.front()).squaredNorm() < (q - ring.front()).squaredNorm();
+  };
+  const Segment longest = {ring.front(), *std::max_element(ring.begin(), ring.end(), farther)};
+  return std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return distance(longest, p) <= tolerance; });
+}
+
+// Of two edges that follow each other.
+bool folds_back(const Segment& edge, const Segment& next, double tolerance) {
+  return distance(edge, next.end) <= tolerance || distance(next, edge.start) <= tolerance;
+}
+
+Reason conflict_in_ring(const Edge& a, const Edge& b, double tolerance) {
+  const std::string name = name_of(a.ring);
+  if ((a.segment.start - b.segment.start).norm() <= tolerance) {
+    return fmt::format("degenerate: vertex {} of {} repeats vertex {}", b.index, name, a.index);
+  }
+  const bool b_follows = b.index == a.index + 1;
+  const bool a_follows = a.index == 0 && b.index + 1 == b.ring_size;
+  if (!b_follows && !a_follows) {
+    if (distance(a.segment, b.segment) > tolerance) return std::nullopt;
+    return fmt::format("self-intersecting: edge {} of {} crosses or touches edge {}", a.index, name, b.index);
+  }
+  if ((b_follows && folds_back(a.segment, b.segment, tolerance)) ||
+      (a_follows && folds_back(b.segment, a.segment, tolerance))) {
+    return fmt::format("self-intersecting: edge {} of {} folds back onto edge {}", a.index, name, b.index);
+  }
+  return std::nullopt;
+}
+
+Reason conflict(const Edge& a, const Edge& b, double tolerance) {
+  if (a.ring == b.ring) return conflict_in_ring(a, b, tolerance);
+  if (distance(a.segment, b.segment) > tolerance) return std::nullopt;
+  return fmt::format("self-intersecting: {} crosses or touches {}", name_of(b.ring), name_of(a.ring));
+}
+
+std::vector<Edge> edges_of(const Polygon& polygon) {
+  std::vector<Edge> edges;
+  const std::vector<const Ring*> rings = rings_of(polygon);
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const Ring& ring = *rings[r];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      edges.push_back({{ring[i], ring[(i + 1) % ring.size()]}, r, i, ring.size()});
+    }
+  }
+  return edges;
+}
+
+Reason edge_defect(const Polygon& polygon, double tolerance) {
+  const std::vector<Edge> edges = edges_of(polygon);
+  std::vector<Box> boxes;
+  for (const Edge& edge : edges) {
+    boxes.push_back(expanded(expanded(expanded(Box{}, edge.segment.start), edge.segment.end), tolerance));
+  }
+  for (const auto& [i, j] : overlapping_pairs(boxes)) {
+    Reason reason = conflict(edges[static_cast<std::size_t>(i)], edges[static_cast<std::size_t>(j)], tolerance);
+    if (reason) return reason;
+  }
+  return std::nullopt;
+}
+
+// Of rings that neither cross nor touch: one vertex tells where a hole lies.
+Reason nesting_defect(const Polygon& polygon) {
+  const Polygon solid = {polygon.outer, {}};
+  for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
+    const Vec2& vertex = polygon.holes[i].front();
+    if (!contains(solid, vertex)) return fmt::format("inconsistent: hole {} lies outside the outer ring", i);
+    for (std::size_t j = 0; j < polygon.holes.size(); ++j) {
+      if (j == i || !contains({polygon.holes[j], {}}, vertex)) continue;
+      return fmt::format("inconsistent: hole {} lies inside hole {}", i, j);
+    }
+  }
+  return std::nullopt;
+}
+
+// The fourth powers of lengths below about 1e-80 m vanish.
+Reason moment_defect(const Polygon& polygon) {
+  const AreaMoments moments = area_moments(polygon);
+  if (moments.area > 0 && moments.xx > 0 && moments.yy > 0) return std::nullopt;
+  return fmt::format("degenerate: its area is {} m2, its second moments {} and {} m4", moments.area, moments.xx,
+                     moments.yy);
+}
+
+}  // namespace
+
+std::optional<std::string> defect(const Polygon& polygon) {
+  const std::vector<const Ring*> rings = rings_of(polygon);
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    if (Reason reason = vertex_defect(*rings[r], name_of(r))) return reason;
+  }
+  const double tolerance = coordinate_tolerance(polygon);
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    if (is_flat(*rings[r], tolerance)) return fmt::format("degenerate: {} has no area", name_of(r));
+  }
+  if (Reason reason = edge_defect(polygon, tolerance)) return reason;
+  if (Reason reason = nesting_defect(polygon)) return reason;
+  return moment_defect(polygon);
+}
+
+}  // namespace dda

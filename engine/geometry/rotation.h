@@ -1,0 +1,37 @@
+// Finite rotation and the deformation of one step.
+#pragma once
+
+#include <cmath>
+
+#include "dda/core/types.h"
+
+namespace dda {
+
+// Counter-clockwise rotation by `angle` (rad).
+inline Mat2 rotation(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  Mat2 matrix;
+  matrix << c, -s, s, c;
+  return matrix;
+}
+
+// Deformation gradient of one step from the six unknowns: stretch first, then a finite rotation,
+// R(r0) (I + [[ex, gxy/2], [gxy/2, ey]]). It replaces Shi's first-order update, whose area grows with 1 + r0^2; here a
+// pure rotation keeps every length. A point moves to centroid + (u0, v0) + F (point - centroid).
+inline Mat2 deformation_increment(const Vec6& dofs) {
+  Mat2 stretch;
+  stretch << 1 + dofs[3], dofs[5] / 2, dofs[5] / 2, 1 + dofs[4];
+  return rotation(dofs[2]) * stretch;
+}
+
+// The components (xx, yy, xy) of a stress in a body turned counter-clockwise by `angle` (rad): R s R^T.
+inline Vec3 rotate_stress(const Vec3& stress, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const double shear = 2 * c * s * stress[2];
+  return {c * c * stress[0] + s * s * stress[1] - shear, s * s * stress[0] + c * c * stress[1] + shear,
+          c * s * (stress[0] - stress[1]) + (c * c - s * s) * stress[2]};
+}
+
+}  // namespace dda

@@ -1,0 +1,102 @@
+#include "dda/contact/contact_set.h"
+
+#include <cstddef>
+
+namespace dda {
+namespace {
+
+using Segment6 = Eigen::VectorBlock<Eigen::VectorXd, 6>;
+
+Vec2 moved(const Model& model, const State& state, int block, const Vec2& reference) {
+  return current_position(model, state, block, reference);
+}
+
+InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface) {
+  const auto a = static_cast<std::size_t>(interface.block_a);
+  const auto b = static_cast<std::size_t>(interface.block_b);
+  // Cofactors of the deformation turn and stretch normals; their sum gives the mean of the two edges.
+  const auto turned = [&](std::size_t i) {
+    const Mat2& f = state.deformation[i];
+    return Vec2(f(1, 1) * interface.normal.x() - f(1, 0) * interface.normal.y(),
+                f(0, 0) * interface.normal.y() - f(0, 1) * interface.normal.x());
+  };
+  // A lone vertex presses on block a's edge: that edge alone has a direction.
+  const Vec2 normal = interface.length > 0 ? turned(a) + turned(b) : turned(a);
+  return {moved(model, state, interface.block_a, interface.from), moved(model, state, interface.block_a, interface.to),
+          moved(model, state, interface.block_b, interface.from), moved(model, state, interface.block_b, interface.to),
+          normal.normalized(), state.centroid[a], state.centroid[b]};
+}
+
+}  // namespace
+
+ContactSet make_contacts(const Model& model) {
+  ContactSet contacts;
+  contacts.interfaces = find_interfaces(model);
+  contacts.states.resize(contacts.interfaces.size());
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    const Interface& interface = contacts.interfaces[i];
+    const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
+    const InterfaceLaw law = interface.length > 0 ? joint.law : InterfaceLaw::classical;
+    InterfaceElement element = make_element(model, interface, law);
+    set_geometry(model, reference_frame(model, interface), element);
+    const Vec3& stress_a = model.blocks[static_cast<std::size_t>(interface.block_a)].initial_stress;
+    const Vec3& stress_b = model.blocks[static_cast<std::size_t>(interface.block_b)].initial_stress;
+    contacts.states[i].force = elastic_force(element, contacts.states[i].gap, stress_a, stress_b);
+    contacts.elements.push_back(element);
+    contacts.strengths.push_back(end_strength(joint, interface.length));
+    contacts.can_change = contacts.can_change || !joint.bonded;
+  }
+  return contacts;
+}
+
+void update_geometry(const Model& model, const State& state, ContactSet& contacts) {
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i)
+    set_geometry(model, current_frame(model, state, contacts.interfaces[i]), contacts.elements[i]);
+}
+
+void add_interface_force(const InterfaceElement& element, const Vec4& interface_force, const Vec4& gap,
+                         Eigen::VectorXd& force) {
+  Segment6 on_a = force.segment<6>(6 * element.block_a);
+  Segment6 on_b = force.segment<6>(6 * element.block_b);
+  on_a.noalias() += element.rows_a.transpose() * interface_force;
+  on_b.noalias() += element.rows_b.transpose() * interface_force;
+  if (element.law == InterfaceLaw::classical) return;
+  on_a.tail<3>().noalias() += element.traction_rows_a.transpose() * gap.head<2>();
+  on_b.tail<3>().noalias() += element.traction_rows_b.transpose() * gap.head<2>();
+}
+
+void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force) {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    add_interface_force(contacts.elements[i], contacts.states[i].force, contacts.states[i].gap, force);
+}
+
+Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {
+  return element.rows_a * d.segment<6>(6 * element.block_a) + element.rows_b * d.segment<6>(6 * element.block_b);
+}
+
+InterfaceStiffness stiffness_of(const InterfaceElement& element, const Vec4& mask) {
+  const auto stiffness = element.stiffness.cwiseProduct(mask).asDiagonal();
+  InterfaceStiffness k;
+  k.aa = element.rows_a.transpose() * stiffness * element.rows_a;
+  k.bb = element.rows_b.transpose() * stiffness * element.rows_b;
+  k.ba = element.rows_b.transpose() * stiffness * element.rows_a;
+  if (element.law == InterfaceLaw::classical) return k;
+  const Eigen::Matrix<double, 6, 3> a = element.rows_a.topRows<2>().transpose() * element.traction_rows_a;
+  const Eigen::Matrix<double, 6, 3> b = element.rows_b.topRows<2>().transpose() * element.traction_rows_b;
+  k.aa.rightCols<3>() += a;
+  k.aa.bottomRows<3>() += a.transpose();
+  k.bb.rightCols<3>() += b;
+  k.bb.bottomRows<3>() += b.transpose();
+  k.ba.rightCols<3>() += element.rows_b.topRows<2>().transpose() * element.traction_rows_a;
+  k.ba.bottomRows<3>() += element.traction_rows_b.transpose() * element.rows_a.topRows<2>();
+  return k;
+}
+
+double interface_energy(const InterfaceElement& element, const InterfaceState& state) {
+  // An open end has a gap without energy: its force is zero. In the consistent law force = K g + traction.
+  const Vec4 spring = element.stiffness.cwiseProduct(state.gap);
+  if (element.law == InterfaceLaw::consistent) return state.gap.dot(state.force - spring / 2);
+  return state.gap.dot(state.force) / 2;
+}
+
+}  // namespace dda

@@ -1,0 +1,49 @@
+// All interfaces of a scene in contiguous arrays: constant description, element, strength and state of each.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "dda/contact/interface.h"
+#include "dda/contact/interface_element.h"
+#include "dda/contact/interface_state.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+
+namespace dda {
+
+struct ContactSet {
+  std::vector<Interface> interfaces;
+  std::vector<InterfaceElement> elements;
+  std::vector<EndStrength> strengths;
+  std::vector<InterfaceState> states;
+  bool can_change = false;  // some joint can open, slide or break
+};
+
+ContactSet make_contacts(const Model& model);
+
+// Moves the elements to the current geometry (finite kinematics): ends follow their blocks, the normal turns with the
+// mean of the two edges.
+void update_geometry(const Model& model, const State& state, ContactSet& contacts);
+
+// Adds the internal forces of all interfaces to `force` (6 entries a block).
+void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force);
+
+// Adds the internal force of one interface that carries `interface_force` at `gap`.
+void add_interface_force(const InterfaceElement& element, const Vec4& interface_force, const Vec4& gap,
+                         Eigen::VectorXd& force);
+
+// The change of the gaps by the displacement increments `d` (6 entries a block).
+Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d);
+
+// Stiffness of an interface in the blocks a and b whose rows with mask 0 carry no stiffness: aa, bb, and ba (force on b
+// by the unknowns of a).
+struct InterfaceStiffness {
+  Mat6 aa, bb, ba;
+};
+InterfaceStiffness stiffness_of(const InterfaceElement& element, const Vec4& mask);
+
+// Elastic energy of the interface, J per m of thickness.
+double interface_energy(const InterfaceElement& element, const InterfaceState& state);
+
+}  // namespace dda

@@ -1,0 +1,129 @@
+#include "dda/contact/interface.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "dda/geometry/box.h"
+#include "dda/geometry/box_pairs.h"
+#include "dda/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+// An edge of a block's outline or of one of its holes, material on its left.
+struct Edge {
+  Segment segment;
+  Box box;
+};
+
+std::vector<Edge> edges_of(const Polygon& shape, double tolerance) {
+  std::vector<Edge> edges;
+  const auto add_ring = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& end = ring[(i + 1) % ring.size()];
+      const Box box = expanded(expanded(expanded(Box{}, ring[i]), end), tolerance);
+      edges.push_back({{ring[i], end}, box});
+    }
+  };
+  add_ring(shape.outer);
+  for (const Ring& hole : shape.holes) add_ring(hole);
+  return edges;
+}
+
+int joint_index(const Model& model, int block_a, int block_b) {
+  const auto found = model.joint_of_block_pair.find(std::minmax(block_a, block_b));
+  return found == model.joint_of_block_pair.end() ? 0 : found->second;
+}
+
+Vec2 outward_normal(const Segment& edge) {
+  const Vec2 along = (edge.end - edge.start).normalized();
+  return {along.y(), -along.x()};
+}
+
+// Collects the interfaces of one pair of blocks.
+class PairSearch {
+ public:
+  PairSearch(const Model& model, int block_a, int block_b, const std::vector<std::vector<Edge>>& edges)
+      : model_(model),
+        a_(block_a),
+        b_(block_b),
+        edges_a_(edges[static_cast<std::size_t>(block_a)]),
+        edges_b_(edges[static_cast<std::size_t>(block_b)]) {}
+
+  std::vector<Interface> run() {
+    find_stretches();
+    find_vertices(a_, b_, edges_a_, edges_b_);
+    find_vertices(b_, a_, edges_b_, edges_a_);
+    return std::move(found_);
+  }
+
+ private:
+  void add(int owner, int other, const Vec2& from, const Vec2& to, const Vec2& normal) {
+    found_.push_back({owner, other, from, to, normal, (to - from).norm(), joint_index(model_, a_, b_)});
+  }
+
+  void find_stretches() {
+    for (const Edge& edge_a : edges_a_) {
+      for (const Edge& edge_b : edges_b_) {
+        if (!overlap(edge_a.box, edge_b.box)) continue;
+        const Vec2 along_a = edge_a.segment.end - edge_a.segment.start;
+        // Facing outlines run against each other, because each has its material on its left.
+        if (along_a.dot(edge_b.segment.end - edge_b.segment.start) >= 0) continue;
+        const auto common = collinear_overlap(edge_a.segment, edge_b.segment, model_.length_tolerance);
+        if (common) add(a_, b_, common->first, common->second, outward_normal(edge_a.segment));
+      }
+    }
+  }
+
+  // Vertices of `other` inside an edge of `owner` that are not an end of a stretch found before.
+  void find_vertices(int owner, int other, const std::vector<Edge>& owner_edges,
+                     const std::vector<Edge>& other_edges) {
+    for (const Edge& edge : owner_edges) {
+      for (const Edge& start_here : other_edges) {
+        const Vec2& vertex = start_here.segment.start;
+        if (!overlap(edge.box, expanded(Box{}, vertex)) || !inside(edge.segment, vertex)) continue;
+        if (!on_a_stretch(vertex)) add(owner, other, vertex, vertex, outward_normal(edge.segment));
+      }
+    }
+  }
+
+  [[nodiscard]] bool inside(const Segment& edge, const Vec2& point) const {
+    const double tolerance = model_.length_tolerance;
+    return distance(edge, point) <= tolerance && (point - edge.start).norm() > tolerance &&
+           (point - edge.end).norm() > tolerance;
+  }
+
+  [[nodiscard]] bool on_a_stretch(const Vec2& point) const {
+    return std::any_of(found_.begin(), found_.end(), [&](const Interface& interface) {
+      return distance(Segment{interface.from, interface.to}, point) <= model_.length_tolerance;
+    });
+  }
+
+  const Model& model_;
+  int a_;
+  int b_;
+  const std::vector<Edge>& edges_a_;
+  const std::vector<Edge>& edges_b_;
+  std::vector<Interface> found_;
+};
+
+}  // namespace
+
+std::vector<Interface> find_interfaces(const Model& model) {
+  std::vector<std::vector<Edge>> edges;
+  std::vector<Box> boxes;
+  for (const Block& block : model.blocks) {
+    edges.push_back(edges_of(block.shape, model.length_tolerance));
+    boxes.push_back(expanded(bounding_box(block.shape), model.length_tolerance));
+  }
+  std::vector<Interface> interfaces;
+  for (const auto& [a, b] : box_pairs(boxes)) {
+    const std::vector<Interface> found = PairSearch(model, a, b, edges).run();
+    interfaces.insert(interfaces.end(), found.begin(), found.end());
+  }
+  return interfaces;
+}
+
+}  // namespace dda

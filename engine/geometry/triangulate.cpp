@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 namespace dda {
 namespace {
@@ -171,23 +172,9 @@ class EarClipper {
     while (chain_.size() >= 3) {
       if (failures == chain_.size()) throw std::invalid_argument("triangulate: the rings of the polygon cross");
       position %= chain_.size();
-      const bool clipped = clip_spike(position) || clip_ear(position);
-      failures = clipped ? 0 : failures + 1;
+      failures = clip_ear(position) ? 0 : failures + 1;
       ++position;  // also after an ear: taking every other corner gives fewer thin triangles than a fan
     }
-  }
-
-  // A corner whose two edges are one edge to and fro, as bridges leave behind: nothing is inside.
-  bool clip_spike(std::size_t position) {
-    if (previous(position) != next(position)) return false;
-    const auto vertex = chain_.begin() + static_cast<std::ptrdiff_t>(position);
-    if (position + 1 == chain_.size()) {
-      chain_.erase(vertex);
-      chain_.erase(chain_.begin());
-    } else {
-      chain_.erase(vertex, vertex + 2);
-    }
-    return true;
   }
 
   bool clip_ear(std::size_t position) {

@@ -56,10 +56,10 @@ void expect_triangulation(const Polygon& polygon) {
     area += twice_area / 2;
     for (std::size_t i = 0; i < 3; ++i) {
       ++uses[{triangle[i], triangle[(i + 1) % 3]}];
-      extent = std::max(extent, corner(i).cwiseAbs().maxCoeff());
+      extent = std::max(extent, (corner(i) - vertices[0]).cwiseAbs().maxCoeff());
     }
   }
-  // Each of the n products is rounded to 2^-53 of extent^2; area_moments likewise.
+  // Each product of differences is rounded to a few 2^-53 of extent^2; area_moments likewise.
   const double round_off = 1e-15 * extent * extent * static_cast<double>(triangles.size());
   EXPECT_NEAR(area, area_moments(polygon).area, round_off);
 

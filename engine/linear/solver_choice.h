@@ -12,12 +12,9 @@ enum class SolverKind { cholesky, pcg, dense };
 
 constexpr std::string_view to_string(SolverKind kind) {
   switch (kind) {
-    case SolverKind::cholesky:
-      return "cholesky";
-    case SolverKind::pcg:
-      return "pcg";
-    case SolverKind::dense:
-      return "dense";
+    case SolverKind::cholesky: return "cholesky";
+    case SolverKind::pcg: return "pcg";
+    case SolverKind::dense: return "dense";
   }
   return "unknown";
 }

@@ -1,0 +1,120 @@
+#include "dda/linear/block_matrix.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace dda {
+namespace {
+
+void check_couplings(int blocks, const std::vector<std::pair<int, int>>& couplings) {
+  if (blocks < 0) throw std::invalid_argument("BlockMatrix: negative number of blocks");
+  for (const auto& [i, j] : couplings) {
+    if (std::min(i, j) < 0 || std::max(i, j) >= blocks) {
+      throw std::invalid_argument("BlockMatrix: coupling (" + std::to_string(i) + ", " + std::to_string(j) +
+                                  ") outside of the " + std::to_string(blocks) + " blocks");
+    }
+  }
+}
+
+// Each pair as (column, row) with column < row, sorted, once.
+void normalize(std::vector<std::pair<int, int>>& couplings) {
+  for (auto& [column, row] : couplings) {
+    if (column > row) std::swap(column, row);
+  }
+  std::erase_if(couplings, [](const auto& pair) { return pair.first == pair.second; });
+  std::sort(couplings.begin(), couplings.end());
+  couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
+}
+
+}  // namespace
+
+BlockMatrix::BlockMatrix(int blocks, std::vector<std::pair<int, int>> couplings) {
+  check_couplings(blocks, couplings);
+  normalize(couplings);
+  const std::size_t stored = index(blocks) + couplings.size();
+  if (stored > std::size_t{std::numeric_limits<int>::max()} / 36) {
+    throw std::invalid_argument("BlockMatrix: too many blocks for 32-bit indices");
+  }
+  build_pattern(blocks, couplings);
+  build_places();
+  build_scalar_csc();
+  values_.assign(36 * stored, 0.0);
+}
+
+void BlockMatrix::build_pattern(int blocks, const std::vector<std::pair<int, int>>& couplings) {
+  column_starts_.reserve(index(blocks) + 1);
+  block_rows_.reserve(index(blocks) + couplings.size());
+  auto next = couplings.begin();
+  for (int column = 0; column < blocks; ++column) {
+    column_starts_.push_back(static_cast<int>(block_rows_.size()));
+    block_rows_.push_back(column);
+    for (; next != couplings.end() && next->first == column; ++next) block_rows_.push_back(next->second);
+  }
+  column_starts_.push_back(static_cast<int>(block_rows_.size()));
+}
+
+void BlockMatrix::build_places() {
+  places_.reserve(block_rows_.size());
+  for (int column = 0; column < size(); ++column) {
+    const int first = column_starts_[index(column)];
+    const int last = column_starts_[index(column) + 1];
+    for (int k = first; k < last; ++k) places_.push_back({36 * first + 6 * (k - first), 6 * (last - first)});
+  }
+}
+
+void BlockMatrix::build_scalar_csc() {
+  column_pointers_.reserve(index(unknowns()) + 1);
+  row_indices_.reserve(36 * block_rows_.size());
+  column_pointers_.push_back(0);
+  for (int column = 0; column < size(); ++column) {
+    for (int c = 0; c < 6; ++c) {
+      for (int k = column_starts_[index(column)]; k < column_starts_[index(column) + 1]; ++k) {
+        for (int r = 0; r < 6; ++r) row_indices_.push_back(6 * block_rows_[index(k)] + r);
+      }
+      column_pointers_.push_back(static_cast<int>(row_indices_.size()));
+    }
+  }
+}
+
+int BlockMatrix::slot(int i, int j) const {
+  if (j < 0 || i <= j || i >= size()) return -1;
+  const auto first = block_rows_.begin() + column_starts_[index(j)] + 1;
+  const auto last = block_rows_.begin() + column_starts_[index(j) + 1];
+  const auto found = std::lower_bound(first, last, i);
+  return found != last && *found == i ? static_cast<int>(found - block_rows_.begin()) : -1;
+}
+
+void BlockMatrix::add_coupling(int i, int j, const Mat6& stiffness) {
+  const bool is_diagonal = i == j && i >= 0 && i < size();
+  const int k = is_diagonal ? column_starts_[index(i)] : slot(std::max(i, j), std::min(i, j));
+  if (k < 0) {
+    throw std::out_of_range("BlockMatrix: no block (" + std::to_string(i) + ", " + std::to_string(j) + ")");
+  }
+  if (i < j) {
+    block(k) += stiffness.transpose();
+  } else {
+    block(k) += stiffness;
+  }
+}
+
+void BlockMatrix::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+
+void BlockMatrix::multiply(const Vector& x, Vector& y) const {
+  y.setZero();
+  for (int column = 0; column < size(); ++column) {
+    const int first = column_starts_[index(column)];
+    const Vec6 x_column = x.segment<6>(6 * column);
+    Vec6 y_column = block(first) * x_column;
+    for (int k = first + 1; k < column_starts_[index(column) + 1]; ++k) {
+      const int row = 6 * block_rows_[index(k)];
+      const Mat6 coupling = block(k);
+      y_column.noalias() += coupling.transpose() * x.segment<6>(row);
+      y.segment<6>(row).noalias() += coupling * x_column;
+    }
+    y.segment<6>(6 * column) += y_column;
+  }
+}
+
+}  // namespace dda

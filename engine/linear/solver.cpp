@@ -1,0 +1,35 @@
+#include "dda/linear/solver.h"
+
+#include <stdexcept>
+
+namespace dda {
+
+void LinearSolver::analyze(const BlockMatrix& matrix) {
+  factored_ = false;
+  unknowns_ = -1;
+  do_analyze(matrix);
+  unknowns_ = matrix.unknowns();
+  couplings_ = matrix.couplings();
+  ++counts_.analyses;
+}
+
+Status LinearSolver::factorize(const BlockMatrix& matrix) {
+  if (matrix.unknowns() != unknowns_ || matrix.couplings() != couplings_) {
+    throw std::logic_error("LinearSolver: factorize needs an analyze of a matrix with this pattern before it");
+  }
+  ++counts_.factorizations;
+  const Status status = do_factorize(matrix);
+  factored_ = status == Status::ok;
+  return status;
+}
+
+Status LinearSolver::solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
+  if (!factored_) throw std::logic_error("LinearSolver: solve needs a factorize with status ok before it");
+  if (rhs.size() != unknowns_ || x.size() != unknowns_ || &rhs == &x) {
+    throw std::logic_error("LinearSolver: solve needs two different vectors with the length of the matrix");
+  }
+  ++counts_.solves;
+  return do_solve(rhs, x);
+}
+
+}  // namespace dda

@@ -1,0 +1,36 @@
+#include "verification/exact/block_chain.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace exact {
+
+PlaneElasticity plane_stress(double young, double poisson) {
+  const double e11 = young / (1 - poisson * poisson);
+  return {e11, poisson * e11};
+}
+
+PlaneElasticity plane_strain(double young, double poisson) {
+  const double scale = young / ((1 + poisson) * (1 - 2 * poisson));
+  return {(1 - poisson) * scale, poisson * scale};
+}
+
+InterfaceLaw corner_springs(double normal_spring, double shear_spring) {
+  return {2 * normal_spring, 2 * shear_spring, false};
+}
+
+InterfaceLaw consistent_edge(double mid, double tangential_half) { return {mid, tangential_half, true}; }
+
+void check(const BlockChain& chain, const std::vector<ChainProbe>& probes) {
+  const bool sound = chain.blocks >= 1 && chain.length > 0 && chain.height > 0 && chain.density > 0 &&
+                     chain.elasticity.e11 > 0 && chain.inertia_factor > 0 && chain.interface.normal > 0 &&
+                     chain.interface.tangential_half >= 0 && chain.end_stiffness >= 0 && chain.end_impedance >= 0;
+  if (!sound) throw std::invalid_argument("the chain needs positive sizes, density and stiffnesses");
+  const auto exists = [&](const ChainProbe& probe) {
+    const int count = probe.quantity == ChainQuantity::interface_force ? chain.blocks - 1 : chain.blocks;
+    return probe.index >= 0 && probe.index < count;
+  };
+  if (!std::ranges::all_of(probes, exists)) throw std::invalid_argument("a probe lies outside of the chain");
+}
+
+}  // namespace exact

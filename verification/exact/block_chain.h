@@ -1,0 +1,64 @@
+// The thesis' bar as a finite chain of identical rectangular blocks: the data of the discrete problem, nothing solved.
+//
+// Blocks are `length` x `height` (m, thickness 1 m) with unknowns (u0, ex, ey): by symmetry about the bar's axis v0, r0
+// and gxy vanish. Between blocks j and j+1
+//   normal gap       g = u_(j+1) - L/2 ex_(j+1) - u_j - L/2 ex_j
+//   tangential half  w = h/2 (ey_(j+1) - ey_j)   (half the difference of the tangential gaps of the two corners)
+//   potential        V = k g^2/2 + [consistent] h {sigma_x} g + k_t w^2/2
+// with {sigma_x} the mean of the two blocks' stresses; the interface carries N = dV/dg, tension positive.
+#pragma once
+
+#include <vector>
+
+namespace exact {
+
+// sigma_x = e11 ex + e12 ey and likewise for y (Pa).
+struct PlaneElasticity {
+  double e11 = 0;
+  double e12 = 0;
+};
+[[nodiscard]] PlaneElasticity plane_stress(double young, double poisson);
+[[nodiscard]] PlaneElasticity plane_strain(double young, double poisson);
+
+struct InterfaceLaw {
+  double normal = 0;           // k (N/m) of the whole interface
+  double tangential_half = 0;  // k_t (N/m)
+  bool consistent = false;     // with the flux term of Nitsche's method
+};
+// Classical DDA: a normal and a shear spring (N/m each) at each of the two corners.
+[[nodiscard]] InterfaceLaw corner_springs(double normal_spring, double shear_spring);
+// Symmetric Nitsche edge: stiffness (N/m) of the gap at mid-edge and of the tangential half-difference.
+[[nodiscard]] InterfaceLaw consistent_edge(double mid, double tangential_half);
+
+struct BlockChain {
+  int blocks = 1;
+  double length = 1;   // m, of one block
+  double height = 1;   // m
+  double density = 0;  // kg/m3
+  PlaneElasticity elasticity;
+  InterfaceLaw interface;
+  // Inertia of ex and ey: factor rho h L^3/12 and factor rho L h^3/12. 1: consistent; 2: averaged consistent/lumped.
+  double inertia_factor = 1;
+  // Right end, acting on the centre of its face; both zero: free.
+  double end_stiffness = 0;  // N/m
+  double end_impedance = 0;  // N s/m, ratio rho c h for a dashpot of that ratio to the bar's impedance
+};
+
+enum class ChainQuantity {
+  block_stress,     // sigma_x of block `index` (Pa), index 0..blocks-1
+  interface_force,  // N between blocks `index` and `index + 1` (N), index 0..blocks-2
+  displacement,     // u0 of block `index` (m)
+};
+
+struct ChainProbe {
+  ChainQuantity quantity = ChainQuantity::block_stress;
+  int index = 0;
+};
+
+// One history per probe, each with a value per sample of the load (the first is the state of rest).
+using ChainHistories = std::vector<std::vector<double>>;
+
+// Throws std::invalid_argument unless sizes, density and stiffnesses are positive and every probe exists.
+void check(const BlockChain& chain, const std::vector<ChainProbe>& probes);
+
+}  // namespace exact

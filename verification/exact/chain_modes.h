@@ -1,0 +1,39 @@
+// Waves u_j ~ lambda^j of the infinite homogeneous block chain, for a given value of s^2 (the inertia operator).
+#pragma once
+
+#include <vector>
+
+#include "verification/exact/block_chain.h"
+#include "verification/exact/time_scheme.h"
+
+namespace exact {
+
+// One wave that decays to the right (|lambda| <= 1); its mirror image decays to the left. Amplitudes of block 0 and of
+// the interface between blocks 0 and 1, in the units of the chain scaled by block length and e11 (see ScaledChain).
+struct ChainMode {
+  Complex sin2;  // sin^2(kappa/2), lambda = exp(-i kappa)
+  Complex lambda;
+  Complex u, ex, ey;
+  Complex gap, force, slip;  // slip = ey_1 - ey_0
+};
+
+// The chain with lengths in block lengths, stresses in e11 and forces in e11 length (thickness 1).
+struct ScaledChain {
+  explicit ScaledChain(const BlockChain& chain);
+
+  Real height, e12, normal, tangential, consistent, inertia;  // inertia: factor/12
+  Real mass_over_stiffness;                                   // rho h L / e11 (s^2)
+  int waves;  // decaying waves to one side: 1, plus 1 if consistent, plus 1 with tangential stiffness
+};
+
+// All waves that decay to the right for s^2 = `inertia_operator` (1/s^2), slowest decay of the wave number first.
+[[nodiscard]] std::vector<ChainMode> chain_modes(const ScaledChain& chain, Complex inertia_operator);
+
+// A harmonic wave exp(i omega t) travelling along the chain under a time scheme.
+struct ChainWave {
+  double speed = 0;        // m/s, phase speed
+  double attenuation = 0;  // 1/m, amplitude falls as exp(-attenuation x)
+};
+[[nodiscard]] ChainWave chain_wave(const BlockChain& chain, const TimeScheme& scheme, double dt, double omega);
+
+}  // namespace exact

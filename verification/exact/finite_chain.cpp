@@ -1,0 +1,139 @@
+#include "verification/exact/finite_chain.h"
+
+#include <Eigen/LU>
+#include <cstddef>
+#include <stdexcept>
+
+#include "verification/exact/chain_modes.h"
+#include "verification/exact/z_transform.h"
+
+namespace exact {
+namespace {
+
+// At most three waves from each end.
+using EndMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+using EndVector = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, 6, 1>;
+
+Complex power(Complex base, int exponent) {
+  Complex result = 1;
+  for (; exponent > 0; exponent /= 2, base *= base) {
+    if (exponent % 2 == 1) result *= base;
+  }
+  return result;
+}
+
+// The field at one z. Blocks are 1..n and interfaces 0..n, of which 0 and n do not exist: the homogeneous chain runs on
+// over ghost blocks 0 and n+1, and the end conditions are what makes their missing interfaces do no harm.
+class ChainField {
+ public:
+  ChainField(const ScaledChain& chain, int blocks, Complex inertia, Complex end_reaction)
+      : chain_(chain), blocks_(blocks), modes_(chain_modes(chain, inertia)) {
+    const auto waves = static_cast<Eigen::Index>(modes_.size());
+    EndMatrix ends = EndMatrix::Zero(2 * waves, 2 * waves);
+    for (Eigen::Index i = 0; i < waves; ++i) {
+      set_column(modes_[static_cast<std::size_t>(i)], end_reaction, ends.col(i).head(waves), ends.col(i).tail(waves));
+      set_mirrored_column(modes_[static_cast<std::size_t>(i)], end_reaction, ends.col(waves + i).head(waves),
+                          ends.col(waves + i).tail(waves));
+    }
+    EndVector unit = EndVector::Zero(2 * waves);
+    unit[0] = -1;  // a unit compressive force on the left face
+    amplitudes_ = ends.partialPivLu().solve(unit);
+  }
+
+  [[nodiscard]] Complex displacement(int block) const {
+    return sum(
+        block, blocks_ + 1 - block, [](const ChainMode& mode) { return mode.u; }, -1);
+  }
+  [[nodiscard]] Complex stress(int block) const {
+    return sum(
+        block, blocks_ + 1 - block, [&](const ChainMode& mode) { return mode.ex + chain_.e12 * mode.ey; }, 1);
+  }
+  [[nodiscard]] Complex force(int interface) const {
+    return sum(
+        interface, blocks_ - interface, [](const ChainMode& mode) { return mode.force; }, 1);
+  }
+
+ private:
+  // Conditions at one end: the force it carries; no gap to pair with a flux; no slip to pair with a tangential spring.
+  template <typename Rows>
+  void set_rows(const ChainMode& mode, Complex reaction, Complex factor, Real slip_sign, Rows&& rows) const {
+    Eigen::Index row = 0;
+    rows[row++] = mode.force * factor + reaction;
+    if (chain_.consistent > 0) rows[row++] = mode.gap * factor;
+    if (chain_.tangential > 0) rows[row++] = slip_sign * mode.slip * factor;
+  }
+  template <typename Rows>
+  void set_column(const ChainMode& mode, Complex end_reaction, Rows&& left, Rows&& right) const {
+    const Complex far = power(mode.lambda, blocks_), face = (mode.u + Real{0.5L} * mode.ex) * far;
+    set_rows(mode, 0, 1, 1, left);
+    set_rows(mode, end_reaction * face, far, 1, right);
+  }
+  // The mirror image changes the signs of u and of the slip.
+  template <typename Rows>
+  void set_mirrored_column(const ChainMode& mode, Complex end_reaction, Rows&& left, Rows&& right) const {
+    const Complex far = power(mode.lambda, blocks_), face = (Real{0.5L} * mode.ex - mode.u) * mode.lambda;
+    set_rows(mode, 0, far, -1, left);
+    set_rows(mode, end_reaction * face, 1, -1, right);
+  }
+  template <typename Amplitude>
+  [[nodiscard]] Complex sum(int from_left, int from_right, const Amplitude& amplitude, Real mirror_sign) const {
+    Complex total = 0;
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+      const ChainMode& mode = modes_[i];
+      const Complex forward = amplitudes_[static_cast<Eigen::Index>(i)] * power(mode.lambda, from_left);
+      const Complex mirrored =
+          amplitudes_[static_cast<Eigen::Index>(i + modes_.size())] * power(mode.lambda, from_right);
+      total += amplitude(mode) * (forward + mirror_sign * mirrored);
+    }
+    return total;
+  }
+
+  const ScaledChain& chain_;
+  int blocks_;
+  std::vector<ChainMode> modes_;
+  EndVector amplitudes_;
+};
+
+// In units of the chain for a unit force; `unit_response` turns it into SI.
+Complex probe_value(const ChainField& field, const ChainProbe& probe) {
+  switch (probe.quantity) {
+    case ChainQuantity::block_stress: return field.stress(probe.index + 1);
+    case ChainQuantity::interface_force: return field.force(probe.index + 1);
+    case ChainQuantity::displacement: break;
+  }
+  return field.displacement(probe.index + 1);
+}
+
+Real unit_response(const BlockChain& chain, const ChainProbe& probe) {
+  if (probe.quantity == ChainQuantity::block_stress) return 1 / static_cast<Real>(chain.length);
+  if (probe.quantity == ChainQuantity::interface_force) return 1;
+  return 1 / static_cast<Real>(chain.elasticity.e11);
+}
+
+}  // namespace
+
+ChainHistories finite_chain_response(const BlockChain& chain, const TimeScheme& scheme, double dt,
+                                     const std::vector<double>& load, const std::vector<ChainProbe>& probes) {
+  check(chain, probes);
+  if (load.empty()) throw std::invalid_argument("the load has no samples");
+  const ScaledChain scaled(chain);
+  const ZCircle circle(load.size());
+  const std::vector<Complex> load_transform = circle.forward(load);
+  const Real first_load = load.front(), e11 = chain.elasticity.e11;
+  std::vector<std::vector<Complex>> transforms(probes.size(), std::vector<Complex>(circle.points()));
+  for (std::size_t i = 0; i < circle.points(); ++i) {
+    const SchemeOperators op = scheme_operators(scheme, dt, circle.point(i));
+    const Complex reaction =
+        (static_cast<Real>(chain.end_stiffness) + op.damping * static_cast<Real>(chain.end_impedance)) / e11;
+    const ChainField field(scaled, chain.blocks, op.inertia, reaction);
+    const Complex force = load_transform[i] + op.initial_load * first_load;
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+      transforms[p][i] = force * unit_response(chain, probes[p]) * probe_value(field, probes[p]);
+    }
+  }
+  ChainHistories histories;
+  for (const auto& transform : transforms) histories.push_back(circle.inverse(transform));
+  return histories;
+}
+
+}  // namespace exact

@@ -24,7 +24,8 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
   const Vec2 normal = interface.length > 0 ? turned(a) + turned(b) : turned(a);
   return {moved(model, state, interface.block_a, interface.from), moved(model, state, interface.block_a, interface.to),
           moved(model, state, interface.block_b, interface.from), moved(model, state, interface.block_b, interface.to),
-          normal.normalized(), state.centroid[a], state.centroid[b]};
+          normal.normalized(), current_centroid(model, state, interface.block_a),
+          current_centroid(model, state, interface.block_b)};
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ std::vector<Interface> find_interfaces(const Model& model) {
     boxes.push_back(expanded(bounding_box(block.shape), model.length_tolerance));
   }
   std::vector<Interface> interfaces;
-  for (const auto& [a, b] : box_pairs(boxes)) {
+  for (const auto& [a, b] : overlapping_pairs(boxes)) {
     const std::vector<Interface> found = PairSearch(model, a, b, edges).run();
     interfaces.insert(interfaces.end(), found.begin(), found.end());
   }

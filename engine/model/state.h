@@ -16,13 +16,16 @@ struct State {
   std::vector<Vec6> velocity;      // time derivatives of the six unknowns
   std::vector<Vec6> acceleration;
   std::vector<Vec3> stress;        // Pa, Cauchy stress in the global frame, tension positive
-  std::vector<Vec2> centroid;      // m, current
-  std::vector<Mat2> deformation;   // current = centroid + deformation * (reference - reference centroid)
+  std::vector<Mat2> deformation;   // current offset from the centroid = deformation * reference offset
 };
 
 State initial_state(const Model& model);
 
-// Current position, displacement-to-date and velocity of the material point that was at `reference`.
+Vec2 current_centroid(const Model& model, const State& state, int block);
+
+// Current position, displacement since the start and velocity of the material point that was at `reference`. The
+// displacement keeps its precision far from the origin.
+Vec2 point_displacement(const Model& model, const State& state, int block, const Vec2& reference);
 Vec2 current_position(const Model& model, const State& state, int block, const Vec2& reference);
 Vec2 point_velocity(const Model& model, const State& state, int block, const Vec2& reference);
 

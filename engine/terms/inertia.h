@@ -1,4 +1,5 @@
-// Inertia of a block: kinetic energy 1/2 v M v with the velocities v of the six unknowns.
+// Inertia of a block: kinetic energy 1/2 v M v with the velocities v of the six unknowns, M the integral of rho T^T T
+// (Shi 1988).
 #pragma once
 
 #include "dda/core/types.h"
@@ -12,8 +13,27 @@ Vec3 mean_squares(const AreaMoments& moments);
 // The same after the deformation F of the block, which carries its mass along: F J F^T.
 Vec3 deformed_mean_squares(const Vec3& mean_squares, const Mat2& deformation);
 
-// The 6x6 mass matrix of a block of `mass` (kg per m of thickness): the integral of rho T^T T (Shi 1988). The inertia
-// of the strains is multiplied by `strain_inertia` (see Stage), which leaves the inertia of rigid motions alone.
-Mat6 mass_matrix(double mass, const Vec3& mean_squares, double strain_inertia = 1);
+struct Inertia {
+  double mass = 0;                  // kg per m of thickness
+  Vec3 squares = Vec3::Zero();      // mean squares, m^2
+  double strain_inertia = 1;        // factor on the inertia of the strains alone (see Stage)
+};
+
+Mat6 mass_matrix(const Inertia& inertia);
+
+// M v without forming M.
+inline Vec6 momentum(const Inertia& inertia, const Vec6& v) {
+  const double xx = inertia.squares(0);
+  const double yy = inertia.squares(1);
+  const double xy = inertia.squares(2);
+  const double strain = inertia.strain_inertia;
+  Vec6 p;
+  p << v(0), v(1),                                                                             //
+      (xx + yy) * v(2) + xy * (v(4) - v(3)) + (xx - yy) / 2 * v(5),                            //
+      -xy * v(2) + strain * (xx * v(3) + xy / 2 * v(5)),                                       //
+      xy * v(2) + strain * (yy * v(4) + xy / 2 * v(5)),                                        //
+      (xx - yy) / 2 * v(2) + strain * (xy / 2 * (v(3) + v(4)) + (xx + yy) / 4 * v(5));
+  return inertia.mass * p;
+}
 
 }  // namespace dda

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "dda/core/error.h"
+#include "dda/geometry/box_pairs.h"
+#include "dda/geometry/overlap.h"
+#include "dda/model/check_parts.h"
+#include "dda/model/checks.h"
+
+namespace dda::model_checks {
+namespace {
+
+void check_block(const Model& model, const Item& item, const Block& block) {
+  if (const auto why = defect(block.shape)) item.fail("shape", *why, "a simple polygon");
+  item.index("material", block.material, model.materials.size());
+  item.finite("initial stress", block.initial_stress);
+  item.finite("initial velocity", block.initial_velocity);
+  item.finite("initial spin", block.initial_spin);
+}
+
+// Blocks that touch along straight sides parallel to the axes, the most of them, drop out here already.
+std::vector<std::pair<int, int>> suspect_pairs(const Model& model) {
+  std::vector<Box> boxes;
+  boxes.reserve(model.blocks.size());
+  for (const Block& block : model.blocks) boxes.push_back(expanded(bounding_box(block.shape), -model.length_tolerance));
+  return overlapping_pairs(boxes);
+}
+
+}  // namespace
+
+void check_blocks(const Model& model) {
+  if (model.blocks.empty()) throw InputError("", "blocks", "empty", "at least one block");
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& block = model.blocks[i];
+    const Item item("blocks", i, block.name);
+    check_block(model, item, block);
+    if (!block.name.empty() && !names.insert(block.name).second) {
+      item.fail("name", fmt::format("\"{}\"", block.name), "a name that no other block has");
+    }
+  }
+}
+
+void check_overlaps(const Model& model) {
+  for (const auto& [a, b] : suspect_pairs(model)) {
+    const Block& first = model.blocks[static_cast<std::size_t>(a)];
+    const Block& second = model.blocks[static_cast<std::size_t>(b)];
+    if (!interiors_overlap(first.shape, second.shape, model.length_tolerance)) continue;
+    const Item item("blocks", static_cast<std::size_t>(b), second.name);
+    item.fail("shape", fmt::format("overlapping blocks[{}] \"{}\"", a, first.name), "blocks that at most touch");
+  }
+}
+
+}  // namespace dda::model_checks

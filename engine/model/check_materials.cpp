@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <limits>
+#include <numbers>
+
+#include "dda/core/error.h"
+#include "dda/model/check_parts.h"
+#include "dda/model/checks.h"
+
+namespace dda::model_checks {
+namespace {
+
+// Outside this range the elasticity matrix is not positive definite.
+void check_poisson(const Item& item, const Material& material) {
+  const bool strain = material.plane == PlaneState::strain;
+  const bool low_enough = strain ? material.poisson < 0.5 : material.poisson <= 0.5;
+  if (material.poisson > -1 && low_enough) return;
+  item.fail("Poisson's ratio", fmt::format("{}", material.poisson),
+            strain ? "a number above -1 and below 0.5 (plane strain)" : "a number above -1 and at most 0.5");
+}
+
+void check_joint(const Item& item, const JointMaterial& joint) {
+  constexpr double right_angle = std::numbers::pi / 2;
+  item.not_negative("friction angle", joint.friction_angle);
+  if (joint.friction_angle >= right_angle) {
+    item.fail("friction angle", fmt::format("{} rad", joint.friction_angle), "an angle below 90 deg");
+  }
+  item.not_negative("cohesion", joint.cohesion);
+  item.not_negative("tensile strength", joint.tensile_strength);
+  item.not_negative("normal spring", joint.normal_spring);
+  item.positive("spring over Young's modulus", joint.spring_over_young);
+  item.not_negative("shear to normal spring", joint.shear_to_normal);
+  item.not_negative("stabilisation", joint.stabilisation);
+  if (joint.penalty > 1 && joint.penalty <= std::numeric_limits<double>::max()) return;
+  item.fail("penalty", fmt::format("{}", joint.penalty), "a finite number above 1");
+}
+
+void check_joint_pairs(const Model& model) {
+  const Item item("joint_of_block_pair", 0);
+  for (const auto& [pair, joint] : model.joint_of_block_pair) {
+    item.index("block", pair.first, model.blocks.size());
+    item.index("block", pair.second, model.blocks.size());
+    item.index("joint", joint, model.joints.size());
+    if (pair.first < pair.second) continue;
+    item.fail("pair", fmt::format("({}, {})", pair.first, pair.second), "the smaller index first");
+  }
+}
+
+}  // namespace
+
+void check_materials(const Model& model) {
+  if (model.materials.empty()) throw InputError("", "materials", "empty", "at least one material");
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    const Material& material = model.materials[i];
+    const Item item("materials", i, material.name);
+    item.positive("density", material.density);
+    item.positive("Young's modulus", material.young);
+    check_poisson(item, material);
+  }
+}
+
+void check_joints(const Model& model) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    check_joint(Item("joints", i, model.joints[i].name), model.joints[i]);
+  }
+  check_joint_pairs(model);
+}
+
+}  // namespace dda::model_checks

@@ -1,0 +1,18 @@
+// The parts of finish_model. Each throws InputError (without a file) for the first thing wrong.
+#pragma once
+
+#include "dda/model/model.h"
+
+namespace dda::model_checks {
+
+void check_materials(const Model& model);
+void check_joints(const Model& model);
+void check_blocks(const Model& model);    // their shapes must be normalized
+void check_overlaps(const Model& model);  // needs length_tolerance
+void check_loads(const Model& model);     // needs length_tolerance, as the following ones
+void check_supports(const Model& model);
+void check_viscous_edges(const Model& model);
+void check_measurements(const Model& model);
+void check_stages(const Model& model);
+
+}  // namespace dda::model_checks

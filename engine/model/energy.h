@@ -1,0 +1,47 @@
+// Where the energy of a run is and where it went.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace dda {
+
+// All in J per m of thickness. Work and losses are sums since the start of the run, positive when energy is brought in
+// (work) or taken out (losses); kinetic, strain and contact are what is stored now.
+struct EnergyLedger {
+  double kinetic = 0;
+  double strain = 0;
+  double contact = 0;  // elastic energy in interfaces and supports
+  double external_work = 0;
+  double gravity_work = 0;
+  double friction = 0;   // dissipated by sliding
+  double dashpot = 0;    // radiated through viscous edges
+  double damping = 0;    // taken out by velocity_factor and damping_rate
+  double numerical = 0;  // dissipated by the time integrator
+
+  double initial_kinetic = 0;
+  double initial_strain = 0;
+  double initial_contact = 0;
+
+  // What the balance does not explain: zero but for round-off when every term is right.
+  [[nodiscard]] double residual() const {
+    const double stored = (kinetic - initial_kinetic) + (strain - initial_strain) + (contact - initial_contact);
+    return external_work + gravity_work - stored - friction - dashpot - damping - numerical;
+  }
+
+  // The largest magnitude among the terms, what a residual is compared with.
+  [[nodiscard]] double scale() const {
+    double largest = 0;
+    for (const double term : {kinetic, strain, contact, external_work, gravity_work, friction, dashpot, damping,
+                              numerical, initial_kinetic, initial_strain, initial_contact}) {
+      largest = std::max(largest, std::abs(term));
+    }
+    return largest;
+  }
+
+  // residual()/scale(), zero when nothing has happened; NaN when a term is.
+  [[nodiscard]] double relative_residual() const { return scale() == 0 ? 0 : residual() / scale(); }
+};
+
+}  // namespace dda

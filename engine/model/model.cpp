@@ -1,0 +1,23 @@
+#include "dda/model/model.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace dda {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+const Material& Model::material_of(int block) const { return materials[at(blocks[at(block)].material)]; }
+
+const JointMaterial& Model::joint_between(int block_a, int block_b) const {
+  if (joint_of_block_pair.empty()) return joints.front();
+  const auto found = joint_of_block_pair.find({std::min(block_a, block_b), std::max(block_a, block_b)});
+  return joints[found == joint_of_block_pair.end() ? 0 : at(found->second)];
+}
+
+double Model::mass_of(int block) const { return material_of(block).density * blocks[at(block)].moments.area; }
+
+}  // namespace dda

@@ -1,0 +1,50 @@
+#include "dda/simulation/block_terms.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cstddef>
+
+#include "dda/terms/viscous_boundary.h"
+
+namespace dda {
+
+BlockTerms make_block_terms(const Model& model, double strain_inertia) {
+  BlockTerms terms;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& block = model.blocks[i];
+    const Mat3 elasticity = elasticity_matrix(model.material_of(static_cast<int>(i)));
+    terms.inertia.push_back({model.mass_of(static_cast<int>(i)), mean_squares(block.moments), strain_inertia});
+    terms.area.push_back(block.moments.area);
+    terms.elasticity.push_back(elasticity);
+    terms.compliance.push_back(elasticity.inverse());
+  }
+  return terms;
+}
+
+void update_geometry(const Model& model, const State& state, BlockTerms& terms) {
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const AreaMoments& moments = model.blocks[i].moments;
+    terms.area[i] = moments.area * state.deformation[i].determinant();
+    terms.inertia[i].squares = deformed_mean_squares(mean_squares(moments), state.deformation[i]);
+  }
+}
+
+BlockDamping make_block_damping(const Model& model, const State& state) {
+  BlockDamping damping;
+  for (const ViscousEdge& edge : model.viscous_edges) {
+    const Vec2 centroid = current_centroid(model, state, edge.block);
+    const Mat6 matrix = viscous_damping(current_position(model, state, edge.block, edge.from) - centroid,
+                                        current_position(model, state, edge.block, edge.to) - centroid,
+                                        edge.normal_impedance, edge.shear_impedance);
+    const auto same_block = [&](const auto& entry) { return entry.first == edge.block; };
+    const auto found = std::find_if(damping.begin(), damping.end(), same_block);
+    if (found == damping.end()) {
+      damping.emplace_back(edge.block, matrix);
+    } else {
+      found->second += matrix;
+    }
+  }
+  return damping;
+}
+
+}  // namespace dda

@@ -1,0 +1,30 @@
+// What the terms say of each block, ready for assembly: inertia, area and elasticity.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+#include "dda/terms/inertia.h"
+
+namespace dda {
+
+struct BlockTerms {
+  std::vector<Inertia> inertia;
+  std::vector<double> area;      // m2
+  std::vector<Mat3> elasticity;  // Pa
+  std::vector<Mat3> compliance;  // 1/Pa
+};
+
+BlockTerms make_block_terms(const Model& model, double strain_inertia);
+
+// Areas and inertia of the deformed blocks (finite kinematics).
+void update_geometry(const Model& model, const State& state, BlockTerms& terms);
+
+// Damping matrices of the blocks that have an absorbing edge, at most one entry a block.
+using BlockDamping = std::vector<std::pair<int, Mat6>>;
+BlockDamping make_block_damping(const Model& model, const State& state);
+
+}  // namespace dda

@@ -1,0 +1,52 @@
+#include "dda/simulation/support_set.h"
+
+#include <cstddef>
+
+namespace dda {
+
+Vec2 prescribed_displacement(const PointSupport& support, double time) {
+  return support.displacement.isZero() ? support.displacement
+                                       : Vec2(evaluate(support.history, time) * support.displacement);
+}
+
+std::vector<SupportElement> make_supports(const Model& model, const State& state) {
+  std::vector<SupportElement> supports;
+  for (const PointSupport& support : model.supports) {
+    const Vec2 stiffness(support.holds_x ? support.stiffness : 0, support.holds_y ? support.stiffness : 0);
+    supports.push_back({support.block, Vec2::Zero(), stiffness});
+  }
+  update_geometry(model, state, supports);
+  measure_gaps(model, state, supports);
+  return supports;
+}
+
+void update_geometry(const Model& model, const State& state, std::vector<SupportElement>& supports) {
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const int block = supports[i].block;
+    supports[i].offset = current_position(model, state, block, model.supports[i].point) -
+                         current_centroid(model, state, block);
+  }
+}
+
+void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports) {
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const PointSupport& support = model.supports[i];
+    supports[i].prescribed = prescribed_displacement(support, state.time);
+    supports[i].gap = point_displacement(model, state, support.block, support.point) - supports[i].prescribed;
+  }
+}
+
+void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force) {
+  for (const SupportElement& support : supports)
+    force.segment<6>(6 * support.block) +=
+        displacement_rows(support.offset).transpose() * support.stiffness.cwiseProduct(support.gap);
+}
+
+double support_energy(const std::vector<SupportElement>& supports) {
+  double energy = 0;
+  for (const SupportElement& support : supports)
+    energy += support.gap.dot(support.stiffness.cwiseProduct(support.gap)) / 2;
+  return energy;
+}
+
+}  // namespace dda

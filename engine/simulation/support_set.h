@@ -1,0 +1,36 @@
+// Spring supports of a scene: stiffness, forces, energy.
+#pragma once
+
+#include <vector>
+
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+
+namespace dda {
+
+struct SupportElement {
+  int block = 0;
+  Vec2 offset;     // of the held point from the centroid, m
+  Vec2 stiffness;  // N/m in x and y
+  Vec2 gap = Vec2::Zero();         // m, held point minus its prescribed place
+  Vec2 prescribed = Vec2::Zero();  // m, displacement asked for at the time of `gap`
+};
+
+std::vector<SupportElement> make_supports(const Model& model, const State& state);
+
+// Moves the held points with their blocks (finite kinematics).
+void update_geometry(const Model& model, const State& state, std::vector<SupportElement>& supports);
+
+// Gaps at the state's time.
+void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports);
+
+// Prescribed displacement of support `index` at `time`, m.
+Vec2 prescribed_displacement(const PointSupport& support, double time);
+
+// Adds the internal forces (stiffness * gap) of all supports to `force`.
+void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force);
+
+double support_energy(const std::vector<SupportElement>& supports);
+
+}  // namespace dda

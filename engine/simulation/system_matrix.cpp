@@ -1,0 +1,65 @@
+#include "dda/simulation/system_matrix.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "dda/contact/open_close.h"
+#include "dda/terms/elasticity.h"
+#include "dda/terms/support.h"
+
+namespace dda {
+namespace {
+
+void add_blocks(const StepCoefficients& step, const BlockTerms& terms, BlockMatrix& matrix) {
+  for (std::size_t i = 0; i < terms.inertia.size(); ++i) {
+    auto diagonal = matrix.diagonal(static_cast<int>(i));
+    diagonal += step.mass * mass_matrix(terms.inertia[i]);
+    diagonal.bottomRightCorner<3, 3>() += step.stiffness * strain_stiffness(terms.area[i], terms.elasticity[i]);
+  }
+}
+
+void add_contacts(double factor, const ContactSet& contacts, const std::vector<InterfaceState>& states,
+                  BlockMatrix& matrix) {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceStiffness k = stiffness_of(element, active_rows(element, states[i]));
+    matrix.diagonal(element.block_a) += factor * k.aa;
+    matrix.diagonal(element.block_b) += factor * k.bb;
+    matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
+  }
+}
+
+}  // namespace
+
+BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts) {
+  std::vector<std::pair<int, int>> couplings;
+  for (const Interface& interface : contacts.interfaces) couplings.emplace_back(interface.block_a, interface.block_b);
+  return {blocks, std::move(couplings)};
+}
+
+void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
+              const std::vector<SupportElement>& supports, const ContactSet& contacts,
+              const std::vector<InterfaceState>& states, BlockMatrix& matrix) {
+  matrix.set_zero();
+  add_blocks(step, terms, matrix);
+  for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
+  for (const SupportElement& support : supports)
+    matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.offset, support.stiffness);
+  add_contacts(step.stiffness, contacts, states, matrix);
+}
+
+double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {
+  double largest = 0;
+  for (const InterfaceElement& element : contacts.elements) {
+    const double mass = std::min(terms.inertia[static_cast<std::size_t>(element.block_a)].mass,
+                                 terms.inertia[static_cast<std::size_t>(element.block_b)].mass);
+    const double normal_stiffness = element.law == InterfaceLaw::classical
+                                        ? element.stiffness(0) + element.stiffness(2)
+                                        : element.stiffness(0);
+    largest = std::max(largest, normal_stiffness * dt * dt / mass);
+  }
+  return largest;
+}
+
+}  // namespace dda

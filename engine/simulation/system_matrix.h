@@ -1,0 +1,25 @@
+// The matrix of one step: mass M + damping C + stiffness K with the coefficients of the integrator.
+#pragma once
+
+#include <vector>
+
+#include "dda/contact/contact_set.h"
+#include "dda/linear/block_matrix.h"
+#include "dda/simulation/block_terms.h"
+#include "dda/simulation/step_coefficients.h"
+#include "dda/simulation/support_set.h"
+
+namespace dda {
+
+// Pattern: blocks that share an interface are coupled.
+BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts);
+
+// Writes all values. `states` are the interface states whose statuses count (those of the current open-close pass).
+void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
+              const std::vector<SupportElement>& supports, const ContactSet& contacts,
+              const std::vector<InterfaceState>& states, BlockMatrix& matrix);
+
+// chi = k dt^2/m: the stiffest interface or support of a block against its inertia (numerics: choice of solver).
+double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt);
+
+}  // namespace dda

@@ -38,6 +38,7 @@ constexpr std::array velocity_units = {Unit{"m/s", 1, 1}, Unit{"km/s", 1e3, 1}, 
 constexpr std::array angular_velocity_units = {Unit{"rad/s", 1, 1}, Unit{"deg/s", std::numbers::pi, 180}};
 constexpr std::array acceleration_units = {Unit{"m/s2", 1, 1}, Unit{"cm/s2", 1, 1e2}, Unit{"mm/s2", 1, 1e3},
                                            Unit{"g", standard_gravity, 1}};
+constexpr std::array impedance_units = {Unit{"Pa s/m", 1, 1}, Unit{"kPa s/m", 1e3, 1}, Unit{"MPa s/m", 1e6, 1}};
 
 struct DimensionEntry {
   std::string_view name;
@@ -61,6 +62,7 @@ constexpr std::array<DimensionEntry, dimension_count> dimensions = {{
     {"velocity", velocity_units},
     {"angular velocity", angular_velocity_units},
     {"acceleration", acceleration_units},
+    {"impedance", impedance_units},
 }};
 
 const DimensionEntry& entry(Dimension dimension) {

@@ -24,8 +24,9 @@ enum class Dimension {
   velocity,
   angular_velocity,
   acceleration,
+  impedance,  // stress per velocity: density * wave speed
 };
-inline constexpr int dimension_count = static_cast<int>(Dimension::acceleration) + 1;
+inline constexpr int dimension_count = static_cast<int>(Dimension::impedance) + 1;
 
 // One accepted unit: SI value = number * numerator / denominator. Both are exact doubles (but for pi), so that "34 ms"
 // gives the same double as 0.034 s.

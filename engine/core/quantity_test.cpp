@@ -91,7 +91,10 @@ std::vector<Sample> one_of_each() {
           {"9.81 m/s2", acceleration, 9.81},
           {"981 cm/s2", acceleration, 9.81},
           {"9810 mm/s2", acceleration, 9.81},
-          {"1 g", acceleration, 9.80665}};
+          {"1 g", acceleration, 9.80665},
+          {"7e6 Pa s/m", impedance, 7e6},
+          {"11.5 kPa s/m", impedance, 11500},
+          {"11.5 MPa s/m", impedance, 11.5e6}};
 }
 
 std::vector<Dimension> all_dimensions() {

@@ -43,8 +43,6 @@ void check_history(const Item& item, const TimeFunction& history) {
 
 const Polygon& shape_of(const Model& model, int block) { return model.blocks[static_cast<std::size_t>(block)].shape; }
 
-
-
 void check_point(const Model& model, const Item& item, int block, const Vec2& point) {
   item.index("block", block, model.blocks.size());
   item.finite("point", point);

@@ -11,7 +11,8 @@ namespace dda::model_checks {
 // An element of one of the model's vectors, for error sentences: blocks[3] "bar 4".
 class Item {
  public:
-  Item(std::string_view list, std::size_t index, std::string_view name = "") : list_(list), index_(index), name_(name) {}
+  Item(std::string_view list, std::size_t index, std::string_view name = "")
+      : list_(list), index_(index), name_(name) {}
 
   void positive(std::string_view member, double value) const;
   void not_negative(std::string_view member, double value) const;

@@ -30,8 +30,7 @@ Model complete_model() {
   model.edge_loads = {{1, {4, 0}, {4, 1}, {0, -1e3}, PiecewiseLinear{{0, 1}, {0, 1}}}};
   model.supports = {{0, {0, 0}, true, true, 1e12, {0, 0}, Constant{}}};
   model.viscous_edges = {{1, {2, 1}, {4, 1}, 1e7, 5e6}};
-  model.measurements = {{"s", Quantity::stress_xx, 0, -1, {1, 0.5}},
-                        {"t", Quantity::traction_normal, 0, 1, {2, 0.5}}};
+  model.measurements = {{"s", Quantity::stress_xx, 0, -1, {1, 0.5}}, {"t", Quantity::traction_normal, 0, 1, {2, 0.5}}};
   Stage stage;
   stage.dt = 1e-5;
   stage.duration = 1e-2;
@@ -105,36 +104,59 @@ const std::vector<Spoiled> spoiled = {
     {"cohesion", [](Model& m) { m.joints[0].cohesion = -2; }, "cohesion", "-2"},
     {"tension", [](Model& m) { m.joints[0].tensile_strength = nan_value; }, "tensile", "nan"},
     {"penalty", [](Model& m) { m.joints[0].penalty = 1; }, "penalty", "1"},
-    {"joint index", [](Model& m) { m.joint_of_block_pair[{0, 1}] = 7; }, "joint", "7"},
-    {"pair order", [](Model& m) { m.joint_of_block_pair[{1, 0}] = 0; }, "pair", "(1, 0)"},
+    {"joint index",
+     [](Model& m) {
+       m.joint_of_block_pair[{0, 1}] = 7;
+     },
+     "joint", "7"},
+    {"pair order",
+     [](Model& m) {
+       m.joint_of_block_pair[{1, 0}] = 0;
+     },
+     "pair", "(1, 0)"},
     {"material index", [](Model& m) { m.blocks[1].material = 1; }, "blocks[1] \"b\" material", "1"},
-    {"zero area", [](Model& m) { m.blocks[0].shape.outer[2].y() = m.blocks[0].shape.outer[3].y() = 0; }, "shape", ""},
+    {"zero area", [](Model& m) { m.blocks[0].shape.outer[2].y() = m.blocks[0].shape.outer[3].y() = 0; }, "shape",
+     "degenerate"},
     {"crossing", [](Model& m) { std::swap(m.blocks[0].shape.outer[0], m.blocks[0].shape.outer[1]); }, "shape",
      "self-intersecting"},
     {"nan vertex", [](Model& m) { m.blocks[0].shape.outer[0].x() = nan_value; }, "shape", "nan"},
     {"same names", [](Model& m) { m.blocks[1].name = "a"; }, "blocks[1] \"a\" name", "a"},
-    {"overlap", [](Model& m) { m.blocks[1].shape.outer[3].x() = 1.9; }, "blocks[1] \"b\"", "overlapping blocks[0] \"a\""},
+    {"overlap", [](Model& m) { m.blocks[1].shape.outer[3].x() = 1.9; }, "blocks[1] \"b\"",
+     "overlapping blocks[0] \"a\""},
     {"stress", [](Model& m) { m.blocks[0].initial_stress.z() = nan_value; }, "initial stress", "nan"},
     {"gravity", [](Model& m) { m.gravity.y() = nan_value; }, "gravity", "not finite"},
     {"load block", [](Model& m) { m.point_loads[0].block = 2; }, "point_loads[0] block", "2"},
     {"load point", [](Model& m) { m.point_loads[0].point.x() = -1; }, "point_loads[0] point", "(-1, 0.5)"},
     {"frequency", [](Model& m) { m.point_loads[0].history = SineCycles{}; }, "frequency", "0"},
     {"decay", [](Model& m) { m.point_loads[0].history = ExponentialDecay{}; }, "decay time", "0"},
-    {"times", [](Model& m) { m.edge_loads[0].history = PiecewiseLinear{{1, 1}, {0, 1}}; }, "edge_loads[0] history", "1"},
+    {"times",
+     [](Model& m) {
+       m.edge_loads[0].history = PiecewiseLinear{{1, 1}, {0, 1}};
+     },
+     "edge_loads[0] history", "1"},
     {"no table", [](Model& m) { m.edge_loads[0].history = PiecewiseLinear{}; }, "history", "0 times"},
-    {"edge inside", [](Model& m) { m.edge_loads[0].to = {3, 0.5}; }, "edge_loads[0] edge", "(3, 0.5)"},
-    {"edge without length", [](Model& m) { m.edge_loads[0].to = {4, 0}; }, "edge length", "0"},
+    {"edge inside",
+     [](Model& m) {
+       m.edge_loads[0].to = {3, 0.5};
+     },
+     "edge_loads[0] edge", "(3, 0.5)"},
+    {"edge without length",
+     [](Model& m) {
+       m.edge_loads[0].to = {4, 0};
+     },
+     "edge length", "0"},
     {"stiffness", [](Model& m) { m.supports[0].stiffness = 0; }, "supports[0] stiffness", "0"},
     {"holds nothing", [](Model& m) { m.supports[0].holds_x = m.supports[0].holds_y = false; }, "hold", "neither"},
     {"impedance", [](Model& m) { m.viscous_edges[0].shear_impedance = -1; }, "shear impedance", "-1"},
     {"measured block", [](Model& m) { m.measurements[0].block = -1; }, "measurements[0] \"s\" block", "-1"},
     {"measured point", [](Model& m) { m.measurements[0].point.y() = 2; }, "measurements[0] \"s\" point", "(1, 2)"},
     {"one block of a traction", [](Model& m) { m.measurements[1].other_block = -1; }, "other block", "-1"},
-    {"same names of measurements", [](Model& m) { m.measurements[1].name = "s"; }, "measurements[1] \"s\" name", "used"},
+    {"same names of measurements", [](Model& m) { m.measurements[1].name = "s"; }, "measurements[1] \"s\" name",
+     "used"},
     {"dt", [](Model& m) { m.stages[0].dt = 0; }, "stages[0] \"run\" dt", "0"},
     {"duration", [](Model& m) { m.stages[0].duration = -1; }, "duration", "-1"},
     {"steps without end", [](Model& m) { m.stages[0].dt = 1e-300; }, "duration in steps", "e+"},
-    {"rho_inf", [](Model& m) { m.stages[0].integrator = generalized_alpha_integrator(-0.5); }, "integrator", ""},
+    {"rho_inf", [](Model& m) { m.stages[0].integrator = generalized_alpha_integrator(-0.5); }, "alpha", "-"},
     {"velocity factor", [](Model& m) { m.stages[0].velocity_factor = 1.01; }, "velocity factor", "1.01"},
     {"iterations", [](Model& m) { m.stages[0].max_open_close_iterations = 0; }, "open-close", "0"},
 };

@@ -54,6 +54,14 @@ bool is_flat(const Ring& ring, double tolerance) {
   return std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return distance(longest, p) <= tolerance; });
 }
 
+Reason repetition(const Ring& ring, const std::string& name, double tolerance) {
+  std::vector<Box> boxes;
+  for (const Vec2& vertex : ring) boxes.push_back(expanded(Box{vertex, vertex}, tolerance / 2));
+  const std::vector<std::pair<int, int>> pairs = overlapping_pairs(boxes);
+  if (pairs.empty()) return std::nullopt;
+  return fmt::format("degenerate: vertex {} of {} repeats vertex {}", pairs.front().second, name, pairs.front().first);
+}
+
 // Of two edges that follow each other.
 bool folds_back(const Segment& edge, const Segment& next, double tolerance) {
   return distance(edge, next.end) <= tolerance || distance(next, edge.start) <= tolerance;
@@ -61,9 +69,6 @@ bool folds_back(const Segment& edge, const Segment& next, double tolerance) {
 
 Reason conflict_in_ring(const Edge& a, const Edge& b, double tolerance) {
   const std::string name = name_of(a.ring);
-  if ((a.segment.start - b.segment.start).norm() <= tolerance) {
-    return fmt::format("degenerate: vertex {} of {} repeats vertex {}", b.index, name, a.index);
-  }
   const bool b_follows = b.index == a.index + 1;
   const bool a_follows = a.index == 0 && b.index + 1 == b.ring_size;
   if (!b_follows && !a_follows) {
@@ -140,6 +145,7 @@ std::optional<std::string> defect(const Polygon& polygon) {
   const double tolerance = coordinate_tolerance(polygon);
   for (std::size_t r = 0; r < rings.size(); ++r) {
     if (is_flat(*rings[r], tolerance)) return fmt::format("degenerate: {} has no area", name_of(r));
+    if (Reason reason = repetition(*rings[r], name_of(r), tolerance)) return reason;
   }
   if (Reason reason = edge_defect(polygon, tolerance)) return reason;
   if (Reason reason = nesting_defect(polygon)) return reason;

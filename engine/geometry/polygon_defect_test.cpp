@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "dda/geometry/polygon.h"
+#include "dda/geometry/random_polygon.h"
+#include "dda/geometry/rotation.h"
+
+namespace dda {
+namespace {
+
+const Ring square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+
+Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+std::string reason(const Polygon& polygon) { return defect(polygon).value_or("valid"); }
+
+TEST(PolygonDefect, ValidPolygonsHaveNone) {
+  EXPECT_EQ(reason({square, {}}), "valid");
+  EXPECT_EQ(reason({{{0, 0}, {1, 0}, {0, 1}}, {}}), "valid");
+  EXPECT_EQ(reason({{{0, 4}, {4, 4}, {4, 0}, {0, 0}}, {}}), "valid");  // clockwise
+  EXPECT_EQ(reason({{{0, 0}, {2, 0}, {4, 0}, {4, 4}}, {}}), "valid");  // vertex within an edge
+  EXPECT_EQ(reason({square, {box(1, 1, 2, 2), box(2.5, 1, 3, 2)}}), "valid");
+  EXPECT_EQ(reason({{{0, 0}, {1000, 0}, {1000, 1e-6}}, {}}), "valid");                   // thin, but no line
+  EXPECT_EQ(reason({{{1e6, 1e6}, {1e6 + 1e-3, 1e6}, {1e6, 1e6 + 1e-3}}, {}}), "valid");  // small and far away
+}
+
+TEST(PolygonDefect, FewerThanThreeVertices) {
+  EXPECT_EQ(reason({{}, {}}), "degenerate: the outer ring has fewer than 3 vertices (0)");
+  EXPECT_EQ(reason({square, {{{1, 1}, {2, 2}}}}), "degenerate: hole 0 has fewer than 3 vertices (2)");
+}
+
+TEST(PolygonDefect, CoordinatesOutOfRange) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(reason({{{0, 0}, {1, 0}, {nan, 1}}, {}}), "out of range: vertex 2 of the outer ring is (nan, 1) m");
+  EXPECT_EQ(reason({{{0, 0}, {1, nan}, {0, 1}}, {}}), "out of range: vertex 1 of the outer ring is (1, nan) m");
+  EXPECT_EQ(reason({square, {{{1, 1}, {2, infinity}, {1, 2}}}}), "out of range: vertex 1 of hole 0 is (2, inf) m");
+  EXPECT_EQ(reason({{{0, 0}, {1e300, 0}, {0, 1e300}}, {}}),
+            "out of range: vertex 1 of the outer ring is (1e+300, 0) m");
+}
+
+TEST(PolygonDefect, RepeatedVertices) {
+  EXPECT_EQ(reason({{{0, 0}, {1, 0}, {1, 0}, {0, 1}}, {}}), "degenerate: vertex 2 of the outer ring repeats vertex 1");
+  EXPECT_EQ(reason({{{0, 0}, {1, 0}, {0, 1}, {0, 0}}, {}}), "degenerate: vertex 3 of the outer ring repeats vertex 0");
+  // Two triangles that meet in a vertex.
+  EXPECT_EQ(reason({{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}, {}}),
+            "degenerate: vertex 4 of the outer ring repeats vertex 1");
+}
+
+TEST(PolygonDefect, NoArea) {
+  EXPECT_EQ(reason({{{0, 0}, {1, 1}, {2, 2}}, {}}), "degenerate: the outer ring has no area");
+  EXPECT_EQ(reason({{{0, 0}, {3, 0}, {2, 0}, {1, 0}}, {}}), "degenerate: the outer ring has no area");
+  EXPECT_EQ(reason({{{1, 1}, {1, 1}, {1, 1}}, {}}), "degenerate: the outer ring has no area");
+  EXPECT_EQ(reason({square, {{{1, 1}, {2, 1}, {3, 1}}}}), "degenerate: hole 0 has no area");
+  EXPECT_EQ(reason({{{0, 0}, {1e-100, 0}, {0, 1e-100}}, {}}).substr(0, 23), "degenerate: its area is");
+}
+
+TEST(PolygonDefect, SelfIntersection) {
+  // A figure of eight, whose signed area is zero.
+  EXPECT_EQ(reason({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}),
+            "self-intersecting: edge 0 of the outer ring crosses or touches edge 2");
+  // A vertex that touches another edge from inside.
+  EXPECT_EQ(reason({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}, {}}),
+            "self-intersecting: edge 0 of the outer ring crosses or touches edge 2");
+  // A spike without width, at the middle and at the end of the ring.
+  EXPECT_EQ(reason({{{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}}, {}}),
+            "degenerate: vertex 3 of the outer ring repeats vertex 1");
+  EXPECT_EQ(reason({{{0, 0}, {6, 0}, {4, 0}, {4, 4}}, {}}),
+            "self-intersecting: edge 0 of the outer ring folds back onto edge 1");
+  EXPECT_EQ(reason({{{6, 0}, {4, 0}, {4, 4}, {0, 0}}, {}}),
+            "self-intersecting: edge 0 of the outer ring folds back onto edge 3");
+}
+
+TEST(PolygonDefect, HolesThatTouchOrCross) {
+  EXPECT_EQ(reason({square, {box(1, 1, 5, 2)}}), "self-intersecting: hole 0 crosses or touches the outer ring");
+  EXPECT_EQ(reason({square, {box(0, 1, 1, 2)}}), "self-intersecting: hole 0 crosses or touches the outer ring");
+  EXPECT_EQ(reason({square, {{{0, 2}, {1, 1}, {1, 3}}}}),
+            "self-intersecting: hole 0 crosses or touches the outer ring");
+  EXPECT_EQ(reason({square, {square}}), "self-intersecting: hole 0 crosses or touches the outer ring");
+  EXPECT_EQ(reason({square, {box(1, 1, 2, 2), box(2, 1, 3, 2)}}),
+            "self-intersecting: hole 1 crosses or touches hole 0");
+}
+
+TEST(PolygonDefect, HolesInTheWrongPlace) {
+  EXPECT_EQ(reason({square, {box(5, 1, 6, 2)}}), "inconsistent: hole 0 lies outside the outer ring");
+  EXPECT_EQ(reason({square, {box(-1, -1, 5, 5)}}), "inconsistent: hole 0 lies outside the outer ring");
+  EXPECT_EQ(reason({square, {box(1, 1, 3, 3), box(1.5, 1.5, 2, 2)}}), "inconsistent: hole 1 lies inside hole 0");
+}
+
+TEST(PolygonDefect, ReadsManyVerticesQuickly) {
+  Ring ring;
+  constexpr int count = 100'000;  // all pairs of edges would take minutes
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    ring.push_back({std::cos(angle), std::sin(angle)});
+  }
+  EXPECT_EQ(reason({ring, {}}), "valid");
+}
+
+RC_GTEST_PROP(PolygonDefectProperty, StarsAreValidWhereverTheyLie, ()) {
+  const Polygon polygon = random::polygon();
+  const Mat2 turn = rotation(random::number(-3.2, 3.2));
+  RC_ASSERT(defect(random::transformed(polygon, turn, 1e6 * random::point(1))) == std::nullopt);
+}
+
+RC_GTEST_PROP(PolygonDefectProperty, NoSimpleRingTurnsTwice, ()) {
+  Ring twice = random::star();
+  const Ring inner = random::scaled(random::star(), random::number(0.25, 0.75));
+  twice.insert(twice.end(), inner.begin(), inner.end());
+  RC_ASSERT(defect({twice, {}}) != std::nullopt);
+}
+
+RC_GTEST_PROP(PolygonDefectProperty, ADrawnInHoleIsValidAndAShiftedOneIsNot, ()) {
+  const Ring outer = random::star();
+  const Ring hole = random::scaled(outer, 0.5);
+  RC_ASSERT(defect({outer, {hole}}) == std::nullopt);
+  // Moved by more than the radius of the outer ring, so that some of it must leave.
+  const double angle = random::number(-3.2, 3.2);
+  const Vec2 shift = 2.1 * Vec2(std::cos(angle), std::sin(angle));
+  RC_ASSERT(defect({outer, {random::transformed({hole, {}}, Mat2::Identity(), shift).outer}}) != std::nullopt);
+}
+
+}  // namespace
+}  // namespace dda

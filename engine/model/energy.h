@@ -40,8 +40,8 @@ struct EnergyLedger {
     return largest;
   }
 
-  // residual()/scale(), zero when nothing has happened; NaN when a term is.
-  [[nodiscard]] double relative_residual() const { return scale() == 0 ? 0 : residual() / scale(); }
+  // residual()/scale(), zero also when nothing has happened; NaN when a term is.
+  [[nodiscard]] double relative_residual() const { return residual() == 0 ? 0 : residual() / scale(); }
 };
 
 }  // namespace dda

@@ -1,0 +1,79 @@
+#include "dda/record/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <utility>
+
+namespace dda {
+namespace {
+
+constexpr double interval = 0.1;  // s between drawings
+constexpr int bar_width = 20;
+constexpr auto clear_to_end = "\x1b[K";
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::ostream* terminal() { return ::isatty(STDERR_FILENO) == 1 ? &std::cerr : nullptr; }
+
+Progress::Progress(double start_time, double end_time, std::ostream* output, Clock clock)
+    : output_(output),
+      clock_(clock ? std::move(clock) : Clock(steady_seconds)),
+      start_time_(start_time),
+      end_time_(end_time) {
+  if (output_ == nullptr) return;
+  began_ = clock_();
+  next_ = began_ + interval;
+}
+
+Progress::~Progress() { end_line(); }
+
+void Progress::draw_when_due(double time, std::int64_t step) {
+  if (!first_step_) first_step_ = step - 1;
+  const double now = clock_();
+  if (now < next_) return;
+  next_ = now + interval;
+  draw(now, time, step);
+}
+
+void Progress::draw(double now, double time, std::int64_t step) {
+  const double duration = end_time_ - start_time_;
+  const double done = duration > 0 ? std::clamp((time - start_time_) / duration, 0.0, 1.0) : 1.0;
+  const double elapsed = now - began_;
+  const double pace = elapsed > 0 ? static_cast<double>(step - first_step_.value_or(step)) / elapsed : 0;
+  const std::string bar(static_cast<std::size_t>(done * bar_width), '#');
+  *output_ << fmt::format("\r[{:<{}}] {:3.0f} %  {:.4g} of {:.4g} s  {:.3g} steps/s  {} left{}", bar, bar_width,
+                          std::floor(100 * done), time, end_time_, pace, clock_text(elapsed * (1 / done - 1)),
+                          clear_to_end)
+           << std::flush;
+  line_begun_ = true;
+}
+
+void Progress::finish(double time, std::int64_t step) {
+  if (output_ == nullptr) return;
+  draw(clock_(), time, step);
+  end_line();
+}
+
+void Progress::end_line() {
+  if (line_begun_) *output_ << '\n' << std::flush;
+  line_begun_ = false;
+}
+
+std::string clock_text(double seconds) {
+  constexpr double longest = 1e7;  // s; beyond it nobody waits, and it may be infinite
+  if (!(seconds >= 0 && seconds < longest)) return "--:--";
+  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
+  if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace dda

@@ -1,0 +1,80 @@
+#include "dda/record/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include "dda/record/atomic_file.h"
+
+namespace dda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Counters& counters) {
+  return {{"steps", counters.steps},
+          {"matrix_rebuilds", counters.matrix_rebuilds},
+          {"analyses", counters.analyses},
+          {"factorizations", counters.factorizations},
+          {"solves", counters.solves},
+          {"solver_iterations", counters.solver_iterations},
+          {"open_close_iterations", counters.open_close_iterations},
+          {"contact_searches", counters.contact_searches},
+          {"contact_state_changes", counters.contact_state_changes}};
+}
+
+Json to_json(const EnergyLedger& energy) {
+  return {{"unit", "J per m of thickness"},
+          {"kinetic", energy.kinetic},
+          {"strain", energy.strain},
+          {"contact", energy.contact},
+          {"initial_kinetic", energy.initial_kinetic},
+          {"initial_strain", energy.initial_strain},
+          {"initial_contact", energy.initial_contact},
+          {"external_work", energy.external_work},
+          {"gravity_work", energy.gravity_work},
+          {"friction", energy.friction},
+          {"dashpot", energy.dashpot},
+          {"damping", energy.damping},
+          {"numerical", energy.numerical},
+          {"residual", energy.residual()},
+          {"residual_relative", energy.relative_residual()}};
+}
+
+Json to_json(const HistoryFile& history) {
+  Json columns = Json::array();
+  columns.push_back({{"name", "time"}, {"unit", "s"}});
+  for (const Column& column : history.columns) columns.push_back({{"name", column.name}, {"unit", column.unit}});
+  return {{"file", history.file}, {"rows", history.rows}, {"columns", columns}};
+}
+
+Json to_json(const RunSummary& summary) {
+  Json json = {{"status", to_string(summary.status)},
+               {"message", summary.message},
+               {"title", summary.title},
+               {"time_s", summary.time_s},
+               {"steps", summary.steps},
+               {"blocks", summary.blocks},
+               {"contacts", summary.contacts},
+               {"solver", summary.solver},
+               {"cpu_s", summary.cpu_s},
+               {"wall_s", summary.wall_s}};
+  json["phases"] = Json::object();
+  for (const auto& [name, seconds] : summary.phases) json["phases"][name] = seconds;
+  json["counters"] = to_json(summary.counters);
+  json["energy"] = to_json(summary.energy);
+  json["histories"] = Json::array();
+  for (const HistoryFile& history : summary.histories) json["histories"].push_back(to_json(history));
+  json["outputs"] = summary.outputs;
+  return json;
+}
+
+}  // namespace
+
+std::string summary_json(const RunSummary& summary) {
+  return to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
+  write_file(path, summary_json(summary));
+}
+
+}  // namespace dda

@@ -1,0 +1,47 @@
+// The result summary of a run as JSON.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dda/core/counters.h"
+#include "dda/core/status.h"
+#include "dda/model/energy.h"
+#include "dda/record/history_writer.h"
+
+namespace dda {
+
+struct HistoryFile {
+  std::string file;
+  std::int64_t rows = 0;
+  std::vector<Column> columns;  // after the time
+};
+
+struct RunSummary {
+  Status status = Status::ok;
+  std::string message;  // one sentence when status is not ok
+  std::string title;
+  double time_s = 0;  // reached by the simulation
+  std::int64_t steps = 0;
+  Counters counters;
+  EnergyLedger energy;
+  double cpu_s = 0;
+  double wall_s = 0;
+  std::vector<std::pair<std::string, double>> phases;  // name and seconds, in the order of the run
+  std::string solver;
+  std::int64_t blocks = 0;
+  std::int64_t contacts = 0;
+  std::vector<HistoryFile> histories;
+  std::vector<std::string> outputs;  // files written
+};
+
+// JSON text; numbers that are not finite become null, bytes that are not UTF-8 the replacement character.
+std::string summary_json(const RunSummary& summary);
+
+// Writes the text whole or not at all; std::runtime_error naming path and reason.
+void write_summary(const std::filesystem::path& path, const RunSummary& summary);
+
+}  // namespace dda

@@ -1,0 +1,124 @@
+#include "dda/record/vtp_file.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstddef>
+#include <iterator>
+#include <span>
+
+#include "dda/record/atomic_file.h"
+
+namespace dda {
+namespace {
+
+std::string_view type_name(double) { return "Float64"; }
+std::string_view type_name(std::int32_t) { return "Int32"; }
+std::string_view type_name(std::int64_t) { return "Int64"; }
+
+template <typename Number>
+std::string_view bytes_of(std::span<const Number> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+// The XML text, and the arrays it refers to in the order in which they are appended.
+class VtpText {
+ public:
+  template <typename Number>
+  void array(std::string_view name, int components, std::span<const Number> values, std::string_view more = "") {
+    line(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"{}/>)",
+                     type_name(Number{}), xml_escaped(name), components, offset_, more));
+    appended_.push_back(bytes_of(values));
+    offset_ += sizeof(std::uint64_t) + values.size_bytes();
+  }
+
+  void array(const VtkArray& array) {
+    std::visit([&](const auto& values) { this->array(array.name, array.components, std::span(values)); }, array.values);
+  }
+
+  void open(std::string_view tag, std::string_view attributes = "") {
+    line(fmt::format("<{}{}>", tag, attributes));
+    ++depth_;
+  }
+
+  void close(std::string_view tag) {
+    --depth_;
+    line(fmt::format("</{}>", tag));
+  }
+
+  void write(const std::filesystem::path& path) const {
+    AtomicFile file(path);
+    file.write(text_ + "<AppendedData encoding=\"raw\">\n_");
+    for (const std::string_view bytes : appended_) {
+      const std::uint64_t size = bytes.size();
+      file.write(bytes_of(std::span(&size, 1)));
+      file.write(bytes);
+    }
+    file.write("\n</AppendedData>\n</VTKFile>\n");
+    file.commit();
+  }
+
+ private:
+  void line(std::string_view content) {
+    fmt::format_to(std::back_inserter(text_), "{:{}}{}\n", "", 2 * depth_, content);
+  }
+
+  std::string text_;
+  std::vector<std::string_view> appended_;
+  std::size_t offset_ = 0;
+  int depth_ = 0;
+};
+
+void add_section(VtpText& text, std::string_view tag, const std::vector<VtkArray>& arrays) {
+  text.open(tag);
+  for (const VtkArray& array : arrays) text.array(array);
+  text.close(tag);
+}
+
+void add_piece(VtpText& text, const PolyData& data) {
+  text.open("Piece", fmt::format(R"( NumberOfPoints="{}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" )"
+                                 R"(NumberOfPolys="{}")",
+                                 data.points.size() / 3, data.offsets.size()));
+  add_section(text, "PointData", data.point_data);
+  add_section(text, "CellData", data.cell_data);
+  text.open("Points");
+  text.array("Points", 3, std::span(data.points));
+  text.close("Points");
+  text.open("Polys");
+  text.array("connectivity", 1, std::span(data.connectivity));
+  text.array("offsets", 1, std::span(data.offsets));
+  text.close("Polys");
+  text.close("Piece");
+}
+
+}  // namespace
+
+void write_vtp(const std::filesystem::path& path, const PolyData& data) {
+  constexpr bool little = std::endian::native == std::endian::little;
+  VtpText text;
+  text.open("VTKFile", fmt::format(R"( type="PolyData" version="1.0" byte_order="{}" header_type="UInt64")",
+                                   little ? "LittleEndian" : "BigEndian"));
+  text.open("PolyData");
+  text.open("FieldData");
+  text.array("TimeValue", 1, std::span(&data.time, 1), R"( NumberOfTuples="1")");
+  text.close("FieldData");
+  add_piece(text, data);
+  text.close("PolyData");
+  text.write(path);
+}
+
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '>': escaped += "&gt;"; break;
+      case '"': escaped += "&quot;"; break;
+      default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace dda

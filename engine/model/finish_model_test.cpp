@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include "dda/core/error.h"
@@ -77,6 +79,8 @@ struct Spoiled {
   std::string field;  // parts the sentence must have
   std::string value;
 };
+
+void PrintTo(const Spoiled& spoiled, std::ostream* out) { *out << spoiled.what; }
 
 class BadModel : public testing::TestWithParam<Spoiled> {};
 
@@ -156,7 +160,7 @@ const std::vector<Spoiled> spoiled = {
     {"dt", [](Model& m) { m.stages[0].dt = 0; }, "stages[0] \"run\" dt", "0"},
     {"duration", [](Model& m) { m.stages[0].duration = -1; }, "duration", "-1"},
     {"steps without end", [](Model& m) { m.stages[0].dt = 1e-300; }, "duration in steps", "e+"},
-    {"rho_inf", [](Model& m) { m.stages[0].integrator = generalized_alpha_integrator(-0.5); }, "alpha", "-"},
+    {"rho_inf", [](Model& m) { m.stages[0].integrator = generalized_alpha_integrator(-0.1); }, "alpha", "-"},
     {"velocity factor", [](Model& m) { m.stages[0].velocity_factor = 1.01; }, "velocity factor", "1.01"},
     {"iterations", [](Model& m) { m.stages[0].max_open_close_iterations = 0; }, "open-close", "0"},
 };

@@ -11,6 +11,8 @@ Vec2 moved(const Model& model, const State& state, int block, const Vec2& refere
   return current_position(model, state, block, reference);
 }
 
+}  // namespace
+
 InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface) {
   const auto a = static_cast<std::size_t>(interface.block_a);
   const auto b = static_cast<std::size_t>(interface.block_b);
@@ -27,8 +29,6 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
           normal.normalized(), current_centroid(model, state, interface.block_a),
           current_centroid(model, state, interface.block_b)};
 }
-
-}  // namespace
 
 ContactSet make_contacts(const Model& model) {
   ContactSet contacts;

@@ -22,8 +22,10 @@ struct ContactSet {
 
 ContactSet make_contacts(const Model& model);
 
-// Moves the elements to the current geometry (finite kinematics): ends follow their blocks, the normal turns with the
-// mean of the two edges.
+// Where an interface is now: its ends follow their blocks, its normal turns with the mean of the two edges.
+InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface);
+
+// Moves the elements to the current geometry (finite kinematics).
 void update_geometry(const Model& model, const State& state, ContactSet& contacts);
 
 // Adds the internal forces of all interfaces to `force` (6 entries a block).

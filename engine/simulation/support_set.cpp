@@ -16,7 +16,7 @@ std::vector<SupportElement> make_supports(const Model& model, const State& state
     supports.push_back({support.block, Vec2::Zero(), stiffness});
   }
   update_geometry(model, state, supports);
-  measure_gaps(model, state, supports);
+  for (std::size_t i = 0; i < supports.size(); ++i) measure_gap(model, state, i, supports[i]);
   return supports;
 }
 
@@ -28,12 +28,10 @@ void update_geometry(const Model& model, const State& state, std::vector<Support
   }
 }
 
-void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports) {
-  for (std::size_t i = 0; i < supports.size(); ++i) {
-    const PointSupport& support = model.supports[i];
-    supports[i].prescribed = prescribed_displacement(support, state.time);
-    supports[i].gap = point_displacement(model, state, support.block, support.point) - supports[i].prescribed;
-  }
+void measure_gap(const Model& model, const State& state, std::size_t index, SupportElement& support) {
+  const PointSupport& prescription = model.supports[index];
+  support.prescribed = prescribed_displacement(prescription, state.time);
+  support.gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed;
 }
 
 void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force) {

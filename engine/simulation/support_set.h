@@ -22,8 +22,8 @@ std::vector<SupportElement> make_supports(const Model& model, const State& state
 // Moves the held points with their blocks (finite kinematics).
 void update_geometry(const Model& model, const State& state, std::vector<SupportElement>& supports);
 
-// Gaps at the state's time.
-void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports);
+// Gap of support `index` at the state's time.
+void measure_gap(const Model& model, const State& state, std::size_t index, SupportElement& support);
 
 // Prescribed displacement of support `index` at `time`, m.
 Vec2 prescribed_displacement(const PointSupport& support, double time);

@@ -1,0 +1,103 @@
+#include "dda/simulation/energy_audit.h"
+
+#include <cstddef>
+
+#include "dda/terms/elasticity.h"
+
+namespace dda {
+namespace {
+
+Vec6 of_block(const Eigen::VectorXd& all, std::size_t i) { return all.segment<6>(static_cast<Eigen::Index>(6 * i)); }
+
+}  // namespace
+
+double kinetic_energy(const BlockTerms& terms, const State& state) {
+  double energy = 0;
+  for (std::size_t i = 0; i < state.velocity.size(); ++i)
+    energy += state.velocity[i].dot(momentum(terms.inertia[i], state.velocity[i])) / 2;
+  return energy;
+}
+
+double strain_energy(const BlockTerms& terms, const State& state) {
+  double energy = 0;
+  for (std::size_t i = 0; i < state.stress.size(); ++i)
+    energy += strain_energy(terms.area[i], state.stress[i], terms.compliance[i]);
+  return energy;
+}
+
+double contact_energy(const ContactSet& contacts, const std::vector<SupportElement>& supports) {
+  double energy = support_energy(supports);
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    energy += interface_energy(contacts.elements[i], contacts.states[i]);
+  return energy;
+}
+
+void EnergyAudit::start(const BlockTerms& terms, const State& state, const ContactSet& contacts,
+                        const std::vector<SupportElement>& supports) {
+  ledger_ = {};
+  ledger_.kinetic = ledger_.initial_kinetic = kinetic_energy(terms, state);
+  ledger_.strain = ledger_.initial_strain = strain_energy(terms, state);
+  ledger_.contact = ledger_.initial_contact = contact_energy(contacts, supports);
+}
+
+void EnergyAudit::before_move(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
+                              const State& state, const Eigen::VectorXd& d) {
+  inertia_work_ = 0;
+  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+    const Vec6 own = of_block(d, i);
+    const Vec6 weighted = step.mass * own - step.mass_v * state.velocity[i] - step.mass_a * state.acceleration[i];
+    inertia_work_ += own.dot(momentum(terms.inertia[i], weighted));
+  }
+  for (const auto& [block, c] : damping) {
+    const auto i = static_cast<std::size_t>(block);
+    const Vec6 own = of_block(d, i);
+    const Vec6 weighted =
+        step.damping * own + step.damping_v * state.velocity[i] + step.damping_a * state.acceleration[i];
+    ledger_.dashpot += own.dot(c * weighted);
+  }
+}
+
+void EnergyAudit::after_move(const StepCoefficients& step, const BlockTerms& terms, const State& state,
+                             const ContactSet& contacts, const std::vector<SupportElement>& supports,
+                             const StepForces& forces, const Eigen::VectorXd& d) {
+  const double kinetic_before = ledger_.kinetic;
+  ledger_.kinetic = kinetic_energy(terms, state);
+  ledger_.strain = strain_energy(terms, state);
+  ledger_.contact = contact_energy(contacts, supports);
+  const double work_old = d.dot(forces.load_old);
+  const double work_new = d.dot(forces.load_new);
+  ledger_.external_work += (work_old + work_new) / 2;
+  if (forces.weight.size() > 0) ledger_.gravity_work += d.dot(forces.weight);
+  const double off_centre = 0.5 - step.load_old;  // 1/2 - alpha_f
+  ledger_.numerical += inertia_work_ - (ledger_.kinetic - kinetic_before) + replaced_;
+  replaced_ = 0;
+  if (off_centre != 0)
+    ledger_.numerical +=
+        off_centre * (d.dot(forces.internal_new) - d.dot(forces.internal_old) - (work_new - work_old));
+}
+
+void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,
+                                    const InterfaceState& after, const Vec4& gap_change) {
+  const double work = gap_change.dot(before.force + after.force) / 2;
+  double friction = 0;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
+    friction += (before.force(shear_row) + after.force(shear_row)) / 2 * (after.slip[end] - before.slip[end]);
+  }
+  const double stored = interface_energy(element, after) - interface_energy(element, before);
+  ledger_.friction += friction;
+  ledger_.numerical += work - stored - friction;
+}
+
+void EnergyAudit::support_moved(const SupportElement& before, const SupportElement& after) {
+  const Vec2 mean_force = before.stiffness.cwiseProduct(before.gap + after.gap) / 2;
+  ledger_.external_work -= mean_force.dot(after.prescribed - before.prescribed);
+}
+
+void EnergyAudit::velocities_damped(const BlockTerms& terms, const State& state) {
+  const double before = ledger_.kinetic;
+  ledger_.kinetic = kinetic_energy(terms, state);
+  ledger_.damping += before - ledger_.kinetic;
+}
+
+}  // namespace dda

@@ -1,0 +1,72 @@
+// Keeps the energy ledger, step by step.
+//
+// The work of a force over a step is taken by the trapezoidal rule, d . (F0 + F1)/2. The integrator balances weighted
+// forces and accelerations instead; what that makes of the step, written out in increments, is its numerical
+// dissipation:
+//   d . M a_w - (change of kinetic energy) + (1/2 - alpha_f) d . (change of internal force)
+//     - d . (F_w - (F0 + F1)/2)
+// with F_w = (1 - alpha_f) F1 + alpha_f F0. Stored energies come from velocities, stresses and gaps, so the residual is
+// a check on solver, forces and state update together, not an identity.
+#pragma once
+
+#include <vector>
+
+#include "dda/contact/contact_set.h"
+#include "dda/model/energy.h"
+#include "dda/model/state.h"
+#include "dda/simulation/block_terms.h"
+#include "dda/simulation/step_coefficients.h"
+#include "dda/simulation/support_set.h"
+
+namespace dda {
+
+double kinetic_energy(const BlockTerms& terms, const State& state);
+double strain_energy(const BlockTerms& terms, const State& state);
+double contact_energy(const ContactSet& contacts, const std::vector<SupportElement>& supports);
+
+// Forces at both ends of a step, 6 entries a block; weight may be empty.
+struct StepForces {
+  const Eigen::VectorXd& load_old;
+  const Eigen::VectorXd& load_new;
+  const Eigen::VectorXd& weight;
+  const Eigen::VectorXd& internal_old;
+  const Eigen::VectorXd& internal_new;
+};
+
+class EnergyAudit {
+ public:
+  // Takes the stored energies of the start.
+  void start(const BlockTerms& terms, const State& state, const ContactSet& contacts,
+             const std::vector<SupportElement>& supports);
+
+  // Before the state moves: work against inertia and dashpots, which needs the old velocities and accelerations.
+  void before_move(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
+                   const State& state, const Eigen::VectorXd& d);
+
+  // After the state moved and internal forces are known.
+  void after_move(const StepCoefficients& step, const BlockTerms& terms, const State& state,
+                  const ContactSet& contacts, const std::vector<SupportElement>& supports, const StepForces& forces,
+                  const Eigen::VectorXd& d);
+
+  // Work of friction, and of status changes within the step, on one interface.
+  void interface_changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
+                         const Vec4& gap_change);
+
+  // An interface went over to another law with this loss of stored energy (J per m of thickness).
+  void interface_replaced(double loss) { replaced_ += loss; }
+
+  // Work of a support's prescribed motion.
+  void support_moved(const SupportElement& before, const SupportElement& after);
+
+  // Velocities were scaled: what that took out.
+  void velocities_damped(const BlockTerms& terms, const State& state);
+
+  [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
+
+ private:
+  EnergyLedger ledger_;
+  double inertia_work_ = 0;  // d . M a_w of the step under way
+  double replaced_ = 0;      // losses by interface_replaced in the step under way
+};
+
+}  // namespace dda

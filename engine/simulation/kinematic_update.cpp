@@ -1,0 +1,42 @@
+#include "dda/simulation/kinematic_update.h"
+
+#include <cstddef>
+
+#include "dda/geometry/rotation.h"
+
+namespace dda {
+namespace {
+
+void advance_motion(const StepCoefficients& step, const Vec6& d, std::size_t i, State& state) {
+  const Vec6 old_acceleration = state.acceleration[i];
+  const Vec6 acceleration = step.a_d * d + step.a_v * state.velocity[i] + step.a_a * old_acceleration;
+  state.velocity[i] = step.v_v * state.velocity[i] + step.v_a0 * old_acceleration + step.v_a1 * acceleration;
+  state.acceleration[i] = acceleration;
+  state.displacement[i] += d;
+}
+
+void deform_small(const Vec6& d, Mat2& deformation) {
+  deformation(0, 0) += d(3);
+  deformation(0, 1) += d(5) / 2 - d(2);
+  deformation(1, 0) += d(5) / 2 + d(2);
+  deformation(1, 1) += d(4);
+}
+
+}  // namespace
+
+void move_blocks(const StepCoefficients& step, Kinematics kinematics, const BlockTerms& terms,
+                 const Eigen::VectorXd& d, State& state) {
+  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+    const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
+    advance_motion(step, own, i, state);
+    state.stress[i].noalias() += terms.elasticity[i] * own.tail<3>();
+    if (kinematics == Kinematics::small) {
+      deform_small(own, state.deformation[i]);
+    } else {
+      state.stress[i] = rotate_stress(state.stress[i], own(2));
+      state.deformation[i] = deformation_increment(own) * state.deformation[i];
+    }
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,213 @@
+#include "dda/simulation/simulation.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "dda/simulation/system_matrix.h"
+#include "dda/terms/velocity_damping.h"
+
+namespace dda {
+
+Simulation::Simulation(Model model)
+    : model_(std::move(model)),
+      state_(initial_state(model_)),
+      contacts_(make_contacts(model_)),
+      trial_(contacts_.states),
+      supports_(make_supports(model_, state_)),
+      terms_(make_block_terms(model_, 1)),
+      damping_(make_block_damping(model_, state_)),
+      external_(model_, state_),
+      matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_)) {
+  const Eigen::Index unknowns = matrix_.unknowns();
+  for (Eigen::VectorXd* vector :
+       {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_})
+    vector->setZero(unknowns);
+  sum_internal_forces(internal_old_);
+  external_.loads_at(state_.time, load_old_);
+  begin_stage();
+  audit_.start(terms_, state_, contacts_, supports_);
+}
+
+void Simulation::begin_stage() {
+  step_in_stage_ = 0;
+  stage_start_ = state_.time;
+  for (Inertia& inertia : terms_.inertia) inertia.strain_inertia = stage().strain_inertia;
+  plan_ = make_plan(model_, stage(), contacts_, matrix_.couplings(),
+                    stiffness_number(contacts_, terms_, stage().dt));
+  solver_ = make_solver(plan_.solver);
+  solver_->analyze(matrix_);
+  ++counters_.analyses;
+  set_step_size(stage().dt);
+  set_initial_acceleration();
+}
+
+void Simulation::set_step_size(double dt) {
+  coefficients_ = step_coefficients(stage().integrator, dt);
+  matrix_is_current_ = false;
+}
+
+std::int64_t Simulation::steps_in_stage() const { return std::llround(stage().duration / stage().dt); }
+
+std::int64_t Simulation::steps_in_all_stages() const {
+  std::int64_t steps = 0;
+  for (const Stage& each : model_.stages) steps += std::llround(each.duration / each.dt);
+  return steps;
+}
+
+Status Simulation::step() {
+  const Status status = advance(stage().dt, stage().max_step_reductions);
+  if (status != Status::ok) return status;
+  ++step_in_stage_;
+  ++state_.step;
+  state_.time = stage_start_ + static_cast<double>(step_in_stage_) * stage().dt;
+  if (step_in_stage_ >= steps_in_stage()) {
+    ++stage_;
+    if (!finished()) begin_stage();
+  }
+  return status;
+}
+
+Status Simulation::advance(double dt, int reductions_left) {
+  const Status status = try_step(dt);
+  if (status != Status::not_converged || reductions_left == 0) return status;
+  const Status first_half = advance(dt / 2, reductions_left - 1);
+  return first_half == Status::ok ? advance(dt / 2, reductions_left - 1) : first_half;
+}
+
+Status Simulation::try_step(double dt) {
+  if (dt != coefficients_.dt) set_step_size(dt);
+  prepare_step();
+  const Status status = find_contact_statuses();
+  if (status == Status::ok) {
+    accept_step();
+  } else {
+    matrix_is_current_ = false;
+  }
+  return status;
+}
+
+void Simulation::prepare_step() {
+  if (plan_.finite_kinematics) follow_geometry();
+  if (plan_.loads) external_.loads_at(state_.time + coefficients_.dt, load_new_);
+  form_constant_rhs();
+}
+
+void Simulation::follow_geometry() {
+  update_geometry(model_, state_, terms_);
+  update_geometry(model_, state_, contacts_);
+  update_geometry(model_, state_, supports_);
+  if (plan_.viscous_edges) damping_ = make_block_damping(model_, state_);
+  if (plan_.loads) {
+    external_.update_geometry(model_, state_);
+    external_.loads_at(state_.time, load_old_);
+  }
+  sum_internal_forces(internal_old_);
+  matrix_is_current_ = false;
+}
+
+void Simulation::sum_internal_forces(Eigen::VectorXd& force) const {
+  for (std::size_t i = 0; i < state_.stress.size(); ++i) {
+    auto own = force.segment<6>(static_cast<Eigen::Index>(6 * i));
+    own.head<3>().setZero();
+    own.tail<3>() = terms_.area[i] * state_.stress[i];
+  }
+  add_contact_force(contacts_, force);
+  add_support_force(supports_, force);
+}
+
+void Simulation::form_constant_rhs() {
+  const StepCoefficients& c = coefficients_;
+  constant_rhs_ = -internal_old_;
+  if (plan_.loads) constant_rhs_ += c.load_new * load_new_ + c.load_old * load_old_;
+  if (plan_.gravity) constant_rhs_ += external_.weight();
+  for (std::size_t i = 0; i < state_.velocity.size(); ++i)
+    constant_rhs_.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
+        momentum(terms_.inertia[i], c.mass_v * state_.velocity[i] + c.mass_a * state_.acceleration[i]);
+  for (const auto& [block, matrix] : damping_) {
+    const auto i = static_cast<std::size_t>(block);
+    constant_rhs_.segment<6>(6 * block) -=
+        matrix * (c.damping_v * state_.velocity[i] + c.damping_a * state_.acceleration[i]);
+  }
+  if (!plan_.moving_supports) return;
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
+    const SupportElement& support = supports_[i];
+    const Vec2 motion = prescribed_displacement(model_.supports[i], state_.time + c.dt) - support.prescribed;
+    constant_rhs_.segment<6>(6 * support.block) +=
+        c.stiffness * displacement_rows(support.offset).transpose() * support.stiffness.cwiseProduct(motion);
+  }
+}
+
+Status Simulation::refactor() {
+  assemble(coefficients_, terms_, damping_, supports_, contacts_, trial_, matrix_);
+  ++counters_.matrix_rebuilds;
+  const Status status = solver_->factorize(matrix_);
+  ++counters_.factorizations;
+  matrix_is_current_ = status == Status::ok;
+  if (status != Status::ok) message_ = "the system matrix is not positive definite: a block is not held, or data overflow";
+  return status;
+}
+
+void Simulation::accept_step() {
+  audit_.before_move(coefficients_, terms_, damping_, state_, increment_);
+  move_blocks(coefficients_, stage().kinematics, terms_, increment_, state_);
+  state_.time += coefficients_.dt;
+  accept_contacts();
+  if (plan_.supports) {
+    for (std::size_t i = 0; i < supports_.size(); ++i) {
+      const SupportElement before = supports_[i];
+      measure_gap(model_, state_, i, supports_[i]);
+      if (plan_.moving_supports) audit_.support_moved(before, supports_[i]);
+    }
+  }
+  sum_internal_forces(internal_new_);
+  audit_.after_move(coefficients_, terms_, state_, contacts_, supports_,
+                    {load_old_, load_new_, external_.weight(), internal_old_, internal_new_}, increment_);
+  damp_velocities();
+  internal_old_.swap(internal_new_);
+  load_old_.swap(load_new_);
+  ++counters_.steps;
+}
+
+void Simulation::damp_velocities() {
+  if (!plan_.velocity_damping && !plan_.is_static) return;
+  const double factor =
+      plan_.is_static ? 0 : velocity_factor(stage().velocity_factor, stage().damping_rate, coefficients_.dt);
+  for (Vec6& velocity : state_.velocity) velocity *= factor;
+  if (plan_.is_static) {
+    for (Vec6& acceleration : state_.acceleration) acceleration.setZero();
+  }
+  audit_.velocities_damped(terms_, state_);
+}
+
+// Acceleration from the forces at the start of a stage, without those that constrain: each block on its own.
+void Simulation::set_initial_acceleration() {
+  if (plan_.is_static) return;
+  Eigen::VectorXd unbalanced = load_old_ - internal_old_;
+  if (plan_.gravity) unbalanced += external_.weight();
+  for (const auto& [block, matrix] : damping_)
+    unbalanced.segment<6>(6 * block) -= matrix * state_.velocity[static_cast<std::size_t>(block)];
+  for (std::size_t i = 0; i < state_.acceleration.size(); ++i)
+    state_.acceleration[i] =
+        mass_matrix(terms_.inertia[i]).llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
+}
+
+Counters Simulation::counters() const {
+  Counters counters = counters_;
+  counters.solver_iterations += solver_->counts().iterations;
+  return counters;
+}
+
+double Simulation::out_of_balance() const {
+  Eigen::VectorXd unbalanced = load_old_ - internal_old_;
+  double scale = load_old_.cwiseAbs().maxCoeff();
+  if (plan_.gravity) {
+    unbalanced += external_.weight();
+    scale = std::max(scale, external_.weight().cwiseAbs().maxCoeff());
+  }
+  return scale > 0 ? unbalanced.cwiseAbs().maxCoeff() / scale : unbalanced.cwiseAbs().maxCoeff();
+}
+
+}  // namespace dda

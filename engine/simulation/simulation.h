@@ -1,0 +1,107 @@
+// Runs a model: scene facts in, states out.
+//
+//   Simulation simulation(model);
+//   while (!simulation.finished() && simulation.step() == Status::ok) use(simulation.state());
+//
+// One step: contact geometry -> matrix (only when something in it changed) -> solve -> judge contacts, again until
+// none changes -> move. A step that does not converge is retried in halves; the state only ever holds converged steps.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dda/contact/contact_set.h"
+#include "dda/core/counters.h"
+#include "dda/core/status.h"
+#include "dda/linear/block_matrix.h"
+#include "dda/linear/solver.h"
+#include "dda/model/energy.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+#include "dda/simulation/block_terms.h"
+#include "dda/simulation/energy_audit.h"
+#include "dda/simulation/external_forces.h"
+#include "dda/simulation/step_coefficients.h"
+#include "dda/simulation/step_plan.h"
+#include "dda/simulation/support_set.h"
+
+namespace dda {
+
+class Simulation {
+ public:
+  // The model must be finished (finish_model) and have at least one stage.
+  explicit Simulation(Model model);
+
+  // Advances by one time step of the current stage, and on to the next stage after the last step of one. Anything but
+  // ok leaves the state at the last converged moment; message() says why.
+  [[nodiscard]] Status step();
+
+  [[nodiscard]] bool finished() const { return stage_ >= model_.stages.size(); }
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const ContactSet& contacts() const { return contacts_; }
+  [[nodiscard]] const StepPlan& plan() const { return plan_; }
+  [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }
+  [[nodiscard]] Counters counters() const;
+
+  // Largest unbalanced force of any unknown in the last step, internal against external without inertia, divided by the
+  // largest load or weight: what is left on the way to static equilibrium.
+  [[nodiscard]] double out_of_balance() const;
+
+  [[nodiscard]] std::int64_t steps_in_all_stages() const;
+
+ private:
+  void begin_stage();
+  void set_step_size(double dt);
+  [[nodiscard]] const Stage& stage() const { return model_.stages[stage_]; }
+  [[nodiscard]] std::int64_t steps_in_stage() const;
+
+  [[nodiscard]] Status advance(double dt, int reductions_left);
+  [[nodiscard]] Status try_step(double dt);
+  void prepare_step();
+  void follow_geometry();
+  void form_constant_rhs();
+  [[nodiscard]] Status find_contact_statuses();
+  [[nodiscard]] Status solve_pass();
+  [[nodiscard]] Status refactor();
+  void add_contact_rhs();
+  [[nodiscard]] bool judge_contacts();
+  [[nodiscard]] bool weaken_consistent(std::size_t i);
+  void accept_step();
+  void accept_contacts();
+  void damp_velocities();
+  void sum_internal_forces(Eigen::VectorXd& force) const;
+  void set_initial_acceleration();
+
+  Model model_;
+  State state_;
+  ContactSet contacts_;
+  std::vector<InterfaceState> trial_;  // interface states of the current open-close pass
+  std::vector<SupportElement> supports_;
+  BlockTerms terms_;
+  BlockDamping damping_;
+  ExternalForces external_;
+  EnergyAudit audit_;
+
+  std::size_t stage_ = 0;
+  std::int64_t step_in_stage_ = 0;
+  double stage_start_ = 0;
+  StepPlan plan_;
+  StepCoefficients coefficients_;
+  BlockMatrix matrix_;
+  std::unique_ptr<LinearSolver> solver_;
+  bool matrix_is_current_ = false;
+  Counters counters_;
+  std::string message_;
+
+  // 6 entries a block.
+  Eigen::VectorXd load_old_, load_new_;
+  Eigen::VectorXd internal_old_, internal_new_;
+  Eigen::VectorXd constant_rhs_, rhs_, increment_;
+};
+
+}  // namespace dda

@@ -1,0 +1,63 @@
+#include "dda/simulation/step_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace dda {
+namespace {
+
+SolverKind solver_for(const Model& model, const Stage& stage, int couplings, const StepPlan& plan) {
+  switch (stage.solver) {
+    case SolverRequest::cholesky:
+      return SolverKind::cholesky;
+    case SolverRequest::pcg:
+      return SolverKind::pcg;
+    case SolverRequest::dense:
+      return SolverKind::dense;
+    case SolverRequest::automatic:
+      break;
+  }
+  const double chi = plan.is_static ? std::numeric_limits<double>::infinity() : plan.chi;
+  return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, plan.finite_kinematics});
+}
+
+}  // namespace
+
+StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& contacts, int couplings, double chi) {
+  StepPlan plan;
+  plan.loads = !model.point_loads.empty() || !model.edge_loads.empty();
+  plan.gravity = !model.gravity.isZero();
+  plan.supports = !model.supports.empty();
+  plan.moving_supports = std::any_of(model.supports.begin(), model.supports.end(),
+                                     [](const PointSupport& support) { return !support.displacement.isZero(); });
+  plan.viscous_edges = !model.viscous_edges.empty();
+  plan.contacts = !contacts.interfaces.empty();
+  plan.contacts_can_change = contacts.can_change;
+  plan.finite_kinematics = stage.kinematics == Kinematics::finite;
+  plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
+  plan.is_static = stage.integrator.is_static;
+  plan.chi = chi;
+  plan.solver = solver_for(model, stage, couplings, plan);
+  return plan;
+}
+
+std::vector<std::string> StepPlan::describe() const {
+  std::vector<std::string> lines{"inertia", "elasticity (carried stress)"};
+  const auto add = [&](bool needed, const std::string& line) {
+    if (needed) lines.push_back(line);
+  };
+  add(loads, "loads");
+  add(gravity, "gravity");
+  add(supports, moving_supports ? "supports, moving" : "supports");
+  add(viscous_edges, "viscous boundary");
+  add(contacts, contacts_can_change ? "contacts: open-close iteration" : "contacts: bonded, never judged");
+  add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
+  add(!finite_kinematics, "geometry: as drawn, matrix built once");
+  add(velocity_damping, "velocity damping");
+  lines.push_back(fmt::format("solve: {} (chi = {:.3g})", to_string(solver), chi));
+  return lines;
+}
+
+}  // namespace dda

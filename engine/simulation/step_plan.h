@@ -1,0 +1,33 @@
+// Which terms and phases a scene needs: a step runs these and no others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dda/contact/contact_set.h"
+#include "dda/linear/solver_choice.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+struct StepPlan {
+  bool loads = false;
+  bool gravity = false;
+  bool supports = false;
+  bool moving_supports = false;
+  bool viscous_edges = false;
+  bool contacts = false;
+  bool contacts_can_change = false;  // runs the open-close iteration
+  bool finite_kinematics = false;    // geometry and matrix are rebuilt every step
+  bool velocity_damping = false;
+  bool is_static = false;
+  double chi = 0;  // k dt^2/m
+  SolverKind solver = SolverKind::cholesky;
+
+  // One line a term or phase, for people.
+  [[nodiscard]] std::vector<std::string> describe() const;
+};
+
+StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& contacts, int couplings, double chi);
+
+}  // namespace dda

@@ -1,25 +1,24 @@
 #include "dda/linear/block_substitution.h"
 
+#include <utility>
+
 namespace dda {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Mat6 diagonal_block(const BlockSubstitution::ScalarFactor& factor, int j) {
+// `places` are those of the diagonal entries of the six columns of the block.
+Mat6 diagonal_block(const double* values, const int* places) {
   Mat6 block = Mat6::Zero();
   for (int c = 0; c < 6; ++c) {
-    const double* column = factor.values + factor.column_starts[6 * j + c];
-    for (int r = c; r < 6; ++r) block(r, c) = column[r - c];
+    for (int r = c; r < 6; ++r) block(r, c) = values[places[c] + r - c];
   }
   return block;
 }
 
-Mat6 offdiagonal_block(const BlockSubstitution::ScalarFactor& factor, int j, int number) {
+Mat6 offdiagonal_block(const double* values, const int* places, int number) {
   Mat6 block;
-  for (int c = 0; c < 6; ++c) {
-    const double* column = factor.values + factor.column_starts[6 * j + c] + (6 - c) + 6 * number;
-    for (int r = 0; r < 6; ++r) block(r, c) = column[r];
-  }
+  for (int c = 0; c < 6; ++c) block.col(c) = Eigen::Map<const Vec6>(values + places[c] + (6 - c) + 6 * number);
   return block;
 }
 
@@ -38,60 +37,62 @@ Mat6 inverse_of_lower(const Mat6& lower) {
 
 }  // namespace
 
-void BlockSubstitution::set_pattern(const ScalarFactor& factor, std::span<const int> order) {
+BlockSubstitution::Pattern BlockSubstitution::pattern_of_csc(const std::vector<int>& order, const int* column_starts,
+                                                             const int* rows) {
   const int blocks = static_cast<int>(order.size());
-  order_.assign(order.begin(), order.end());
-  column_starts_ = {0};
-  rows_.clear();
+  Pattern pattern{order, {0}, {}, {column_starts, column_starts + 6 * blocks}};
   for (int j = 0; j < blocks; ++j) {
-    for (int k = factor.column_starts[6 * j] + 6; k < factor.column_starts[6 * j + 1]; k += 6) {
-      rows_.push_back(factor.rows[k]);
-    }
-    column_starts_.push_back(static_cast<int>(rows_.size()));
+    for (int k = column_starts[6 * j] + 6; k < column_starts[6 * j + 1]; k += 6) pattern.rows.push_back(rows[k] / 6);
+    pattern.column_starts.push_back(static_cast<int>(pattern.rows.size()));
   }
-  blocks_.resize(rows_.size());
-  diagonal_inverses_.resize(order.size());
-  work_.resize(6 * blocks);
+  return pattern;
 }
 
-void BlockSubstitution::set_values(const ScalarFactor& factor) {
-  for (int j = 0; j < static_cast<int>(order_.size()); ++j) {
-    const Mat6 inverse = inverse_of_lower(diagonal_block(factor, j));
+BlockSubstitution::BlockSubstitution(Pattern pattern)
+    : pattern_(std::move(pattern)),
+      blocks_(pattern_.rows.size()),
+      diagonal_inverses_(pattern_.order.size()),
+      work_(6 * static_cast<Eigen::Index>(pattern_.order.size())) {}
+
+void BlockSubstitution::set_values(const double* values) {
+  for (int j = 0; j < static_cast<int>(pattern_.order.size()); ++j) {
+    const int* places = pattern_.diagonal_places.data() + 6 * j;
+    const Mat6 inverse = inverse_of_lower(diagonal_block(values, places));
     diagonal_inverses_[index(j)] = inverse;
-    const int first = column_starts_[index(j)];
-    for (int k = first; k < column_starts_[index(j) + 1]; ++k) {
-      blocks_[index(k)].noalias() = offdiagonal_block(factor, j, k - first) * inverse;
+    const int first = pattern_.column_starts[index(j)];
+    for (int k = first; k < pattern_.column_starts[index(j) + 1]; ++k) {
+      blocks_[index(k)].noalias() = offdiagonal_block(values, places, k - first).lazyProduct(inverse);
     }
   }
 }
 
 void BlockSubstitution::solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
-  for (std::size_t j = 0; j < order_.size(); ++j) {
-    work_.segment<6>(6 * static_cast<Eigen::Index>(j)) = rhs.segment<6>(6 * order_[j]);
+  for (std::size_t j = 0; j < pattern_.order.size(); ++j) {
+    work_.segment<6>(6 * static_cast<Eigen::Index>(j)) = rhs.segment<6>(6 * pattern_.order[j]);
   }
   forward();
   backward(x);
 }
 
 void BlockSubstitution::forward() {
-  for (int j = 0; j < static_cast<int>(order_.size()); ++j) {
+  for (int j = 0; j < static_cast<int>(pattern_.order.size()); ++j) {
     const Vec6 known = work_.segment<6>(6 * j);
-    for (int k = column_starts_[index(j)]; k < column_starts_[index(j) + 1]; ++k) {
-      work_.segment<6>(rows_[index(k)]) -= blocks_[index(k)] * known;
+    for (int k = pattern_.column_starts[index(j)]; k < pattern_.column_starts[index(j) + 1]; ++k) {
+      work_.segment<6>(6 * pattern_.rows[index(k)]) -= blocks_[index(k)] * known;
     }
   }
 }
 
 void BlockSubstitution::backward(Eigen::VectorXd& x) {
-  for (int j = static_cast<int>(order_.size()) - 1; j >= 0; --j) {
+  for (int j = static_cast<int>(pattern_.order.size()) - 1; j >= 0; --j) {
     const Mat6& inverse = diagonal_inverses_[index(j)];
     const Vec6 halfway = inverse * work_.segment<6>(6 * j);
     Vec6 result = inverse.transpose() * halfway;
-    for (int k = column_starts_[index(j)]; k < column_starts_[index(j) + 1]; ++k) {
-      result -= blocks_[index(k)].transpose() * work_.segment<6>(rows_[index(k)]);
+    for (int k = pattern_.column_starts[index(j)]; k < pattern_.column_starts[index(j) + 1]; ++k) {
+      result -= blocks_[index(k)].transpose() * work_.segment<6>(6 * pattern_.rows[index(k)]);
     }
     work_.segment<6>(6 * j) = result;
-    x.segment<6>(6 * order_[index(j)]) = result;
+    x.segment<6>(6 * pattern_.order[index(j)]) = result;
   }
 }
 

@@ -2,7 +2,6 @@
 // reuses its factor.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "dda/core/types.h"
@@ -15,20 +14,25 @@ namespace dda {
 // L_jj^-T L_jj^-1, which costs half of the digits that an explicit inverse of D_j may cost.
 class BlockSubstitution {
  public:
-  // A scalar factor as CSC: the diagonal entry first, rows ascending, and columns 6j ... 6j + 5 with the same rows
-  // below the diagonal block, whole blocks of them.
-  struct ScalarFactor {
-    const int* column_starts;
-    const int* rows;
-    const double* values;
+  // Where the scalar factor keeps its numbers: column c has its diagonal entry at diagonal_places[c], the entries below
+  // it follow, rows ascending, and the six columns of a block have the same rows below their diagonal block.
+  struct Pattern {
+    std::vector<int> order;            // order[k]: the block eliminated as the k-th
+    std::vector<int> column_starts;    // n + 1, into rows
+    std::vector<int> rows;             // block rows below the diagonal block, column by column
+    std::vector<int> diagonal_places;  // 6n
   };
+  // The pattern of a factor kept as CSC of scalars, rows ascending.
+  [[nodiscard]] static Pattern pattern_of_csc(const std::vector<int>& order, const int* column_starts, const int* rows);
 
-  // Reads the pattern; order[k] is the block eliminated as the k-th.
-  void set_pattern(const ScalarFactor& factor, std::span<const int> order);
-  [[nodiscard]] bool has_pattern() const { return !column_starts_.empty(); }
+  BlockSubstitution() = default;
+  explicit BlockSubstitution(Pattern pattern);
+  [[nodiscard]] bool has_pattern() const { return !pattern_.column_starts.empty(); }
 
-  // Reads the values of a factor with that pattern. Allocates nothing.
-  void set_values(const ScalarFactor& factor);
+  [[nodiscard]] int diagonal_place(int k) const { return pattern_.diagonal_places[static_cast<std::size_t>(k)]; }
+
+  // Reads the values of the scalar factor. Allocates nothing.
+  void set_values(const double* values);
 
   // x = A^-1 rhs. Allocates nothing.
   void solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
@@ -37,10 +41,8 @@ class BlockSubstitution {
   void forward();
   void backward(Eigen::VectorXd& x);
 
-  std::vector<int> order_;
-  std::vector<int> column_starts_;       // of the blocks of M below the diagonal
-  std::vector<int> rows_;                // 6 * block row, for each of them
-  std::vector<Mat6> blocks_;             // M_ij
+  Pattern pattern_;
+  std::vector<Mat6> blocks_;             // M_ij, as in pattern_.rows
   std::vector<Mat6> diagonal_inverses_;  // L_jj^-1, lower triangular
   Eigen::VectorXd work_;                 // in the order of elimination
 };

@@ -42,8 +42,8 @@ struct CholeskySolver::Implementation {
   void order_blocks(const BlockMatrix& matrix);
   void analyze_scalars(const BlockMatrix& matrix);
   [[nodiscard]] bool has_sound_pivots() const;
-  void take_over_simplicial_factor();
-  void solve_supernodal(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
+  [[nodiscard]] BlockSubstitution::Pattern supernodal_pattern() const;
+  void prepare_substitution();
   cholmod_sparse view() {
     return sparse_view(permuted.unknowns(), permuted.column_pointers().data(), permuted.row_indices().data(),
                        permuted.values().data(), factor != nullptr && factor->is_super ? -1 : 1);
@@ -51,13 +51,9 @@ struct CholeskySolver::Implementation {
 
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  cholmod_dense* solution = nullptr;
-  cholmod_dense* workspace_y = nullptr;
-  cholmod_dense* workspace_e = nullptr;
   std::vector<int> order;
   PermutedTriangle permuted;
-  BlockSubstitution substitution;  // of a simplicial factor
-  Eigen::VectorXd permuted_rhs;    // of a supernodal one
+  BlockSubstitution substitution;
 };
 
 CholeskySolver::Implementation::Implementation() {
@@ -71,9 +67,6 @@ CholeskySolver::Implementation::Implementation() {
 }
 
 CholeskySolver::Implementation::~Implementation() {
-  cholmod_free_dense(&solution, &common);
-  cholmod_free_dense(&workspace_y, &common);
-  cholmod_free_dense(&workspace_e, &common);
   cholmod_free_factor(&factor, &common);
   cholmod_finish(&common);
 }
@@ -106,57 +99,42 @@ void CholeskySolver::Implementation::analyze_scalars(const BlockMatrix& matrix) 
   if (factor == nullptr) throw std::bad_alloc();
   if (factor->is_super) permuted = PermutedTriangle(matrix, order, PermutedTriangle::Side::lower);
   substitution = BlockSubstitution();
-  permuted_rhs.resize(matrix.unknowns());
+}
+
+BlockSubstitution::Pattern CholeskySolver::Implementation::supernodal_pattern() const {
+  const int* first_columns = static_cast<const int*>(factor->super);
+  const int* row_starts = static_cast<const int*>(factor->pi);
+  const int* value_starts = static_cast<const int*>(factor->px);
+  const int* rows = static_cast<const int*>(factor->s);
+  BlockSubstitution::Pattern pattern{order, {0}, {}, {}};
+  for (std::size_t s = 0; s < factor->nsuper; ++s) {
+    const int height = row_starts[s + 1] - row_starts[s];
+    for (int local = 0; local < first_columns[s + 1] - first_columns[s]; ++local) {
+      pattern.diagonal_places.push_back(value_starts[s] + local * (height + 1));
+      if (local % 6 != 0) continue;
+      for (int k = local + 6; k < height; k += 6) pattern.rows.push_back(rows[row_starts[s] + k] / 6);
+      pattern.column_starts.push_back(static_cast<int>(pattern.rows.size()));
+    }
+  }
+  return pattern;
+}
+
+// The pattern of a simplicial factor is known only after its first factorization.
+void CholeskySolver::Implementation::prepare_substitution() {
+  if (substitution.has_pattern()) return;
+  substitution =
+      BlockSubstitution(factor->is_super ? supernodal_pattern()
+                                         : BlockSubstitution::pattern_of_csc(order, static_cast<const int*>(factor->p),
+                                                                             static_cast<const int*>(factor->i)));
 }
 
 bool CholeskySolver::Implementation::has_sound_pivots() const {
   const double* values = static_cast<const double*>(factor->x);
-  const auto is_sound = [&](int k, double root) { return is_sound_pivot(root * root, permuted.diagonal(k)); };
-  if (!factor->is_super) {
-    const int* starts = static_cast<const int*>(factor->p);
-    for (int k = 0; k < permuted.unknowns(); ++k) {
-      if (!is_sound(k, values[starts[k]])) return false;
-    }
-    return true;
-  }
-  const int* first_columns = static_cast<const int*>(factor->super);
-  const int* row_starts = static_cast<const int*>(factor->pi);
-  const int* value_starts = static_cast<const int*>(factor->px);
-  for (std::size_t s = 0; s < factor->nsuper; ++s) {
-    const int height = row_starts[s + 1] - row_starts[s];
-    for (int k = first_columns[s]; k < first_columns[s + 1]; ++k) {
-      if (!is_sound(k, values[value_starts[s] + (k - first_columns[s]) * (height + 1)])) return false;
-    }
+  for (int k = 0; k < permuted.unknowns(); ++k) {
+    const double root = values[substitution.diagonal_place(k)];
+    if (!is_sound_pivot(root * root, permuted.diagonal(k))) return false;
   }
   return true;
-}
-
-void CholeskySolver::Implementation::take_over_simplicial_factor() {
-  const BlockSubstitution::ScalarFactor scalars{static_cast<const int*>(factor->p), static_cast<const int*>(factor->i),
-                                                static_cast<const double*>(factor->x)};
-  if (!substitution.has_pattern()) substitution.set_pattern(scalars, order);
-  substitution.set_values(scalars);
-}
-
-void CholeskySolver::Implementation::solve_supernodal(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
-  const SingleThreadScope single_thread;
-  const int blocks = static_cast<int>(order.size());
-  for (int k = 0; k < blocks; ++k) {
-    permuted_rhs.segment<6>(6 * k) = rhs.segment<6>(6 * order[static_cast<std::size_t>(k)]);
-  }
-  cholmod_dense right{};
-  right.nrow = right.d = right.nzmax = static_cast<std::size_t>(rhs.size());
-  right.ncol = 1;
-  right.x = permuted_rhs.data();
-  right.xtype = CHOLMOD_REAL;
-  right.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &solution, nullptr, &workspace_y, &workspace_e, &common)) {
-    throw std::bad_alloc();
-  }
-  const Eigen::Map<const Eigen::VectorXd> permuted_x(static_cast<const double*>(solution->x), rhs.size());
-  for (int k = 0; k < blocks; ++k) {
-    x.segment<6>(6 * order[static_cast<std::size_t>(k)]) = permuted_x.segment<6>(6 * k);
-  }
 }
 
 CholeskySolver::CholeskySolver() : implementation_(std::make_unique<Implementation>()) {}
@@ -180,17 +158,15 @@ Status CholeskySolver::do_factorize(const BlockMatrix& matrix) {
   cholmod_sparse triangle = self.view();
   cholmod_factorize(&triangle, self.factor, &self.common);
   if (self.common.status < CHOLMOD_OK) throw std::bad_alloc();
-  if (self.common.status == CHOLMOD_NOT_POSDEF || !self.has_sound_pivots()) return Status::singular;
-  if (!self.factor->is_super) self.take_over_simplicial_factor();
+  if (self.common.status == CHOLMOD_NOT_POSDEF) return Status::singular;
+  self.prepare_substitution();
+  if (!self.has_sound_pivots()) return Status::singular;
+  self.substitution.set_values(static_cast<const double*>(self.factor->x));
   return Status::ok;
 }
 
 Status CholeskySolver::do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
-  if (implementation_->factor->is_super) {
-    implementation_->solve_supernodal(rhs, x);
-  } else {
-    implementation_->substitution.solve(rhs, x);
-  }
+  implementation_->substitution.solve(rhs, x);
   return Status::ok;
 }
 

@@ -91,9 +91,11 @@ Status CholeskySolver::do_factorize(const BlockMatrix& matrix) {
   self.llt.factorize(self.triangle);
   if (self.llt.info() != Eigen::Success || !self.has_sound_pivots()) return Status::singular;
   const Sparse& factor = self.llt.factor();
-  const BlockSubstitution::ScalarFactor scalars{factor.outerIndexPtr(), factor.innerIndexPtr(), factor.valuePtr()};
-  if (!self.substitution.has_pattern()) self.substitution.set_pattern(scalars, self.order);
-  self.substitution.set_values(scalars);
+  if (!self.substitution.has_pattern()) {
+    self.substitution = BlockSubstitution(
+        BlockSubstitution::pattern_of_csc(self.order, factor.outerIndexPtr(), factor.innerIndexPtr()));
+  }
+  self.substitution.set_values(factor.valuePtr());
   return Status::ok;
 }
 

@@ -8,6 +8,9 @@
 namespace dda {
 
 // Backed by CHOLMOD, or by Eigen's SimplicialLLT in a build without GPL parts (DDA_WITH_CHOLMOD=OFF).
+// A warm solve never allocates, and neither does a warm simplicial factorization with CHOLMOD; a supernodal one, and
+// any with Eigen, allocate work space inside of those libraries. Throws std::bad_alloc where CHOLMOD runs out of
+// memory.
 class CholeskySolver final : public LinearSolver {
  public:
   CholeskySolver();

@@ -7,7 +7,7 @@ namespace dda {
 void LinearSolver::analyze(const BlockMatrix& matrix) {
   factored_ = false;
   unknowns_ = -1;
-  do_analyze(matrix);
+  if (matrix.size() > 0) do_analyze(matrix);
   unknowns_ = matrix.unknowns();
   couplings_ = matrix.couplings();
   ++counts_.analyses;
@@ -18,7 +18,7 @@ Status LinearSolver::factorize(const BlockMatrix& matrix) {
     throw std::logic_error("LinearSolver: factorize needs an analyze of a matrix with this pattern before it");
   }
   ++counts_.factorizations;
-  const Status status = do_factorize(matrix);
+  const Status status = matrix.size() > 0 ? do_factorize(matrix) : Status::ok;
   factored_ = status == Status::ok;
   return status;
 }
@@ -29,7 +29,7 @@ Status LinearSolver::solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
     throw std::logic_error("LinearSolver: solve needs two different vectors with the length of the matrix");
   }
   ++counts_.solves;
-  return do_solve(rhs, x);
+  return unknowns_ > 0 ? do_solve(rhs, x) : Status::ok;
 }
 
 }  // namespace dda

@@ -1,0 +1,266 @@
+#include "dda/linear/solver.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <limits>
+#include <stdexcept>
+
+#include "dda/core/allocation_counter.h"
+#include "dda/linear/cholesky_solver.h"
+#include "dda/linear/pcg_solver.h"
+#include "dda/linear/random_system.h"
+#include "dda/linear/solver_choice.h"
+
+namespace dda {
+namespace {
+
+Eigen::VectorXd oracle(const RandomSystem& system) { return system.dense.llt().solve(system.rhs); }
+
+class EverySolver : public testing::TestWithParam<SolverKind> {
+ protected:
+  // PCG stops at a residual of 1e-12; the error in x is at most the square root of the condition number (below 1e4 in
+  // these systems) times that, relative in the energy norm, and once more to get to the plain norm.
+  static double tolerance(const RandomSystem& system) {
+    return GetParam() == SolverKind::pcg ? 1e-8 : 10 * system.tolerance();
+  }
+  void expect_solves(const RandomSystem& system) {
+    ASSERT_EQ(solver_->factorize(system.matrix), Status::ok);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rhs.size());
+    ASSERT_EQ(solver_->solve(system.rhs, x), Status::ok);
+    const Eigen::VectorXd expected = oracle(system);
+    EXPECT_LE((x - expected).norm(), tolerance(system) * expected.norm());
+  }
+
+  std::unique_ptr<LinearSolver> solver_ = make_solver(GetParam());
+};
+
+std::string kind_name(const testing::TestParamInfo<SolverKind>& parameter) {
+  return std::string(to_string(parameter.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(Linear, EverySolver, testing::Values(SolverKind::cholesky, SolverKind::pcg, SolverKind::dense),
+                         kind_name);
+
+TEST_P(EverySolver, AgreesWithDenseOnRandomGraphs) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const int blocks = 1 + static_cast<int>(seed) * 3;
+    const RandomSystem system = random_system(blocks, random_couplings(blocks, 2 * blocks, seed), seed);
+    solver_->analyze(system.matrix);
+    expect_solves(system);
+  }
+}
+
+TEST_P(EverySolver, AgreesWithDenseOnChainAndGrid) {
+  for (const auto& [columns, rows] : {std::pair{40, 1}, std::pair{9, 8}}) {
+    const RandomSystem system = random_system(columns * rows, grid_couplings(columns, rows), 5);
+    solver_->analyze(system.matrix);
+    expect_solves(system);
+  }
+}
+
+TEST_P(EverySolver, SolvesWithNewValuesOnTheSamePattern) {
+  const auto couplings = random_couplings(12, 25, 2);
+  const RandomSystem first = random_system(12, couplings, 3);
+  const RandomSystem second = random_system(12, couplings, 4);
+  solver_->analyze(first.matrix);
+  expect_solves(first);
+  expect_solves(second);
+  expect_solves(first);
+}
+
+TEST_P(EverySolver, CountsWhatWasAskedOfIt) {
+  const RandomSystem system = random_system(5, grid_couplings(5, 1), 1);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(30);
+  solver_->analyze(system.matrix);
+  ASSERT_EQ(solver_->factorize(system.matrix), Status::ok);
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(solver_->solve(system.rhs, x), Status::ok);
+  EXPECT_EQ(solver_->counts().analyses, 1);
+  EXPECT_EQ(solver_->counts().factorizations, 1);
+  EXPECT_EQ(solver_->counts().solves, 3);
+  EXPECT_EQ(solver_->counts().iterations > 0, GetParam() == SolverKind::pcg);
+}
+
+TEST_P(EverySolver, RefusesCallsOutOfOrder) {
+  const RandomSystem system = random_system(5, grid_couplings(5, 1), 1);
+  const RandomSystem other = random_system(5, grid_couplings(4, 1), 1);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(30);
+  Eigen::VectorXd too_short = Eigen::VectorXd::Zero(24);
+  EXPECT_THROW(static_cast<void>(solver_->factorize(system.matrix)), std::logic_error);
+  solver_->analyze(system.matrix);
+  EXPECT_THROW(static_cast<void>(solver_->solve(system.rhs, x)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(solver_->factorize(other.matrix)), std::logic_error);
+  ASSERT_EQ(solver_->factorize(system.matrix), Status::ok);
+  EXPECT_THROW(static_cast<void>(solver_->solve(system.rhs, too_short)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(solver_->solve(x, x)), std::logic_error);
+}
+
+// Block 2 of the chain has lost its inertia and its springs hold three of its six unknowns only.
+TEST_P(EverySolver, ReportsASingularBlockAndRecovers) {
+  RandomSystem system = random_system(4, {{0, 1}, {2, 3}}, 1);
+  solver_->analyze(system.matrix);
+  const Mat6 sound = system.matrix.diagonal(2);
+  system.matrix.diagonal(2).setZero();
+  system.matrix.diagonal(2).topLeftCorner<3, 3>().setIdentity();
+  EXPECT_EQ(solver_->factorize(system.matrix), Status::singular);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(24);
+  EXPECT_THROW(static_cast<void>(solver_->solve(system.rhs, x)), std::logic_error);
+  system.matrix.diagonal(2) = sound;
+  expect_solves(system);
+}
+
+TEST_P(EverySolver, ReportsNotANumber) {
+  RandomSystem system = random_system(4, grid_couplings(4, 1), 1);
+  system.matrix.diagonal(1)(3, 3) = std::numeric_limits<double>::quiet_NaN();
+  solver_->analyze(system.matrix);
+  EXPECT_EQ(solver_->factorize(system.matrix), Status::singular);
+}
+
+TEST_P(EverySolver, SolvesNothingForNoBlocks) {
+  const BlockMatrix matrix(0, {});
+  const Eigen::VectorXd rhs(0);
+  Eigen::VectorXd x(0);
+  solver_->analyze(matrix);
+  ASSERT_EQ(solver_->factorize(matrix), Status::ok);
+  EXPECT_EQ(solver_->solve(rhs, x), Status::ok);
+}
+
+// A pair of blocks that only a spring holds together: each diagonal block is positive definite, the whole is not.
+TEST(CholeskySolver, ReportsAFreeBody) {
+  for (const auto& [columns, rows] : {std::pair{2, 1}, std::pair{12, 12}}) {
+    RandomSystem system = random_system(columns * rows, grid_couplings(columns, rows), 1);
+    system.matrix.set_zero();
+    for (const auto& [i, j] : grid_couplings(columns, rows)) {
+      system.matrix.add_coupling(i, i, Mat6::Identity());
+      system.matrix.add_coupling(j, j, Mat6::Identity());
+      system.matrix.add_coupling(i, j, -Mat6::Identity());
+    }
+    CholeskySolver solver;
+    solver.analyze(system.matrix);
+    EXPECT_EQ(solver.factorize(system.matrix), Status::singular);
+  }
+}
+
+TEST(CholeskySolver, HasNoFillOnAChain) {
+  const RandomSystem system = random_system(50, grid_couplings(50, 1), 1);
+  CholeskySolver solver;
+  solver.analyze(system.matrix);
+  ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+  EXPECT_EQ(solver.factor_facts().nonzeros, 50 * 21 + 49 * 36);
+  EXPECT_FALSE(solver.factor_facts().supernodal);
+}
+
+// Large enough for the supernodal factor of the CHOLMOD build. Row by row, the factor of a grid of 20 x 20 is a band of
+// 20 blocks and 36 * 400 * 20 numbers; minimum degree must do clearly better than that.
+TEST(CholeskySolver, FactorsAGridWithLittleFill) {
+  const RandomSystem system = random_system(400, grid_couplings(20, 20), 2);
+  CholeskySolver solver;
+  solver.analyze(system.matrix);
+  ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+  Eigen::VectorXd x(2400);
+  ASSERT_EQ(solver.solve(system.rhs, x), Status::ok);
+  const Eigen::VectorXd residual = system.dense * x - system.rhs;
+  EXPECT_LE(residual.norm(), system.tolerance() * system.rhs.norm());
+  EXPECT_LT(solver.factor_facts().nonzeros, 0.6 * 36 * 400 * 20);
+#ifdef DDA_WITH_CHOLMOD
+  EXPECT_TRUE(solver.factor_facts().supernodal);
+#endif
+}
+
+// Springs a million times stiffer than the inertia: the residual stays at round-off (that of the factorization,
+// measured against |A| |x|) although the solution loses digits.
+TEST(CholeskySolver, IsBackwardStableForStiffSprings) {
+  RandomSystem system = random_system(60, grid_couplings(60, 1), 9);
+  for (int i = 0; i < 60; ++i) system.matrix.diagonal(i) -= (1 - 1e-6) * Mat6::Identity();
+  system.dense -= (1 - 1e-6) * Eigen::MatrixXd::Identity(360, 360);
+  CholeskySolver solver;
+  solver.analyze(system.matrix);
+  ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+  Eigen::VectorXd x(360);
+  ASSERT_EQ(solver.solve(system.rhs, x), Status::ok);
+  const double residual = (system.dense * x - system.rhs).norm();
+  EXPECT_LE(residual, 360 * 2.3e-16 * system.dense.norm() * x.norm());
+}
+
+TEST(PcgSolver, NeedsNoIterationFromTheSolutionOrForNoLoad) {
+  const RandomSystem system = random_system(20, grid_couplings(20, 1), 1);
+  PcgSolver solver({1e-8, 1000});
+  solver.analyze(system.matrix);
+  ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+  Eigen::VectorXd x = oracle(system);
+  ASSERT_EQ(solver.solve(system.rhs, x), Status::ok);
+  EXPECT_EQ(solver.counts().iterations, 0);
+  ASSERT_EQ(solver.solve(Eigen::VectorXd::Zero(120), x), Status::ok);
+  EXPECT_EQ(solver.counts().iterations, 0);
+  EXPECT_TRUE(x.isZero(0));
+}
+
+TEST(PcgSolver, SolvesUncoupledBlocksInOneIteration) {
+  const RandomSystem system = random_system(7, {}, 1);
+  PcgSolver solver;
+  solver.analyze(system.matrix);
+  ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(42);
+  ASSERT_EQ(solver.solve(system.rhs, x), Status::ok);
+  EXPECT_EQ(solver.counts().iterations, 1);
+}
+
+TEST(PcgSolver, ReportsFailure) {
+  RandomSystem system = random_system(20, grid_couplings(20, 1), 1);
+  PcgSolver solver({1e-12, 3});
+  solver.analyze(system.matrix);
+  ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(120);
+  EXPECT_EQ(solver.solve(system.rhs, x), Status::not_converged);
+  EXPECT_EQ(solver.counts().iterations, 3);
+  system.rhs(5) = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(solver.solve(system.rhs, x), Status::not_finite);
+}
+
+// Diagonal blocks I, coupling 2 I: eigenvalues -1 and 3.
+TEST(PcgSolver, ReportsAnIndefiniteMatrix) {
+  BlockMatrix matrix(2, {{0, 1}});
+  for (int i = 0; i < 2; ++i) matrix.diagonal(i).setIdentity();
+  matrix.add_coupling(1, 0, 2 * Mat6::Identity());
+  Eigen::VectorXd rhs = Eigen::VectorXd::Ones(12);
+  rhs.tail<6>() *= -1;
+  PcgSolver solver;
+  solver.analyze(matrix);
+  ASSERT_EQ(solver.factorize(matrix), Status::ok);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(12);
+  EXPECT_EQ(solver.solve(rhs, x), Status::singular);
+}
+
+long allocations_of_warm_solve(LinearSolver& solver, const RandomSystem& system, bool with_factorize) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rhs.size());
+  solver.analyze(system.matrix);
+  EXPECT_EQ(solver.factorize(system.matrix), Status::ok);
+  EXPECT_EQ(solver.solve(system.rhs, x), Status::ok);
+  const long before = allocations_so_far();
+  Status status = with_factorize ? solver.factorize(system.matrix) : Status::ok;
+  if (status == Status::ok) status = solver.solve(system.rhs, x);
+  const long after = allocations_so_far();
+  EXPECT_EQ(status, Status::ok);
+  return after - before;
+}
+
+TEST(Allocations, NoneInAWarmSolve) {
+  for (const auto& [columns, rows] : {std::pair{60, 1}, std::pair{20, 20}}) {
+    const RandomSystem system = random_system(columns * rows, grid_couplings(columns, rows), 1);
+    CholeskySolver cholesky;
+    PcgSolver pcg;
+    EXPECT_EQ(allocations_of_warm_solve(cholesky, system, false), 0);
+    EXPECT_EQ(allocations_of_warm_solve(pcg, system, true), 0);
+  }
+}
+
+#ifdef DDA_WITH_CHOLMOD
+TEST(Allocations, NoneInAWarmSimplicialFactorization) {
+  const RandomSystem system = random_system(60, grid_couplings(60, 1), 1);
+  CholeskySolver cholesky;
+  EXPECT_EQ(allocations_of_warm_solve(cholesky, system, true), 0);
+}
+#endif
+
+}  // namespace
+}  // namespace dda

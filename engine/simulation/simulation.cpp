@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "dda/simulation/kinematic_update.h"
 #include "dda/simulation/system_matrix.h"
 #include "dda/terms/velocity_damping.h"
 

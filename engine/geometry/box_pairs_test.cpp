@@ -19,6 +19,7 @@ Pairs brute_force(const std::vector<Box>& boxes) {
     for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j) {
       const Box& a = boxes[static_cast<std::size_t>(i)];
       const Box& b = boxes[static_cast<std::size_t>(j)];
+      if (is_empty(a) || is_empty(b)) continue;
       const bool apart = a.upper.x() < b.lower.x() || b.upper.x() < a.lower.x() || a.upper.y() < b.lower.y() ||
                          b.upper.y() < a.lower.y();
       if (!apart) pairs.emplace_back(i, j);
@@ -83,10 +84,11 @@ TEST(OverlappingPairs, DegenerateBoxes) {
   EXPECT_EQ(overlapping_pairs(points).size(), 40u * 39 / 2);
   for (Box& box : points) box = {};
   EXPECT_TRUE(overlapping_pairs(points).empty());
-  std::vector<Box> line;  // of points, one long box over them, one empty
+  std::vector<Box> line;  // of points, one long box over them, two empty
   for (int i = 0; i < 100; ++i) line.push_back({Vec2(i, 0), Vec2(i, 0)});
   line.push_back({Vec2(-1, 0), Vec2(1000, 0)});
   line.push_back({});
+  line.push_back({Vec2(50, 0), Vec2(49, 0)});  // empty too, for its corners are exchanged
   EXPECT_EQ(overlapping_pairs(line), brute_force(line));
 }
 

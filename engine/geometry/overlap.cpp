@@ -111,7 +111,8 @@ bool edge_enters(const Shape& a, const Shape& b, double tolerance) {
   });
 }
 
-// Whether `a` holds a component of the deep part of `b`, if no edge of `a` enters that.
+// Whether `a` holds a component of the deep part of `b`, if no edge of either enters the deep part of the other. Then
+// `b` holds a part of `a` as well, so that one direction is enough.
 bool holds_deep_part(const Shape& a, const Shape& b, double tolerance) {
   return std::any_of(b.edges.begin(), b.edges.end(), [&](const Segment& edge) {
     const Vec2 along = (edge.end - edge.start).normalized();
@@ -130,7 +131,7 @@ bool interiors_overlap(const Polygon& a, const Polygon& b, double tolerance) {
   const Shape second(b);
   if (!overlap(first.box, second.box)) return false;
   return edge_enters(first, second, tolerance) || edge_enters(second, first, tolerance) ||
-         holds_deep_part(first, second, tolerance) || holds_deep_part(second, first, tolerance);
+         holds_deep_part(first, second, tolerance);
 }
 
 }  // namespace dda

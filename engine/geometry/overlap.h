@@ -8,7 +8,7 @@ namespace dda {
 // True when some point common to both polygons lies deeper than `tolerance` (m) in one of them, that is farther than
 // that from its boundary. So polygons that touch, or whose edges were rounded apart or into each other by less, do not
 // overlap, and neither does a block in the hole of another; identical polygons and one within the other do. Where two
-// boundaries coincide, parts of the polygons narrower than three tolerances are not seen. Both must be valid
+// boundaries coincide, common parts narrower than five tolerances are not seen. Both must be valid
 // (defect()), of either orientation; `tolerance` must be positive and well above the round-off of the coordinates.
 bool interiors_overlap(const Polygon& a, const Polygon& b, double tolerance);
 

@@ -31,7 +31,10 @@ bool overlaps(const Polygon& a, const Polygon& b) {
     const Vec2 shift = 1e4 * Vec2(angle, -angle);
     Polygon moved_a = random::transformed(a, rotation(angle), shift);
     std::reverse(moved_a.outer.begin(), moved_a.outer.end());
-    EXPECT_EQ(interiors_overlap(moved_a, random::transformed(b, rotation(angle), shift), tolerance), found) << angle;
+    Polygon moved_b = random::transformed(b, rotation(angle), shift);
+    EXPECT_EQ(interiors_overlap(moved_a, moved_b, tolerance), found) << angle;
+    std::reverse(moved_b.outer.begin(), moved_b.outer.end());
+    EXPECT_EQ(interiors_overlap(moved_a, moved_b, tolerance), found) << angle;
   }
   return found;
 }
@@ -69,6 +72,7 @@ TEST(InteriorsOverlap, WhenAlikeOrOneWithinTheOther) {
   EXPECT_TRUE(overlaps(unit, block(0.25, 0.25, 0.75, 0.75)));
   EXPECT_TRUE(overlaps(unit, block(0, 0, 0.5, 1)));  // a half, on three edges of the whole
   EXPECT_TRUE(overlaps(unit, block(1e-9, 1e-9, 1 - 1e-9, 1 - 1e-9)));
+  EXPECT_TRUE(overlaps(unit, block(0.2, 0.5, 0.8, 0.5 + tolerance)));  // a sliver
   EXPECT_TRUE(overlaps(l_shape, block(0, 0, 1, 1)));
   EXPECT_TRUE(overlaps(l_shape, block(0, 0, 2, 2)));
   EXPECT_TRUE(overlaps(unit, {{{0, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}));  // one vertex more

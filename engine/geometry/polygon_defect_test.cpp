@@ -71,6 +71,8 @@ TEST(PolygonDefect, SelfIntersection) {
             "degenerate: vertex 3 of the outer ring repeats vertex 1");
   EXPECT_EQ(reason({{{0, 0}, {6, 0}, {4, 0}, {4, 4}}, {}}),
             "self-intersecting: edge 0 of the outer ring folds back onto edge 1");
+  EXPECT_EQ(reason({{{2, 0}, {6, 0}, {0, 0}, {4, 4}}, {}}),
+            "self-intersecting: edge 0 of the outer ring folds back onto edge 1");
   EXPECT_EQ(reason({{{6, 0}, {4, 0}, {4, 4}, {0, 0}}, {}}),
             "self-intersecting: edge 0 of the outer ring folds back onto edge 3");
 }
@@ -89,6 +91,7 @@ TEST(PolygonDefect, HolesInTheWrongPlace) {
   EXPECT_EQ(reason({square, {box(5, 1, 6, 2)}}), "inconsistent: hole 0 lies outside the outer ring");
   EXPECT_EQ(reason({square, {box(-1, -1, 5, 5)}}), "inconsistent: hole 0 lies outside the outer ring");
   EXPECT_EQ(reason({square, {box(1, 1, 3, 3), box(1.5, 1.5, 2, 2)}}), "inconsistent: hole 1 lies inside hole 0");
+  EXPECT_EQ(reason({square, {box(1.5, 1.5, 2, 2), box(1, 1, 3, 3)}}), "inconsistent: hole 0 lies inside hole 1");
 }
 
 TEST(PolygonDefect, ReadsManyVerticesQuickly) {

@@ -81,9 +81,10 @@ TEST(Segment, CollinearOverlap) {
   EXPECT_EQ(overlap({{2, 0}, {-1, 0}}), Stretch({0, 0}, {1, 0}));
   EXPECT_EQ(overlap({{0.5, 9e-4}, {2, 9e-4}}), Stretch({0.5, 0}, {1, 0}));  // beside, within the tolerance
   EXPECT_FALSE(overlap({{0.5, 1.1e-3}, {2, 1.1e-3}}).has_value());
-  EXPECT_FALSE(overlap({{1, 0}, {2, 0}}).has_value());       // end to end
-  EXPECT_FALSE(overlap({{0.9995, 0}, {2, 0}}).has_value());  // a stretch shorter than the tolerance
-  EXPECT_FALSE(overlap({{0.5, 0}, {1, 0.5}}).has_value());   // diverges
+  EXPECT_FALSE(overlap({{1, 0}, {2, 0}}).has_value());         // end to end
+  EXPECT_FALSE(overlap({{0.9995, 0}, {2, 0}}).has_value());    // a stretch shorter than the tolerance
+  EXPECT_FALSE(overlap({{0.5, 0}, {1, 0.5}}).has_value());     // diverges
+  EXPECT_FALSE(overlap({{0, -0.01}, {1, 0.01}}).has_value());  // crosses at a small angle
   EXPECT_FALSE(overlap({{0.5, -1}, {0.5, 1}}).has_value());
   EXPECT_FALSE(overlap({{0.5, 0}, {0.5, 0}}).has_value());
   EXPECT_FALSE(collinear_overlap({{0, 0}, {0, 0}}, unit, 1e-3).has_value());

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace exact {
 namespace {
@@ -67,13 +68,13 @@ void normalise(ChainMode& mode) {
 }  // namespace
 
 ScaledChain::ScaledChain(const BlockChain& chain)
-    : height(static_cast<Real>(chain.height) / chain.length),
-      e12(static_cast<Real>(chain.elasticity.e12) / chain.elasticity.e11),
-      normal(static_cast<Real>(chain.interface.normal) / chain.elasticity.e11),
-      tangential(static_cast<Real>(chain.interface.tangential_half) / chain.elasticity.e11),
+    : height(widen(chain.height) / widen(chain.length)),
+      e12(widen(chain.elasticity.e12) / widen(chain.elasticity.e11)),
+      normal(widen(chain.interface.normal) / widen(chain.elasticity.e11)),
+      tangential(widen(chain.interface.tangential_half) / widen(chain.elasticity.e11)),
       consistent(chain.interface.consistent ? 1 : 0),
-      inertia(static_cast<Real>(chain.inertia_factor) / 12),
-      mass_over_stiffness(static_cast<Real>(chain.density) * chain.height * chain.length / chain.elasticity.e11),
+      inertia(widen(chain.inertia_factor) / 12),
+      mass_over_stiffness(widen(chain.density) * widen(chain.height * chain.length) / widen(chain.elasticity.e11)),
       waves(1 + (chain.interface.consistent ? 1 : 0) + (chain.interface.tangential_half > 0 ? 1 : 0)) {}
 
 // The eigenvalues of -constant^-1 linear are 1/X; those of the waves that do not exist are 0 and come last.
@@ -92,13 +93,21 @@ std::vector<ChainMode> chain_modes(const ScaledChain& chain, Complex inertia_ope
   return modes;
 }
 
+ChainWave chain_wave(Complex sin2, double omega, double length) {
+  const Complex kappa = Real{2} * std::asin(std::sqrt(sin2));
+  return {static_cast<double>(widen(omega * length) / std::abs(kappa.real())),
+          static_cast<double>(std::abs(kappa.imag()) / widen(length))};
+}
+
 ChainWave chain_wave(const BlockChain& chain, const TimeScheme& scheme, double dt, double omega) {
   check(chain, {});
-  const Complex z = std::polar<Real>(1, static_cast<Real>(omega) * dt);
-  const ChainMode mode = chain_modes(ScaledChain(chain), scheme_operators(scheme, dt, z).inertia).front();
-  const Complex kappa = Real{2} * std::asin(std::sqrt(mode.sin2));
-  return {static_cast<double>(static_cast<Real>(omega) * chain.length / std::abs(kappa.real())),
-          static_cast<double>(std::abs(kappa.imag()) / chain.length)};
+  const Complex z = std::polar<Real>(1, widen(omega * dt));
+  ChainWave best{0, std::numeric_limits<double>::infinity()};
+  for (const ChainMode& mode : chain_modes(ScaledChain(chain), scheme_operators(scheme, dt, z).inertia)) {
+    const ChainWave wave = chain_wave(mode.sin2, omega, chain.length);
+    if (wave.attenuation < best.attenuation) best = wave;
+  }
+  return best;
 }
 
 }  // namespace exact

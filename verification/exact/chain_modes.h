@@ -26,14 +26,16 @@ struct ScaledChain {
   int waves;  // decaying waves to one side: 1, plus 1 if consistent, plus 1 with tangential stiffness
 };
 
-// All waves that decay to the right for s^2 = `inertia_operator` (1/s^2), slowest decay of the wave number first.
+// All waves that decay to the right for s^2 = `inertia_operator` (1/s^2), longest waves first.
 [[nodiscard]] std::vector<ChainMode> chain_modes(const ScaledChain& chain, Complex inertia_operator);
 
-// A harmonic wave exp(i omega t) travelling along the chain under a time scheme.
+// A harmonic wave exp(i omega t) travelling along the chain under a time scheme: of all waves the least attenuated one.
 struct ChainWave {
   double speed = 0;        // m/s, phase speed
   double attenuation = 0;  // 1/m, amplitude falls as exp(-attenuation x)
 };
 [[nodiscard]] ChainWave chain_wave(const BlockChain& chain, const TimeScheme& scheme, double dt, double omega);
+// The same from sin^2(kappa/2) and the block length (m).
+[[nodiscard]] ChainWave chain_wave(Complex sin2, double omega, double length);
 
 }  // namespace exact

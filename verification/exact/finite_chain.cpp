@@ -105,9 +105,9 @@ Complex probe_value(const ChainField& field, const ChainProbe& probe) {
 }
 
 Real unit_response(const BlockChain& chain, const ChainProbe& probe) {
-  if (probe.quantity == ChainQuantity::block_stress) return 1 / static_cast<Real>(chain.length);
+  if (probe.quantity == ChainQuantity::block_stress) return 1 / widen(chain.length);
   if (probe.quantity == ChainQuantity::interface_force) return 1;
-  return 1 / static_cast<Real>(chain.elasticity.e11);
+  return 1 / widen(chain.elasticity.e11);
 }
 
 }  // namespace
@@ -119,12 +119,11 @@ ChainHistories finite_chain_response(const BlockChain& chain, const TimeScheme& 
   const ScaledChain scaled(chain);
   const ZCircle circle(load.size());
   const std::vector<Complex> load_transform = circle.forward(load);
-  const Real first_load = load.front(), e11 = chain.elasticity.e11;
+  const Real first_load = widen(load.front()), e11 = widen(chain.elasticity.e11);
   std::vector<std::vector<Complex>> transforms(probes.size(), std::vector<Complex>(circle.points()));
   for (std::size_t i = 0; i < circle.points(); ++i) {
     const SchemeOperators op = scheme_operators(scheme, dt, circle.point(i));
-    const Complex reaction =
-        (static_cast<Real>(chain.end_stiffness) + op.damping * static_cast<Real>(chain.end_impedance)) / e11;
+    const Complex reaction = (widen(chain.end_stiffness) + op.damping * widen(chain.end_impedance)) / e11;
     const ChainField field(scaled, chain.blocks, op.inertia, reaction);
     const Complex force = load_transform[i] + op.initial_load * first_load;
     for (std::size_t p = 0; p < probes.size(); ++p) {

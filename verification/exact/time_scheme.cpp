@@ -24,8 +24,9 @@ TimeScheme generalized_alpha(double rho_inf) {
 // With A, V, U the transforms of acceleration, velocity and displacement and a_0 the acceleration at the start, the two
 // update rules give U = gain A - start a_0; the equation of motion then holds between U, F and F_0 = M a_0 alone.
 SchemeOperators scheme_operators(const TimeScheme& scheme, double dt, Complex z) {
-  const Real step = dt, beta = scheme.beta, gamma = scheme.gamma, carried = scheme.carried_velocity;
-  const Real alpha_m = scheme.alpha_m, alpha_f = scheme.alpha_f, half = 0.5L, one = 1;
+  const Real step = widen(dt), beta = widen(scheme.beta), gamma = widen(scheme.gamma);
+  const Real alpha_m = widen(scheme.alpha_m), alpha_f = widen(scheme.alpha_f);
+  const Real carried = widen(scheme.carried_velocity), half = 0.5L, one = 1;
   const Complex velocity_gain = step * (one - gamma + gamma * z) / (z - carried);
   const Complex gain = step * (carried * velocity_gain + step * (half - beta + beta * z)) / (z - one);
   const Complex start = z * step * step * (carried * gamma / (z - carried) + beta) / (z - one);

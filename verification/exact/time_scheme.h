@@ -16,6 +16,7 @@ namespace exact {
 // Inverse transforms magnify round-off by the radius of their contour, so they are taken in extended precision.
 using Real = long double;
 using Complex = std::complex<Real>;
+[[nodiscard]] constexpr Real widen(double value) { return static_cast<Real>(value); }
 
 struct TimeScheme {
   double beta = 0.25;

@@ -25,7 +25,7 @@ Complex ZCircle::point(std::size_t i) const {
 std::vector<Complex> ZCircle::forward(const std::vector<double>& history) const {
   std::vector<Real> scaled(size_, 0);
   for (std::size_t n = 0; n < history.size(); ++n) {
-    scaled[n] = static_cast<Real>(history[n]) * std::exp(-log_radius_ * static_cast<Real>(n));
+    scaled[n] = widen(history[n]) * std::exp(-log_radius_ * static_cast<Real>(n));
   }
   std::vector<Complex> transform;
   half_spectrum_fft().fwd(transform, scaled);

@@ -1,0 +1,126 @@
+#include "verification/exact/dispersion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace exact {
+namespace {
+
+constexpr double kYoung = 50e9, kDensity = 2650;
+const double kBarSpeed = std::sqrt(kYoung / kDensity);
+
+ScalarChain scalar_chain(double length, double q, bool consistent, double inertia_factor = 1) {
+  return {.young = kYoung,
+          .density = kDensity,
+          .length = length,
+          .area = 1,
+          .normal = q * kYoung / length,
+          .inertia_factor = inertia_factor,
+          .consistent = consistent};
+}
+
+BlockChain full_chain(const ScalarChain& scalar, double poisson) {
+  BlockChain chain;
+  chain.length = scalar.length;
+  chain.density = scalar.density;
+  chain.elasticity = plane_stress(scalar.young, poisson);
+  chain.interface = {scalar.normal, 0, scalar.consistent};
+  chain.inertia_factor = scalar.inertia_factor;
+  return chain;
+}
+
+TEST(Dispersion, ScalarFormsAgreeWithTheWavesOfTheFullChain) {
+  const double omega = 2 * std::numbers::pi * 100;
+  for (const bool consistent : {false, true}) {
+    for (const double length : {0.5, 2.0, 10.0}) {
+      for (const TimeScheme& scheme : {thesis_scheme(), trapezoidal(), generalized_alpha(0.8)}) {
+        const ScalarChain scalar = scalar_chain(length, 4, consistent, 1.3);
+        const ChainWave expected = chain_wave(full_chain(scalar, 0), scheme, 1e-4, omega);
+        const ChainWave found = phase_speed(scalar, scheme, 1e-4, omega);
+        EXPECT_NEAR(found.speed / expected.speed, 1, 1e-14);  // round-off of extended precision, then of double
+        // Without damping both are round-off: the half wave number is known to about 1e-17/X.
+        EXPECT_NEAR(found.attenuation, expected.attenuation, 1e-13);
+      }
+    }
+  }
+}
+
+// What the leading-order formula leaves of the consistent edge's speed: it must fall with the fourth power of the
+// length.
+double remainder_of_speed(double length, double inertia_factor) {
+  const double omega = 2 * std::numbers::pi * 100, big_omega = omega * length / kBarSpeed;
+  const double speed = phase_speed(scalar_chain(length, 4, true, inertia_factor), trapezoidal(), 1e-9, omega).speed;
+  return std::abs(speed / kBarSpeed - 1 - (2 - inertia_factor) / 24 * big_omega * big_omega);
+}
+
+TEST(Dispersion, ConsistentEdgeHasTheKnownLeadingOrderForEveryInertiaFactor) {
+  for (const double factor : {1.0, 1.5, 2.0}) {
+    const double ratio = remainder_of_speed(2.0, factor) / remainder_of_speed(1.0, factor);
+    EXPECT_NEAR(std::log2(ratio), 4.0, 0.1) << factor;  // next order: Omega^2 = 0.08 of it
+  }
+}
+
+TEST(Dispersion, AveragedInertiaLeavesAFourthOrderErrorOfKnownSize) {
+  const double omega = 2 * std::numbers::pi * 100, length = 1.0, q = 4;
+  const double kappa4 = std::pow(omega * length / kBarSpeed, 4);
+  const double error = phase_speed(scalar_chain(length, q, true, 2), trapezoidal(), 1e-9, omega).speed / kBarSpeed - 1;
+  EXPECT_NEAR(error / (-(3 * q + 2) / (1440 * (q - 1)) * kappa4), 1.0, 0.02);  // next order: Omega^2 = 0.02 of it
+}
+
+TEST(Dispersion, CornerSpringsHaveTheKnownLeadingOrder) {
+  const double omega = 2 * std::numbers::pi * 100, length = 1.0;
+  for (const double q : {200.0, 2000.0}) {
+    const double big_omega = omega * length / kBarSpeed;
+    const double error = phase_speed(scalar_chain(length, q, false), trapezoidal(), 1e-9, omega).speed / kBarSpeed - 1;
+    // Next orders: 3/8 eta_s^2, eta_s Omega^2 and Omega^4, each with a factor below 1/2.
+    const double next = (std::pow(1 / q, 2) + big_omega * big_omega / q + std::pow(big_omega, 4)) / 2;
+    EXPECT_NEAR(error, -1 / (2 * q) + big_omega * big_omega / 24, next);
+  }
+}
+
+TEST(Dispersion, TimeSchemesHaveTheKnownLeadingOrder) {
+  const double omega = 2 * std::numbers::pi * 100, dt = 1e-4, theta = omega * dt, length = 1e-3;
+  const ScalarChain chain = scalar_chain(length, 1e4, true);
+  const ChainWave thesis = phase_speed(chain, thesis_scheme(), dt, omega);
+  EXPECT_NEAR(thesis.speed / kBarSpeed - 1, theta * theta / 96, std::pow(theta, 4));
+  EXPECT_NEAR(thesis.attenuation * 4 * kBarSpeed / (omega * omega * dt), 1, theta * theta);
+  const ChainWave average = phase_speed(chain, trapezoidal(), dt, omega);
+  EXPECT_NEAR(average.speed / kBarSpeed - 1, -theta * theta / 12, std::pow(theta, 4));
+}
+
+// Inertia factor 2 - 2 (c dt/L)^2 makes the blocks' dispersion cancel that of the trapezoidal rule at every frequency.
+TEST(Dispersion, MatchedInertiaCancelsSpaceAgainstTime) {
+  const double dt = 1e-4, length = 1.0, courant = kBarSpeed * dt / length;
+  const ScalarChain chain = scalar_chain(length, 4, true, 2 - 2 * courant * courant);
+  const auto error = [&](double frequency) {
+    return std::abs(phase_speed(chain, trapezoidal(), dt, 2 * std::numbers::pi * frequency).speed / kBarSpeed - 1);
+  };
+  EXPECT_NEAR(std::log2(error(200) / error(100)), 4.0, 0.1);  // no second order is left
+}
+
+// Shear springs k_s at the corners hold the lateral strain: E grows to E1 (1 - nu^2/(1 + 2 (k_s h/(L E1))
+// sin^2(kappa/2))) with E1 = E/(1 - nu^2), up to E1 itself.
+TEST(Dispersion, ShearSpringsStiffenTheBarTowardsTheConfinedSpeed) {
+  const double poisson = 0.25, omega = 2 * std::numbers::pi * 100, height = 1e-3;  // thin: without lateral inertia
+  ScalarChain scalar = scalar_chain(1.0, 50, false);
+  scalar.area = height;
+  scalar.normal *= height;
+  BlockChain chain = full_chain(scalar, poisson);
+  chain.height = height;
+  const double confined = plane_stress(kYoung, poisson).e11;
+  for (const double spring : {1e3 * kYoung, 1e5 * kYoung, 1e7 * kYoung}) {
+    chain.interface.tangential_half = 2 * spring;
+    const double speed = chain_wave(chain, trapezoidal(), 1e-9, omega).speed;
+    const double sine = std::sin(omega * scalar.length / speed / 2);
+    const double hold = 2 * spring * height / (scalar.length * confined) * sine * sine;
+    scalar.young = confined * (1 - poisson * poisson / (1 + hold));
+    // Rayleigh's lateral inertia, nu^2 (kappa h/L)^2/24, is 5e-11 of the speed.
+    EXPECT_NEAR(speed / phase_speed(scalar, trapezoidal(), 1e-9, omega).speed, 1, 1e-9) << spring;
+  }
+  EXPECT_NEAR(scalar.young / confined, 1, 0.01);  // the last spring confines
+}
+
+}  // namespace
+}  // namespace exact

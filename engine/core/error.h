@@ -16,6 +16,7 @@ class InputError : public std::runtime_error {
 
   [[nodiscard]] const std::string& field() const { return field_; }
   [[nodiscard]] const std::string& value() const { return value_; }
+  [[nodiscard]] const std::string& expected() const { return expected_; }
 
  private:
   std::string field_;

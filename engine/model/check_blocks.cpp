@@ -48,7 +48,7 @@ void check_overlaps(const Model& model) {
     const Block& second = model.blocks[static_cast<std::size_t>(b)];
     if (!interiors_overlap(first.shape, second.shape, model.length_tolerance)) continue;
     const Item item("blocks", static_cast<std::size_t>(b), second.name);
-    item.fail("shape", fmt::format("overlapping blocks[{}] \"{}\"", a, first.name), "blocks that at most touch");
+    item.fail("shape", fmt::format("overlapping \"{}\"", first.name), "blocks that at most touch");
   }
 }
 

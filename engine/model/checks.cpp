@@ -8,9 +8,10 @@
 
 namespace dda::model_checks {
 
+// An item with a name goes by it, as its index says little where a scene generated it.
 void Item::fail(std::string_view member, const std::string& value, const std::string& expected) const {
-  const std::string name = name_.empty() ? "" : fmt::format(" \"{}\"", name_);
-  throw InputError("", fmt::format("{}[{}]{} {}", list_, index_, name, member), value, expected);
+  const std::string item = name_.empty() ? fmt::format("[{}]", index_) : fmt::format(" \"{}\"", name_);
+  throw InputError("", fmt::format("{}{} {}", list_, item, member), value, expected);
 }
 
 void Item::positive(std::string_view member, double value) const {

@@ -8,7 +8,7 @@
 
 namespace dda::model_checks {
 
-// An element of one of the model's vectors, for error sentences: blocks[3] "bar 4".
+// An element of one of the model's vectors, for error sentences: blocks "bar 4", or loads[3] without a name.
 class Item {
  public:
   Item(std::string_view list, std::size_t index, std::string_view name = "")

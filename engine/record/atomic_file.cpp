@@ -54,21 +54,17 @@ void AtomicFile::write(std::string_view text) {
   size_ += static_cast<std::int64_t>(text.size());
 }
 
-void AtomicFile::commit() {
-  // Data first, then the name: after a power cut the name never stands for an empty file.
-  if (::fsync(descriptor_) != 0) fail(errno);
+void AtomicFile::commit(Survives survives) {
+  // Data first, then the name, so that the name never stands for an empty file.
+  if (survives == Survives::power_cut && ::fsync(descriptor_) != 0) fail(errno);
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
   close();
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
+void write_file(const std::filesystem::path& path, std::string_view text, Survives survives) {
   AtomicFile file(path);
   file.write(text);
-  file.commit();
-}
-
-void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  file.commit(survives);
 }
 
 std::string read_file(const std::filesystem::path& path) {

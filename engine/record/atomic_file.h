@@ -1,14 +1,18 @@
 // Files that appear complete or not at all: written as NAME.tmp and renamed when done.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 
 namespace dda {
+
+// What a committed file outlasts. Waiting for the disk costs about 10 ms, too much for every frame.
+enum class Survives {
+  crash,      // of the program
+  power_cut,  // and of the machine
+};
 
 // A file being written. Whatever stood under its name stays there, whole, until commit(). All errors are
 // std::runtime_error naming the path and the reason.
@@ -26,8 +30,8 @@ class AtomicFile {
   // thrown, and may still be committed.
   void write(std::string_view text);
 
-  // Puts the file, on the disk and complete, in its place.
-  void commit();
+  // Puts the complete file in its place.
+  void commit(Survives survives = Survives::crash);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
@@ -42,8 +46,7 @@ class AtomicFile {
 };
 
 // One write and commit.
-void write_file(const std::filesystem::path& path, std::string_view text);
-void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file(const std::filesystem::path& path, std::string_view text, Survives survives = Survives::crash);
 
 // All bytes of a file; std::runtime_error naming path and reason when it cannot be read.
 std::string read_file(const std::filesystem::path& path);

@@ -44,8 +44,8 @@ void visit_memory(AnyState& state, const Visitor& visit) {
   visit_array(deformation);
 }
 
-std::uint64_t state_bytes(const State& state) {
-  std::uint64_t total = 0;
+std::uint64_t file_bytes(const State& state, std::uint64_t extra_bytes) {
+  std::uint64_t total = sizeof(Header) + extra_bytes + sizeof(std::uint64_t);
   visit_memory(state, [&](const void*, std::size_t count) { total += count; });
   return total;
 }
@@ -117,7 +117,7 @@ void save_checkpoint(const std::filesystem::path& path, const Model& model, cons
   header.scene = fingerprint(model);
   header.blocks = state.displacement.size();
   header.extra_bytes = extra.size();
-  header.file_bytes = sizeof header + state_bytes(state) + extra.size() + sizeof(std::uint64_t);
+  header.file_bytes = file_bytes(state, extra.size());
 
   std::string bytes;
   bytes.reserve(header.file_bytes);
@@ -127,7 +127,7 @@ void save_checkpoint(const std::filesystem::path& path, const Model& model, cons
   append(extra.data(), extra.size());
   const std::uint64_t checksum = hash_of(bytes);
   append(&checksum, sizeof checksum);
-  write_file(path, bytes);
+  write_file(path, bytes, Survives::power_cut);
 }
 
 Checkpoint load_checkpoint(const std::filesystem::path& path, const Model& model) {
@@ -138,7 +138,10 @@ Checkpoint load_checkpoint(const std::filesystem::path& path, const Model& model
             fmt::format("of another scene (it has {} blocks)", header.blocks),
             fmt::format("one with the {} blocks, the materials and the joints of this scene", model.blocks.size()));
 
-  Checkpoint checkpoint{blank_state(header.blocks), std::vector<std::byte>(header.extra_bytes)};
+  Checkpoint checkpoint{blank_state(model.blocks.size()), {}};
+  refuse_if(file_bytes(checkpoint.state, header.extra_bytes) != bytes.size(), "damaged (its sizes do not fit)",
+            "an intact file");
+  checkpoint.extra.resize(header.extra_bytes);
   std::size_t offset = sizeof header;
   const auto take = [&](void* to, std::size_t count) {
     if (count > 0) std::memcpy(to, bytes.data() + offset, count);

@@ -13,7 +13,7 @@ namespace dda {
 namespace {
 
 constexpr double interval = 0.1;  // s between drawings
-constexpr int bar_width = 20;
+constexpr int bar_width = 10;
 constexpr auto clear_to_end = "\x1b[K";
 
 double steady_seconds() {
@@ -69,7 +69,7 @@ void Progress::end_line() {
 }
 
 std::string clock_text(double seconds) {
-  constexpr double longest = 1e7;  // s; beyond it nobody waits, and it may be infinite
+  constexpr double longest = 100 * 3600.0;  // s; what is longer, or infinite, says nothing
   if (!(seconds >= 0 && seconds < longest)) return "--:--";
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
   if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);

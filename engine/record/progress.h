@@ -49,7 +49,7 @@ class Progress {
   bool line_begun_ = false;
 };
 
-// "mm:ss" or "h:mm:ss", and "--:--" for what is not a finite positive number of seconds.
+// "m:ss" or "h:mm:ss", and "--:--" for what is negative, not a number, or 100 hours and more.
 std::string clock_text(double seconds);
 
 }  // namespace dda

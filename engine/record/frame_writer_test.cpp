@@ -1,0 +1,402 @@
+#include "dda/record/frame_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+
+#include "dda/geometry/rotation.h"
+#include "dda/record/atomic_file.h"
+#include "dda/record/record_test_support.h"
+
+namespace dda {
+namespace {
+
+// --- A small XML reader, independent of the writer ---
+
+struct Element {
+  std::string name;
+  std::string parents;  // "VTKFile/PolyData/..."
+  std::map<std::string, std::string> attributes;
+};
+
+std::string unescaped(std::string text) {
+  for (const auto& [code, plain] : std::map<std::string, std::string>{{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}}) {
+    for (std::size_t at; (at = text.find(code)) != std::string::npos;) text.replace(at, code.size(), plain);
+  }
+  for (std::size_t at = 0; (at = text.find("&amp;", at)) != std::string::npos; ++at) text.replace(at, 5, "&");
+  return text;
+}
+
+// The elements of a text in order; throws std::runtime_error when tags do not match or attributes are not quoted.
+class XmlReader {
+ public:
+  explicit XmlReader(std::string text) : text_(std::move(text)) {
+    for (std::size_t start; (start = text_.find('<', end_)) != std::string::npos;) {
+      end_ = text_.find('>', start);
+      need(end_ != std::string::npos, "tag without end");
+      read_tag(text_.substr(start + 1, end_ - start - 1));
+    }
+    need(open_.empty(), "element left open");
+  }
+  std::vector<Element> elements;
+
+ private:
+  static void need(bool condition, const char* problem) {
+    if (!condition) throw std::runtime_error(problem);
+  }
+
+  void read_tag(std::string tag) {
+    if (tag.starts_with('/')) {
+      need(!open_.empty() && open_.back() == tag.substr(1), "tags do not match");
+      open_.pop_back();
+      return;
+    }
+    const bool closed = tag.ends_with('/');
+    if (closed) tag.pop_back();
+    const Element element = parse(tag);
+    elements.push_back(element);
+    if (!closed) open_.push_back(element.name);
+  }
+
+  Element parse(const std::string& tag) const {
+    Element element;
+    std::size_t at = tag.find(' ');
+    element.name = tag.substr(0, at);
+    for (const std::string& parent : open_) element.parents += parent + "/";
+    while (at < tag.size()) {
+      const std::size_t equals = tag.find("=\"", at);
+      need(equals != std::string::npos, "attribute without value");
+      const std::size_t quote = tag.find('"', equals + 2);
+      need(quote != std::string::npos, "attribute without end");
+      const std::string name = tag.substr(at + 1, equals - at - 1);
+      need(!element.attributes.contains(name), "attribute twice");
+      element.attributes[name] = unescaped(tag.substr(equals + 2, quote - equals - 2));
+      at = quote + 1;
+    }
+    return element;
+  }
+
+  std::string text_;
+  std::size_t end_ = 0;
+  std::vector<std::string> open_;
+};
+
+// --- A reader of .vtp files with raw appended data ---
+
+class VtpReader {
+ public:
+  explicit VtpReader(const std::filesystem::path& path) {
+    std::string text = read_file(path);
+    const std::string begin = "<AppendedData encoding=\"raw\">\n_";
+    const std::size_t split = text.find(begin) + begin.size();
+    data_ = text.substr(split);
+    const XmlReader xml(text.substr(0, split) + "</AppendedData></VTKFile>");
+    for (const Element& element : xml.elements) {
+      if (element.name == "VTKFile") file_ = element;
+      if (element.name == "Piece") piece_ = element;
+      if (element.name == "DataArray") add_array(element);
+    }
+  }
+
+  // By section and name, e.g. "CellData/block"; a number of any type fits into a double here.
+  const std::vector<double>& array(const std::string& name) const { return arrays_.at(name); }
+  const std::vector<double>& cell(const std::string& name) const { return array("CellData/" + name); }
+  const std::vector<double>& point(const std::string& name) const { return array("PointData/" + name); }
+  std::size_t components(const std::string& name) const { return components_.at(name); }
+  const Element& file() const { return file_; }
+  std::size_t count(const std::string& what) const { return std::stoul(piece_.attributes.at(what)); }
+  std::size_t appended_bytes_read() const { return read_; }
+  std::string tail() const { return data_.substr(read_); }
+
+  std::vector<Vec2> cell_corners(std::size_t cell) const {
+    const auto first = static_cast<std::size_t>(cell == 0 ? 0 : array("Polys/offsets")[cell - 1]);
+    const auto last = static_cast<std::size_t>(array("Polys/offsets")[cell]);
+    std::vector<Vec2> corners;
+    for (std::size_t i = first; i < last; ++i) {
+      const auto point = static_cast<std::size_t>(array("Polys/connectivity").at(i));
+      corners.emplace_back(array("Points/Points").at(3 * point), array("Points/Points").at(3 * point + 1));
+    }
+    return corners;
+  }
+
+  // By the number of each block.
+  std::map<int, double> block_areas() const {
+    std::map<int, double> areas;
+    for (std::size_t i = 0; i < count("NumberOfPolys"); ++i) {
+      const double area = signed_area(cell_corners(i));
+      EXPECT_GT(area, 0);
+      areas[static_cast<int>(cell("block")[i])] += area;
+    }
+    return areas;
+  }
+
+ private:
+  void add_array(const Element& element) {
+    const auto& attributes = element.attributes;
+    if (attributes.at("format") != "appended") throw std::runtime_error("format");
+    const std::size_t offset = std::stoul(attributes.at("offset"));
+    if (offset != read_) throw std::runtime_error("arrays overlap or leave gaps");
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, data_.substr(offset, sizeof bytes).c_str(), sizeof bytes);
+    const std::string raw = data_.substr(offset + sizeof bytes, bytes);
+    if (raw.size() != bytes) throw std::runtime_error("array is cut off");
+    read_ = offset + sizeof bytes + bytes;
+
+    const std::string parent = element.parents.substr(0, element.parents.size() - 1);
+    const std::string name = parent.substr(parent.rfind('/') + 1) + "/" + attributes.at("Name");
+    components_[name] = std::stoul(attributes.at("NumberOfComponents"));
+    arrays_[name] = numbers(raw, attributes.at("type"));
+  }
+
+  static std::vector<double> numbers(const std::string& raw, const std::string& type) {
+    if (type == "Float64") return numbers_of<double>(raw);
+    if (type == "Int32") return numbers_of<std::int32_t>(raw);
+    if (type == "Int64") return numbers_of<std::int64_t>(raw);
+    throw std::runtime_error("type " + type);
+  }
+
+  template <typename Number>
+  static std::vector<double> numbers_of(const std::string& raw) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i + sizeof(Number) <= raw.size(); i += sizeof(Number)) {
+      Number number;
+      std::memcpy(&number, raw.data() + i, sizeof number);
+      result.push_back(static_cast<double>(number));
+    }
+    return result;
+  }
+
+  std::string data_;
+  std::size_t read_ = 0;
+  Element file_;
+  Element piece_;
+  std::map<std::string, std::vector<double>> arrays_;
+  std::map<std::string, std::size_t> components_;
+};
+
+// --- The blocks that are drawn ---
+
+Block block_of(Polygon shape, int material) {
+  Block block;
+  block.shape = std::move(shape);
+  block.moments = area_moments(block.shape);
+  block.material = material;
+  return block;
+}
+
+Ring square(double x, double y, double side) { return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}; }
+
+// A square, an L and a square frame, of 1, 3 and 8 m2.
+Model three_blocks() {
+  Model model;
+  model.blocks.push_back(block_of({square(0, 0, 1), {}}, 1));
+  model.blocks.push_back(block_of({{{2, 0}, {4, 0}, {4, 1}, {3, 1}, {3, 2}, {2, 2}}, {}}, 0));
+  model.blocks.push_back(block_of({square(5, 0, 3), {{{6, 1}, {6, 2}, {7, 2}, {7, 1}}}}, 2));
+  return model;
+}
+
+State moved_state(const Model& model) {
+  State state = initial_state(model);
+  state.time = 0.1 + 0.2;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const double k = static_cast<double>(i + 1);
+    state.displacement[i] << 10 * k, -3 * k, 0.25 * k, 0.1, -0.05, 0.02;
+    state.deformation[i] = deformation_increment(state.displacement[i]);
+    state.velocity[i] << k, 2 * k, 3, 0.5, 0.25, 0.125;
+    state.stress[i] << 3e6 * k, -1e6, 1.5e6;
+  }
+  return state;
+}
+
+class FrameWriterTest : public testing::Test {
+ protected:
+  VtpReader frame(const State& state) {
+    FrameWriter(model_, index_).write(state);
+    return VtpReader(folder_ / "run/000000.vtp");
+  }
+
+  TestFolder folder_;
+  std::filesystem::path index_ = folder_ / "run.pvd";
+  Model model_ = three_blocks();
+};
+
+TEST_F(FrameWriterTest, FileIsCompleteAndSaysHowToReadIt) {
+  const VtpReader vtp = frame(initial_state(model_));
+  EXPECT_EQ(vtp.file().attributes.at("type"), "PolyData");
+  EXPECT_EQ(vtp.file().attributes.at("version"), "1.0");
+  EXPECT_EQ(vtp.file().attributes.at("byte_order"), "LittleEndian");
+  EXPECT_EQ(vtp.file().attributes.at("header_type"), "UInt64");
+  EXPECT_EQ(vtp.tail(), "\n</AppendedData>\n</VTKFile>\n");
+  EXPECT_EQ(vtp.count("NumberOfPoints"), 4U + 6U + 8U);
+  EXPECT_EQ(vtp.count("NumberOfPolys"), 1U + 4U + 8U);  // a square, triangles of the L and of the frame
+}
+
+TEST_F(FrameWriterTest, ArraysHaveATupleForEveryCellOrPoint) {
+  const VtpReader vtp = frame(initial_state(model_));
+  for (const char* name : {"block", "material", "stress_xx [Pa]", "stress_yy [Pa]", "stress_xy [Pa]", "stress_1 [Pa]",
+                           "stress_2 [Pa]", "rotation [rad]"}) {
+    EXPECT_EQ(vtp.components(std::string("CellData/") + name), 1U) << name;
+    EXPECT_EQ(vtp.cell(name).size(), 13U) << name;
+  }
+  for (const char* name : {"velocity [m/s]", "displacement [m]"}) {
+    EXPECT_EQ(vtp.components(std::string("CellData/") + name), 3U) << name;
+    EXPECT_EQ(vtp.cell(name).size(), 3U * 13U) << name;
+    EXPECT_EQ(vtp.components(std::string("PointData/") + name), 3U) << name;
+    EXPECT_EQ(vtp.point(name).size(), 3U * 18U) << name;
+  }
+  EXPECT_EQ(vtp.array("Points/Points").size(), 3U * 18U);
+}
+
+TEST_F(FrameWriterTest, BlocksAsDrawnCoverTheirAreaAndNoHole) {
+  const VtpReader vtp = frame(initial_state(model_));
+  const std::map<int, double> expected = {{0, 1}, {1, 3}, {2, 8}};  // small integers: exact
+  EXPECT_EQ(vtp.block_areas(), expected);
+  for (std::size_t i = 0; i < vtp.count("NumberOfPolys"); ++i) {
+    const auto corners = vtp.cell_corners(i);
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& corner : corners) middle += corner / static_cast<double>(corners.size());
+    const auto block = static_cast<std::size_t>(vtp.cell("block")[i]);
+    EXPECT_TRUE(contains(model_.blocks[block].shape, middle)) << i;
+    EXPECT_EQ(vtp.cell("material")[i], model_.blocks[block].material);
+  }
+}
+
+TEST_F(FrameWriterTest, BlocksAreWhereTheyAreNow) {
+  const State state = moved_state(model_);
+  const VtpReader vtp = frame(state);
+  std::size_t point = 0;
+  for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
+    std::vector<Vec2> vertices = model_.blocks[i].shape.outer;
+    for (const Ring& hole : model_.blocks[i].shape.holes) vertices.insert(vertices.end(), hole.begin(), hole.end());
+    const Vec2 centroid = model_.blocks[i].moments.centroid;
+    for (const Vec2& vertex : vertices) {
+      const Vec2 offset = state.deformation[i] * (vertex - centroid);
+      const Vec2 position = centroid + state.displacement[i].head<2>() + offset;
+      const Vec2 velocity = displacement_rows(offset) * state.velocity[i];
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto row = static_cast<Eigen::Index>(axis);
+        const double round_off = 1e-14 * 50;  // a few 2^-53 of coordinates up to 40
+        EXPECT_NEAR(vtp.array("Points/Points")[3 * point + axis], position[row], round_off);
+        EXPECT_NEAR(vtp.point("displacement [m]")[3 * point + axis], (position - vertex)[row], round_off);
+        EXPECT_NEAR(vtp.point("velocity [m/s]")[3 * point + axis], velocity[row], round_off);
+      }
+      EXPECT_EQ(vtp.array("Points/Points")[3 * point + 2], 0);
+      ++point;
+    }
+  }
+  for (const auto& [block, area] : vtp.block_areas()) {
+    const auto i = static_cast<std::size_t>(block);
+    const double expected = model_.blocks[i].moments.area * state.deformation[i].determinant();
+    EXPECT_NEAR(area, expected, 1e-12 * expected);  // 9 triangles at most, coordinates 40 m: 2^-53 * 40 m * 3 m each
+  }
+}
+
+TEST_F(FrameWriterTest, CellsCarryTheStateOfTheirBlock) {
+  const State state = moved_state(model_);
+  const VtpReader vtp = frame(state);
+  for (std::size_t cell = 0; cell < vtp.count("NumberOfPolys"); ++cell) {
+    const auto i = static_cast<std::size_t>(vtp.cell("block")[cell]);
+    EXPECT_EQ(vtp.cell("stress_xx [Pa]")[cell], state.stress[i][0]);
+    EXPECT_EQ(vtp.cell("stress_yy [Pa]")[cell], state.stress[i][1]);
+    EXPECT_EQ(vtp.cell("stress_xy [Pa]")[cell], state.stress[i][2]);
+    EXPECT_EQ(vtp.cell("rotation [rad]")[cell], state.displacement[i][2]);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto row = static_cast<Eigen::Index>(axis);
+      EXPECT_EQ(vtp.cell("velocity [m/s]")[3 * cell + axis], state.velocity[i][row]);
+      EXPECT_EQ(vtp.cell("displacement [m]")[3 * cell + axis], state.displacement[i][row]);
+    }
+  }
+  EXPECT_EQ(vtp.array("FieldData/TimeValue"), std::vector<double>{0.1 + 0.2});
+}
+
+TEST_F(FrameWriterTest, PrincipalStresses) {
+  State state = initial_state(model_);
+  state.stress[0] << 3, -1, 1.5;  // mean 1, radius sqrt(2^2 + 1.5^2) = 2.5
+  state.stress[1] << 0, 0, -7;    // pure shear
+  state.stress[2] << -5, -5, 0;
+  const VtpReader vtp = frame(state);
+  const std::vector<std::pair<double, double>> expected = {{3.5, -1.5}, {7, -7}, {-5, -5}};
+  for (std::size_t cell = 0; cell < vtp.count("NumberOfPolys"); ++cell) {
+    const auto [first, second] = expected[static_cast<std::size_t>(vtp.cell("block")[cell])];
+    EXPECT_DOUBLE_EQ(vtp.cell("stress_1 [Pa]")[cell], first);
+    EXPECT_DOUBLE_EQ(vtp.cell("stress_2 [Pa]")[cell], second);
+  }
+}
+
+std::vector<std::pair<double, std::string>> entries_of(const std::filesystem::path& index) {
+  std::vector<std::pair<double, std::string>> entries;
+  for (const Element& element : XmlReader(read_file(index)).elements) {
+    if (element.name != "DataSet") continue;
+    EXPECT_EQ(element.parents, "VTKFile/Collection/");
+    entries.emplace_back(std::strtod(element.attributes.at("timestep").c_str(), nullptr),
+                         element.attributes.at("file"));
+  }
+  return entries;
+}
+
+TEST_F(FrameWriterTest, IndexListsEveryFrameWithItsTime) {
+  FrameWriter writer(model_, index_);
+  State state = initial_state(model_);
+  std::vector<std::pair<double, std::string>> expected;
+  for (const double time : {0.0, 0.1 + 0.2, 1e-5, 12345.678901234567}) {
+    state.time = time;
+    writer.write(state);
+    expected.emplace_back(time, "run/00000" + std::to_string(expected.size()) + ".vtp");
+    EXPECT_EQ(entries_of(index_), expected);
+    EXPECT_EQ(VtpReader(folder_ / expected.back().second).array("FieldData/TimeValue"), std::vector<double>{time});
+  }
+  EXPECT_EQ(writer.frames(), 4);
+  EXPECT_EQ(folder_.names(), (std::set<std::string>{"run", "run.pvd"}));
+}
+
+TEST_F(FrameWriterTest, NamesWithSpecialCharacters) {
+  index_ = folder_ / R"(a<b>&"c.pvd)";
+  FrameWriter(model_, index_).write(initial_state(model_));
+  ASSERT_EQ(entries_of(index_).size(), 1U);
+  const VtpReader vtp(folder_ / entries_of(index_)[0].second);
+  EXPECT_EQ(vtp.count("NumberOfPoints"), 18U);
+}
+
+TEST_F(FrameWriterTest, NoBlocks) {
+  const Model empty;
+  FrameWriter(empty, index_).write(initial_state(empty));
+  const VtpReader vtp(folder_ / "run/000000.vtp");
+  EXPECT_EQ(vtp.count("NumberOfPoints"), 0U);
+  EXPECT_EQ(vtp.count("NumberOfPolys"), 0U);
+}
+
+TEST_F(FrameWriterTest, MissingFolderIsNamed) {
+  EXPECT_EQ(message_of<std::runtime_error>([&] { FrameWriter(model_, folder_ / "missing/run.pvd"); }),
+            "cannot create folder " + (folder_ / "missing/run").string() + ": No such file or directory");
+}
+
+TEST_F(FrameWriterTest, FullDiskKeepsTheEarlierFramesAndTheirIndex) {
+  FrameWriter writer(model_, index_);
+  writer.write(initial_state(model_));
+  const std::string before = read_file(index_);
+  {
+    const FullDisk full(2000);
+    EXPECT_THROW(writer.write(moved_state(model_)), std::runtime_error);
+  }
+  EXPECT_EQ(read_file(index_), before);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run/000001.vtp"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run/000001.vtp.tmp"));
+  writer.write(moved_state(model_));  // once there is room again
+  EXPECT_EQ(entries_of(index_).size(), 2U);
+}
+
+TEST(XmlReaderOfTheTests, FindsWhatIsNotWellFormed) {
+  EXPECT_NO_THROW(XmlReader("<a x=\"1\"><b/></a>"));
+  EXPECT_THROW(XmlReader("<a><b></a></b>"), std::runtime_error);
+  EXPECT_THROW(XmlReader("<a>"), std::runtime_error);
+  EXPECT_THROW(XmlReader("<a x=1/>"), std::runtime_error);
+  EXPECT_THROW(XmlReader("<a x=\"1\" x=\"2\"/>"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace dda

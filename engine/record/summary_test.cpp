@@ -1,0 +1,119 @@
+#include "dda/record/summary.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "dda/record/atomic_file.h"
+#include "dda/record/record_test_support.h"
+
+namespace dda {
+namespace {
+
+using nlohmann::json;
+
+EnergyLedger balanced_ledger() {
+  EnergyLedger energy;
+  energy.initial_kinetic = 2;
+  energy.initial_strain = 3;
+  energy.initial_contact = 5;
+  energy.kinetic = 9;   // +7
+  energy.strain = 14;   // +11
+  energy.contact = 18;  // +13
+  energy.friction = 17;
+  energy.dashpot = 19;
+  energy.damping = 23;
+  energy.numerical = 29;
+  energy.gravity_work = 31;
+  energy.external_work = 88;  // 7 + 11 + 13 + 17 + 19 + 23 + 29 - 31
+  return energy;
+}
+
+TEST(EnergyLedger, ResidualIsWhatTheTermsDoNotExplain) {
+  EnergyLedger energy = balanced_ledger();
+  EXPECT_EQ(energy.residual(), 0);
+  EXPECT_EQ(energy.scale(), 88);
+  energy.gravity_work -= 200;
+  EXPECT_EQ(energy.residual(), -200);
+  EXPECT_EQ(energy.scale(), 169);
+  EXPECT_EQ(energy.relative_residual(), -200.0 / 169);
+}
+
+TEST(EnergyLedger, NothingHappenedAndNotANumber) {
+  EnergyLedger energy;
+  EXPECT_EQ(energy.relative_residual(), 0);
+  energy.friction = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(energy.relative_residual()));
+}
+
+TEST(Summary, HoldsEverything) {
+  RunSummary summary;
+  summary.status = Status::stopped;
+  summary.message = "stopped by the user";
+  summary.title = "bar";
+  summary.time_s = 0.1;
+  summary.steps = 12;
+  summary.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  summary.energy = balanced_ledger();
+  summary.cpu_s = 1.5;
+  summary.wall_s = 2.5;
+  summary.phases = {{"solve", 1.25}, {"assembly", 0.25}};
+  summary.solver = "cholesky";
+  summary.blocks = 200;
+  summary.contacts = 199;
+  summary.histories = {{"histories.csv", 13, {{"at 50 m", "Pa"}}}};
+  summary.outputs = {"histories.csv", "frames.pvd"};
+
+  const json read = json::parse(summary_json(summary));
+  const json expected = json::parse(R"({
+    "status": "stopped", "message": "stopped by the user", "title": "bar", "time_s": 0.1, "steps": 12,
+    "blocks": 200, "contacts": 199, "solver": "cholesky", "cpu_s": 1.5, "wall_s": 2.5,
+    "phases": {"solve": 1.25, "assembly": 0.25},
+    "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
+      "solver_iterations": 6, "open_close_iterations": 7, "contact_searches": 8, "contact_state_changes": 9},
+    "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0,
+      "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "external_work": 88.0,
+      "gravity_work": 31.0, "friction": 17.0, "dashpot": 19.0, "damping": 23.0, "numerical": 29.0,
+      "residual": 0.0, "residual_relative": 0.0},
+    "histories": [{"file": "histories.csv", "rows": 13,
+      "columns": [{"name": "time", "unit": "s"}, {"name": "at 50 m", "unit": "Pa"}]}],
+    "outputs": ["histories.csv", "frames.pvd"]})");
+  EXPECT_EQ(read, expected) << json::diff(expected, read);
+}
+
+TEST(Summary, OfAnEmptyRunHasAllKeys) {
+  const json read = json::parse(summary_json({}));
+  EXPECT_EQ(read.at("status"), "ok");
+  EXPECT_EQ(read.at("phases"), json::object());
+  EXPECT_EQ(read.at("histories"), json::array());
+  EXPECT_EQ(read.at("outputs"), json::array());
+}
+
+TEST(Summary, IsValidJsonWhateverHappened) {
+  RunSummary summary;
+  summary.energy.kinetic = std::numeric_limits<double>::quiet_NaN();
+  summary.message = "line\n\"quoted\" and bytes \xff that are not UTF-8";
+  const json read = json::parse(summary_json(summary));
+  EXPECT_TRUE(read.at("energy").at("kinetic").is_null());
+  EXPECT_EQ(read.at("message"), "line\n\"quoted\" and bytes \xef\xbf\xbd that are not UTF-8");
+}
+
+TEST(Summary, IsWrittenWholeOrNotAtAll) {
+  const TestFolder folder;
+  write_summary(folder / "summary.json", {});
+  const std::string first = read_file(folder / "summary.json");
+  EXPECT_EQ(first, summary_json({}));
+  RunSummary next;
+  next.title = "next";
+  {
+    const FullDisk full(50);
+    EXPECT_THROW(write_summary(folder / "summary.json", next), std::runtime_error);
+  }
+  EXPECT_EQ(read_file(folder / "summary.json"), first);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"summary.json"});
+}
+
+}  // namespace
+}  // namespace dda

@@ -65,9 +65,7 @@ constexpr std::array<DimensionEntry, dimension_count> dimensions = {{
     {"impedance", impedance_units},
 }};
 
-const DimensionEntry& entry(Dimension dimension) {
-  return dimensions.at(static_cast<std::size_t>(dimension));
-}
+const DimensionEntry& entry(Dimension dimension) { return dimensions.at(static_cast<std::size_t>(dimension)); }
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
@@ -114,17 +112,11 @@ std::string quoted(std::string_view text) {
 
 }  // namespace
 
-std::span<const Unit> units(Dimension dimension) {
-  return entry(dimension).units;
-}
+std::span<const Unit> units(Dimension dimension) { return entry(dimension).units; }
 
-std::string_view si_unit(Dimension dimension) {
-  return units(dimension).front().symbol;
-}
+std::string_view si_unit(Dimension dimension) { return units(dimension).front().symbol; }
 
-std::string_view to_string(Dimension dimension) {
-  return entry(dimension).name;
-}
+std::string_view to_string(Dimension dimension) { return entry(dimension).name; }
 
 std::string expected_quantity(Dimension dimension) {
   if (dimension == Dimension::dimensionless) return "a finite number without a unit, or with %";

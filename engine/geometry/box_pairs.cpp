@@ -31,6 +31,21 @@ Pairs brute_force(std::span<const Box> boxes) {
   return pairs;
 }
 
+// Sorted by counting on the first index, quicker than a comparison sort as each has few partners.
+Pairs ordered(const Pairs& pairs, std::size_t count) {
+  std::vector<std::ptrdiff_t> next(count + 1, 0);  // where the next pair of each first index goes
+  for (const auto& [first, second] : pairs) ++next[static_cast<std::size_t>(first) + 1];
+  for (std::size_t i = 1; i <= count; ++i) next[i] += next[i - 1];
+  Pairs sorted(pairs.size());
+  for (const auto& pair : pairs) sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(pair.first)]++)] = pair;
+  std::ptrdiff_t start = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::sort(sorted.begin() + start, sorted.begin() + next[i]);
+    start = next[i];
+  }
+  return sorted;
+}
+
 double size_of(const Box& box) { return (box.upper - box.lower).maxCoeff(); }
 
 // A grid for each level, cells doubling from level to level. A box belongs to the lowest level whose cells are larger
@@ -53,8 +68,7 @@ class GridLevels {
         if (level_used_[static_cast<std::size_t>(level)]) append_partners(i, level, found);
       }
     }
-    std::sort(found.begin(), found.end());
-    return found;
+    return ordered(found, boxes_.size());
   }
 
  private:

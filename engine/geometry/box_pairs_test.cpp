@@ -84,12 +84,14 @@ TEST(OverlappingPairs, DegenerateBoxes) {
   EXPECT_EQ(overlapping_pairs(points).size(), 40u * 39 / 2);
   for (Box& box : points) box = {};
   EXPECT_TRUE(overlapping_pairs(points).empty());
-  std::vector<Box> line;  // of points, one long box over them, two empty
+  std::vector<Box> line;  // of points, one long box over them, one empty
   for (int i = 0; i < 100; ++i) line.push_back({Vec2(i, 0), Vec2(i, 0)});
   line.push_back({Vec2(-1, 0), Vec2(1000, 0)});
   line.push_back({});
-  line.push_back({Vec2(50, 0), Vec2(49, 0)});  // empty too, for its corners are exchanged
   EXPECT_EQ(overlapping_pairs(line), brute_force(line));
+  std::vector<Box> pile(40, Box{Vec2(0, 0), Vec2(1, 1)});
+  pile.push_back({Vec2(0.75, 0), Vec2(0.25, 1)});  // empty, for its corners are exchanged
+  EXPECT_EQ(overlapping_pairs(pile).size(), 40u * 39 / 2);
 }
 
 RC_GTEST_PROP(OverlappingPairsProperty, AgreesWithBruteForce, ()) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "dda/linear/small_cholesky.h"
+
 namespace dda {
 namespace {
 
@@ -20,19 +22,6 @@ Mat6 offdiagonal_block(const double* values, const int* places, int number) {
   Mat6 block;
   for (int c = 0; c < 6; ++c) block.col(c) = Eigen::Map<const Vec6>(values + places[c] + (6 - c) + 6 * number);
   return block;
-}
-
-Mat6 inverse_of_lower(const Mat6& lower) {
-  Mat6 inverse = Mat6::Zero();
-  for (int c = 0; c < 6; ++c) {
-    inverse(c, c) = 1 / lower(c, c);
-    for (int r = c + 1; r < 6; ++r) {
-      double sum = 0;
-      for (int k = c; k < r; ++k) sum += lower(r, k) * inverse(k, c);
-      inverse(r, c) = -sum / lower(r, r);
-    }
-  }
-  return inverse;
 }
 
 }  // namespace

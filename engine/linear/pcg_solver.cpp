@@ -1,23 +1,19 @@
 #include "dda/linear/pcg_solver.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
-#include "dda/linear/pivot_test.h"
+#include "dda/linear/small_cholesky.h"
 
 namespace dda {
 namespace {
 
-// The inverse of a symmetric positive definite block; false where it is not.
+// The inverse of a symmetric positive definite block; false where it is not. W^T W is symmetric to the last bit, which
+// the iteration needs.
 bool invert(const Mat6& block, Mat6& inverse) {
-  const Eigen::LLT<Mat6> llt(block);
-  if (llt.info() != Eigen::Success) return false;
-  for (int k = 0; k < 6; ++k) {
-    const double root = llt.matrixLLT()(k, k);
-    if (!is_sound_pivot(root * root, block(k, k))) return false;
-  }
-  inverse = llt.solve(Mat6::Identity());
-  inverse = (0.5 * (inverse + inverse.transpose())).eval();  // the iteration needs exact symmetry, round-off spoils it
+  Mat6 lower;
+  if (!factor_block(block, lower)) return false;
+  const Mat6 lower_inverse = inverse_of_lower(lower);
+  inverse = lower_inverse.transpose().lazyProduct(lower_inverse);
   return true;
 }
 

@@ -28,6 +28,9 @@ struct SolverScene {
   bool matrix_changes_every_step = false;  // contacts change or rotations are large: a factor serves one step only
 };
 
+// PCG where the iterations that chi makes it need are cheaper than what a direct solution costs in this scene: a reused
+// factor where the matrix stays, a new factor where it changes every step. The figures behind it are in the README of
+// this folder. Never dense: that one is the oracle of tests. A chi that is not a number or infinite gives cholesky.
 SolverKind choose_solver(const SolverScene& scene);
 
 std::unique_ptr<LinearSolver> make_solver(SolverKind kind);

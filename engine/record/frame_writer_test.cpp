@@ -24,12 +24,21 @@ struct Element {
   std::map<std::string, std::string> attributes;
 };
 
-std::string unescaped(std::string text) {
-  for (const auto& [code, plain] : std::map<std::string, std::string>{{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}}) {
-    for (std::size_t at; (at = text.find(code)) != std::string::npos;) text.replace(at, code.size(), plain);
+std::string unescaped(const std::string& text) {
+  static const std::map<std::string, char> entities = {{"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}};
+  std::string plain;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '<') throw std::runtime_error("bare < in an attribute");
+    if (text[at] != '&') {
+      plain += text[at];
+      continue;
+    }
+    const std::size_t end = text.find(';', at);
+    if (end == std::string::npos) throw std::runtime_error("bare & in an attribute");
+    plain += entities.at(text.substr(at + 1, end - at - 1));
+    at = end;
   }
-  for (std::size_t at = 0; (at = text.find("&amp;", at)) != std::string::npos; ++at) text.replace(at, 5, "&");
-  return text;
+  return plain;
 }
 
 // The elements of a text in order; throws std::runtime_error when tags do not match or attributes are not quoted.
@@ -395,6 +404,7 @@ TEST(XmlReaderOfTheTests, FindsWhatIsNotWellFormed) {
   EXPECT_THROW(XmlReader("<a><b></a></b>"), std::runtime_error);
   EXPECT_THROW(XmlReader("<a>"), std::runtime_error);
   EXPECT_THROW(XmlReader("<a x=1/>"), std::runtime_error);
+  EXPECT_THROW(XmlReader("<a x=\"b&c\"/>"), std::runtime_error);
   EXPECT_THROW(XmlReader("<a x=\"1\" x=\"2\"/>"), std::runtime_error);
 }
 

@@ -19,16 +19,20 @@ void add(FnvHash& hash, const Block& block) {
   for (const Ring& hole : block.shape.holes) add(hash, hole);
 }
 
+// A new member of a material breaks the lines that unpack it, so that it is not forgotten here.
 void add(FnvHash& hash, const Material& material) {
-  hash.add_number(material.plane);
-  for (const double value : {material.density, material.young, material.poisson}) hash.add_number(value);
+  const auto& [name, density, young, poisson, plane] = material;
+  hash.add_number(plane);
+  for (const double value : {density, young, poisson}) hash.add_number(value);
 }
 
 void add(FnvHash& hash, const JointMaterial& joint) {
-  hash.add_number(joint.law);
-  hash.add_number(joint.bonded);
-  for (const double value : {joint.friction_angle, joint.cohesion, joint.tensile_strength, joint.normal_spring,
-                             joint.spring_over_young, joint.shear_to_normal, joint.penalty, joint.stabilisation}) {
+  const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, normal_spring, spring_over_young,
+               shear_to_normal, penalty, stabilisation] = joint;
+  hash.add_number(law);
+  hash.add_number(bonded);
+  for (const double value : {friction_angle, cohesion, tensile_strength, normal_spring, spring_over_young,
+                             shear_to_normal, penalty, stabilisation}) {
     hash.add_number(value);
   }
 }

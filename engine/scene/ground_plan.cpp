@@ -1,0 +1,83 @@
+#include "dda/scene/ground_plan.h"
+
+#include <cmath>
+#include <limits>
+
+#include "dda/model/tolerance.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Far enough to leave the tolerance around a joint, near enough to stay in the thinnest of ordinary blocks.
+double probing_distance(const Model& model, const std::vector<int>& candidates) {
+  double least_area = std::numeric_limits<double>::infinity();
+  for (const int block : candidates) least_area = std::min(least_area, model.blocks[at(block)].moments.area);
+  return std::max(1e-3 * std::sqrt(least_area), 10 * model.length_tolerance);
+}
+
+}  // namespace
+
+GroundPlan::GroundPlan(const Model& model) : model_(&model), tolerance_(point_tolerance(model)) {
+  boxes_.reserve(model.blocks.size());
+  for (const Block& block : model.blocks) {
+    boxes_.push_back(bounding_box(block.shape));
+    box_ = expanded(expanded(box_, boxes_.back().lower), boxes_.back().upper);
+  }
+}
+
+bool GroundPlan::holds(int block, const Vec2& point, double tolerance) const {
+  if (!overlap(expanded(boxes_[at(block)], tolerance), Box{point, point})) return false;
+  return locate(model_->blocks[at(block)].shape, point, tolerance) != Location::outside;
+}
+
+std::vector<int> GroundPlan::blocks_at(const Vec2& point) const {
+  std::vector<int> found;
+  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
+    if (holds(block, point, tolerance_)) found.push_back(block);
+  }
+  return found;
+}
+
+std::optional<int> GroundPlan::block_towards(const std::vector<int>& candidates, const Vec2& point,
+                                             const std::vector<Vec2>& directions) const {
+  const double distance = probing_distance(*model_, candidates);
+  for (const Vec2& direction : directions) {
+    for (const int block : candidates) {
+      if (holds(block, point + distance * direction, model_->length_tolerance)) return block;
+    }
+  }
+  return {};
+}
+
+void GroundPlan::append_stretches(const Ring& ring, int block, const Segment& line, std::vector<Stretch>& found) const {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Segment edge{ring[i], ring[(i + 1) % ring.size()]};
+    const auto common = collinear_overlap(edge, line, tolerance_);
+    if (!common) continue;
+    const Vec2 along = (edge.end - edge.start).normalized();
+    found.push_back({block, common->first, common->second, {-along.y(), along.x()}});  // material lies on the left
+  }
+}
+
+std::vector<Stretch> GroundPlan::stretches_along(const Segment& line) const {
+  const Box line_box = expanded(expanded(expanded(Box{}, line.start), line.end), tolerance_);
+  std::vector<Stretch> found;
+  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
+    if (!overlap(boxes_[at(block)], line_box)) continue;
+    const Polygon& shape = model_->blocks[at(block)].shape;
+    append_stretches(shape.outer, block, line, found);
+    for (const Ring& hole : shape.holes) append_stretches(hole, block, line, found);
+  }
+  return found;
+}
+
+std::optional<int> GroundPlan::block_named(const std::string& name) const {
+  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
+    if (model_->blocks[at(block)].name == name) return block;
+  }
+  return {};
+}
+
+}  // namespace dda

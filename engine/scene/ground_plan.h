@@ -1,0 +1,53 @@
+// Finding blocks and stretches of outline by where they lie, as scenes do.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dda/geometry/box.h"
+#include "dda/geometry/segment.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+// A straight part of a block's outline. `inward` is the unit normal that points into the block.
+struct Stretch {
+  int block = 0;
+  Vec2 from;
+  Vec2 to;
+  Vec2 inward;
+};
+
+// Looks up places in a model whose blocks are complete (moments and tolerance filled).
+class GroundPlan {
+ public:
+  explicit GroundPlan(const Model& model);
+
+  // Blocks that contain `point` or have it on their outline, in ascending order.
+  [[nodiscard]] std::vector<int> blocks_at(const Vec2& point) const;
+
+  // Of `candidates`, which all hold `point`, the first that continues from there in one of `directions`.
+  [[nodiscard]] std::optional<int> block_towards(const std::vector<int>& candidates, const Vec2& point,
+                                                 const std::vector<Vec2>& directions) const;
+
+  // Parts of outlines that run along `line`, cut to its ends, in the order of blocks.
+  [[nodiscard]] std::vector<Stretch> stretches_along(const Segment& line) const;
+
+  // Of all blocks.
+  [[nodiscard]] const Box& box() const { return box_; }
+
+  // The index of the block called `name`.
+  [[nodiscard]] std::optional<int> block_named(const std::string& name) const;
+
+ private:
+  [[nodiscard]] bool holds(int block, const Vec2& point, double tolerance) const;
+  void append_stretches(const Ring& ring, int block, const Segment& line, std::vector<Stretch>& found) const;
+
+  const Model* model_;
+  std::vector<Box> boxes_;  // of the blocks
+  Box box_;
+  double tolerance_;
+};
+
+}  // namespace dda

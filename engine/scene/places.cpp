@@ -1,0 +1,136 @@
+#include "dda/scene/places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "dda/model/tolerance.h"
+
+namespace dda {
+namespace {
+
+std::string written(const Vec2& point) { return fmt::format("({:.9g}, {:.9g}) m", point.x(), point.y()); }
+
+std::string extent(const GroundPlan& plan) {
+  return fmt::format("the blocks reach from {} to {}", written(plan.box().lower), written(plan.box().upper));
+}
+
+Segment side_of_box(const Box& box, std::size_t side) {
+  const Vec2 upper_left(box.lower.x(), box.upper.y());
+  const Vec2 lower_right(box.upper.x(), box.lower.y());
+  const std::vector<Segment> sides = {
+      {upper_left, box.lower}, {lower_right, box.upper}, {upper_left, box.upper}, {box.lower, lower_right}};
+  return sides.at(side);
+}
+
+Segment read_line(const Field& field, const GroundPlan& plan) {
+  if (field.is_text()) return side_of_box(plan.box(), field.choice({"left", "right", "top", "bottom"}));
+  const Segment line{field.at("from").vector(Dimension::length), field.at("to").vector(Dimension::length)};
+  if (line.start == line.end) field.fail("two different points");
+  return line;
+}
+
+// Two blocks that share a part of the line, if any do.
+std::optional<std::pair<int, int>> doubly_covered(std::vector<Stretch> stretches, const Segment& line,
+                                                  double tolerance) {
+  const Vec2 along = (line.end - line.start).normalized();
+  const auto first = [&](const Stretch& s) { return std::min(along.dot(s.from), along.dot(s.to)); };
+  const auto last = [&](const Stretch& s) { return std::max(along.dot(s.from), along.dot(s.to)); };
+  std::sort(stretches.begin(), stretches.end(),
+            [&](const Stretch& a, const Stretch& b) { return first(a) < first(b); });
+  for (std::size_t i = 1; i < stretches.size(); ++i) {
+    if (first(stretches[i]) < last(stretches[i - 1]) - tolerance)
+      return std::pair(stretches[i - 1].block, stretches[i].block);
+  }
+  return {};
+}
+
+void keep_only(int block, std::vector<Stretch>& stretches) {
+  std::erase_if(stretches, [block](const Stretch& stretch) { return stretch.block != block; });
+}
+
+PiecewiseLinear read_table(const Field& field) {
+  PiecewiseLinear table;
+  for (const Field& row : field.items()) {
+    const Vec2 pair = row.vector(Dimension::time, Dimension::dimensionless);
+    if (!table.times.empty() && pair.x() <= table.times.back()) row.fail("a later time than the row before");
+    table.times.push_back(pair.x());
+    table.values.push_back(pair.y());
+  }
+  return table;
+}
+
+double read_start(const Field& field) {
+  return value_or(field, "start", 0.0, [](const Field& f) { return f.quantity(Dimension::time); });
+}
+
+SineCycles read_sine(const Field& field) {
+  SineCycles sine;
+  sine.frequency = field.at("frequency").positive(Dimension::frequency);
+  sine.cycles = value_or(field, "cycles", std::numeric_limits<double>::infinity(),
+                         [](const Field& f) { return f.positive(Dimension::dimensionless); });
+  sine.start = read_start(field);
+  return sine;
+}
+
+}  // namespace
+
+int read_block_name(const Field& field, const GroundPlan& plan, const Model& model) {
+  if (const auto block = plan.block_named(field.text())) return *block;
+  std::vector<std::string> names;
+  for (const Block& block : model.blocks) names.push_back(block.name);
+  return static_cast<int>(field.choice(names));  // throws, as none is it
+}
+
+std::string listed(const std::vector<int>& blocks, const Model& model) {
+  constexpr std::size_t most_listed = 4;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(blocks.size(), most_listed); ++i) {
+    list += fmt::format("{}\"{}\"", i > 0 ? ", " : "", model.blocks[static_cast<std::size_t>(blocks[i])].name);
+  }
+  return blocks.size() > most_listed ? list + ", ..." : list;
+}
+
+PlacedPoint read_point(const Field& owner, const GroundPlan& plan, const Model& model) {
+  const Field field = owner.at("point");
+  const Vec2 point = field.vector(Dimension::length);
+  const std::vector<int> blocks = plan.blocks_at(point);
+  if (blocks.empty()) field.fail(written(point) + " and outside all blocks", "a point of a block; " + extent(plan));
+  if (const auto name = owner.find("block")) {
+    const int block = read_block_name(*name, plan, model);
+    if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return {block, point};
+    name->fail("a block at " + written(point) + ": " + listed(blocks, model));
+  }
+  if (blocks.size() == 1) return {blocks.front(), point};
+  field.fail(written(point) + " where several blocks meet", "\"block\" to say which: " + listed(blocks, model));
+}
+
+std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
+  const Field field = owner.at("edge");
+  const Segment line = read_line(field, plan);
+  std::vector<Stretch> stretches = plan.stretches_along(line);
+  if (const auto name = owner.find("block")) {
+    keep_only(read_block_name(*name, plan, model), stretches);
+    if (stretches.empty()) name->fail("a block with a side along this edge");
+  }
+  if (stretches.empty()) field.fail("a line along the side of a block; " + extent(plan));
+  if (const auto both = doubly_covered(stretches, line, point_tolerance(model))) {
+    field.fail("a line outside of joints, or \"block\" to say which side: " +
+               listed({both->first, both->second}, model));
+  }
+  return stretches;
+}
+
+TimeFunction read_history(const Field& owner) {
+  const auto history = owner.find("history");
+  if (!history) return Constant{};
+  if (const auto table = history->find("table")) return read_table(*table);
+  if (const auto sine = history->find("sine")) return read_sine(*sine);
+  const Field decay = history->at("decay");
+  return ExponentialDecay{decay.at("decay_time").positive(Dimension::time), read_start(decay)};
+}
+
+}  // namespace dda

@@ -1,0 +1,34 @@
+// "point", "edge", "block" and "history" of loads, supports, boundaries and measurements.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dda/model/time_function.h"
+#include "dda/scene/field.h"
+#include "dda/scene/ground_plan.h"
+
+namespace dda {
+
+struct PlacedPoint {
+  int block = 0;
+  Vec2 point;
+};
+
+// The block at owner.point: the only one there, or the one owner.block names.
+PlacedPoint read_point(const Field& owner, const GroundPlan& plan, const Model& model);
+
+// The outlines along owner.edge, of owner.block if that is given; at least one. Stretches of several blocks on the two
+// sides of a joint are refused, as it is not said which are meant.
+std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model);
+
+// The index of the block that `field` names.
+int read_block_name(const Field& field, const GroundPlan& plan, const Model& model);
+
+// Names of blocks as a sentence lists them.
+std::string listed(const std::vector<int>& blocks, const Model& model);
+
+// owner.history; Constant when left out.
+TimeFunction read_history(const Field& owner);
+
+}  // namespace dda

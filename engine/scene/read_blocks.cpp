@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "dda/core/error.h"
+#include "dda/scene/generators.h"
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Material>& materials) {
+  std::vector<std::string> names;
+  for (const Material& material : materials) names.push_back(material.name);
+  return names;
+}
+
+int read_material_reference(const Field& owner, const Model& model) {
+  const auto names = names_of(model.materials);
+  if (const auto field = owner.find("material")) return static_cast<int>(field->choice(names));
+  if (names.size() == 1) return 0;
+  throw InputError("", owner.path() + ".material", "missing", "one of the names in materials, as there are several");
+}
+
+Vec3 read_stress(const Field& field) {
+  const auto stress = [](const Field& f) { return f.quantity(Dimension::stress); };
+  return {value_or(field, "xx", 0.0, stress), value_or(field, "yy", 0.0, stress), value_or(field, "xy", 0.0, stress)};
+}
+
+BlockGroup read_group(const Field& field, std::string default_name, const Model& model) {
+  BlockGroup group;
+  group.name = value_or(field, "name", std::move(default_name), [](const Field& f) { return f.name(); });
+  group.material = read_material_reference(field, model);
+  group.initial_stress = value_or(field, "initial_stress", group.initial_stress, read_stress);
+  group.initial_velocity = value_or(field, "initial_velocity", group.initial_velocity,
+                                    [](const Field& f) { return f.vector(Dimension::velocity); });
+  group.initial_spin =
+      value_or(field, "initial_spin", 0.0, [](const Field& f) { return f.quantity(Dimension::angular_velocity); });
+  return group;
+}
+
+Vec2 read_origin(const Field& field) {
+  return value_or(field, "origin", Vec2(Vec2::Zero()), [](const Field& f) { return f.vector(Dimension::length); });
+}
+
+// Errors of the generators name their fields as the scene does, but not where in the scene they stand.
+template <typename Append>
+void append_at(const Field& field, Append append) {
+  try {
+    append();
+  } catch (const InputError& error) {
+    const auto key = field.find(error.field());
+    throw InputError("", key ? key->path() : field.path() + " " + error.field(), error.value(), error.expected());
+  }
+}
+
+void read_bar(const Field& field, Model& model) {
+  BarSpec spec;
+  spec.group = read_group(field, "bar", model);
+  spec.origin = read_origin(field);
+  spec.length = field.at("length").positive(Dimension::length);
+  spec.height = field.at("height").positive(Dimension::length);
+  spec.block_length = field.at("block_length").positive(Dimension::length);
+  append_at(field, [&] { append_bar(model, spec); });
+}
+
+void read_grid(const Field& field, Model& model) {
+  GridSpec spec;
+  spec.group = read_group(field, "grid", model);
+  spec.origin = read_origin(field);
+  spec.columns = field.at("columns").whole_number();
+  spec.rows = field.at("rows").whole_number();
+  spec.block_width = field.at("block_width").positive(Dimension::length);
+  spec.block_height = field.at("block_height").positive(Dimension::length);
+  spec.pattern = value_or(field, "pattern", GridPattern::stack, [](const Field& f) {
+    return f.choice({"stack", "running_bond"}) == 0 ? GridPattern::stack : GridPattern::running_bond;
+  });
+  append_at(field, [&] { append_grid(model, spec); });
+}
+
+Ring read_ring(const Field& field) {
+  Ring ring;
+  for (const Field& vertex : field.items()) ring.push_back(vertex.vector(Dimension::length));
+  return ring;
+}
+
+void read_polygon(const Field& field, Model& model) {
+  const BlockGroup group = read_group(field, fmt::format("block {}", model.blocks.size() + 1), model);
+  Block block;
+  block.name = group.name;
+  block.material = group.material;
+  block.initial_stress = group.initial_stress;
+  block.initial_velocity = group.initial_velocity;
+  block.initial_spin = group.initial_spin;
+  block.shape.outer = read_ring(field.at("vertices"));
+  if (const auto holes = field.find("holes")) {
+    for (const Field& hole : holes->items()) block.shape.holes.push_back(read_ring(hole));
+  }
+  if (const auto why = defect(block.shape)) field.fail(*why, "a simple polygon");
+  model.blocks.push_back(std::move(block));
+}
+
+// Returns the group name of the blocks just read.
+std::string read_entry(const Field& entry, Model& model) {
+  const auto members = entry.members();
+  const auto& [kind, field] = members.front();
+  if (kind == "bar") {
+    read_bar(field, model);
+  } else if (kind == "grid") {
+    read_grid(field, model);
+  } else {
+    read_polygon(field, model);
+  }
+  return value_or(field, "name", kind == "polygon" ? model.blocks.back().name : kind,
+                  [](const Field& f) { return f.name(); });
+}
+
+}  // namespace
+
+std::vector<std::string> read_blocks(const Field& scene, Model& model) {
+  const Field blocks = scene.at("blocks");
+  std::vector<std::string> groups;
+  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
+    const std::string group = read_entry(entry, model);
+    groups.resize(model.blocks.size(), group);
+  }
+  return groups;
+}
+
+void read_gravity(const Field& scene, Model& model) {
+  const auto gravity = scene.find("gravity");
+  if (!gravity) return;
+  if (gravity->is_array()) {
+    model.gravity = gravity->vector(Dimension::acceleration);
+    return;
+  }
+  const double size = gravity->quantity(Dimension::acceleration);
+  if (size < 0) gravity->fail("a size, zero or more, of the acceleration downwards, or [x, y]");
+  model.gravity = {0, -size};
+}
+
+}  // namespace dda

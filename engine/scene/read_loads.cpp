@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include "dda/core/error.h"
+#include "dda/scene/places.h"
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+// Why the spring of a support is this stiff: the point gives way by a thousandth of what a block under the same force
+// deforms, and a linear system with it still loses only three of its sixteen digits.
+constexpr double support_stiffness_over_young = 1000;
+
+void refuse(const Field& owner, std::initializer_list<const char*> keys, const char* reason) {
+  for (const char* key : keys) {
+    if (const auto field = owner.find(key)) field->fail(fmt::format("to be left out {}", reason));
+  }
+}
+
+void read_point_load(const Field& field, const GroundPlan& plan, Model& model) {
+  refuse(field, {"traction", "pressure"}, "for a point, which takes a force");
+  const auto [block, point] = read_point(field, plan, model);
+  model.point_loads.push_back({block, point, field.at("force").vector(Dimension::force), read_history(field)});
+}
+
+double total_length(const std::vector<Stretch>& stretches) {
+  double length = 0;
+  for (const Stretch& stretch : stretches) length += (stretch.to - stretch.from).norm();
+  return length;
+}
+
+std::string only_edge_intensity(const Field& field) {
+  std::vector<std::string> given;
+  for (const char* key : {"traction", "force", "pressure"}) {
+    if (field.has(key)) given.emplace_back(key);
+  }
+  if (given.size() == 1) return given.front();
+  throw InputError("", field.path(), fmt::format("given with {} of traction, force and pressure", given.size()),
+                   "exactly one of them");
+}
+
+void read_edge_load(const Field& field, const GroundPlan& plan, Model& model) {
+  const std::vector<Stretch> stretches = read_edge(field, plan, model);
+  const std::string kind = only_edge_intensity(field);
+  const Field value = field.at(kind);
+  const TimeFunction history = read_history(field);
+  const double pressure = kind == "pressure" ? value.quantity(Dimension::stress) : 0;
+  Vec2 traction = Vec2::Zero();
+  if (kind == "traction") traction = value.vector(Dimension::stress);
+  if (kind == "force") traction = value.vector(Dimension::force) / total_length(stretches);
+  for (const Stretch& s : stretches) {
+    model.edge_loads.push_back({s.block, s.from, s.to, traction + pressure * s.inward, history});
+  }
+}
+
+void read_held_directions(const Field& field, PointSupport& support) {
+  const std::size_t hold = value_or(field, "hold", std::size_t{0}, [](const Field& f) {
+    return f.choice({"xy", "x", "y"});
+  });
+  support.holds_x = hold != 2;
+  support.holds_y = hold != 1;
+}
+
+void read_displacement(const Field& field, PointSupport& support) {
+  const auto displacement = field.find("displacement");
+  if (!displacement) return;
+  support.displacement = displacement->vector(Dimension::length);
+  const bool moves_a_free_direction =
+      (!support.holds_x && support.displacement.x() != 0) || (!support.holds_y && support.displacement.y() != 0);
+  if (moves_a_free_direction) displacement->fail("zero in the direction that \"hold\" leaves free");
+}
+
+PointSupport read_support(const Field& field) {
+  PointSupport support;
+  read_held_directions(field, support);
+  read_displacement(field, support);
+  support.history = read_history(field);
+  support.stiffness =
+      value_or(field, "stiffness", 0.0, [](const Field& f) { return f.positive(Dimension::force_per_length); });
+  return support;
+}
+
+void append_support(PointSupport support, int block, const Vec2& point, double share, Model& model) {
+  const double stiffness =
+      support.stiffness > 0 ? support.stiffness : support_stiffness_over_young * model.material_of(block).young;
+  support.block = block;
+  support.point = point;
+  support.stiffness = share * stiffness;
+  model.supports.push_back(std::move(support));
+}
+
+void read_support_entry(const Field& field, const GroundPlan& plan, Model& model) {
+  const PointSupport support = read_support(field);
+  if (field.has("point")) {
+    const auto [block, point] = read_point(field, plan, model);
+    append_support(support, block, point, 1, model);
+    return;
+  }
+  for (const Stretch& stretch : read_edge(field, plan, model)) {
+    append_support(support, stretch.block, stretch.from, 0.5, model);
+    append_support(support, stretch.block, stretch.to, 0.5, model);
+  }
+}
+
+double read_normal_speed(const Field& field, const Material& material) {
+  const auto speed = field.find("normal_speed");
+  if (!speed) return p_wave_speed(material);
+  if (speed->is_text() && speed->text() == "p") return p_wave_speed(material);
+  if (speed->is_text() && speed->text() == "bar") return bar_wave_speed(material);
+  return speed->positive(Dimension::velocity);
+}
+
+double read_shear_speed(const Field& field, const Material& material) {
+  const auto speed = field.find("shear_speed");
+  if (!speed || (speed->is_text() && speed->text() == "s")) return s_wave_speed(material);
+  return speed->positive(Dimension::velocity);
+}
+
+double read_impedance(const Field& field, const char* key, double otherwise) {
+  return value_or(field, key, otherwise, [](const Field& f) { return f.not_negative(Dimension::impedance); });
+}
+
+void read_viscous_boundary(const Field& field, const GroundPlan& plan, Model& model) {
+  if (field.has("normal_impedance")) refuse(field, {"normal_speed"}, "beside normal_impedance");
+  if (field.has("shear_impedance")) refuse(field, {"shear_speed"}, "beside shear_impedance");
+  const double ratio =
+      value_or(field, "ratio", 1.0, [](const Field& f) { return f.positive(Dimension::dimensionless); });
+  for (const Stretch& s : read_edge(field, plan, model)) {
+    const Material& material = model.material_of(s.block);
+    const double normal =
+        read_impedance(field, "normal_impedance", material.density * read_normal_speed(field, material));
+    const double shear = read_impedance(field, "shear_impedance", material.density * read_shear_speed(field, material));
+    model.viscous_edges.push_back({s.block, s.from, s.to, ratio * normal, ratio * shear});
+  }
+}
+
+template <typename Read>
+void read_each(const Field& scene, const char* key, Read read) {
+  const auto list = scene.find(key);
+  if (!list) return;
+  for (const Field& entry : list->items()) read(entry);
+}
+
+}  // namespace
+
+void read_loads(const Field& scene, const GroundPlan& plan, Model& model) {
+  read_each(scene, "loads", [&](const Field& load) {
+    if (load.has("point")) {
+      read_point_load(load, plan, model);
+    } else {
+      read_edge_load(load, plan, model);
+    }
+  });
+}
+
+void read_supports(const Field& scene, const GroundPlan& plan, Model& model) {
+  read_each(scene, "supports", [&](const Field& support) { read_support_entry(support, plan, model); });
+}
+
+void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model) {
+  read_each(scene, "viscous_boundaries", [&](const Field& edge) { read_viscous_boundary(edge, plan, model); });
+}
+
+}  // namespace dda

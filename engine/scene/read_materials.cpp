@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <numbers>
+#include <set>
+
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+PlaneState read_plane(const Field& owner, PlaneState otherwise) {
+  return value_or(owner, "plane", otherwise, [](const Field& field) {
+    return field.choice({"stress", "strain"}) == 0 ? PlaneState::stress : PlaneState::strain;
+  });
+}
+
+double read_poisson(const Field& field, PlaneState plane) {
+  const double poisson = field.quantity(Dimension::dimensionless);
+  const bool strain = plane == PlaneState::strain;
+  if (poisson <= -1 || poisson > 0.5 || (strain && poisson == 0.5)) {
+    field.fail(strain ? "a number above -1 and below 0.5 in plane strain" : "a number above -1 and at most 0.5");
+  }
+  return poisson;
+}
+
+Material read_material(const std::string& name, const Field& field, PlaneState plane) {
+  Material material;
+  material.name = name;
+  material.density = field.at("density").positive(Dimension::mass_density);
+  material.young = field.at("young").positive(Dimension::stress);
+  material.plane = read_plane(field, plane);
+  material.poisson = read_poisson(field.at("poisson"), material.plane);
+  return material;
+}
+
+double read_friction_angle(const Field& field) {
+  const double angle = field.not_negative(Dimension::angle);
+  if (angle < std::numbers::pi / 2) return angle;
+  field.fail(field.is_text() ? "an angle below 90 deg"
+                             : "an angle below 90 deg; without a unit it is in radians, for degrees write \"35 deg\"");
+}
+
+void refuse(const Field& owner, const char* key, const std::string& reason) {
+  if (const auto field = owner.find(key)) field->fail("to be left out " + reason);
+}
+
+void read_springs(const Field& field, JointMaterial& joint) {
+  if (const auto spring = field.find("normal_spring")) {
+    refuse(field, "spring_over_young", "beside normal_spring");
+    joint.normal_spring = spring->positive(Dimension::force_per_length);
+  }
+  joint.spring_over_young = value_or(field, "spring_over_young", joint.spring_over_young,
+                                     [](const Field& f) { return f.positive(Dimension::dimensionless); });
+  joint.shear_to_normal = value_or(field, "shear_to_normal", joint.shear_to_normal,
+                                   [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
+}
+
+void read_consistent_law(const Field& field, JointMaterial& joint) {
+  if (joint.law == InterfaceLaw::classical) {
+    refuse(field, "penalty", "with the classical law");
+    refuse(field, "stabilisation", "with the classical law");
+  }
+  if (const auto penalty = field.find("penalty")) {
+    joint.penalty = penalty->quantity(Dimension::dimensionless);
+    if (joint.penalty <= 1) penalty->fail("a number above 1, below which the law is unstable");
+  }
+  joint.stabilisation = value_or(field, "stabilisation", joint.stabilisation,
+                                 [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
+}
+
+void read_strength(const Field& field, JointMaterial& joint) {
+  const auto strength = [](const Field& f) { return f.not_negative(Dimension::stress); };
+  joint.bonded = value_or(field, "bonded", false, [](const Field& f) { return f.truth(); });
+  joint.friction_angle = value_or(field, "friction_angle", 0.0, read_friction_angle);
+  joint.cohesion = value_or(field, "cohesion", 0.0, strength);
+  joint.tensile_strength = value_or(field, "tensile_strength", 0.0, strength);
+}
+
+JointMaterial read_joint(const std::string& name, const Field& field, const Scheme& scheme) {
+  JointMaterial joint = preset_joint(scheme);
+  joint.name = name;
+  joint.law = value_or(field, "law", joint.law, [](const Field& f) {
+    return f.choice({"consistent", "classical"}) == 0 ? InterfaceLaw::consistent : InterfaceLaw::classical;
+  });
+  read_strength(field, joint);
+  read_springs(field, joint);
+  read_consistent_law(field, joint);
+  return joint;
+}
+
+// A joint under another name than "default" that no pair uses would silently do nothing.
+void refuse_unused_joints(const Field& scene, const Field& joints) {
+  std::set<std::string> used = {"default"};
+  if (const auto pairs = scene.find("joint_pairs")) {
+    for (const Field& pair : pairs->items()) used.insert(pair.at("joint").text());
+  }
+  for (const auto& [name, field] : joints.members()) {
+    if (!used.contains(name)) field.fail("in no entry of joint_pairs", "\"default\" or a name that joint_pairs uses");
+  }
+}
+
+}  // namespace
+
+void read_materials(const Field& scene, Model& model) {
+  const PlaneState plane = read_plane(scene, PlaneState::stress);
+  for (const auto& [name, field] : scene.at("materials").members()) {
+    model.materials.push_back(read_material(name, field, plane));
+  }
+}
+
+void read_joints(const Field& scene, const Scheme& scheme, Model& model) {
+  model.joints = {preset_joint(scheme)};
+  model.joints[0].name = "default";
+  const auto joints = scene.find("joints");
+  if (!joints) return;
+  refuse_unused_joints(scene, *joints);
+  for (const auto& [name, field] : joints->members()) {
+    const JointMaterial joint = read_joint(name, field, scheme);
+    if (name == "default") {
+      model.joints[0] = joint;
+    } else {
+      model.joints.push_back(joint);
+    }
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dda/core/error.h"
+#include "dda/scene/places.h"
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+const std::vector<std::string>& quantity_names() {  // in the order of Quantity
+  static const std::vector<std::string> names = {"stress_xx",      "stress_yy",  "stress_xy",       "displacement_x",
+                                                 "displacement_y", "velocity_x", "velocity_y",      "acceleration_x",
+                                                 "acceleration_y", "rotation",   "traction_normal", "traction_shear"};
+  return names;
+}
+
+bool is_traction(Quantity quantity) {
+  return quantity == Quantity::traction_normal || quantity == Quantity::traction_shear;
+}
+
+// Ways from a point into the block meant: straight to that side, leaning up first where two blocks lie there.
+std::vector<Vec2> directions_to(const std::string& side) {
+  if (side == "right") return {{1, 0.1}, {1, -0.1}, {1, 0}};
+  if (side == "left") return {{-1, 0.1}, {-1, -0.1}, {-1, 0}};
+  if (side == "above") return {{0.1, 1}, {-0.1, 1}, {0, 1}};
+  if (side == "below") return {{0.1, -1}, {-0.1, -1}, {0, -1}};
+  return {{1, 1}, {1, 0}, {0, 1}, {1, -1}, {-1, 1}, {-1, 0}, {0, -1}, {-1, -1}};
+}
+
+int block_on_side(const Field& field, const PlacedPoint& at, const std::vector<int>& blocks, const GroundPlan& plan,
+                  const Model& model) {
+  const std::string side = value_or(field, "side", std::string(), [](const Field& f) { return f.text(); });
+  if (const auto block = plan.block_towards(blocks, at.point, directions_to(side))) return *block;
+  if (side.empty()) return blocks.front();
+  field.at("side").fail(fmt::format("a side of the point on which one of its blocks lies: {}", listed(blocks, model)));
+}
+
+void place_at_centroid(const Field& field, const GroundPlan& plan, const Model& model, Measurement& measurement) {
+  measurement.block = read_block_name(field.at("block"), plan, model);
+  measurement.point = model.blocks[static_cast<std::size_t>(measurement.block)].moments.centroid;
+}
+
+void place_in_block(const Field& field, const GroundPlan& plan, const Model& model, Measurement& measurement) {
+  if (!field.has("point") && field.has("block")) {
+    place_at_centroid(field, plan, model, measurement);
+    return;
+  }
+  measurement.point = field.at("point").vector(Dimension::length);
+  const std::vector<int> blocks = plan.blocks_at(measurement.point);
+  const bool on_a_joint = blocks.size() > 1 && !field.has("block");
+  measurement.block = on_a_joint ? block_on_side(field, {0, measurement.point}, blocks, plan, model)
+                                 : read_point(field, plan, model).block;
+}
+
+void place_on_joint(const Field& field, const GroundPlan& plan, const Model& model, Measurement& measurement) {
+  for (const char* key : {"block", "side"}) {
+    if (const auto given = field.find(key)) given->fail("to be left out for a traction, which two blocks share");
+  }
+  const Field point = field.at("point");
+  measurement.point = point.vector(Dimension::length);
+  const std::vector<int> blocks = plan.blocks_at(measurement.point);
+  if (blocks.size() != 2) {
+    point.fail(fmt::format("a point on the joint between two blocks (at this one: {})",
+                           blocks.empty() ? "none" : listed(blocks, model)));
+  }
+  measurement.block = blocks[0];
+  measurement.other_block = blocks[1];
+}
+
+bool is_taken(const std::string& name, const Model& model) {
+  return std::any_of(model.measurements.begin(), model.measurements.end(),
+                     [&](const Measurement& measurement) { return measurement.name == name; });
+}
+
+std::string free_name(const std::string& quantity, const Model& model) {
+  std::string name = quantity;
+  for (int i = 2; is_taken(name, model); ++i) name = fmt::format("{}_{}", quantity, i);
+  return name;
+}
+
+std::string read_name(const Field& field, const Model& model) {
+  const auto name = field.find("name");
+  if (!name) return free_name(field.at("quantity").text(), model);
+  if (is_taken(name->name(), model)) name->fail("a name that no other measurement has");
+  return name->name();
+}
+
+void read_measurement(const Field& field, const GroundPlan& plan, Model& model) {
+  Measurement measurement;
+  measurement.quantity = static_cast<Quantity>(field.at("quantity").choice(quantity_names()));
+  measurement.name = read_name(field, model);
+  if (is_traction(measurement.quantity)) {
+    place_on_joint(field, plan, model, measurement);
+  } else {
+    place_in_block(field, plan, model, measurement);
+  }
+  model.measurements.push_back(std::move(measurement));
+}
+
+}  // namespace
+
+void read_measurements(const Field& scene, const GroundPlan& plan, Model& model) {
+  const auto measurements = scene.find("measurements");
+  if (!measurements) return;
+  for (const Field& measurement : measurements->items()) read_measurement(measurement, plan, model);
+}
+
+}  // namespace dda

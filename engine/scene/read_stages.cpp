@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+Integrator read_integrator(const Field& field) {
+  if (field.is_text()) {
+    const std::size_t choice = field.choice({"thesis", "trapezoidal", "static"});
+    return choice == 0 ? thesis_integrator() : choice == 1 ? trapezoidal_integrator() : static_integrator();
+  }
+  if (const auto alpha = field.find("hht")) return hht_integrator(alpha->within(0, 1.0 / 3));
+  return generalized_alpha_integrator(field.at("generalized_alpha").within(0, 1));
+}
+
+Kinematics read_kinematics(const Field& field) {
+  return field.choice({"finite", "small"}) == 0 ? Kinematics::finite : Kinematics::small;
+}
+
+SolverRequest read_solver(const Field& field) {
+  using enum SolverRequest;
+  return std::vector{automatic, cholesky, pcg, dense}.at(field.choice({"auto", "cholesky", "pcg", "dense"}));
+}
+
+void read_duration(const Field& field, Stage& stage) {
+  stage.dt = field.at("dt").positive(Dimension::time);
+  const Field duration = field.at("duration");
+  stage.duration = duration.positive(Dimension::time);
+  if (stage.duration < 0.5 * stage.dt) duration.fail(fmt::format("at least one step of {} s", stage.dt));
+  if (stage.duration > 1e12 * stage.dt) duration.fail(fmt::format("at most 1e12 steps of {} s", stage.dt));
+}
+
+void read_damping(const Field& field, Stage& stage) {
+  stage.velocity_factor =
+      value_or(field, "velocity_factor", stage.velocity_factor, [](const Field& f) { return f.within(0, 1); });
+  stage.damping_rate = value_or(field, "damping_rate", stage.damping_rate,
+                                [](const Field& f) { return f.not_negative(Dimension::rate); });
+  stage.strain_inertia = value_or(field, "strain_inertia", stage.strain_inertia,
+                                  [](const Field& f) { return f.positive(Dimension::dimensionless); });
+}
+
+void read_limits(const Field& field, Stage& stage) {
+  const auto whole = [](const Field& f) { return f.whole_number(); };
+  stage.max_open_close_iterations =
+      value_or(field, "max_open_close_iterations", stage.max_open_close_iterations, whole);
+  stage.max_step_reductions = value_or(field, "max_step_reductions", stage.max_step_reductions, whole);
+}
+
+Stage read_stage(const Field& field, std::string name, const Scheme& scheme, bool all_bonded) {
+  const Kinematics kinematics = value_or(field, "kinematics", Kinematics::finite, read_kinematics);
+  Stage stage = preset_stage(scheme, kinematics, all_bonded);
+  stage.name = value_or(field, "name", std::move(name), [](const Field& f) { return f.name(); });
+  stage.integrator = value_or(field, "integrator", stage.integrator, read_integrator);
+  stage.solver = value_or(field, "solver", stage.solver, read_solver);
+  read_duration(field, stage);
+  read_damping(field, stage);
+  read_limits(field, stage);
+  return stage;
+}
+
+}  // namespace
+
+Scheme read_scheme(const Field& scene) {
+  Scheme scheme;
+  scheme.name = value_or(scene, "scheme", scheme.name, [](const Field& f) {
+    return f.choice({"accurate", "thesis"}) == 0 ? SchemeName::accurate : SchemeName::thesis;
+  });
+  if (const auto frequency = scene.find("target_frequency")) {
+    scheme.target_frequency = frequency->positive(Dimension::frequency);
+  }
+  return scheme;
+}
+
+void read_stages(const Field& scene, const Scheme& scheme, Model& model) {
+  const bool all_bonded = std::all_of(model.joints.begin(), model.joints.end(), [](const auto& j) { return j.bonded; });
+  const Field steps = scene.at("steps");
+  if (!steps.is_array()) {
+    model.stages.push_back(read_stage(steps, "run", scheme, all_bonded));
+    return;
+  }
+  std::set<std::string> names;
+  for (const Field& step : steps.items()) {
+    const std::string name = fmt::format("stage {}", model.stages.size() + 1);
+    model.stages.push_back(read_stage(step, name, scheme, all_bonded));
+    if (!names.insert(model.stages.back().name).second) step.at("name").fail("a name that no stage before has");
+  }
+}
+
+}  // namespace dda

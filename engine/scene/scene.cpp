@@ -1,0 +1,73 @@
+#include "dda/scene/scene.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+
+#include "dda/core/error.h"
+#include "dda/scene/json_text.h"
+#include "dda/scene/schema_check.h"
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+void read_blocks_and_joints(const Field& scene, const Scheme& scheme, Model& model) {
+  read_materials(scene, model);
+  read_joints(scene, scheme, model);
+  const std::vector<std::string> groups = read_blocks(scene, model);
+  read_joint_pairs(scene, groups, model);
+  read_gravity(scene, model);
+}
+
+void read_what_acts(const Field& scene, Model& model) {
+  const GroundPlan plan(model);
+  read_loads(scene, plan, model);
+  read_supports(scene, plan, model);
+  read_viscous_boundaries(scene, plan, model);
+  read_measurements(scene, plan, model);
+}
+
+Model read_model(const Field& scene) {
+  Model model;
+  const Scheme scheme = read_scheme(scene);
+  if (const auto title = scene.find("title")) model.title = title->text();
+  read_blocks_and_joints(scene, scheme, model);
+  finish_model(model);  // what follows needs the moments, and blocks that do not overlap
+  read_what_acts(scene, model);
+  read_stages(scene, scheme, model);
+  finish_model(model);
+  return model;
+}
+
+std::string file_text(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw InputError(file.string(), "the scene file", "a directory", "a JSON file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    const bool exists = std::filesystem::exists(file, ignored);
+    throw InputError(file.string(), "the scene file", exists ? "not readable" : "missing", "a JSON file");
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+Model parse_scene(std::string_view json_text, const std::string& name_for_errors) {
+  try {
+    const nlohmann::json document = parse_json(json_text);
+    check_schema(document);
+    return read_model(Field(document, ""));
+  } catch (const InputError& error) {
+    throw error.in_file(name_for_errors);
+  }
+}
+
+Model read_scene(const std::filesystem::path& file) { return parse_scene(file_text(file), file.string()); }
+
+}  // namespace dda

@@ -1,0 +1,22 @@
+// Scene files: JSON to Model. The format is docs/scene.md; its schema is scene.schema.json.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "dda/model/model.h"
+
+namespace dda {
+
+// Reads and checks a scene; the model has gone through finish_model. Throws InputError with one sentence naming the
+// file, the field as a JSON path (loads[0].history.sine.frequency), its value and what was expected.
+Model read_scene(const std::filesystem::path& file);
+
+// The same from text; `name_for_errors` takes the place of the file's name.
+Model parse_scene(std::string_view json_text, const std::string& name_for_errors);
+
+// The published JSON Schema (draft 7) of scene files, as text.
+std::string_view scene_schema();
+
+}  // namespace dda

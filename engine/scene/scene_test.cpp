@@ -1,0 +1,243 @@
+// Good scenes: what each section becomes in the model.
+#include "dda/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "dda/core/error.h"
+
+namespace dda {
+namespace {
+
+// A 4 m x 1 m bar of two blocks, with further sections from `more` and `steps`.
+Model bar_with(const std::string& more, const std::string& steps = R"({"dt": 1e-4, "duration": 0.01})") {
+  const std::string text = R"({"dda": 1, "materials": {"rock": {"density": 2500, "young": "40 GPa", "poisson": 0.25}},
+    "blocks": {"bar": {"length": 4, "height": 1, "block_length": 2}},)" +
+                           more + (more.empty() ? "" : ",") + R"("steps": )" + steps + "}";
+  return parse_scene(text, "scene.json");
+}
+
+TEST(Scene, NumbersAreTheSameWithUnitsAndWithout) {
+  const Model plain = bar_with(R"("gravity": [0, -9.81], "target_frequency": 100)");
+  const Model units =
+      bar_with(R"("gravity": "9810 mm/s2", "target_frequency": "0.1 kHz")", R"({"dt": "0.1 ms", "duration": "10 ms"})");
+  EXPECT_EQ(plain.gravity, Vec2(0, -9.81));
+  EXPECT_EQ(units.gravity, Vec2(0, -9.81));
+  EXPECT_EQ(units.stages[0].dt, plain.stages[0].dt);
+  EXPECT_EQ(units.stages[0].duration, 0.01);
+  EXPECT_EQ(units.materials[0].young, 40e9);
+}
+
+TEST(Scene, PlaneIsOfTheSceneUnlessOfTheMaterial) {
+  const auto plane_of = [](const std::string& scene, const std::string& material) {
+    return parse_scene(R"({"dda": 1, )" + scene + R"("materials": {"m": {"density": 1, "young": 1, "poisson": 0)" +
+                           material + R"(}}, "blocks": {"bar": {"length": 1, "height": 1, "block_length": 1}},
+                           "steps": {"dt": 1, "duration": 1}})",
+                       "scene.json")
+        .materials[0]
+        .plane;
+  };
+  EXPECT_EQ(plane_of("", ""), PlaneState::stress);
+  EXPECT_EQ(plane_of(R"("plane": "strain",)", ""), PlaneState::strain);
+  EXPECT_EQ(plane_of(R"("plane": "strain",)", R"(, "plane": "stress")"), PlaneState::stress);
+}
+
+TEST(Scene, JointsTakeWhatTheyLeaveUnsaidFromTheScheme) {
+  const Model accurate = bar_with(R"("joints": {"default": {"friction_angle": "30 deg", "cohesion": "1 MPa"}})");
+  EXPECT_EQ(accurate.joints[0].law, InterfaceLaw::consistent);
+  EXPECT_DOUBLE_EQ(accurate.joints[0].friction_angle, std::numbers::pi / 6);
+  EXPECT_EQ(accurate.joints[0].cohesion, 1e6);
+  const Model thesis = bar_with(R"("scheme": "thesis", "joints": {"default": {"shear_to_normal": 0.5}})");
+  EXPECT_EQ(thesis.joints[0].law, InterfaceLaw::classical);
+  EXPECT_EQ(thesis.joints[0].spring_over_young, 10);
+  EXPECT_EQ(thesis.joints[0].shear_to_normal, 0.5);
+}
+
+TEST(Scene, IntegratorFollowsFromSchemeJointsAndKinematics) {
+  const std::string bonded = R"("joints": {"default": {"bonded": true}})";
+  const std::string small = R"({"dt": 1, "duration": 1, "kinematics": "small"})";
+  EXPECT_EQ(bar_with(bonded).stages[0].integrator.name, "trapezoidal");
+  EXPECT_EQ(bar_with("").stages[0].integrator.name, "generalized_alpha");
+  EXPECT_EQ(bar_with("", small).stages[0].integrator.name, "trapezoidal");
+  EXPECT_EQ(bar_with(R"("scheme": "thesis")").stages[0].integrator.name, "thesis");
+  EXPECT_EQ(bar_with("", small).stages[0].kinematics, Kinematics::small);
+  EXPECT_EQ(bar_with("").stages[0].kinematics, Kinematics::finite);
+}
+
+TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
+  const Model model = bar_with("", R"([{"dt": 1, "duration": 5, "integrator": "static", "solver": "pcg"},
+    {"name": "go", "dt": 0.1, "duration": 2, "integrator": {"hht": 0.1}, "velocity_factor": "99 %", "damping_rate": "2 1/s",
+     "strain_inertia": 2, "max_open_close_iterations": 7, "max_step_reductions": 0, "solver": "dense"},
+    {"dt": 1, "duration": 1, "integrator": {"generalized_alpha": 0.5}}])");
+  ASSERT_EQ(model.stages.size(), 3U);
+  EXPECT_EQ(model.stages[0].name, "stage 1");
+  EXPECT_TRUE(model.stages[0].integrator.is_static);
+  EXPECT_EQ(model.stages[0].solver, SolverRequest::pcg);
+  const Stage& go = model.stages[1];
+  EXPECT_EQ(go.name, "go");
+  EXPECT_EQ(go.integrator.alpha_f, 0.1);
+  EXPECT_EQ(go.velocity_factor, 0.99);
+  EXPECT_EQ(go.damping_rate, 2);
+  EXPECT_EQ(go.strain_inertia, 2);
+  EXPECT_EQ(go.max_open_close_iterations, 7);
+  EXPECT_EQ(go.max_step_reductions, 0);
+  EXPECT_EQ(go.solver, SolverRequest::dense);
+  EXPECT_EQ(model.stages[2].integrator.alpha_f, generalized_alpha_integrator(0.5).alpha_f);
+}
+
+TEST(Scene, JointPairsBetweenGroupsMaterialsAndBlocks) {
+  const Model model = parse_scene(R"({"dda": 1,
+    "materials": {"hard": {"density": 1, "young": 1, "poisson": 0}, "soft": {"density": 1, "young": 1, "poisson": 0}},
+    "joints": {"default": {}, "clay": {"cohesion": 5}, "fault": {"cohesion": 7}},
+    "joint_pairs": [{"between": ["hard", "soft"], "joint": "clay"}, {"between": ["bar 2", "lid"], "joint": "fault"}],
+    "blocks": [{"bar": {"length": 2, "height": 1, "block_length": 1, "material": "hard"}},
+               {"polygon": {"name": "lid", "material": "soft", "vertices": [[0, 1], [2, 1], [2, 2], [0, 2]]}}],
+    "steps": {"dt": 1, "duration": 1}})",
+                                  "scene.json");
+  EXPECT_EQ(model.joint_between(0, 1).name, "default");
+  EXPECT_EQ(model.joint_between(0, 2).cohesion, 5);
+  EXPECT_EQ(model.joint_between(2, 1).cohesion, 7);
+}
+
+TEST(Scene, TotalForceOnAnEdgeIsSpreadOverAllItsStretches) {
+  const Model model = bar_with(R"("loads": [{"edge": "top", "force": ["8 kN", 0]}])");
+  ASSERT_EQ(model.edge_loads.size(), 2U);
+  Vec2 total = Vec2::Zero();
+  for (const EdgeLoad& load : model.edge_loads) total += (load.to - load.from).norm() * load.traction;
+  EXPECT_EQ(total, Vec2(8000, 0));
+  EXPECT_EQ(model.edge_loads[0].traction, Vec2(2000, 0));
+}
+
+TEST(Scene, PressurePushesIntoTheBlock) {
+  for (const auto& [edge, direction] : std::vector<std::pair<std::string, Vec2>>{
+           {R"("left")", {1, 0}}, {R"("right")", {-1, 0}}, {R"("top")", {0, -1}}, {R"("bottom")", {0, 1}}}) {
+    const Model model = bar_with(R"("loads": [{"edge": )" + edge + R"(, "pressure": "1 kPa"}])");
+    EXPECT_EQ(model.edge_loads.at(0).traction, Vec2(1000 * direction)) << edge;
+  }
+}
+
+TEST(Scene, PressureInAHolePushesOutwards) {
+  const Model model = parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": {"polygon": {"vertices": [[0, 0], [3, 0], [3, 3], [0, 3]], "holes": [[[1, 1], [2, 1], [2, 2], [1, 2]]]}},
+    "loads": [{"edge": {"from": [1, 1], "to": [2, 1]}, "pressure": 5}], "steps": {"dt": 1, "duration": 1}})",
+                                  "scene.json");
+  ASSERT_EQ(model.edge_loads.size(), 1U);
+  EXPECT_EQ(model.edge_loads[0].traction, Vec2(0, -5));
+}
+
+TEST(Scene, EdgeIsCutToTheEndsOfItsLine) {
+  const Model model = bar_with(R"("loads": [{"edge": {"from": [3, 1], "to": [0.5, 1]}, "traction": [0, -1]}])");
+  ASSERT_EQ(model.edge_loads.size(), 2U);
+  double length = 0;
+  for (const EdgeLoad& load : model.edge_loads) length += (load.to - load.from).norm();
+  EXPECT_DOUBLE_EQ(length, 2.5);
+}
+
+TEST(Scene, EdgeOnAJointTakesTheNamedSide) {
+  const Model model =
+      bar_with(R"("loads": [{"edge": {"from": [2, 0], "to": [2, 1]}, "block": "bar 2", "pressure": 1}])");
+  ASSERT_EQ(model.edge_loads.size(), 1U);
+  EXPECT_EQ(model.edge_loads[0].block, 1);
+  EXPECT_EQ(model.edge_loads[0].traction, Vec2(1, 0));
+}
+
+TEST(Scene, Histories) {
+  const auto history = [](const std::string& text) {
+    return bar_with(R"("loads": [{"point": [0, 0], "force": [1, 0], "history": )" + text + "}]")
+        .point_loads.at(0)
+        .history;
+  };
+  const auto sine = std::get<SineCycles>(history(R"({"sine": {"frequency": "2 kHz", "cycles": 3, "start": "1 ms"}})"));
+  EXPECT_EQ(sine.frequency, 2000);
+  EXPECT_EQ(sine.cycles, 3);
+  EXPECT_EQ(sine.start, 0.001);
+  EXPECT_EQ(std::get<SineCycles>(history(R"({"sine": {"frequency": 1}})")).cycles,
+            std::numeric_limits<double>::infinity());
+  const auto table = std::get<PiecewiseLinear>(history(R"({"table": [[0, 0], ["5 ms", "50 %"]]})"));
+  EXPECT_EQ(table.times, (std::vector<double>{0, 0.005}));
+  EXPECT_EQ(table.values, (std::vector<double>{0, 0.5}));
+  EXPECT_EQ(std::get<ExponentialDecay>(history(R"({"decay": {"decay_time": "2 ms"}})")).decay_time, 0.002);
+}
+
+TEST(Scene, EdgeSupportHoldsTheEndsOfEachStretch) {
+  const Model model =
+      bar_with(R"("supports": [{"edge": "bottom", "hold": "y", "stiffness": "6 GN/m"}, {"point": [0, 1]}])");
+  ASSERT_EQ(model.supports.size(), 5U);
+  EXPECT_EQ(model.supports[0].stiffness, 3e9);
+  EXPECT_FALSE(model.supports[0].holds_x);
+  EXPECT_EQ(model.supports[2].block, 1);
+  EXPECT_EQ(model.supports[4].stiffness, 40e12);
+  EXPECT_TRUE(model.supports[4].holds_x && model.supports[4].holds_y);
+}
+
+TEST(Scene, ViscousBoundariesMatchTheWavesOfTheirBlock) {
+  const Model model = bar_with(R"("viscous_boundaries": [{"edge": "left"}, {"edge": "right", "normal_speed": "bar",
+    "shear_impedance": "1 MPa s/m", "ratio": 0.5}, {"edge": "top", "normal_speed": "2 km/s"}])");
+  const Material& rock = model.materials[0];
+  EXPECT_DOUBLE_EQ(model.viscous_edges[0].normal_impedance, 2500 * p_wave_speed(rock));
+  EXPECT_DOUBLE_EQ(model.viscous_edges[0].shear_impedance, 2500 * s_wave_speed(rock));
+  EXPECT_DOUBLE_EQ(model.viscous_edges[1].normal_impedance, 1250 * bar_wave_speed(rock));
+  EXPECT_DOUBLE_EQ(model.viscous_edges[1].shear_impedance, 0.5e6);
+  EXPECT_DOUBLE_EQ(model.viscous_edges[3].normal_impedance, 5e6);
+}
+
+int measured_block(const std::string& place) {
+  const std::string grid = R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": {"grid": {"columns": 2, "rows": 2, "block_width": 2, "block_height": 1}}, "steps": {"dt": 1, "duration": 1},
+    "measurements": [{"quantity": "stress_xx", )";
+  return parse_scene(grid + place + "}]}", "scene.json").measurements.at(0).block;
+}
+
+// Blocks 0 and 1 below, 2 and 3 above.
+TEST(Scene, PointOnAJointIsMeasuredRightAndAboveUnlessSaidOtherwise) {
+  EXPECT_EQ(measured_block(R"("point": [1, 0.5])"), 0);
+  EXPECT_EQ(measured_block(R"("point": [2, 0.5])"), 1);
+  EXPECT_EQ(measured_block(R"("point": [2, 0])"), 1);
+  EXPECT_EQ(measured_block(R"("point": [1, 1])"), 2);
+  EXPECT_EQ(measured_block(R"("point": [2, 1])"), 3);
+  EXPECT_EQ(measured_block(R"("point": [2, 2])"), 3);
+  EXPECT_EQ(measured_block(R"("point": [2, 0.5], "side": "left")"), 0);
+  EXPECT_EQ(measured_block(R"("point": [1, 1], "side": "below")"), 0);
+  EXPECT_EQ(measured_block(R"("point": [2, 1], "side": "left")"), 2);
+  EXPECT_EQ(measured_block(R"("point": [2, 1], "side": "below")"), 1);
+  EXPECT_EQ(measured_block(R"("point": [2, 1], "block": "grid 1.1")"), 0);
+  EXPECT_EQ(measured_block(R"("block": "grid 2.1")"), 2);
+}
+
+TEST(Scene, MeasurementsAreNamedByTheirQuantityAndNumbered) {
+  const Model model = bar_with(R"("measurements": [{"quantity": "rotation", "block": "bar 1"},
+    {"quantity": "rotation", "block": "bar 2"}, {"name": "joint", "quantity": "traction_normal", "point": [2, 0.5]}])");
+  EXPECT_EQ(model.measurements[0].name, "rotation");
+  EXPECT_EQ(model.measurements[0].point, Vec2(1, 0.5));
+  EXPECT_EQ(model.measurements[1].name, "rotation_2");
+  EXPECT_EQ(model.measurements[2].name, "joint");
+  EXPECT_EQ(model.measurements[2].block, 0);
+  EXPECT_EQ(model.measurements[2].other_block, 1);
+}
+
+TEST(Scene, PolygonBlocksMayBeGivenEitherWayRound) {
+  const Model model = parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": {"polygon": {"vertices": [[0, 0], [0, 2], [2, 2], [2, 0]], "initial_velocity": [1, 2],
+      "initial_spin": "180 deg/s", "initial_stress": {"xx": "-1 MPa", "xy": 3}}}, "steps": {"dt": 1, "duration": 1}})",
+                                  "scene.json");
+  const Block& block = model.blocks.at(0);
+  EXPECT_EQ(block.moments.area, 4);
+  EXPECT_EQ(block.name, "block 1");
+  EXPECT_EQ(block.initial_velocity, Vec2(1, 2));
+  EXPECT_EQ(block.initial_spin, std::numbers::pi);
+  EXPECT_EQ(block.initial_stress, Vec3(-1e6, 0, 3));
+}
+
+// Points and edges written with seven digits still find their block.
+TEST(Scene, PlacesNeedNotBeExact) {
+  const Model model = bar_with(R"("loads": [{"point": [-1e-7, 0.3333333], "force": [1, 0]},
+    {"edge": {"from": [1.33333333, 1.0000001], "to": [4, 1]}, "traction": [1, 0]}])");
+  EXPECT_EQ(model.point_loads.at(0).block, 0);
+  EXPECT_EQ(model.edge_loads.size(), 2U);
+}
+
+}  // namespace
+}  // namespace dda

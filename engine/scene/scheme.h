@@ -1,0 +1,27 @@
+// Presets: what a scene's joints and steps leave unsaid.
+#pragma once
+
+#include <optional>
+
+#include "dda/model/material.h"
+#include "dda/model/settings.h"
+
+namespace dda {
+
+enum class SchemeName {
+  accurate,  // consistent joints; no numerical damping where nothing opens or slides
+  thesis,    // classical springs of 10 E and Eq. 5, as in Zelig (2015)
+};
+
+struct Scheme {
+  SchemeName name = SchemeName::accurate;
+  std::optional<double> target_frequency;  // Hz, the highest that matters
+};
+
+// A joint that says nothing.
+JointMaterial preset_joint(const Scheme& scheme);
+
+// A stage that says nothing but its kinematics; `all_bonded`: no joint of the model can open or slide.
+Stage preset_stage(const Scheme& scheme, Kinematics kinematics, bool all_bonded);
+
+}  // namespace dda

@@ -1,0 +1,32 @@
+// The sections of a scene, each read into the model. They trust the schema for the shape of the document and check what
+// it cannot: values, units, names and places. All throw InputError (without a file).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dda/model/model.h"
+#include "dda/scene/field.h"
+#include "dda/scene/ground_plan.h"
+#include "dda/scene/scheme.h"
+
+namespace dda {
+
+Scheme read_scheme(const Field& scene);
+void read_materials(const Field& scene, Model& model);
+void read_joints(const Field& scene, const Scheme& scheme, Model& model);
+
+// Returns the group of each block: the name of its generator, of a polygon its own.
+std::vector<std::string> read_blocks(const Field& scene, Model& model);
+void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups, Model& model);
+void read_gravity(const Field& scene, Model& model);
+
+// These need the blocks complete, as finish_model leaves them.
+void read_loads(const Field& scene, const GroundPlan& plan, Model& model);
+void read_supports(const Field& scene, const GroundPlan& plan, Model& model);
+void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model);
+void read_measurements(const Field& scene, const GroundPlan& plan, Model& model);
+
+void read_stages(const Field& scene, const Scheme& scheme, Model& model);
+
+}  // namespace dda

@@ -1,5 +1,5 @@
 // Keeps the libraries under CHOLMOD from starting threads of their own: on the small dense blocks of these factors they
-// cost 2.5 to 3.5 times the work they share, and the order of their sums would change the bits.
+// cost several times the work they share (README), and the order of their sums would change the bits.
 #pragma once
 
 namespace dda {

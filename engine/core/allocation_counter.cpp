@@ -29,10 +29,12 @@ const int hooks_installed = __sanitizer_install_malloc_and_free_hooks(on_malloc,
 // Definitions in the program come before those of the C library, for the program and for every library it loads. The
 // real work stays with glibc, by the names it exports for this purpose.
 extern "C" {
+// NOLINTBEGIN(readability-identifier-naming)
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t number, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
+// NOLINTEND(readability-identifier-naming)
 
 void* malloc(std::size_t size) {
   count.fetch_add(1, std::memory_order_relaxed);

@@ -1,6 +1,9 @@
 #include "dda/contact/contact_set.h"
 
+#include <algorithm>
 #include <cstddef>
+
+#include "dda/contact/cubic_law.h"
 
 namespace dda {
 namespace {
@@ -9,6 +12,17 @@ using Segment6 = Eigen::VectorBlock<Eigen::VectorXd, 6>;
 
 Vec2 moved(const Model& model, const State& state, int block, const Vec2& reference) {
   return current_position(model, state, block, reference);
+}
+
+bool stays_linear(const Model& model) {
+  return std::all_of(model.joints.begin(), model.joints.end(), [](const JointMaterial& joint) { return joint.bonded; }) &&
+         std::all_of(model.stages.begin(), model.stages.end(),
+                     [](const Stage& stage) { return stage.kinematics == Kinematics::small; });
+}
+
+InterfaceLaw usable_law(InterfaceLaw wanted, const Interface& interface, bool can_be_cubic) {
+  if (interface.length == 0) return InterfaceLaw::classical;
+  return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
 }
 
 }  // namespace
@@ -34,11 +48,13 @@ ContactSet make_contacts(const Model& model) {
   ContactSet contacts;
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
+  const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
+  const bool cubic_allowed = stays_linear(model);
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
-    const InterfaceLaw law = interface.length > 0 ? joint.law : InterfaceLaw::classical;
-    InterfaceElement element = make_element(model, interface, law);
+    InterfaceElement element =
+        make_element(model, interface, usable_law(joint.law, interface, cubic_allowed && cubic[i]));
     set_geometry(model, reference_frame(model, interface), element);
     const Vec3& stress_a = model.blocks[static_cast<std::size_t>(interface.block_a)].initial_stress;
     const Vec3& stress_b = model.blocks[static_cast<std::size_t>(interface.block_b)].initial_stress;
@@ -48,6 +64,27 @@ ContactSet make_contacts(const Model& model) {
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
   return contacts;
+}
+
+InterfaceState linear_state(const InterfaceElement& element, const Vec6& displacement_a, const Vec6& displacement_b,
+                            const Vec3& stress_a, const Vec3& stress_b) {
+  InterfaceState state;
+  state.gap = element.rows_a * displacement_a + element.rows_b * displacement_b;
+  state.force = elastic_force(element, state.gap, stress_a, stress_b);
+  return state;
+}
+
+Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,
+                   const InterfaceState& state) {
+  if (element.length == 0) return Vec2::Zero();
+  Vec2 force = state.force.head<2>();
+  if (element.law == InterfaceLaw::classical) force += state.force.tail<2>();
+  if (element.law == InterfaceLaw::cubic) {
+    const double unit =
+        side_free_modulus(model.material_of(interface.block_a)) * element.length / cubic_half_distance(model, interface);
+    force(0) += (cubic::gap_at_interface - cubic::gap_stiffness) * unit * state.gap(0);
+  }
+  return force / element.length;
 }
 
 void update_geometry(const Model& model, const State& state, ContactSet& contacts) {
@@ -61,9 +98,9 @@ void add_interface_force(const InterfaceElement& element, const Vec4& interface_
   Segment6 on_b = force.segment<6>(6 * element.block_b);
   on_a.noalias() += element.rows_a.transpose() * interface_force;
   on_b.noalias() += element.rows_b.transpose() * interface_force;
-  if (element.law == InterfaceLaw::classical) return;
-  on_a.tail<3>().noalias() += element.traction_rows_a.transpose() * gap.head<2>();
-  on_b.tail<3>().noalias() += element.traction_rows_b.transpose() * gap.head<2>();
+  if (!has_stress_rows(element)) return;
+  on_a.tail<3>().noalias() += element.strain_rows_a.transpose() * gap;
+  on_b.tail<3>().noalias() += element.strain_rows_b.transpose() * gap;
 }
 
 void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force) {
@@ -81,22 +118,22 @@ InterfaceStiffness stiffness_of(const InterfaceElement& element, const Vec4& mas
   k.aa = element.rows_a.transpose() * stiffness * element.rows_a;
   k.bb = element.rows_b.transpose() * stiffness * element.rows_b;
   k.ba = element.rows_b.transpose() * stiffness * element.rows_a;
-  if (element.law == InterfaceLaw::classical) return k;
-  const Eigen::Matrix<double, 6, 3> a = element.rows_a.topRows<2>().transpose() * element.traction_rows_a;
-  const Eigen::Matrix<double, 6, 3> b = element.rows_b.topRows<2>().transpose() * element.traction_rows_b;
+  if (!has_stress_rows(element)) return k;
+  const Eigen::Matrix<double, 6, 3> a = element.rows_a.transpose() * element.strain_rows_a;
+  const Eigen::Matrix<double, 6, 3> b = element.rows_b.transpose() * element.strain_rows_b;
   k.aa.rightCols<3>() += a;
   k.aa.bottomRows<3>() += a.transpose();
   k.bb.rightCols<3>() += b;
   k.bb.bottomRows<3>() += b.transpose();
-  k.ba.rightCols<3>() += element.rows_b.topRows<2>().transpose() * element.traction_rows_a;
-  k.ba.bottomRows<3>() += element.traction_rows_b.transpose() * element.rows_a.topRows<2>();
+  k.ba.rightCols<3>() += element.rows_b.transpose() * element.strain_rows_a;
+  k.ba.bottomRows<3>() += element.strain_rows_b.transpose() * element.rows_a;
   return k;
 }
 
 double interface_energy(const InterfaceElement& element, const InterfaceState& state) {
-  // An open end has a gap without energy: its force is zero. In the consistent law force = K g + traction.
+  // An open end has a gap without energy: its force is zero. Elsewhere force = K g + stress rows.
   const Vec4 spring = element.stiffness.cwiseProduct(state.gap);
-  if (element.law == InterfaceLaw::consistent) return state.gap.dot(state.force - spring / 2);
+  if (has_stress_rows(element)) return state.gap.dot(state.force - spring / 2);
   return state.gap.dot(state.force) / 2;
 }
 

@@ -20,7 +20,19 @@ struct ContactSet {
   bool can_change = false;  // some joint can open, slide or break
 };
 
+// Cubic joints become consistent ones unless all joints are bonded and all stages have small kinematics: only then is
+// the inertia between blocks constant.
 ContactSet make_contacts(const Model& model);
+
+// The state of an interface in a scene that never left its first configuration: from the blocks' total displacements
+// and current stresses, instead of step by step.
+InterfaceState linear_state(const InterfaceElement& element, const Vec6& displacement_a, const Vec6& displacement_b,
+                            const Vec3& stress_a, const Vec3& stress_b);
+
+// Mean normal and shear traction over the interface, Pa, tension positive; the cubic law's normal value is the one its
+// reconstruction has at the interface. Zero where blocks touch in a point.
+Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,
+                   const InterfaceState& state);
 
 // Where an interface is now: its ends follow their blocks, its normal turns with the mean of the two edges.
 InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface);

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "dda/contact/cubic_law.h"
+
 namespace dda {
 namespace {
 
@@ -50,15 +52,59 @@ Vec4 consistent_stiffness(const Model& model, const Interface& interface) {
   return {joint.penalty * unit, joint.penalty * unit, joint.stabilisation * unit, joint.stabilisation * unit};
 }
 
+// Stiffness of the cubic law: rows 0 and 2 from the reconstruction, 1 by Nitsche's penalty, and on 3 the bending
+// stiffness E I/L that two constant-strain blocks lack.
+Vec4 cubic_stiffness(const Model& model, const Interface& interface) {
+  const double half = cubic_half_distance(model, interface);
+  const double unit = side_free_modulus(model.material_of(interface.block_a)) * interface.length / half;
+  return {cubic::gap_stiffness * unit, consistent_stiffness(model, interface)(1), cubic::jump_stiffness * unit,
+          cubic::bending_stiffness * unit};
+}
+
+// Normal strain times `half`, over the six unknowns.
+Eigen::Matrix<double, 1, 6> normal_strain_row(const Vec2& n, double half) {
+  Eigen::Matrix<double, 1, 6> row;
+  row << 0, 0, 0, half * n.x() * n.x(), half * n.y() * n.y(), half * n.x() * n.y();
+  return row;
+}
+
 Mat46 rows_of(const Mat2& axes, const Vec2& from, const Vec2& to, const Vec2& centroid, InterfaceLaw law) {
   const Mat26 first = axes * displacement_rows(from - centroid);
   const Mat26 last = axes * displacement_rows(to - centroid);
+  const Mat26 half_difference = (last - first) / 2;
   Mat46 rows;
-  if (law == InterfaceLaw::classical) {
-    rows << first, last;
-  } else {
-    rows << (first + last) / 2, (last - first) / 2;
+  switch (law) {
+    case InterfaceLaw::classical:
+      rows << first, last;
+      break;
+    case InterfaceLaw::consistent:
+      rows << (first + last) / 2, half_difference;
+      break;
+    case InterfaceLaw::cubic:
+      rows << (first + last) / 2, normal_strain_row(axes.row(0), ((from + to) / 2 - centroid).norm()),
+          half_difference.row(0);
+      break;
   }
+  return rows;
+}
+
+// sigma_nn over the components (xx, yy, xy).
+Eigen::RowVector3d normal_stress_row(const Vec2& n) { return {n.x() * n.x(), n.y() * n.y(), 2 * n.x() * n.y()}; }
+
+// The stress rows of a block on the a side (side = 1) or b side (side = -1).
+Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side, const Material& material) {
+  Mat43 rows = Mat43::Zero();
+  if (law == InterfaceLaw::classical) return rows;
+  const Vec2 n = axes.row(0);
+  Eigen::Matrix<double, 2, 3> traction;
+  traction << n.x(), 0, n.y(), 0, n.y(), n.x();
+  rows.topRows<2>() = length / 2 * axes * traction;
+  if (law == InterfaceLaw::consistent) return rows;
+  const Vec2 side_direction = axes.row(1);
+  const Eigen::RowVector3d axial =
+      normal_stress_row(n) - side_free_ratio(material) * normal_stress_row(side_direction);
+  rows.row(0) = length / 2 * axial;
+  rows.row(2) = side * cubic::jump_traction * length * axial;
   return rows;
 }
 
@@ -72,8 +118,15 @@ InterfaceFrame reference_frame(const Model& model, const Interface& interface) {
 }
 
 Vec4 interface_stiffness(const Model& model, const Interface& interface, InterfaceLaw law) {
-  return law == InterfaceLaw::classical ? classical_stiffness(model, interface)
-                                        : consistent_stiffness(model, interface);
+  switch (law) {
+    case InterfaceLaw::classical:
+      return classical_stiffness(model, interface);
+    case InterfaceLaw::consistent:
+      return consistent_stiffness(model, interface);
+    case InterfaceLaw::cubic:
+      break;
+  }
+  return cubic_stiffness(model, interface);
 }
 
 InterfaceElement make_element(const Model& model, const Interface& interface, InterfaceLaw law) {
@@ -90,12 +143,12 @@ void set_geometry(const Model& model, const InterfaceFrame& frame, InterfaceElem
   const Mat2 axes = local_axes(frame.normal);
   element.rows_a = -rows_of(axes, frame.from_a, frame.to_a, frame.centroid_a, element.law);
   element.rows_b = rows_of(axes, frame.from_b, frame.to_b, frame.centroid_b, element.law);
-  if (element.law == InterfaceLaw::classical) return;
-  const Vec2& n = frame.normal;
-  const Mat23 traction_of_stress = (Mat23() << n.x(), 0, n.y(), 0, n.y(), n.x()).finished();
-  element.half_traction = element.length / 2 * axes * traction_of_stress;
-  element.traction_rows_a = element.half_traction * elasticity_matrix(model.material_of(element.block_a));
-  element.traction_rows_b = element.half_traction * elasticity_matrix(model.material_of(element.block_b));
+  const Material& material_a = model.material_of(element.block_a);
+  const Material& material_b = model.material_of(element.block_b);
+  element.stress_rows_a = stress_rows(axes, element.length, element.law, 1, material_a);
+  element.stress_rows_b = stress_rows(axes, element.length, element.law, -1, material_b);
+  element.strain_rows_a = element.stress_rows_a * elasticity_matrix(material_a);
+  element.strain_rows_b = element.stress_rows_b * elasticity_matrix(material_b);
 }
 
 }  // namespace dda

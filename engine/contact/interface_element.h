@@ -2,13 +2,15 @@
 //
 // An interface sees four gaps g (block b minus block a; normal: opening positive; tangent: counter-clockwise from the
 // normal), rows of g = rows_a d_a + rows_b d_b:
-//   classical law:  0, 1 = normal, tangential gap at `from`;  2, 3 = the same at `to`         (Shi's corner springs)
-//   consistent law: 0, 1 = the same at the middle;             2, 3 = half of (to - from)      (Nitsche at mid-edge)
+//   classical:  0, 1 = normal, tangential gap at `from`;  2, 3 = the same at `to`             (Shi's corner springs)
+//   consistent: 0, 1 = the same at the middle;            2, 3 = half of (to - from)          (Nitsche at mid-edge)
+//   cubic:      0, 1 = the same at the middle;            2 = jump of the normal strain times half the centroids'
+//               distance; 3 = half of (to - from) of the normal gap                           (see cubic_law.h)
 // and four conjugate forces (N per m of thickness, tension positive)
-//   f = stiffness * g                     classical
-//   f = stiffness * g + (traction, 0)     consistent, traction = length * {sigma} n, {} the mean of both blocks.
-// Both follow from the potential 1/2 g K g + g . (traction, 0), which makes the consistent law symmetric: the blocks'
-// strains then carry the extra forces traction_rows^T g.
+//   f = stiffness * g + stress_rows_a sigma_a + stress_rows_b sigma_b
+// where the stress rows are zero in the classical law, and give length * {sigma} n, the mean of both blocks' tractions,
+// on rows 0 and 1 of the others. All follow from the potential 1/2 g K g + g . (stress rows), which makes them
+// symmetric: the blocks' strains carry the extra forces strain_rows^T g, strain_rows = stress_rows * elasticity.
 #pragma once
 
 #include "dda/contact/interface.h"
@@ -19,7 +21,7 @@ namespace dda {
 
 using Vec4 = Eigen::Vector4d;
 using Mat46 = Eigen::Matrix<double, 4, 6>;
-using Mat23 = Eigen::Matrix<double, 2, 3>;
+using Mat43 = Eigen::Matrix<double, 4, 3>;
 
 struct InterfaceElement {
   int block_a = 0;
@@ -28,10 +30,11 @@ struct InterfaceElement {
   double length = 0;
   Mat46 rows_a, rows_b;
   Vec4 stiffness;         // N/m per m of thickness, of each row while it is closed and stuck
-  Mat23 half_traction;    // maps one block's stress to its share of the traction: 1/2 length * (normal, tangent)
-  Mat23 traction_rows_a;  // half_traction * elasticity: the same from the strain increments
-  Mat23 traction_rows_b;
+  Mat43 stress_rows_a, stress_rows_b;  // m
+  Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness
 };
+
+inline bool has_stress_rows(const InterfaceElement& element) { return element.law != InterfaceLaw::classical; }
 
 // The frame of an interface: its ends as seen by each block, its normal, and where the blocks' centroids are.
 struct InterfaceFrame {

@@ -17,7 +17,7 @@ bool exceeds(const EndStrength& strength, double normal_force, double shear_forc
 
 Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b) {
   Vec4 force = element.stiffness.cwiseProduct(gap);
-  if (element.law == InterfaceLaw::consistent) force.head<2>() += element.half_traction * (stress_a + stress_b);
+  if (has_stress_rows(element)) force += element.stress_rows_a * stress_a + element.stress_rows_b * stress_b;
   return force;
 }
 

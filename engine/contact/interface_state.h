@@ -41,6 +41,7 @@ bool exceeds(const EndStrength& strength, double normal_force, double shear_forc
 Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b);
 
 // The state of a consistent interface as the classical law sees it: the same forces, shared by the two ends.
+// (from a consistent one; cubic interfaces never break).
 InterfaceState as_classical(const InterfaceState& consistent, const Vec4& classical_stiffness);
 
 }  // namespace dda

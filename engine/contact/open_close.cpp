@@ -59,7 +59,7 @@ bool judge_end(const InterfaceElement& element, const EndStrength& strength, std
 }  // namespace
 
 Vec4 active_rows(const InterfaceElement& element, const InterfaceState& state) {
-  if (element.law == InterfaceLaw::consistent) return Vec4::Ones();
+  if (has_stress_rows(element)) return Vec4::Ones();
   Vec4 active;
   for (std::size_t end = 0; end < 2; ++end) {
     const auto row = static_cast<Eigen::Index>(2 * end);
@@ -70,7 +70,7 @@ Vec4 active_rows(const InterfaceElement& element, const InterfaceState& state) {
 }
 
 Vec4 force_without_motion(const InterfaceElement& element, const InterfaceState& start, const InterfaceState& trial) {
-  if (element.law == InterfaceLaw::consistent) return start.force;
+  if (has_stress_rows(element)) return start.force;
   Vec4 force = active_rows(element, trial).cwiseProduct(element.stiffness).cwiseProduct(start.gap);
   for (std::size_t end = 0; end < 2; ++end) {
     const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
@@ -80,12 +80,11 @@ Vec4 force_without_motion(const InterfaceElement& element, const InterfaceState&
 }
 
 bool judge(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
-           const Vec4& gap_change, const Vec3& stress_sum, double friction_tolerance, InterfaceState& trial) {
+           const Vec4& gap_change, const Vec3& stress_a, const Vec3& stress_b, double friction_tolerance, InterfaceState& trial) {
   const Vec4 gap = start.gap + gap_change;
-  if (element.law == InterfaceLaw::consistent) {
+  if (has_stress_rows(element)) {
     trial.gap = gap;
-    trial.force = element.stiffness.cwiseProduct(gap);
-    trial.force.head<2>() += element.half_traction * stress_sum;
+    trial.force = elastic_force(element, gap, stress_a, stress_b);
     return false;
   }
   bool changed = false;

@@ -28,6 +28,7 @@ double s_wave_speed(const Material& material);    // m/s, sqrt(G/rho): thesis Eq
 enum class InterfaceLaw {
   classical,   // Shi's vertex-edge springs, one at each end of a touching stretch
   consistent,  // Nitsche's method at mid-edge with end stabilisation, for bonded and locked edges
+  cubic,       // consistent, plus cubic reconstruction along chains of bonded blocks; elsewhere the same as consistent
 };
 
 // Strength and stiffness of a joint. Stresses positive in tension; strengths are positive numbers.

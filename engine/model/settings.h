@@ -44,6 +44,14 @@ struct Stage {
   // which removes the leading dispersion of a chain of bonded blocks and leaves rigid motion exact.
   double strain_inertia = 1;
 
+  // Lowers the inertia between neighbours in cubic interfaces by what the integrator's period error adds at this dt, so
+  // that waves keep their speed to fourth order in dt.
+  bool correct_time_dispersion = false;
+
+  // False: the blocks of cubic chains contract sideways without inertia, as in the elementary theory of bars (waves of
+  // every length then run at sqrt(E/rho)). True: with it, as a strip of finite width does (Love's bar).
+  bool lateral_inertia = true;
+
   int max_open_close_iterations = 20;
   int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge
 };

@@ -25,29 +25,34 @@ double strain_energy(const BlockTerms& terms, const State& state) {
   return energy;
 }
 
-double contact_energy(const ContactSet& contacts, const std::vector<SupportElement>& supports) {
-  double energy = support_energy(supports);
+StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const ContactSet& contacts,
+                           const std::vector<SupportElement>& supports) {
+  double contact = support_energy(supports);
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    energy += interface_energy(contacts.elements[i], contacts.states[i]);
-  return energy;
+    contact += interface_energy(contacts.elements[i], contacts.states[i]);
+  return {kinetic_energy(terms, state), strain_energy(terms, state), contact};
 }
 
-void EnergyAudit::start(const BlockTerms& terms, const State& state, const ContactSet& contacts,
-                        const std::vector<SupportElement>& supports) {
-  ledger_ = {};
-  ledger_.kinetic = ledger_.initial_kinetic = kinetic_energy(terms, state);
-  ledger_.strain = ledger_.initial_strain = strain_energy(terms, state);
-  ledger_.contact = ledger_.initial_contact = contact_energy(contacts, supports);
-}
-
-void EnergyAudit::before_move(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
-                              const State& state, const Eigen::VectorXd& d) {
-  inertia_work_ = 0;
+double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const State& state,
+                    const Eigen::VectorXd& d) {
+  double work = 0;
   for (std::size_t i = 0; i < state.velocity.size(); ++i) {
     const Vec6 own = of_block(d, i);
     const Vec6 weighted = step.mass * own - step.mass_v * state.velocity[i] - step.mass_a * state.acceleration[i];
-    inertia_work_ += own.dot(momentum(terms.inertia[i], weighted));
+    work += own.dot(momentum(terms.inertia[i], weighted));
   }
+  return work;
+}
+
+void EnergyAudit::start(const StoredEnergy& stored) {
+  ledger_ = {};
+  ledger_.kinetic = ledger_.initial_kinetic = stored.kinetic;
+  ledger_.strain = ledger_.initial_strain = stored.strain;
+  ledger_.contact = ledger_.initial_contact = stored.contact;
+}
+
+void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDamping& damping, const State& state,
+                                  const Eigen::VectorXd& d) {
   for (const auto& [block, c] : damping) {
     const auto i = static_cast<std::size_t>(block);
     const Vec6 own = of_block(d, i);
@@ -57,23 +62,21 @@ void EnergyAudit::before_move(const StepCoefficients& step, const BlockTerms& te
   }
 }
 
-void EnergyAudit::after_move(const StepCoefficients& step, const BlockTerms& terms, const State& state,
-                             const ContactSet& contacts, const std::vector<SupportElement>& supports,
-                             const StepForces& forces, const Eigen::VectorXd& d) {
-  const double kinetic_before = ledger_.kinetic;
-  ledger_.kinetic = kinetic_energy(terms, state);
-  ledger_.strain = strain_energy(terms, state);
-  ledger_.contact = contact_energy(contacts, supports);
+void EnergyAudit::record(const StepCoefficients& step, double inertia_work, const StoredEnergy& stored,
+                         const StepForces& forces, const Eigen::VectorXd& d) {
   const double work_old = d.dot(forces.load_old);
   const double work_new = d.dot(forces.load_new);
   ledger_.external_work += (work_old + work_new) / 2;
   if (forces.weight.size() > 0) ledger_.gravity_work += d.dot(forces.weight);
-  const double off_centre = 0.5 - step.load_old;  // 1/2 - alpha_f
-  ledger_.numerical += inertia_work_ - (ledger_.kinetic - kinetic_before) + replaced_;
+  ledger_.numerical += inertia_work - (stored.kinetic - ledger_.kinetic) + replaced_;
   replaced_ = 0;
+  const double off_centre = 0.5 - step.load_old;  // 1/2 - alpha_f
   if (off_centre != 0)
     ledger_.numerical +=
         off_centre * (d.dot(forces.internal_new) - d.dot(forces.internal_old) - (work_new - work_old));
+  ledger_.kinetic = stored.kinetic;
+  ledger_.strain = stored.strain;
+  ledger_.contact = stored.contact;
 }
 
 void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,
@@ -94,10 +97,10 @@ void EnergyAudit::support_moved(const SupportElement& before, const SupportEleme
   ledger_.external_work -= mean_force.dot(after.prescribed - before.prescribed);
 }
 
-void EnergyAudit::velocities_damped(const BlockTerms& terms, const State& state) {
-  const double before = ledger_.kinetic;
-  ledger_.kinetic = kinetic_energy(terms, state);
-  ledger_.damping += before - ledger_.kinetic;
+void EnergyAudit::velocities_damped(double factor) {
+  const double left = factor * factor * ledger_.kinetic;
+  ledger_.damping += ledger_.kinetic - left;
+  ledger_.kinetic = left;
 }
 
 }  // namespace dda

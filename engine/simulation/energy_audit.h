@@ -20,9 +20,14 @@
 
 namespace dda {
 
+struct StoredEnergy {
+  double kinetic = 0, strain = 0, contact = 0;  // J per m of thickness
+};
+
 double kinetic_energy(const BlockTerms& terms, const State& state);
 double strain_energy(const BlockTerms& terms, const State& state);
-double contact_energy(const ContactSet& contacts, const std::vector<SupportElement>& supports);
+StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const ContactSet& contacts,
+                           const std::vector<SupportElement>& supports);
 
 // Forces at both ends of a step, 6 entries a block; weight may be empty.
 struct StepForces {
@@ -33,20 +38,21 @@ struct StepForces {
   const Eigen::VectorXd& internal_new;
 };
 
+// Work d . M a_w against the inertia of blocks that are not coupled by it; before the state moves.
+double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const State& state,
+                    const Eigen::VectorXd& d);
+
 class EnergyAudit {
  public:
-  // Takes the stored energies of the start.
-  void start(const BlockTerms& terms, const State& state, const ContactSet& contacts,
-             const std::vector<SupportElement>& supports);
+  void start(const StoredEnergy& stored);
 
-  // Before the state moves: work against inertia and dashpots, which needs the old velocities and accelerations.
-  void before_move(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
-                   const State& state, const Eigen::VectorXd& d);
+  // Work against dashpots in the step; before the state moves, since it needs the old velocities and accelerations.
+  void dashpots_worked(const StepCoefficients& step, const BlockDamping& damping, const State& state,
+                       const Eigen::VectorXd& d);
 
-  // After the state moved and internal forces are known.
-  void after_move(const StepCoefficients& step, const BlockTerms& terms, const State& state,
-                  const ContactSet& contacts, const std::vector<SupportElement>& supports, const StepForces& forces,
-                  const Eigen::VectorXd& d);
+  // Books a step. `inertia_work`: d . M a_w.
+  void record(const StepCoefficients& step, double inertia_work, const StoredEnergy& stored, const StepForces& forces,
+              const Eigen::VectorXd& d);
 
   // Work of friction, and of status changes within the step, on one interface.
   void interface_changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
@@ -58,15 +64,14 @@ class EnergyAudit {
   // Work of a support's prescribed motion.
   void support_moved(const SupportElement& before, const SupportElement& after);
 
-  // Velocities were scaled: what that took out.
-  void velocities_damped(const BlockTerms& terms, const State& state);
+  // Velocities were multiplied by `factor`.
+  void velocities_damped(double factor);
 
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
  private:
   EnergyLedger ledger_;
-  double inertia_work_ = 0;  // d . M a_w of the step under way
-  double replaced_ = 0;      // losses by interface_replaced in the step under way
+  double replaced_ = 0;  // losses by interface_replaced in the step under way
 };
 
 }  // namespace dda

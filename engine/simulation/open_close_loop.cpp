@@ -32,6 +32,10 @@ Status Simulation::solve_pass() {
   }
   rhs_ = constant_rhs_;
   if (plan_.contacts_can_change) add_contact_rhs();
+  return solve_for_increment();
+}
+
+Status Simulation::solve_for_increment() {
   ++counters_.solves;
   const Status status = solver_->solve(rhs_, increment_);
   if (status != Status::ok) {
@@ -53,22 +57,26 @@ void Simulation::add_contact_rhs() {
   }
 }
 
+Vec3 Simulation::trial_stress(int block) const {
+  const auto i = static_cast<std::size_t>(block);
+  return state_.stress[i] + terms_.elasticity[i] * increment_.segment<3>(6 * block + 3);
+}
+
 bool Simulation::judge_contacts() {
   bool changed = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     const auto old_status = trial_[i].status;
-    Vec3 stress_sum = Vec3::Zero();
-    if (element.law == InterfaceLaw::consistent) {
-      const auto a = static_cast<std::size_t>(element.block_a);
-      const auto b = static_cast<std::size_t>(element.block_b);
-      stress_sum = state_.stress[a] + terms_.elasticity[a] * increment_.segment<3>(6 * element.block_a + 3) +
-                   state_.stress[b] + terms_.elasticity[b] * increment_.segment<3>(6 * element.block_b + 3);
+    Vec3 stress_a = Vec3::Zero();
+    Vec3 stress_b = Vec3::Zero();
+    if (has_stress_rows(element)) {
+      stress_a = trial_stress(element.block_a);
+      stress_b = trial_stress(element.block_b);
     }
     const bool again = judge(element, contacts_.strengths[i], contacts_.states[i],
-                             gap_increment(element, increment_), stress_sum, friction_tolerance, trial_[i]);
+                             gap_increment(element, increment_), stress_a, stress_b, friction_tolerance, trial_[i]);
     changed = changed || again;
-    if (element.law == InterfaceLaw::consistent) changed = weaken_consistent(i) || changed;
+    if (has_stress_rows(element)) changed = weaken_consistent(i) || changed;
     if (trial_[i].status == old_status) continue;
     matrix_is_current_ = false;
     ++counters_.contact_state_changes;

@@ -29,7 +29,11 @@ Simulation::Simulation(Model model)
   sum_internal_forces(internal_old_);
   external_.loads_at(state_.time, load_old_);
   begin_stage();
-  audit_.start(terms_, state_, contacts_, supports_);
+  start_energy_audit();
+}
+
+void Simulation::start_energy_audit() {
+  audit_.start(plan_.linear ? linear_stored_energy() : stored_energy(terms_, state_, contacts_, supports_));
 }
 
 void Simulation::begin_stage() {
@@ -42,7 +46,11 @@ void Simulation::begin_stage() {
   solver_->analyze(matrix_);
   ++counters_.analyses;
   set_step_size(stage().dt);
-  set_initial_acceleration();
+  if (plan_.linear) {
+    begin_linear_stage();
+  } else {
+    set_initial_acceleration();
+  }
 }
 
 void Simulation::set_step_size(double dt) {
@@ -79,6 +87,7 @@ Status Simulation::advance(double dt, int reductions_left) {
 }
 
 Status Simulation::try_step(double dt) {
+  if (plan_.linear) return linear_step();
   if (dt != coefficients_.dt) set_step_size(dt);
   prepare_step();
   const Status status = find_contact_statuses();
@@ -127,6 +136,11 @@ void Simulation::form_constant_rhs() {
   for (std::size_t i = 0; i < state_.velocity.size(); ++i)
     constant_rhs_.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
         momentum(terms_.inertia[i], c.mass_v * state_.velocity[i] + c.mass_a * state_.acceleration[i]);
+  add_dashpot_and_support_rhs();
+}
+
+void Simulation::add_dashpot_and_support_rhs() {
+  const StepCoefficients& c = coefficients_;
   for (const auto& [block, matrix] : damping_) {
     const auto i = static_cast<std::size_t>(block);
     constant_rhs_.segment<6>(6 * block) -=
@@ -142,7 +156,11 @@ void Simulation::form_constant_rhs() {
 }
 
 Status Simulation::refactor() {
-  assemble(coefficients_, terms_, damping_, supports_, contacts_, trial_, matrix_);
+  if (plan_.linear) {
+    assemble(coefficients_, *linear_, damping_, matrix_);
+  } else {
+    assemble(coefficients_, terms_, damping_, supports_, contacts_, trial_, matrix_);
+  }
   ++counters_.matrix_rebuilds;
   const Status status = solver_->factorize(matrix_);
   ++counters_.factorizations;
@@ -152,24 +170,27 @@ Status Simulation::refactor() {
 }
 
 void Simulation::accept_step() {
-  audit_.before_move(coefficients_, terms_, damping_, state_, increment_);
+  const double work = inertia_work(coefficients_, terms_, state_, increment_);
+  audit_.dashpots_worked(coefficients_, damping_, state_, increment_);
   move_blocks(coefficients_, stage().kinematics, terms_, increment_, state_);
   state_.time += coefficients_.dt;
   accept_contacts();
-  if (plan_.supports) {
-    for (std::size_t i = 0; i < supports_.size(); ++i) {
-      const SupportElement before = supports_[i];
-      measure_gap(model_, state_, i, supports_[i]);
-      if (plan_.moving_supports) audit_.support_moved(before, supports_[i]);
-    }
-  }
+  accept_supports();
   sum_internal_forces(internal_new_);
-  audit_.after_move(coefficients_, terms_, state_, contacts_, supports_,
-                    {load_old_, load_new_, external_.weight(), internal_old_, internal_new_}, increment_);
+  audit_.record(coefficients_, work, stored_energy(terms_, state_, contacts_, supports_),
+                {load_old_, load_new_, external_.weight(), internal_old_, internal_new_}, increment_);
   damp_velocities();
   internal_old_.swap(internal_new_);
   load_old_.swap(load_new_);
   ++counters_.steps;
+}
+
+void Simulation::accept_supports() {
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
+    const SupportElement before = supports_[i];
+    measure_gap(model_, state_, i, supports_[i]);
+    if (plan_.moving_supports) audit_.support_moved(before, supports_[i]);
+  }
 }
 
 void Simulation::damp_velocities() {
@@ -179,8 +200,10 @@ void Simulation::damp_velocities() {
   for (Vec6& velocity : state_.velocity) velocity *= factor;
   if (plan_.is_static) {
     for (Vec6& acceleration : state_.acceleration) acceleration.setZero();
+    inertia_force_.setZero();
   }
-  audit_.velocities_damped(terms_, state_);
+  if (plan_.linear) momentum_ *= factor;
+  audit_.velocities_damped(factor);
 }
 
 // Acceleration from the forces at the start of a stage, without those that constrain: each block on its own.

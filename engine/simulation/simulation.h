@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@
 #include "dda/simulation/block_terms.h"
 #include "dda/simulation/energy_audit.h"
 #include "dda/simulation/external_forces.h"
+#include "dda/simulation/linear_operators.h"
 #include "dda/simulation/step_coefficients.h"
 #include "dda/simulation/step_plan.h"
 #include "dda/simulation/support_set.h"
@@ -44,6 +46,8 @@ class Simulation {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const ContactSet& contacts() const { return contacts_; }
+  // The state of one interface now. (In a linear scene it is not kept from step to step but computed here.)
+  [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
   [[nodiscard]] const StepPlan& plan() const { return plan_; }
   [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }
   [[nodiscard]] Counters counters() const;
@@ -62,18 +66,35 @@ class Simulation {
 
   [[nodiscard]] Status advance(double dt, int reductions_left);
   [[nodiscard]] Status try_step(double dt);
+
+  // General step (simulation.cpp, open_close_loop.cpp)
   void prepare_step();
   void follow_geometry();
   void form_constant_rhs();
   [[nodiscard]] Status find_contact_statuses();
   [[nodiscard]] Status solve_pass();
   [[nodiscard]] Status refactor();
+  [[nodiscard]] Status solve_for_increment();
   void add_contact_rhs();
+  [[nodiscard]] Vec3 trial_stress(int block) const;
   [[nodiscard]] bool judge_contacts();
   [[nodiscard]] bool weaken_consistent(std::size_t i);
   void accept_step();
   void accept_contacts();
+  void accept_supports();
   void damp_velocities();
+  void add_dashpot_and_support_rhs();
+  void start_energy_audit();
+
+  // Linear step (linear_step.cpp)
+  void begin_linear_stage();
+  [[nodiscard]] Status linear_step();
+  void form_linear_rhs();
+  void accept_linear_step();
+  void linear_internal_forces(Eigen::VectorXd& force);
+  [[nodiscard]] double linear_elastic_energy() const;
+  [[nodiscard]] StoredEnergy linear_stored_energy() const;
+  void set_energy_offset();
   void sum_internal_forces(Eigen::VectorXd& force) const;
   void set_initial_acceleration();
 
@@ -95,6 +116,7 @@ class Simulation {
   BlockMatrix matrix_;
   std::unique_ptr<LinearSolver> solver_;
   bool matrix_is_current_ = false;
+  std::optional<LinearOperators> linear_;  // only in a linear stage
   Counters counters_;
   std::string message_;
 
@@ -102,6 +124,10 @@ class Simulation {
   Eigen::VectorXd load_old_, load_new_;
   Eigen::VectorXd internal_old_, internal_new_;
   Eigen::VectorXd constant_rhs_, rhs_, increment_;
+
+  // Linear scenes, 6 entries a block: M v, M a, K u without and internal forces that u does not change.
+  Eigen::VectorXd momentum_, inertia_force_, elastic_force_, internal_at_rest_;
+  double energy_offset_ = 0;  // makes the elastic energy of a linear scene the sum of its parts, J per m of thickness
 };
 
 }  // namespace dda

@@ -20,7 +20,7 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
       break;
   }
   const double chi = plan.is_static ? std::numeric_limits<double>::infinity() : plan.chi;
-  return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, plan.finite_kinematics});
+  return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, !plan.linear});
 }
 
 }  // namespace
@@ -36,6 +36,7 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
   plan.contacts = !contacts.interfaces.empty();
   plan.contacts_can_change = contacts.can_change;
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
+  plan.linear = !plan.contacts_can_change && !plan.finite_kinematics;
   plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
   plan.is_static = stage.integrator.is_static;
   plan.chi = chi;
@@ -53,6 +54,7 @@ std::vector<std::string> StepPlan::describe() const {
   add(supports, moving_supports ? "supports, moving" : "supports");
   add(viscous_edges, "viscous boundary");
   add(contacts, contacts_can_change ? "contacts: open-close iteration" : "contacts: bonded, never judged");
+  add(linear, "linear: forces by one constant matrix");
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
   add(!finite_kinematics, "geometry: as drawn, matrix built once");
   add(velocity_damping, "velocity damping");

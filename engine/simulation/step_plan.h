@@ -19,6 +19,7 @@ struct StepPlan {
   bool contacts = false;
   bool contacts_can_change = false;  // runs the open-close iteration
   bool finite_kinematics = false;    // geometry and matrix are rebuilt every step
+  bool linear = false;               // nothing can change: forces are one product with a constant matrix
   bool velocity_damping = false;
   bool is_static = false;
   double chi = 0;  // k dt^2/m

@@ -1,0 +1,66 @@
+// The cubic law: a bonded interface between two equal blocks of a chain (a bar or column with free sides) sees, between
+// their centroids, not two straight lines with a gap but the cubic that has both blocks' centroid displacements and
+// strains along the chain (Hermite interpolation). Energies of the cubic replace those of the two half blocks beside
+// the interface, so the chain is a C1 cubic finite-element line: phase errors of order (2 pi L/wavelength)^6 instead of
+// (..)^2, with the same six unknowns a block.
+//
+// With h half the centroids' distance, l the interface length, g the normal gap at mid-interface, [e] the jump of the
+// normal strain, J = h [e], Q the modulus of a bar with free sides, t = sigma_nn - (D12/D22) sigma_tt of a block, that
+// is Q e when its sides are free (the strain that the cubic adds contracts sideways freely), all per m of thickness:
+//   potential  l {t} g + l/4 (t_a - t_b) J + Q l/(2 h) (3/5 g^2 + J^2/6)
+//   kinetic    rho l h ((33/560 - 3/16) g'^2 + (1/48 + 1/80) J'^2 + J' u'/6 - g' h {e'}/10)
+// both being the integral over the cubic minus that over the two halves; u the mean of both blocks' displacements at
+// mid-interface, {} means, ' rates. Derived with w' - e_a = 3/2 (1 - s^2) g/(2h) + [e] (1 + s)/2 on block a's half,
+// s = x/h in [-1, 0], and its mirror image on b's.
+#pragma once
+
+#include <vector>
+
+#include "dda/contact/interface.h"
+#include "dda/contact/interface_element.h"
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+namespace cubic {
+
+inline constexpr double jump_traction = 0.25;
+inline constexpr double gap_stiffness = 0.6;          // of Q l/h
+inline constexpr double jump_stiffness = 1.0 / 6;     // of Q l/h
+inline constexpr double bending_stiffness = 1.0 / 6;  // of Q l/h: E I/(2 h) turned by 2 (half difference)/l
+inline constexpr double gap_at_interface = 0.75;      // of Q g/h: stress at mid-interface above the mean of both blocks
+
+}  // namespace cubic
+
+// Modulus along a bar whose sides are free, Pa: E in plane stress, E/(1 - nu^2) in plane strain.
+double side_free_modulus(const Material& material);
+
+// Half the distance between the blocks' centroids, m.
+double cubic_half_distance(const Model& model, const Interface& interface);
+
+// Lateral strain by axial strain in a bar whose sides are free: D12/D22.
+double side_free_ratio(const Material& material);
+
+// Which of `interfaces` can be cubic: equal halves of one material, the interface across their centroid line, and
+// neither an interface nor an edge load nor a viscous edge on the sides of either block.
+std::vector<bool> cubic_candidates(const Model& model, const std::vector<Interface>& interfaces);
+
+// The part of the kinetic energy 1/2 v M v that couples the two blocks of a cubic interface.
+struct InterfaceInertia {
+  Mat6 aa, bb, ba;
+};
+
+// `period_error`: epsilon of the integrator, whose oscillators run at omega^2 (1 - epsilon omega^2 dt^2), or 0. Inertia
+// of relative motion is lowered by epsilon (c dt/2h)^2 of the cell's mass to make up for it, by at most `most_correction`
+// so that it stays positive (the cubic's smallest inertia against that motion is 17/35 of the cell's mass at the
+// shortest wave).
+InterfaceInertia interface_inertia(const Model& model, const Interface& interface, double period_error, double dt);
+
+// What the sideways strain of a block adds to its inertia (6x6), for a chain that runs along `normal`.
+Mat6 lateral_inertia(double mass, const AreaMoments& moments, const Vec2& normal);
+
+// epsilon of an integrator, from its characteristic equation at small omega dt: 1/6 for the trapezoidal rule.
+double period_error(const Integrator& integrator);
+
+}  // namespace dda

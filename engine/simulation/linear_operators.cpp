@@ -1,0 +1,86 @@
+#include "dda/simulation/linear_operators.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "dda/contact/cubic_law.h"
+#include "dda/simulation/system_matrix.h"
+
+namespace dda {
+namespace {
+
+// The coefficients that leave one matrix of the sum mass M + damping C + stiffness K.
+StepCoefficients only_stiffness() {
+  StepCoefficients step;
+  step.stiffness = 1;
+  return step;
+}
+
+// The direction of the cubic chain through each block; zero where there is none.
+std::vector<Vec2> chain_directions(std::size_t blocks, const ContactSet& contacts) {
+  std::vector<Vec2> directions(blocks, Vec2::Zero());
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    if (contacts.elements[i].law != InterfaceLaw::cubic) continue;
+    directions[static_cast<std::size_t>(contacts.elements[i].block_a)] = contacts.interfaces[i].normal;
+    directions[static_cast<std::size_t>(contacts.elements[i].block_b)] = contacts.interfaces[i].normal;
+  }
+  return directions;
+}
+
+void remove_lateral_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) {
+  const std::vector<Vec2> directions = chain_directions(model.blocks.size(), contacts);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (directions[i].isZero()) continue;
+    const int block = static_cast<int>(i);
+    inertia.diagonal(block) -= lateral_inertia(model.mass_of(block), model.blocks[i].moments, directions[i]);
+  }
+}
+
+BlockMatrix make_inertia(const Model& model, const Stage& stage, const BlockTerms& terms, const ContactSet& contacts) {
+  const double error = stage.correct_time_dispersion ? period_error(stage.integrator) : 0;
+  std::vector<std::pair<int, int>> couplings;
+  for (const InterfaceElement& element : contacts.elements)
+    if (element.law == InterfaceLaw::cubic) couplings.emplace_back(element.block_a, element.block_b);
+  BlockMatrix inertia(static_cast<int>(terms.inertia.size()), couplings);
+  for (std::size_t i = 0; i < terms.inertia.size(); ++i)
+    inertia.diagonal(static_cast<int>(i)) = mass_matrix(terms.inertia[i]);
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (element.law != InterfaceLaw::cubic) continue;
+    const InterfaceInertia between = interface_inertia(model, contacts.interfaces[i], error, stage.dt);
+    inertia.diagonal(element.block_a) += between.aa;
+    inertia.diagonal(element.block_b) += between.bb;
+    inertia.add_coupling(element.block_b, element.block_a, between.ba);
+  }
+  if (!stage.lateral_inertia) remove_lateral_inertia(model, contacts, inertia);
+  return inertia;
+}
+
+void add_scaled(double factor, const BlockMatrix& matrix, BlockMatrix& sum) {
+  for (int column = 0; column < matrix.size(); ++column) {
+    sum.diagonal(column) += factor * matrix.diagonal(column);
+    const auto first = static_cast<std::size_t>(matrix.column_starts()[static_cast<std::size_t>(column)]);
+    const auto last = static_cast<std::size_t>(matrix.column_starts()[static_cast<std::size_t>(column) + 1]);
+    for (std::size_t k = first + 1; k < last; ++k)
+      sum.add_coupling(matrix.block_rows()[k], column, factor * matrix.offdiagonal(static_cast<int>(k)));
+  }
+}
+
+}  // namespace
+
+LinearOperators make_linear_operators(const Model& model, const Stage& stage, const BlockTerms& terms,
+                                      const ContactSet& contacts, const std::vector<SupportElement>& supports) {
+  BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
+  assemble(only_stiffness(), terms, {}, supports, contacts, contacts.states, stiffness);
+  return {std::move(stiffness), make_inertia(model, stage, terms, contacts)};
+}
+
+void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,
+              BlockMatrix& matrix) {
+  matrix.set_zero();
+  add_scaled(step.mass, operators.inertia, matrix);
+  add_scaled(step.stiffness, operators.stiffness, matrix);
+  for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
+}
+
+}  // namespace dda

@@ -1,0 +1,29 @@
+// A scene in which nothing can change - all joints bonded, geometry as drawn - is linear: its stiffness and inertia are
+// two constant matrices over all unknowns. A step then needs one product with each and one solve, and visits neither
+// interfaces nor strengths.
+#pragma once
+
+#include <vector>
+
+#include "dda/contact/contact_set.h"
+#include "dda/linear/block_matrix.h"
+#include "dda/model/model.h"
+#include "dda/simulation/block_terms.h"
+#include "dda/simulation/step_coefficients.h"
+#include "dda/simulation/support_set.h"
+
+namespace dda {
+
+struct LinearOperators {
+  BlockMatrix stiffness;  // blocks, interfaces and supports
+  BlockMatrix inertia;    // blocks, and what couples them in cubic interfaces
+};
+
+LinearOperators make_linear_operators(const Model& model, const Stage& stage, const BlockTerms& terms,
+                                      const ContactSet& contacts, const std::vector<SupportElement>& supports);
+
+// The step's matrix out of the operators.
+void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,
+              BlockMatrix& matrix);
+
+}  // namespace dda

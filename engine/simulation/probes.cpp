@@ -1,0 +1,100 @@
+#include "dda/simulation/probes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "dda/core/error.h"
+#include "dda/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+bool is_traction(Quantity quantity) {
+  return quantity == Quantity::traction_normal || quantity == Quantity::traction_shear;
+}
+
+bool joins(const Interface& interface, int a, int b) {
+  return (interface.block_a == a && interface.block_b == b) || (interface.block_a == b && interface.block_b == a);
+}
+
+int interface_of(const Simulation& simulation, const Measurement& measurement) {
+  const std::vector<Interface>& interfaces = simulation.contacts().interfaces;
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    if (interfaces[i].length == 0 || !joins(interfaces[i], measurement.block, measurement.other_block)) continue;
+    const double away = distance(Segment{interfaces[i].from, interfaces[i].to}, measurement.point);
+    if (away >= least) continue;
+    least = away;
+    nearest = static_cast<int>(i);
+  }
+  if (nearest >= 0 && least <= simulation.model().length_tolerance) return nearest;
+  throw InputError("", fmt::format("measurements \"{}\": point", measurement.name),
+                   fmt::format("[{}, {}]", measurement.point.x(), measurement.point.y()),
+                   "a point where two blocks touch along an edge");
+}
+
+double traction(const Simulation& simulation, const Measurement& measurement, int interface) {
+  const auto i = static_cast<std::size_t>(interface);
+  const ContactSet& contacts = simulation.contacts();
+  const Vec2 mean = mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i],
+                                  simulation.interface_state(i));
+  return measurement.quantity == Quantity::traction_normal ? mean(0) : mean(1);
+}
+
+Vec2 point_acceleration(const Simulation& simulation, const Measurement& measurement) {
+  const auto i = static_cast<std::size_t>(measurement.block);
+  const Vec2 offset = measurement.point - simulation.model().blocks[i].moments.centroid;
+  return displacement_rows(simulation.state().deformation[i] * offset) * simulation.state().acceleration[i];
+}
+
+double block_value(const Simulation& simulation, const Measurement& measurement) {
+  const Model& model = simulation.model();
+  const State& state = simulation.state();
+  const auto i = static_cast<std::size_t>(measurement.block);
+  switch (measurement.quantity) {
+    case Quantity::stress_xx:
+      return state.stress[i](0);
+    case Quantity::stress_yy:
+      return state.stress[i](1);
+    case Quantity::stress_xy:
+      return state.stress[i](2);
+    case Quantity::displacement_x:
+      return point_displacement(model, state, measurement.block, measurement.point).x();
+    case Quantity::displacement_y:
+      return point_displacement(model, state, measurement.block, measurement.point).y();
+    case Quantity::velocity_x:
+      return point_velocity(model, state, measurement.block, measurement.point).x();
+    case Quantity::velocity_y:
+      return point_velocity(model, state, measurement.block, measurement.point).y();
+    case Quantity::acceleration_x:
+      return point_acceleration(simulation, measurement).x();
+    case Quantity::acceleration_y:
+      return point_acceleration(simulation, measurement).y();
+    case Quantity::rotation:
+      return state.displacement[i](2);
+    case Quantity::traction_normal:
+    case Quantity::traction_shear:
+      break;
+  }
+  return std::nan("");
+}
+
+}  // namespace
+
+Probes::Probes(const Simulation& simulation) {
+  for (const Measurement& measurement : simulation.model().measurements)
+    interfaces_.push_back(is_traction(measurement.quantity) ? interface_of(simulation, measurement) : -1);
+}
+
+void Probes::sample(const Simulation& simulation, std::span<double> values) const {
+  const std::vector<Measurement>& measurements = simulation.model().measurements;
+  for (std::size_t i = 0; i < interfaces_.size(); ++i)
+    values[i] = interfaces_[i] < 0 ? block_value(simulation, measurements[i])
+                                   : traction(simulation, measurements[i], interfaces_[i]);
+}
+
+}  // namespace dda

@@ -41,7 +41,7 @@ struct GridSpec {
   BlockGroup group = {.name = "grid"};
 };
 
-inline constexpr int most_generated_blocks = 10'000'000;
+inline constexpr int most_generated_blocks = 2'000'000;
 
 // Appends the blocks "NAME 1", "NAME 2", ... from left to right and returns the index of the first. Neighbours share
 // their corners to the last bit. Throws InputError naming the field of `spec` when a size is not positive or `length`

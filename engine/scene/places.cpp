@@ -28,7 +28,7 @@ Segment side_of_box(const Box& box, std::size_t side) {
 
 Segment read_line(const Field& field, const GroundPlan& plan) {
   if (field.is_text()) return side_of_box(plan.box(), field.choice({"left", "right", "top", "bottom"}));
-  const Segment line{field.at("from").vector(Dimension::length), field.at("to").vector(Dimension::length)};
+  Segment line{field.at("from").vector(Dimension::length), field.at("to").vector(Dimension::length)};
   if (line.start == line.end) field.fail("two different points");
   return line;
 }

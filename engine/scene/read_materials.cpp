@@ -76,12 +76,15 @@ void read_strength(const Field& field, JointMaterial& joint) {
   joint.tensile_strength = value_or(field, "tensile_strength", 0.0, strength);
 }
 
+InterfaceLaw read_law(const Field& field) {
+  using enum InterfaceLaw;
+  return std::vector{consistent, cubic, classical}.at(field.choice({"consistent", "cubic", "classical"}));
+}
+
 JointMaterial read_joint(const std::string& name, const Field& field, const Scheme& scheme) {
   JointMaterial joint = preset_joint(scheme);
   joint.name = name;
-  joint.law = value_or(field, "law", joint.law, [](const Field& f) {
-    return f.choice({"consistent", "classical"}) == 0 ? InterfaceLaw::consistent : InterfaceLaw::classical;
-  });
+  joint.law = value_or(field, "law", joint.law, read_law);
   read_strength(field, joint);
   read_springs(field, joint);
   read_consistent_law(field, joint);

@@ -39,8 +39,14 @@ void read_damping(const Field& field, Stage& stage) {
       value_or(field, "velocity_factor", stage.velocity_factor, [](const Field& f) { return f.within(0, 1); });
   stage.damping_rate = value_or(field, "damping_rate", stage.damping_rate,
                                 [](const Field& f) { return f.not_negative(Dimension::rate); });
+}
+
+void read_accuracy(const Field& field, Stage& stage) {
+  const auto truth = [](const Field& f) { return f.truth(); };
   stage.strain_inertia = value_or(field, "strain_inertia", stage.strain_inertia,
                                   [](const Field& f) { return f.positive(Dimension::dimensionless); });
+  stage.correct_time_dispersion = value_or(field, "correct_time_dispersion", stage.correct_time_dispersion, truth);
+  stage.lateral_inertia = value_or(field, "lateral_inertia", stage.lateral_inertia, truth);
 }
 
 void read_limits(const Field& field, Stage& stage) {
@@ -58,6 +64,7 @@ Stage read_stage(const Field& field, std::string name, const Scheme& scheme, boo
   stage.solver = value_or(field, "solver", stage.solver, read_solver);
   read_duration(field, stage);
   read_damping(field, stage);
+  read_accuracy(field, stage);
   read_limits(field, stage);
   return stage;
 }

@@ -50,6 +50,7 @@ TEST(Scene, JointsTakeWhatTheyLeaveUnsaidFromTheScheme) {
   EXPECT_EQ(accurate.joints[0].law, InterfaceLaw::consistent);
   EXPECT_DOUBLE_EQ(accurate.joints[0].friction_angle, std::numbers::pi / 6);
   EXPECT_EQ(accurate.joints[0].cohesion, 1e6);
+  EXPECT_EQ(bar_with(R"("joints": {"default": {"law": "cubic"}})").joints[0].law, InterfaceLaw::cubic);
   const Model thesis = bar_with(R"("scheme": "thesis", "joints": {"default": {"shear_to_normal": 0.5}})");
   EXPECT_EQ(thesis.joints[0].law, InterfaceLaw::classical);
   EXPECT_EQ(thesis.joints[0].spring_over_young, 10);
@@ -70,7 +71,7 @@ TEST(Scene, IntegratorFollowsFromSchemeJointsAndKinematics) {
 TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
   const Model model = bar_with("", R"([{"dt": 1, "duration": 5, "integrator": "static", "solver": "pcg"},
     {"name": "go", "dt": 0.1, "duration": 2, "integrator": {"hht": 0.1}, "velocity_factor": "99 %", "damping_rate": "2 1/s",
-     "strain_inertia": 2, "max_open_close_iterations": 7, "max_step_reductions": 0, "solver": "dense"},
+     "strain_inertia": 2, "correct_time_dispersion": true, "lateral_inertia": false, "max_open_close_iterations": 7, "max_step_reductions": 0, "solver": "dense"},
     {"dt": 1, "duration": 1, "integrator": {"generalized_alpha": 0.5}}])");
   ASSERT_EQ(model.stages.size(), 3U);
   EXPECT_EQ(model.stages[0].name, "stage 1");
@@ -82,6 +83,8 @@ TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
   EXPECT_EQ(go.velocity_factor, 0.99);
   EXPECT_EQ(go.damping_rate, 2);
   EXPECT_EQ(go.strain_inertia, 2);
+  EXPECT_TRUE(go.correct_time_dispersion);
+  EXPECT_FALSE(go.lateral_inertia);
   EXPECT_EQ(go.max_open_close_iterations, 7);
   EXPECT_EQ(go.max_step_reductions, 0);
   EXPECT_EQ(go.solver, SolverRequest::dense);

@@ -72,7 +72,10 @@ LinearOperators make_linear_operators(const Model& model, const Stage& stage, co
                                       const ContactSet& contacts, const std::vector<SupportElement>& supports) {
   BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
   assemble(only_stiffness(), terms, {}, supports, contacts, contacts.states, stiffness);
-  return {std::move(stiffness), make_inertia(model, stage, terms, contacts)};
+  BlockMatrix inertia = make_inertia(model, stage, terms, contacts);
+  ConstantOperator stiffness_times(stiffness);
+  ConstantOperator inertia_times(inertia);
+  return {std::move(stiffness), std::move(inertia), std::move(stiffness_times), std::move(inertia_times)};
 }
 
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,

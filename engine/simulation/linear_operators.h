@@ -7,6 +7,7 @@
 
 #include "dda/contact/contact_set.h"
 #include "dda/linear/block_matrix.h"
+#include "dda/linear/constant_operator.h"
 #include "dda/model/model.h"
 #include "dda/simulation/block_terms.h"
 #include "dda/simulation/step_coefficients.h"
@@ -17,6 +18,7 @@ namespace dda {
 struct LinearOperators {
   BlockMatrix stiffness;  // blocks, interfaces and supports
   BlockMatrix inertia;    // blocks, and what couples them in cubic interfaces
+  ConstantOperator stiffness_times, inertia_times;  // the same, for products
 };
 
 LinearOperators make_linear_operators(const Model& model, const Stage& stage, const BlockTerms& terms,

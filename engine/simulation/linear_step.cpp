@@ -36,10 +36,10 @@ void Simulation::begin_linear_stage() {
   for (Eigen::VectorXd* vector : {&momentum_, &inertia_force_, &elastic_force_, &internal_at_rest_})
     vector->setZero(unknowns);
   rhs_ = flat(state_.displacement);
-  linear_->stiffness.multiply(rhs_, elastic_force_);
+  linear_->stiffness_times.multiply(rhs_, elastic_force_);
   internal_at_rest_ = internal_old_ - elastic_force_;
   rhs_ = flat(state_.velocity);
-  linear_->inertia.multiply(rhs_, momentum_);
+  linear_->inertia_times.multiply(rhs_, momentum_);
   set_energy_offset();
   if (plan_.is_static) return;
   inertia_force_ = load_old_ - internal_old_;
@@ -77,7 +77,7 @@ void Simulation::accept_linear_step() {
   linear_internal_forces(internal_new_);
   // M a1 from the change of M v, as a1 follows from that of v.
   rhs_ = flat(state_.velocity);
-  linear_->inertia.multiply(rhs_, constant_rhs_);
+  linear_->inertia_times.multiply(rhs_, constant_rhs_);
   double work = (1 - c.weight_new_a) * increment_.dot(inertia_force_);
   inertia_force_ = (constant_rhs_ - momentum_ - c.v_a0 * inertia_force_) / c.v_a1;
   work += c.weight_new_a * increment_.dot(inertia_force_);
@@ -93,7 +93,7 @@ void Simulation::accept_linear_step() {
 // Internal forces at the current displacements; those of supports that move follow their prescribed places.
 void Simulation::linear_internal_forces(Eigen::VectorXd& force) {
   rhs_ = flat(state_.displacement);
-  linear_->stiffness.multiply(rhs_, elastic_force_);
+  linear_->stiffness_times.multiply(rhs_, elastic_force_);
   force = elastic_force_ + internal_at_rest_;
   if (!plan_.moving_supports) return;
   for (std::size_t i = 0; i < supports_.size(); ++i) {

@@ -12,7 +12,7 @@ std::string sentence(const std::string& file, const std::string& field, const st
 
 }  // namespace
 
-InputError::InputError(std::string file, std::string field, std::string value, std::string expected)
+InputError::InputError(const std::string& file, std::string field, std::string value, std::string expected)
     : std::runtime_error(sentence(file, field, value, expected)),
       field_(std::move(field)),
       value_(std::move(value)),

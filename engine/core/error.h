@@ -9,7 +9,7 @@ namespace dda {
 class InputError : public std::runtime_error {
  public:
   // The sentence reads "FILE: FIELD is VALUE, expected EXPECTED"; leave `file` empty where it is not known yet.
-  InputError(std::string file, std::string field, std::string value, std::string expected);
+  InputError(const std::string& file, std::string field, std::string value, std::string expected);
 
   // The same error, now that the file it came from is known.
   [[nodiscard]] InputError in_file(const std::string& file) const;

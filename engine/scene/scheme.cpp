@@ -3,17 +3,14 @@
 namespace dda {
 namespace {
 
-constexpr double contact_rho_inf = 0.8;  // damps the ringing that changing contacts excite in the trapezoidal rule
-
-Integrator accurate_integrator(Kinematics kinematics, bool all_bonded) {
-  const bool contacts_change = !all_bonded && kinematics == Kinematics::finite;
-  return contacts_change ? generalized_alpha_integrator(contact_rho_inf) : trapezoidal_integrator();
-}
+// Damps what the mesh cannot resolve (kinks of a load, contacts that change) and nothing that it can.
+constexpr double accurate_rho_inf = 0.8;
 
 }  // namespace
 
 JointMaterial preset_joint(const Scheme& scheme) {
   JointMaterial joint;
+  joint.law = InterfaceLaw::cubic;
   if (scheme.name == SchemeName::thesis) {
     joint.law = InterfaceLaw::classical;
     joint.spring_over_young = 10;
@@ -25,8 +22,12 @@ JointMaterial preset_joint(const Scheme& scheme) {
 Stage preset_stage(const Scheme& scheme, Kinematics kinematics, bool all_bonded) {
   Stage stage;
   stage.kinematics = kinematics;
-  stage.integrator =
-      scheme.name == SchemeName::thesis ? thesis_integrator() : accurate_integrator(kinematics, all_bonded);
+  if (scheme.name == SchemeName::thesis) {
+    stage.integrator = thesis_integrator();
+    return stage;
+  }
+  stage.integrator = generalized_alpha_integrator(accurate_rho_inf);
+  stage.correct_time_dispersion = all_bonded && kinematics == Kinematics::small;
   return stage;
 }
 

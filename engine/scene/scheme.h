@@ -9,7 +9,7 @@
 namespace dda {
 
 enum class SchemeName {
-  accurate,  // consistent joints; no numerical damping where nothing opens or slides
+  accurate,  // cubic joints (consistent where they cannot be), generalized-alpha without its period error
   thesis,    // classical springs of 10 E and Eq. 5, as in Zelig (2015)
 };
 

@@ -1,0 +1,46 @@
+// Follows which blocks can touch while they move.
+//
+// Broad phase: boxes grown by a tenth of each block's size; the list of pairs holds until some block leaves its grown box
+// (a Verlet list). Narrow phase: vertex-edge contacts of the listed pairs, see vertex_contact.h.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "dda/contact/outlines.h"
+#include "dda/contact/vertex_contact.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+
+namespace dda {
+
+class ContactSearch {
+ public:
+  ContactSearch(const Model& model, const State& state);
+
+  // Follows the blocks. Returns true when the list of pairs was made anew.
+  bool update(const Model& model, const State& state);
+
+  // Contacts now, sorted by edge and vertex. `bonded` (sorted pairs) are left out.
+  [[nodiscard]] std::vector<VertexContact> find(const std::vector<std::pair<int, int>>& bonded) const;
+
+  [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
+  [[nodiscard]] const Outlines& outlines() const { return outlines_; }
+
+  // Size of a block, m: the side of the square with its area.
+  [[nodiscard]] double size_of(int block) const { return sizes_[static_cast<std::size_t>(block)]; }
+
+  // A contact is found while its gap is below this share of the smaller block's size, so no point may move by more than
+  // half of that in one step.
+  static constexpr double reach = 0.02;
+
+ private:
+  void list_pairs();
+
+  Outlines outlines_;
+  std::vector<double> sizes_;
+  std::vector<Box> grown_;  // boxes of the broad phase
+  std::vector<std::pair<int, int>> pairs_;
+};
+
+}  // namespace dda

@@ -1,0 +1,47 @@
+#include "dda/contact/outlines.h"
+
+#include <cstddef>
+
+namespace dda {
+namespace {
+
+void append_ring(const Ring& ring, const Vec2& centroid, Outlines& outlines) {
+  const int first = static_cast<int>(outlines.reference.size());
+  const int size = static_cast<int>(ring.size());
+  for (int i = 0; i < size; ++i) {
+    outlines.reference.push_back(ring[static_cast<std::size_t>(i)] - centroid);
+    outlines.next.push_back(first + (i + 1) % size);
+    outlines.previous.push_back(first + (i + size - 1) % size);
+  }
+}
+
+}  // namespace
+
+Outlines make_outlines(const Model& model, const State& state) {
+  Outlines outlines;
+  outlines.starts.push_back(0);
+  for (const Block& block : model.blocks) {
+    append_ring(block.shape.outer, block.moments.centroid, outlines);
+    for (const Ring& hole : block.shape.holes) append_ring(hole, block.moments.centroid, outlines);
+    outlines.starts.push_back(static_cast<int>(outlines.reference.size()));
+  }
+  outlines.current.resize(outlines.reference.size());
+  outlines.boxes.resize(model.blocks.size());
+  update_outlines(model, state, outlines);
+  return outlines;
+}
+
+void update_outlines(const Model& model, const State& state, Outlines& outlines) {
+  for (std::size_t block = 0; block < outlines.boxes.size(); ++block) {
+    const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
+    Box box;
+    for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {
+      const auto vertex = static_cast<std::size_t>(i);
+      outlines.current[vertex] = centroid + state.deformation[block] * outlines.reference[vertex];
+      box = expanded(box, outlines.current[vertex]);
+    }
+    outlines.boxes[block] = box;
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,29 @@
+// Vertices of all blocks in one array, where they are now.
+#pragma once
+
+#include <vector>
+
+#include "dda/core/types.h"
+#include "dda/geometry/box.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+
+namespace dda {
+
+// Vertex i of a block belongs to one of its rings (outer counter-clockwise, holes clockwise); edge i runs from vertex i to
+// its successor, with the block on its left.
+struct Outlines {
+  std::vector<int> starts;      // block -> first of its vertices; one more entry than blocks
+  std::vector<Vec2> reference;  // offsets from the block's reference centroid, m
+  std::vector<int> next, previous;
+  std::vector<Vec2> current;  // positions, m
+  std::vector<Box> boxes;     // of each block's current outer ring
+
+  [[nodiscard]] int blocks() const { return static_cast<int>(boxes.size()); }
+};
+
+Outlines make_outlines(const Model& model, const State& state);
+
+void update_outlines(const Model& model, const State& state, Outlines& outlines);
+
+}  // namespace dda

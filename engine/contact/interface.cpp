@@ -32,11 +32,6 @@ std::vector<Edge> edges_of(const Polygon& shape, double tolerance) {
   return edges;
 }
 
-int joint_index(const Model& model, int block_a, int block_b) {
-  const auto found = model.joint_of_block_pair.find(std::minmax(block_a, block_b));
-  return found == model.joint_of_block_pair.end() ? 0 : found->second;
-}
-
 Vec2 outward_normal(const Segment& edge) {
   const Vec2 along = (edge.end - edge.start).normalized();
   return {along.y(), -along.x()};
@@ -110,6 +105,11 @@ class PairSearch {
 };
 
 }  // namespace
+
+int joint_index(const Model& model, int block_a, int block_b) {
+  const auto found = model.joint_of_block_pair.find(std::minmax(block_a, block_b));
+  return found == model.joint_of_block_pair.end() ? 0 : found->second;
+}
 
 std::vector<Interface> find_interfaces(const Model& model) {
   std::vector<std::vector<Edge>> edges;

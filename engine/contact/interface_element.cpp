@@ -94,7 +94,6 @@ Eigen::RowVector3d normal_stress_row(const Vec2& n) { return {n.x() * n.x(), n.y
 // The stress rows of a block on the a side (side = 1) or b side (side = -1).
 Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side, const Material& material) {
   Mat43 rows = Mat43::Zero();
-  if (law == InterfaceLaw::classical) return rows;
   const Vec2 n = axes.row(0);
   Eigen::Matrix<double, 2, 3> traction;
   traction << n.x(), 0, n.y(), 0, n.y(), n.x();
@@ -143,6 +142,7 @@ void set_geometry(const Model& model, const InterfaceFrame& frame, InterfaceElem
   const Mat2 axes = local_axes(frame.normal);
   element.rows_a = -rows_of(axes, frame.from_a, frame.to_a, frame.centroid_a, element.law);
   element.rows_b = rows_of(axes, frame.from_b, frame.to_b, frame.centroid_b, element.law);
+  if (!has_stress_rows(element)) return;
   const Material& material_a = model.material_of(element.block_a);
   const Material& material_b = model.material_of(element.block_b);
   element.stress_rows_a = stress_rows(axes, element.length, element.law, 1, material_a);

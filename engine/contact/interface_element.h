@@ -30,8 +30,8 @@ struct InterfaceElement {
   double length = 0;
   Mat46 rows_a, rows_b;
   Vec4 stiffness;         // N/m per m of thickness, of each row while it is closed and stuck
-  Mat43 stress_rows_a, stress_rows_b;  // m
-  Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness
+  Mat43 stress_rows_a, stress_rows_b;  // m; not set in the classical law
+  Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set in the classical law
 };
 
 inline bool has_stress_rows(const InterfaceElement& element) { return element.law != InterfaceLaw::classical; }

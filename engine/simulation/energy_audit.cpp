@@ -92,6 +92,13 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
   ledger_.numerical += work - stored - friction;
 }
 
+void EnergyAudit::geometry_followed(const StoredEnergy& stored) {
+  ledger_.numerical += ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact - stored.contact;
+  ledger_.kinetic = stored.kinetic;
+  ledger_.strain = stored.strain;
+  ledger_.contact = stored.contact;
+}
+
 void EnergyAudit::support_moved(const SupportElement& before, const SupportElement& after) {
   const Vec2 mean_force = before.stiffness.cwiseProduct(before.gap + after.gap) / 2;
   ledger_.external_work -= mean_force.dot(after.prescribed - before.prescribed);

@@ -61,6 +61,9 @@ class EnergyAudit {
   // An interface went over to another law with this loss of stored energy (J per m of thickness).
   void interface_replaced(double loss) { replaced_ += loss; }
 
+  // Areas, inertia and gaps were measured anew in the geometry reached: what that changed counts as numerical.
+  void geometry_followed(const StoredEnergy& stored);
+
   // Work of a support's prescribed motion.
   void support_moved(const SupportElement& before, const SupportElement& after);
 

@@ -11,6 +11,19 @@
 #include "dda/terms/velocity_damping.h"
 
 namespace dda {
+namespace {
+
+// Geometry is followed, and the matrix built anew, when some block has moved by this share of its size: directions are
+// then off by as much, and gaps by half its square.
+constexpr double geometry_tolerance = 1e-6;
+
+bool contacts_move(const Model& model, const ContactSet& contacts) {
+  return contacts.can_change && std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& stage) {
+           return stage.kinematics == Kinematics::finite;
+         });
+}
+
+}  // namespace
 
 Simulation::Simulation(Model model)
     : model_(std::move(model)),
@@ -26,6 +39,11 @@ Simulation::Simulation(Model model)
   for (Eigen::VectorXd* vector :
        {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_})
     vector->setZero(unknowns);
+  if (contacts_move(model_, contacts_)) {
+    moving_.emplace(model_, state_, contacts_);
+    trial_ = contacts_.states;
+    matrix_ = make_system_matrix(matrix_.size(), moving_->pairs());
+  }
   sum_internal_forces(internal_old_);
   external_.loads_at(state_.time, load_old_);
   begin_stage();
@@ -90,7 +108,11 @@ Status Simulation::try_step(double dt) {
   if (plan_.linear) return linear_step();
   if (dt != coefficients_.dt) set_step_size(dt);
   prepare_step();
-  const Status status = find_contact_statuses();
+  Status status = find_contact_statuses();
+  if (status == Status::ok && moving_ && largest_motion() > ContactSearch::reach / 2) {
+    message_ = "a block moves by more than 1 % of its size in one step, so contacts could be missed";
+    status = Status::not_converged;
+  }
   if (status == Status::ok) {
     accept_step();
   } else {
@@ -105,9 +127,36 @@ void Simulation::prepare_step() {
   form_constant_rhs();
 }
 
+// Largest motion of a point of a block in the step solved last, in sizes of that block.
+double Simulation::largest_motion() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < terms_.area.size(); ++i) {
+    const auto own = increment_.segment<6>(static_cast<Eigen::Index>(6 * i));
+    const double motion = own.head<2>().norm() / std::sqrt(terms_.area[i]) + own.tail<4>().cwiseAbs().maxCoeff();
+    largest = std::max(largest, motion);
+  }
+  return largest;
+}
+
+void Simulation::follow_contacts() {
+  if (!moving_) {
+    update_geometry(model_, state_, contacts_);
+    return;
+  }
+  ++counters_.contact_searches;
+  if (moving_->follow(model_, state_, contacts_)) {
+    matrix_ = make_system_matrix(matrix_.size(), moving_->pairs());
+    solver_->analyze(matrix_);
+    ++counters_.analyses;
+  }
+  trial_ = contacts_.states;
+}
+
 void Simulation::follow_geometry() {
+  if (moved_ <= geometry_tolerance) return;
+  moved_ = 0;
   update_geometry(model_, state_, terms_);
-  update_geometry(model_, state_, contacts_);
+  follow_contacts();
   update_geometry(model_, state_, supports_);
   if (plan_.viscous_edges) damping_ = make_block_damping(model_, state_);
   if (plan_.loads) {
@@ -115,6 +164,7 @@ void Simulation::follow_geometry() {
     external_.loads_at(state_.time, load_old_);
   }
   sum_internal_forces(internal_old_);
+  audit_.geometry_followed(stored_energy(terms_, state_, contacts_, supports_));
   matrix_is_current_ = false;
 }
 
@@ -173,6 +223,7 @@ void Simulation::accept_step() {
   const double work = inertia_work(coefficients_, terms_, state_, increment_);
   audit_.dashpots_worked(coefficients_, damping_, state_, increment_);
   move_blocks(coefficients_, stage().kinematics, terms_, increment_, state_);
+  if (plan_.finite_kinematics) moved_ += largest_motion();
   state_.time += coefficients_.dt;
   accept_contacts();
   accept_supports();

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "dda/contact/contact_set.h"
+#include "dda/contact/moving_contacts.h"
 #include "dda/core/counters.h"
 #include "dda/core/status.h"
 #include "dda/linear/block_matrix.h"
@@ -70,6 +71,8 @@ class Simulation {
   // General step (simulation.cpp, open_close_loop.cpp)
   void prepare_step();
   void follow_geometry();
+  void follow_contacts();
+  [[nodiscard]] double largest_motion() const;
   void form_constant_rhs();
   [[nodiscard]] Status find_contact_statuses();
   [[nodiscard]] Status solve_pass();
@@ -102,6 +105,8 @@ class Simulation {
   State state_;
   ContactSet contacts_;
   std::vector<InterfaceState> trial_;  // interface states of the current open-close pass
+  std::optional<MovingContacts> moving_;  // only where blocks can move against each other
+  double moved_ = 0;  // largest motion since the geometry was last followed, in block sizes
   std::vector<SupportElement> supports_;
   BlockTerms terms_;
   BlockDamping damping_;

@@ -35,8 +35,10 @@ void add_contacts(double factor, const ContactSet& contacts, const std::vector<I
 BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts) {
   std::vector<std::pair<int, int>> couplings;
   for (const Interface& interface : contacts.interfaces) couplings.emplace_back(interface.block_a, interface.block_b);
-  return {blocks, std::move(couplings)};
+  return make_system_matrix(blocks, std::move(couplings));
 }
+
+BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs) { return {blocks, std::move(pairs)}; }
 
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
               const std::vector<SupportElement>& supports, const ContactSet& contacts,

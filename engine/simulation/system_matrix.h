@@ -1,6 +1,7 @@
 // The matrix of one step: mass M + damping C + stiffness K with the coefficients of the integrator.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "dda/contact/contact_set.h"
@@ -11,8 +12,9 @@
 
 namespace dda {
 
-// Pattern: blocks that share an interface are coupled.
+// Pattern: blocks that share an interface, or that may come to touch, are coupled.
 BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts);
+BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs);
 
 // Writes all values. `states` are the interface states whose statuses count (those of the current open-close pass).
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,

@@ -1,0 +1,39 @@
+// Keeps a ContactSet in step with blocks that move: dry contacts are vertex-edge contacts found anew as geometry changes,
+// with their history; joints with strength stay the stretches they were found as until both their ends are broken.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "dda/contact/contact_search.h"
+#include "dda/contact/contact_set.h"
+#include "dda/contact/vertex_contact.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+
+namespace dda {
+
+class MovingContacts {
+ public:
+  // Takes dry stretches and lone vertices out of `contacts` and finds the vertex-edge contacts of the start.
+  MovingContacts(const Model& model, const State& state, ContactSet& contacts);
+
+  // Brings `contacts` to the current geometry. Known contacts keep status, shear and slip; normal gaps are measured.
+  // Returns true when the list of pairs that can touch changed.
+  bool follow(const Model& model, const State& state, ContactSet& contacts);
+
+  // Pairs of blocks that can touch before the next change of the list.
+  [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return search_.pairs(); }
+
+  [[nodiscard]] double size_of(int block) const { return search_.size_of(block); }
+
+ private:
+  void drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones);
+  void refresh(const Model& model, const State& state, ContactSet& contacts);
+
+  ContactSearch search_;
+  std::size_t stretches_ = 0;         // leading entries of the ContactSet that are joints with strength
+  std::vector<VertexContact> known_;  // the others, in the same order
+};
+
+}  // namespace dda

@@ -1,101 +1,130 @@
 #include "dda/contact/open_close.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace dda {
 namespace {
 
-// What one end carries at the end of the step when closed and stuck.
-struct EndTrial {
-  double normal_force;
-  double shear_force;
+constexpr double at_capacity = 1e-12;
+
+struct Answer {
+  double force;
+  bool active;
 };
 
-ContactStatus broken_status(const EndTrial& trial, double friction) {
-  if (trial.normal_force >= 0) return ContactStatus::open;
-  return std::abs(trial.shear_force) > -friction * trial.normal_force ? ContactStatus::sliding : ContactStatus::locked;
+Answer press(double stiffness, double gap, bool broken) {
+  if (broken && gap >= 0) return {0, false};
+  return {stiffness * gap, true};
 }
 
-void set_open(std::size_t end, const Vec4& gap, InterfaceState& trial) {
-  const auto row = static_cast<Eigen::Index>(2 * end);
-  trial.force.segment<2>(row).setZero();
-  trial.gap(row) = gap(row);
-  trial.gap(row + 1) = 0;  // a joint that closes again starts without shear
+Answer shear(double stiffness, double gap, bool broken, double capacity) {
+  const double stuck = stiffness * gap;
+  // A joint that slid in the last step starts this one right at its capacity: it slides on unless it turns back.
+  if (broken && std::abs(stuck) >= (1 - at_capacity) * capacity) return {std::copysign(capacity, stuck), false};
+  return {stuck, true};
 }
 
-void set_closed(const InterfaceElement& element, std::size_t end, const EndTrial& closed, double shear_force,
-                double old_slip, const Vec4& gap, InterfaceState& trial) {
-  const auto row = static_cast<Eigen::Index>(2 * end);
-  trial.force(row) = closed.normal_force;
-  trial.force(row + 1) = shear_force;
-  trial.gap(row) = gap(row);
-  trial.gap(row + 1) = shear_force / element.stiffness(row + 1);
-  trial.slip[end] = old_slip + gap(row + 1) - trial.gap(row + 1);
-}
+int ends_of(const InterfaceElement& element) { return element.length > 0 ? 2 : 1; }
 
-bool judge_end(const InterfaceElement& element, const EndStrength& strength, std::size_t end,
-               const InterfaceState& start, const Vec4& gap, double friction_tolerance, InterfaceState& trial) {
-  const auto row = static_cast<Eigen::Index>(2 * end);
-  const ContactStatus old_status = trial.status[end];
-  const double old_shear = trial.force(row + 1);
-  const EndTrial closed{element.stiffness(row) * gap(row), element.stiffness(row + 1) * gap(row + 1)};
-  if (!trial.broken[end]) trial.broken[end] = exceeds(strength, closed.normal_force, closed.shear_force);
-  trial.status[end] = trial.broken[end] ? broken_status(closed, strength.friction) : ContactStatus::locked;
-  if (trial.status[end] == ContactStatus::open) {
-    set_open(end, gap, trial);
-    return old_status != ContactStatus::open;
+Eigen::Index normal_row(int end) { return 2 * end; }
+
+// An end that slid in the last step starts this one at its capacity, but for round-off and the gap measured anew: the first
+// pass takes it to slide on.
+void keep_sliding(const InterfaceElement& element, const InterfaceState& start, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(element); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    const Eigen::Index row = normal_row(end) + 1;
+    if (start.status[e] != ContactStatus::sliding || trial.capacity[e] == 0) continue;
+    trial.force(row) = std::copysign(trial.capacity[e], start.gap(row));
+    trial.active(row) = 0;
   }
-  if (trial.status[end] == ContactStatus::locked) {
-    set_closed(element, end, closed, closed.shear_force, start.slip[end], gap, trial);
-    return old_status != ContactStatus::locked;
-  }
-  const double friction = std::copysign(strength.friction * closed.normal_force, closed.shear_force);
-  set_closed(element, end, closed, friction, start.slip[end], gap, trial);
-  return old_status != ContactStatus::sliding ||
-         std::abs(friction - old_shear) > friction_tolerance * std::abs(closed.normal_force);
 }
 
 }  // namespace
 
-Vec4 active_rows(const InterfaceElement& element, const InterfaceState& state) {
-  if (has_stress_rows(element)) return Vec4::Ones();
-  Vec4 active;
-  for (std::size_t end = 0; end < 2; ++end) {
-    const auto row = static_cast<Eigen::Index>(2 * end);
-    active(row) = state.status[end] == ContactStatus::open ? 0 : 1;
-    active(row + 1) = state.status[end] == ContactStatus::locked ? 1 : 0;
-  }
-  return active;
+InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start) {
+  InterfaceTrial trial;
+  trial.gap = start.gap;
+  trial.broken = start.broken;
+  trial.force = start.force;
+  if (has_stress_rows(element)) return trial;
+  for (int end = 0; end < ends_of(element); ++end)
+    trial.capacity[static_cast<std::size_t>(end)] = strength.friction * std::max(0.0, -start.force(normal_row(end)));
+  respond(element, trial);
+  keep_sliding(element, start, trial);
+  return trial;
 }
 
-Vec4 force_without_motion(const InterfaceElement& element, const InterfaceState& start, const InterfaceState& trial) {
-  if (has_stress_rows(element)) return start.force;
-  Vec4 force = active_rows(element, trial).cwiseProduct(element.stiffness).cwiseProduct(start.gap);
-  for (std::size_t end = 0; end < 2; ++end) {
-    const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
-    if (trial.status[end] == ContactStatus::sliding) force(shear_row) = trial.force(shear_row);
+void respond(const InterfaceElement& element, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(element); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    const Eigen::Index n = normal_row(end);
+    const Answer normal = press(element.stiffness(n), trial.gap(n), trial.broken[e]);
+    const Answer tangent = shear(element.stiffness(n + 1), trial.gap(n + 1), trial.broken[e], trial.capacity[e]);
+    trial.force.segment<2>(n) << normal.force, tangent.force;
+    trial.active.segment<2>(n) << (normal.active ? 1 : 0), (tangent.active ? 1 : 0);
   }
-  return force;
 }
 
-bool judge(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
-           const Vec4& gap_change, const Vec3& stress_a, const Vec3& stress_b, double friction_tolerance, InterfaceState& trial) {
-  const Vec4 gap = start.gap + gap_change;
-  if (has_stress_rows(element)) {
-    trial.gap = gap;
-    trial.force = elastic_force(element, gap, stress_a, stress_b);
-    return false;
+double force_along(const InterfaceElement& element, const InterfaceTrial& trial, double t) {
+  double along = 0;
+  for (int end = 0; end < ends_of(element); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    const Eigen::Index n = normal_row(end);
+    const double gap = trial.gap(n) + t * trial.direction(n);
+    const double slide = trial.gap(n + 1) + t * trial.direction(n + 1);
+    along += trial.direction(n) * press(element.stiffness(n), gap, trial.broken[e]).force;
+    along += trial.direction(n + 1) *
+             shear(element.stiffness(n + 1), slide, trial.broken[e], trial.capacity[e]).force;
   }
-  bool changed = false;
-  const std::size_t ends = element.length > 0 ? 2 : 1;
-  for (std::size_t end = 0; end < ends; ++end)
-    changed = judge_end(element, strength, end, start, gap, friction_tolerance, trial) || changed;
-  return changed;
+  return along;
 }
 
-bool beyond_strength(const EndStrength& strength, const InterfaceState& trial) {
-  return exceeds(strength, trial.force(0) / 2, trial.force(1) / 2);
+double update_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
+  const Vec4 before = trial.force;
+  for (int end = 0; end < ends_of(element); ++end)
+    trial.capacity[static_cast<std::size_t>(end)] = strength.friction * std::max(0.0, -trial.force(normal_row(end)));
+  respond(element, trial);
+  return (trial.force - before).cwiseAbs().maxCoeff();
+}
+
+bool break_ends(const EndStrength& strength, InterfaceTrial& trial) {
+  bool broke = false;
+  for (int end = 0; end < 2; ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    const Eigen::Index n = normal_row(end);
+    if (trial.broken[e] || !exceeds(strength, trial.force(n), trial.force(n + 1))) continue;
+    trial.broken[e] = broke = true;
+  }
+  return broke;
+}
+
+InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial) {
+  InterfaceState state = start;
+  state.gap = trial.gap;
+  state.force = trial.force;
+  state.broken = trial.broken;
+  if (has_stress_rows(element)) return state;
+  for (int end = 0; end < ends_of(element); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    const Eigen::Index n = normal_row(end);
+    if (trial.active(n) == 0) {
+      state.status[e] = ContactStatus::open;
+      state.force.segment<2>(n).setZero();
+      state.gap(n + 1) = 0;  // a joint that closes again starts without shear
+      continue;
+    }
+    state.status[e] = trial.active(n + 1) != 0 ? ContactStatus::locked : ContactStatus::sliding;
+    state.gap(n + 1) = trial.force(n + 1) / element.stiffness(n + 1);
+    state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
+  }
+  return state;
+}
+
+bool beyond_strength(const EndStrength& strength, const Vec4& force) {
+  return exceeds(strength, force(0) / 2, force(1) / 2);
 }
 
 }  // namespace dda

@@ -1,5 +1,12 @@
-// The open-close iteration on one interface: which of its ends are open, sliding or stuck at the end of a step.
+// What one interface answers to a gap, and when it breaks: the laws of the open-close iteration.
+//
+// An end that is whole is linear in both directions. A broken (or dry) end presses only, and resists shear up to its
+// `capacity`. For given capacities the answer is the gradient of a convex potential (a half parabola and Huber's
+// function), so a step has exactly one solution and Newton's method with a line search finds it in finitely many passes;
+// capacities then follow the normal forces (Coulomb as a fixed point of Tresca), and ends beyond their strength break.
 #pragma once
+
+#include <array>
 
 #include "dda/contact/interface_element.h"
 #include "dda/contact/interface_state.h"
@@ -7,22 +14,35 @@
 
 namespace dda {
 
-// 1 for rows that carry stiffness under these statuses, 0 for the others.
-Vec4 active_rows(const InterfaceElement& element, const InterfaceState& state);
+// An interface in the course of a step.
+struct InterfaceTrial {
+  Vec4 gap = Vec4::Zero();        // m, at the displacements reached so far; tangential without earlier slip
+  Vec4 direction = Vec4::Zero();  // m, its change along the full Newton step
+  Vec4 force = Vec4::Zero();      // N per m of thickness, at `gap`
+  Vec4 active = Vec4::Ones();     // 1 for rows that carry stiffness, 0 for open or sliding ones
+  std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end
+  std::array<bool, 2> broken{false, false};
+};
 
-// The interface forces at the end of the step if the blocks did not move, with the statuses of `trial`: the part of the
-// end-of-step force that does not depend on the unknowns. Sliding friction is that of the previous pass, kept in
-// trial.force.
-Vec4 force_without_motion(const InterfaceElement& element, const InterfaceState& start, const InterfaceState& trial);
+// Starts a step: gaps, capacities and broken ends of its first moment.
+InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start);
 
-// Judges a trial solution. `start` is the state at the start of the step, `gap_change` the solved change of its gaps,
-// `stress_a` and `stress_b` the blocks' end-of-step stresses (not read in the classical law). Sets statuses, forces, gaps and slip
-// of `trial`, and returns whether the next pass must differ: a status changed, or a friction force by more than
-// `friction_tolerance` (relative to its normal force).
-bool judge(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
-           const Vec4& gap_change, const Vec3& stress_a, const Vec3& stress_b, double friction_tolerance, InterfaceState& trial);
+// Force and active rows at the trial's gap. Classical elements only; the others are linear and never ask.
+void respond(const InterfaceElement& element, InterfaceTrial& trial);
 
-// True when a consistent interface is loaded beyond the strength of its joint and must go on as a classical one.
-bool beyond_strength(const EndStrength& strength, const InterfaceState& trial);
+// Work rate direction . force at a share `t` of the Newton step.
+double force_along(const InterfaceElement& element, const InterfaceTrial& trial, double t);
+
+// Sets capacities to friction times normal force; returns the largest change of a force that this makes at this gap.
+double update_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
+
+// Breaks ends that are beyond their strength; returns whether one broke.
+bool break_ends(const EndStrength& strength, InterfaceTrial& trial);
+
+// The state that a converged trial leaves.
+InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial);
+
+// True when an interface with stress rows is loaded beyond the strength of its joint and must go on as a classical one.
+bool beyond_strength(const EndStrength& strength, const Vec4& force);
 
 }  // namespace dda

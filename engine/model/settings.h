@@ -52,7 +52,7 @@ struct Stage {
   // every length then run at sqrt(E/rho)). True: with it, as a strip of finite width does (Love's bar).
   bool lateral_inertia = true;
 
-  int max_open_close_iterations = 20;
+  int max_open_close_iterations = 200;
   int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge
 };
 

@@ -71,7 +71,8 @@ void add_scaled(double factor, const BlockMatrix& matrix, BlockMatrix& sum) {
 LinearOperators make_linear_operators(const Model& model, const Stage& stage, const BlockTerms& terms,
                                       const ContactSet& contacts, const std::vector<SupportElement>& supports) {
   BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
-  assemble(only_stiffness(), terms, {}, supports, contacts, contacts.states, stiffness);
+  const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
+  assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
   BlockMatrix inertia = make_inertia(model, stage, terms, contacts);
   ConstantOperator stiffness_times(stiffness);
   ConstantOperator inertia_times(inertia);

@@ -53,7 +53,7 @@ Status Simulation::linear_step() {
   if (plan_.loads) external_.loads_at(state_.time + coefficients_.dt, load_new_);
   form_linear_rhs();
   Status status = matrix_is_current_ ? Status::ok : refactor();
-  if (status == Status::ok) status = solve_for_increment();
+  if (status == Status::ok) status = solve_for_increment(increment_);
   if (status == Status::ok) accept_linear_step();
   return status;
 }

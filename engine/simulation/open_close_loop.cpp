@@ -1,4 +1,13 @@
-// The open-close iteration of Simulation: solve, judge every interface, solve again until no status changes.
+// The open-close iteration of Simulation.
+//
+// With friction capacities given, the step minimizes the convex, piecewise quadratic
+//   1/2 d A0 d - d . rhs + stiffness factor * (potentials of all interfaces)
+// over the increments d, A0 being the matrix without dry contacts. Newton's method solves with the rows active at the
+// point reached; a line search along its step (exact: the slope is continuous and increasing) makes every pass lower the
+// minimum sought, so no set of statuses comes twice and the passes end. Two outer loops follow: capacities move to
+// friction times normal force until forces stand still, and ends beyond their strength break, at most once each.
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "dda/contact/open_close.h"
@@ -7,54 +16,183 @@
 namespace dda {
 namespace {
 
-// Friction follows the normal force by fixed-point iteration; its last change may be this share of the normal force.
+// Friction follows the normal force by fixed-point iteration; its last change may be this share of the largest force.
 // Far below what a stress or displacement is read to, far above the round-off of a solve.
-constexpr double friction_tolerance = 1e-9;
+constexpr double friction_tolerance = 1e-10;
+
+// A slope this much smaller than that at the start of the Newton step counts as zero.
+constexpr double slope_tolerance = 1e-9;
+
+// Zero of an increasing function on [0, 1] with slope(0) < 0 < slope(1).
+template <typename Slope>
+double zero_of(const Slope& slope, double at_zero, double at_one) {
+  double low = 0;
+  double high = 1;
+  double low_value = at_zero;
+  double high_value = at_one;
+  const double small = slope_tolerance * std::abs(at_zero);
+  for (int i = 0; i < 60; ++i) {
+    // Regula falsi, kept off the ends so that the bracket shrinks from both sides.
+    const double share = std::clamp(low_value / (low_value - high_value), 0.05, 0.95);
+    const double middle = low + share * (high - low);
+    const double value = slope(middle);
+    if (std::abs(value) <= small) return middle;
+    (value < 0 ? low : high) = middle;
+    (value < 0 ? low_value : high_value) = value;
+  }
+  return low;
+}
 
 }  // namespace
 
 Status Simulation::find_contact_statuses() {
-  trial_ = contacts_.states;
-  for (int pass = 0; pass < stage().max_open_close_iterations; ++pass) {
+  start_trials();
+  passes_left_ = stage().max_open_close_iterations;
+  increment_.setZero();
+  while (true) {
+    const Status status = settle_capacities();
+    if (status != Status::ok) return status;
+    if (!break_interfaces()) return Status::ok;
+  }
+}
+
+void Simulation::start_trials() {
+  trial_.resize(contacts_.elements.size());
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    trial_[i] = start_trial(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i]);
+}
+
+// Coulomb friction as a fixed point of given capacities.
+Status Simulation::settle_capacities() {
+  while (true) {
+    const Status status = settle_statuses();
+    if (status != Status::ok || !plan_.contacts_can_change) return status;
+    double change = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < trial_.size(); ++i) {
+      if (has_stress_rows(contacts_.elements[i])) continue;
+      change = std::max(change, update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]));
+      largest = std::max(largest, trial_[i].force.cwiseAbs().maxCoeff());
+    }
+    if (change <= friction_tolerance * largest) return Status::ok;
+  }
+}
+
+// Newton's method with line search for given capacities.
+Status Simulation::settle_statuses() {
+  while (passes_left_-- > 0) {
+    if (plan_.contacts) ++counters_.open_close_iterations;
     const Status status = solve_pass();
     if (status != Status::ok) return status;
-    if (plan_.contacts) ++counters_.open_close_iterations;
-    if (!judge_contacts()) return Status::ok;
+    if (take_newton_step()) return Status::ok;
   }
   message_ = "the open-close iteration did not settle";
   return Status::not_converged;
 }
 
 Status Simulation::solve_pass() {
+  if (active_rows_changed()) matrix_is_current_ = false;
   if (!matrix_is_current_) {
     const Status status = refactor();
     if (status != Status::ok) return status;
   }
   rhs_ = constant_rhs_;
   if (plan_.contacts_can_change) add_contact_rhs();
-  return solve_for_increment();
+  target_ = increment_;
+  const Status status = solve_for_increment(target_);
+  return status;
 }
 
-Status Simulation::solve_for_increment() {
-  ++counters_.solves;
-  const Status status = solver_->solve(rhs_, increment_);
-  if (status != Status::ok) {
-    message_ = "the linear solver failed";
-    return status;
+// The matrix holds the stiffness of `matrix_rows_`; it must be that of the rows active now.
+bool Simulation::active_rows_changed() {
+  if (matrix_rows_.size() != trial_.size()) {
+    matrix_rows_.assign(trial_.size(), Vec4::Constant(-1));
   }
-  if (increment_.allFinite()) return Status::ok;
-  message_ = "a displacement is not finite";
-  return Status::not_finite;
+  bool changed = false;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    if (matrix_rows_[i] == trial_[i].active) continue;
+    matrix_rows_[i] = trial_[i].active;
+    ++counters_.contact_state_changes;
+    changed = true;
+  }
+  return changed;
 }
 
-// Interfaces whose end-of-step force is not the carried one plus stiffness: open, sliding, or closing again.
+// Forces at the end of the step are force + K_active (gap at the end - gap reached); what of that does not depend on the
+// unknowns goes to the right, beside the forces carried over in constant_rhs_.
 void Simulation::add_contact_rhs() {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const InterfaceState& start = contacts_.states[i];
-    const Vec4 difference = force_without_motion(contacts_.elements[i], start, trial_[i]) - start.force;
-    if (difference.isZero(0)) continue;
-    add_interface_force(contacts_.elements[i], -coefficients_.stiffness * difference, Vec4::Zero(), rhs_);
+    const InterfaceElement& element = contacts_.elements[i];
+    if (has_stress_rows(element)) continue;
+    const InterfaceTrial& trial = trial_[i];
+    const Vec4 reached = trial.gap - contacts_.states[i].gap;
+    const Vec4 constant =
+        trial.force - trial.active.cwiseProduct(element.stiffness).cwiseProduct(reached) - contacts_.states[i].force;
+    if (!constant.isZero(0))
+      add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs_);
   }
+}
+
+// Moves along the Newton step as far as the potential falls. True when it was taken whole and changed no active row.
+bool Simulation::take_newton_step() {
+  if (!plan_.contacts_can_change) {
+    increment_.swap(target_);
+    static_cast<void>(follow_trials(1));
+    return true;
+  }
+  target_ -= increment_;  // from here on the direction
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    trial_[i].direction = gap_increment(contacts_.elements[i], target_);
+  const double share = length_of_step();
+  increment_ += share * target_;
+  const bool same_rows = follow_trials(share);
+  return share == 1 && same_rows;
+}
+
+double Simulation::length_of_step() {
+  matrix_.multiply(target_, rhs_);  // A p; the dry contacts' part is taken out again below
+  double curvature = target_.dot(rhs_);
+  double slope_at_start = increment_.dot(rhs_) - target_.dot(constant_rhs_);
+  const double factor = coefficients_.stiffness;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    const InterfaceElement& element = contacts_.elements[i];
+    if (has_stress_rows(element)) continue;
+    const InterfaceTrial& trial = trial_[i];
+    const Vec4 along = element.stiffness.cwiseProduct(trial.active).cwiseProduct(trial.direction);
+    curvature -= factor * along.dot(trial.direction);
+    slope_at_start -= factor * (along.dot(trial.gap - contacts_.states[i].gap) +
+                                trial.direction.dot(contacts_.states[i].force));
+  }
+  const auto slope = [&](double t) {
+    double value = slope_at_start + t * curvature;
+    for (std::size_t i = 0; i < trial_.size(); ++i)
+      if (!has_stress_rows(contacts_.elements[i])) value += factor * force_along(contacts_.elements[i], trial_[i], t);
+    return value;
+  };
+  const double at_zero = slope(0);
+  const double at_one = slope(1);
+  return at_one <= slope_tolerance * std::abs(at_zero) || at_zero >= 0 ? 1 : zero_of(slope, at_zero, at_one);
+}
+
+// Gaps and forces after `share` of the Newton step; returns whether all active rows stayed.
+bool Simulation::follow_trials(double share) {
+  bool same = true;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    const InterfaceElement& element = contacts_.elements[i];
+    InterfaceTrial& trial = trial_[i];
+    if (has_stress_rows(element)) {
+      trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
+      trial.force =
+          elastic_force(element, trial.gap, trial_stress(element.block_a), trial_stress(element.block_b));
+      continue;
+    }
+    trial.gap += share * trial.direction;
+    if (!plan_.contacts_can_change) trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
+    const Vec4 before = trial.active;
+    respond(element, trial);
+    same = same && trial.active == before;
+  }
+  return same;
 }
 
 Vec3 Simulation::trial_stress(int block) const {
@@ -62,32 +200,24 @@ Vec3 Simulation::trial_stress(int block) const {
   return state_.stress[i] + terms_.elasticity[i] * increment_.segment<3>(6 * block + 3);
 }
 
-bool Simulation::judge_contacts() {
-  bool changed = false;
+bool Simulation::break_interfaces() {
+  if (!plan_.contacts_can_change) return false;
+  bool broke = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const InterfaceElement& element = contacts_.elements[i];
-    const auto old_status = trial_[i].status;
-    Vec3 stress_a = Vec3::Zero();
-    Vec3 stress_b = Vec3::Zero();
-    if (has_stress_rows(element)) {
-      stress_a = trial_stress(element.block_a);
-      stress_b = trial_stress(element.block_b);
+    if (has_stress_rows(contacts_.elements[i])) {
+      broke = weaken_consistent(i) || broke;
+    } else if (break_ends(contacts_.strengths[i], trial_[i])) {
+      respond(contacts_.elements[i], trial_[i]);
+      broke = true;
     }
-    const bool again = judge(element, contacts_.strengths[i], contacts_.states[i],
-                             gap_increment(element, increment_), stress_a, stress_b, friction_tolerance, trial_[i]);
-    changed = changed || again;
-    if (has_stress_rows(element)) changed = weaken_consistent(i) || changed;
-    if (trial_[i].status == old_status) continue;
-    matrix_is_current_ = false;
-    ++counters_.contact_state_changes;
   }
-  return changed;
+  return broke;
 }
 
-// A consistent interface beyond its strength goes on under the classical law, with the same forces at the start of the
-// step, and is judged end by end from the next pass on.
+// An interface beyond its strength goes on under the classical law, with the same forces at the start of the step, and is
+// judged end by end from the next pass on.
 bool Simulation::weaken_consistent(std::size_t i) {
-  if (!beyond_strength(contacts_.strengths[i], trial_[i])) return false;
+  if (!beyond_strength(contacts_.strengths[i], trial_[i].force)) return false;
   InterfaceElement& element = contacts_.elements[i];
   const double energy_before = interface_energy(element, contacts_.states[i]);
   element = make_element(model_, contacts_.interfaces[i], InterfaceLaw::classical);
@@ -96,19 +226,20 @@ bool Simulation::weaken_consistent(std::size_t i) {
                plan_.finite_kinematics ? current_frame(model_, state_, interface) : reference_frame(model_, interface),
                element);
   contacts_.states[i] = as_classical(contacts_.states[i], element.stiffness);
-  trial_[i] = contacts_.states[i];
+  trial_[i] = start_trial(element, contacts_.strengths[i], contacts_.states[i]);
+  trial_[i].gap += gap_increment(element, increment_);
+  respond(element, trial_[i]);
+  matrix_rows_[i].setConstant(-1);
   audit_.interface_replaced(energy_before - interface_energy(element, contacts_.states[i]));
   sum_internal_forces(internal_old_);
   form_constant_rhs();
-  matrix_is_current_ = false;
-  ++counters_.contact_state_changes;
   return true;
 }
 
 void Simulation::accept_contacts() {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const InterfaceState& before = contacts_.states[i];
-    const InterfaceState& after = trial_[i];
+    const InterfaceState before = contacts_.states[i];
+    const InterfaceState after = finish_trial(contacts_.elements[i], before, trial_[i]);
     if (before.status != after.status || before.slip != after.slip)
       audit_.interface_changed(contacts_.elements[i], before, after, gap_increment(contacts_.elements[i], increment_));
     contacts_.states[i] = after;

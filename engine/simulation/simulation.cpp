@@ -29,7 +29,6 @@ Simulation::Simulation(Model model)
     : model_(std::move(model)),
       state_(initial_state(model_)),
       contacts_(make_contacts(model_)),
-      trial_(contacts_.states),
       supports_(make_supports(model_, state_)),
       terms_(make_block_terms(model_, 1)),
       damping_(make_block_damping(model_, state_)),
@@ -37,11 +36,10 @@ Simulation::Simulation(Model model)
       matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_)) {
   const Eigen::Index unknowns = matrix_.unknowns();
   for (Eigen::VectorXd* vector :
-       {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_})
+       {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
     vector->setZero(unknowns);
   if (contacts_move(model_, contacts_)) {
     moving_.emplace(model_, state_, contacts_);
-    trial_ = contacts_.states;
     matrix_ = make_system_matrix(matrix_.size(), moving_->pairs());
   }
   sum_internal_forces(internal_old_);
@@ -149,7 +147,6 @@ void Simulation::follow_contacts() {
     solver_->analyze(matrix_);
     ++counters_.analyses;
   }
-  trial_ = contacts_.states;
 }
 
 void Simulation::follow_geometry() {
@@ -209,7 +206,7 @@ Status Simulation::refactor() {
   if (plan_.linear) {
     assemble(coefficients_, *linear_, damping_, matrix_);
   } else {
-    assemble(coefficients_, terms_, damping_, supports_, contacts_, trial_, matrix_);
+    assemble(coefficients_, terms_, damping_, supports_, contacts_, matrix_rows_, matrix_);
   }
   ++counters_.matrix_rebuilds;
   const Status status = solver_->factorize(matrix_);
@@ -217,6 +214,18 @@ Status Simulation::refactor() {
   matrix_is_current_ = status == Status::ok;
   if (status != Status::ok) message_ = "the system matrix is not positive definite: a block is not held, or data overflow";
   return status;
+}
+
+Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
+  ++counters_.solves;
+  const Status status = solver_->solve(rhs_, increment);
+  if (status != Status::ok) {
+    message_ = "the linear solver failed";
+    return status;
+  }
+  if (increment.allFinite()) return Status::ok;
+  message_ = "a displacement is not finite";
+  return Status::not_finite;
 }
 
 void Simulation::accept_step() {

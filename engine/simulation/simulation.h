@@ -15,6 +15,7 @@
 
 #include "dda/contact/contact_set.h"
 #include "dda/contact/moving_contacts.h"
+#include "dda/contact/open_close.h"
 #include "dda/core/counters.h"
 #include "dda/core/status.h"
 #include "dda/linear/block_matrix.h"
@@ -74,14 +75,24 @@ class Simulation {
   void follow_contacts();
   [[nodiscard]] double largest_motion() const;
   void form_constant_rhs();
-  [[nodiscard]] Status find_contact_statuses();
-  [[nodiscard]] Status solve_pass();
   [[nodiscard]] Status refactor();
-  [[nodiscard]] Status solve_for_increment();
+  [[nodiscard]] Status solve_for_increment(Eigen::VectorXd& increment);
+
+  // Open-close iteration (open_close_loop.cpp)
+  [[nodiscard]] Status find_contact_statuses();
+  void start_trials();
+  [[nodiscard]] Status settle_capacities();
+  [[nodiscard]] Status settle_statuses();
+  [[nodiscard]] Status solve_pass();
+  [[nodiscard]] bool active_rows_changed();
   void add_contact_rhs();
+  [[nodiscard]] bool take_newton_step();
+  [[nodiscard]] double length_of_step();
+  [[nodiscard]] bool follow_trials(double share);
   [[nodiscard]] Vec3 trial_stress(int block) const;
-  [[nodiscard]] bool judge_contacts();
+  [[nodiscard]] bool break_interfaces();
   [[nodiscard]] bool weaken_consistent(std::size_t i);
+
   void accept_step();
   void accept_contacts();
   void accept_supports();
@@ -104,7 +115,9 @@ class Simulation {
   Model model_;
   State state_;
   ContactSet contacts_;
-  std::vector<InterfaceState> trial_;  // interface states of the current open-close pass
+  std::vector<InterfaceTrial> trial_;  // interfaces in the current open-close pass
+  std::vector<Vec4> matrix_rows_;      // active rows whose stiffness the matrix holds
+  int passes_left_ = 0;
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   double moved_ = 0;  // largest motion since the geometry was last followed, in block sizes
   std::vector<SupportElement> supports_;
@@ -128,7 +141,7 @@ class Simulation {
   // 6 entries a block.
   Eigen::VectorXd load_old_, load_new_;
   Eigen::VectorXd internal_old_, internal_new_;
-  Eigen::VectorXd constant_rhs_, rhs_, increment_;
+  Eigen::VectorXd constant_rhs_, rhs_, increment_, target_;
 
   // Linear scenes, 6 entries a block: M v, M a, K u without and internal forces that u does not change.
   Eigen::VectorXd momentum_, inertia_force_, elastic_force_, internal_at_rest_;

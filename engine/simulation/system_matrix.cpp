@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "dda/contact/open_close.h"
 #include "dda/terms/elasticity.h"
 #include "dda/terms/support.h"
 
@@ -19,11 +18,11 @@ void add_blocks(const StepCoefficients& step, const BlockTerms& terms, BlockMatr
   }
 }
 
-void add_contacts(double factor, const ContactSet& contacts, const std::vector<InterfaceState>& states,
+void add_contacts(double factor, const ContactSet& contacts, const std::vector<Vec4>& active,
                   BlockMatrix& matrix) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    const InterfaceStiffness k = stiffness_of(element, active_rows(element, states[i]));
+    const InterfaceStiffness k = stiffness_of(element, active[i]);
     matrix.diagonal(element.block_a) += factor * k.aa;
     matrix.diagonal(element.block_b) += factor * k.bb;
     matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
@@ -42,13 +41,13 @@ BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pair
 
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
               const std::vector<SupportElement>& supports, const ContactSet& contacts,
-              const std::vector<InterfaceState>& states, BlockMatrix& matrix) {
+              const std::vector<Vec4>& active, BlockMatrix& matrix) {
   matrix.set_zero();
   add_blocks(step, terms, matrix);
   for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
   for (const SupportElement& support : supports)
     matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.offset, support.stiffness);
-  add_contacts(step.stiffness, contacts, states, matrix);
+  add_contacts(step.stiffness, contacts, active, matrix);
 }
 
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {

@@ -16,10 +16,10 @@ namespace dda {
 BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts);
 BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs);
 
-// Writes all values. `states` are the interface states whose statuses count (those of the current open-close pass).
+// Writes all values. `active` has 1 for the rows of each interface that carry stiffness (see InterfaceTrial).
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
               const std::vector<SupportElement>& supports, const ContactSet& contacts,
-              const std::vector<InterfaceState>& states, BlockMatrix& matrix);
+              const std::vector<Vec4>& active, BlockMatrix& matrix);
 
 // chi = k dt^2/m: the stiffest interface or support of a block against its inertia (numerics: choice of solver).
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt);

@@ -20,6 +20,9 @@ namespace {
 // Far below what a stress or displacement is read to, far above the round-off of a solve.
 constexpr double friction_tolerance = 1e-10;
 
+// Passes after each of which capacities follow the normal forces.
+constexpr int eager_passes = 10;
+
 // A slope this much smaller than that at the start of the Newton step counts as zero.
 constexpr double slope_tolerance = 1e-9;
 
@@ -47,10 +50,9 @@ double zero_of(const Slope& slope, double at_zero, double at_one) {
 
 Status Simulation::find_contact_statuses() {
   start_trials();
-  passes_left_ = stage().max_open_close_iterations;
   increment_.setZero();
   while (true) {
-    const Status status = settle_capacities();
+    const Status status = settle_contacts();
     if (status != Status::ok) return status;
     if (!break_interfaces()) return Status::ok;
   }
@@ -62,32 +64,32 @@ void Simulation::start_trials() {
     trial_[i] = start_trial(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i]);
 }
 
-// Coulomb friction as a fixed point of given capacities.
-Status Simulation::settle_capacities() {
-  while (true) {
-    const Status status = settle_statuses();
-    if (status != Status::ok || !plan_.contacts_can_change) return status;
-    double change = 0;
-    double largest = 0;
-    for (std::size_t i = 0; i < trial_.size(); ++i) {
-      if (has_stress_rows(contacts_.elements[i])) continue;
-      change = std::max(change, update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]));
-      largest = std::max(largest, trial_[i].force.cwiseAbs().maxCoeff());
-    }
-    if (change <= friction_tolerance * largest) return Status::ok;
-  }
-}
-
-// Newton's method with line search for given capacities.
-Status Simulation::settle_statuses() {
-  while (passes_left_-- > 0) {
+// Newton's method with line search. Capacities follow the normal forces after every pass at first, which is quickest where
+// it works, and then only when the statuses have settled for the capacities at hand, which is sure.
+Status Simulation::settle_contacts() {
+  for (int pass = 0; pass < stage().max_open_close_iterations; ++pass) {
     if (plan_.contacts) ++counters_.open_close_iterations;
     const Status status = solve_pass();
     if (status != Status::ok) return status;
-    if (take_newton_step()) return Status::ok;
+    const bool settled = take_newton_step();
+    if (!plan_.contacts_can_change) return Status::ok;
+    if (!settled && pass >= eager_passes) continue;
+    if (capacities_stand_still() && settled) return Status::ok;
   }
   message_ = "the open-close iteration did not settle";
   return Status::not_converged;
+}
+
+// Coulomb friction as a fixed point of given capacities.
+bool Simulation::capacities_stand_still() {
+  double change = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    if (has_stress_rows(contacts_.elements[i])) continue;
+    change = std::max(change, update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]));
+    largest = std::max(largest, trial_[i].force.cwiseAbs().maxCoeff());
+  }
+  return change <= friction_tolerance * largest;
 }
 
 Status Simulation::solve_pass() {

@@ -81,8 +81,8 @@ class Simulation {
   // Open-close iteration (open_close_loop.cpp)
   [[nodiscard]] Status find_contact_statuses();
   void start_trials();
-  [[nodiscard]] Status settle_capacities();
-  [[nodiscard]] Status settle_statuses();
+  [[nodiscard]] Status settle_contacts();
+  [[nodiscard]] bool capacities_stand_still();
   [[nodiscard]] Status solve_pass();
   [[nodiscard]] bool active_rows_changed();
   void add_contact_rhs();
@@ -117,7 +117,6 @@ class Simulation {
   ContactSet contacts_;
   std::vector<InterfaceTrial> trial_;  // interfaces in the current open-close pass
   std::vector<Vec4> matrix_rows_;      // active rows whose stiffness the matrix holds
-  int passes_left_ = 0;
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   double moved_ = 0;  // largest motion since the geometry was last followed, in block sizes
   std::vector<SupportElement> supports_;

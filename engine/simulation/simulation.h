@@ -22,6 +22,7 @@
 #include "dda/model/model.h"
 #include "dda/model/state.h"
 #include "dda/simulation/block_terms.h"
+#include "dda/simulation/contact_range.h"
 #include "dda/simulation/energy_audit.h"
 #include "dda/simulation/external_forces.h"
 #include "dda/simulation/linear_operators.h"
@@ -59,6 +60,8 @@ class Simulation {
   [[nodiscard]] std::int64_t steps_in_all_stages() const;
 
  private:
+  friend struct SnapshotAccess;  // snapshot.h
+
   void begin_stage();
   void set_step_size(double dt);
   [[nodiscard]] const Stage& stage() const { return model_.stages[stage_]; }
@@ -83,6 +86,7 @@ class Simulation {
   void accept_contacts();
   void accept_supports();
   void damp_velocities();
+  [[nodiscard]] bool contacts_are_in_range();
   void add_dashpot_and_support_rhs();
   void start_energy_audit();
 
@@ -113,6 +117,7 @@ class Simulation {
   double stage_start_ = 0;
   StepPlan plan_;
   StepCoefficients coefficients_;
+  ContactRange contact_range_;  // looked at in finite kinematics
   BlockMatrix matrix_;
   std::unique_ptr<LinearSolver> solver_;
   bool matrix_is_current_ = false;

@@ -30,6 +30,7 @@ inline constexpr double gap_stiffness = 0.6;          // of Q l/h
 inline constexpr double jump_stiffness = 1.0 / 6;     // of Q l/h
 inline constexpr double bending_stiffness = 1.0 / 6;  // of Q l/h: E I/(2 h) turned by 2 (half difference)/l
 inline constexpr double gap_at_interface = 0.75;      // of Q g/h: stress at mid-interface above the mean of both blocks
+inline constexpr double most_correction = 0.1;        // of the mass between the centroids: cap on the lowered inertia
 
 }  // namespace cubic
 

@@ -17,11 +17,12 @@ ContactStatus broken_status(const EndTrial& trial, double friction) {
   return std::abs(trial.shear_force) > -friction * trial.normal_force ? ContactStatus::sliding : ContactStatus::locked;
 }
 
-void set_open(std::size_t end, const Vec4& gap, InterfaceState& trial) {
+void set_open(std::size_t end, double old_slip, const Vec4& gap, InterfaceState& trial) {
   const auto row = static_cast<Eigen::Index>(2 * end);
   trial.force.segment<2>(row).setZero();
   trial.gap(row) = gap(row);
   trial.gap(row + 1) = 0;  // a joint that closes again starts without shear
+  trial.slip[end] = old_slip;
 }
 
 void set_closed(const InterfaceElement& element, std::size_t end, const EndTrial& closed, double shear_force,
@@ -30,7 +31,7 @@ void set_closed(const InterfaceElement& element, std::size_t end, const EndTrial
   trial.force(row) = closed.normal_force;
   trial.force(row + 1) = shear_force;
   trial.gap(row) = gap(row);
-  trial.gap(row + 1) = shear_force / element.stiffness(row + 1);
+  trial.gap(row + 1) = elastic_gap(shear_force, element.stiffness(row + 1), gap(row + 1));
   trial.slip[end] = old_slip + gap(row + 1) - trial.gap(row + 1);
 }
 
@@ -43,7 +44,7 @@ bool judge_end(const InterfaceElement& element, const EndStrength& strength, std
   if (!trial.broken[end]) trial.broken[end] = exceeds(strength, closed.normal_force, closed.shear_force);
   trial.status[end] = trial.broken[end] ? broken_status(closed, strength.friction) : ContactStatus::locked;
   if (trial.status[end] == ContactStatus::open) {
-    set_open(end, gap, trial);
+    set_open(end, start.slip[end], gap, trial);
     return old_status != ContactStatus::open;
   }
   if (trial.status[end] == ContactStatus::locked) {
@@ -95,7 +96,9 @@ bool judge(const InterfaceElement& element, const EndStrength& strength, const I
 }
 
 bool beyond_strength(const EndStrength& strength, const InterfaceState& trial) {
-  return exceeds(strength, trial.force(0) / 2, trial.force(1) / 2);
+  const double shear = trial.force(1) / 2;
+  return exceeds(strength, (trial.force(0) - trial.force(2)) / 2, shear) ||
+         exceeds(strength, (trial.force(0) + trial.force(2)) / 2, shear);
 }
 
 }  // namespace dda

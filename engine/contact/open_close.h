@@ -22,7 +22,8 @@ Vec4 force_without_motion(const InterfaceElement& element, const InterfaceState&
 bool judge(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
            const Vec4& gap_change, const Vec3& stress_a, const Vec3& stress_b, double friction_tolerance, InterfaceState& trial);
 
-// True when a consistent interface is loaded beyond the strength of its joint and must go on as a classical one.
+// True when a consistent interface is loaded beyond the strength of its joint and must go on as a classical one: when
+// either end, with its share of the normal force and of the moment, and half the shear force, is.
 bool beyond_strength(const EndStrength& strength, const InterfaceState& trial);
 
 }  // namespace dda

@@ -11,7 +11,7 @@
 // is cubic with w = u, w' = ex at both centroids. With Q = e11 - e12^2/e11 (bar with free sides) each half adds
 //   h integral of sigma_x (w' - ex) + Q (w' - ex)^2/2,   sigma_x and ex of the block it lies in,
 // to V = k g^2/2 + k_t w^2/2, and the inertia of w replaces that of the two straight lines. With ey in equilibrium a
-// block then has h L/2 (Q mean(w'^2) - S (mean(w') - ex)^2), S = e12^2/e11: indefinite from S > Q/5 on unless k helps.
+// block then has h L/2 (Q mean(w'^2) - S (mean(w') - ex)^2), S = e12^2/e11: indefinite from S > Q/5 on.
 #pragma once
 
 #include <vector>

@@ -100,6 +100,44 @@ TEST(Dispersion, MatchedInertiaCancelsSpaceAgainstTime) {
   EXPECT_NEAR(std::log2(error(200) / error(100)), 4.0, 0.1);  // no second order is left
 }
 
+// speed/c - 1 of the cubic chain in space alone: a step of 1 ns adds 3e-14.
+double cubic_error(double length, double poisson) {
+  BlockChain chain = full_chain(scalar_chain(length, 0, false), poisson);
+  chain.interface = cubic_edge();
+  chain.lateral_inertia = 0;
+  return chain_wave(chain, trapezoidal(), 1e-9, 2 * std::numbers::pi * 100).speed / kBarSpeed - 1;
+}
+
+TEST(Dispersion, CubicChainIsOfSixthOrderWithoutPoissonRatio) {
+  for (const double length : {0.5, 1.0}) {  // next order: Omega^2 = 0.08 at most; the time step adds 0.01 at 0.5 m
+    EXPECT_NEAR(std::log2(cubic_error(2 * length, 0) / cubic_error(length, 0)), 6.0, 0.08) << length;
+  }
+}
+
+// With ey in equilibrium a block loses S (mean(w') - ex)^2/2, S = e12^2/e11, where mean(w') - ex is L^2/24 times the
+// third derivative; ex then gives way, against Q/5 - S, which raises the loss by 1/(1 - 5 S/Q).
+TEST(Dispersion, PoissonRatioMakesTheCubicChainOfFourthOrder) {
+  const double length = 1.0, big_omega = 2 * std::numbers::pi * 100 * length / kBarSpeed;
+  for (const double poisson : {0.1, 0.25, 0.35}) {
+    const double softening = poisson * poisson / (1 - poisson * poisson);  // S/Q
+    const double expected = -softening / (1 - 5 * softening) * std::pow(big_omega, 4) / 1152;
+    EXPECT_NEAR(cubic_error(length, poisson) / expected, 1.0, 0.04) << poisson;  // next order: Omega^2 = 0.02 of it
+  }
+}
+
+TEST(Dispersion, InertiaReductionCancelsTheTimeSchemesError) {
+  const double dt = 1e-4, omega = 2 * std::numbers::pi * 100, theta = omega * dt;
+  for (const TimeScheme& scheme : {trapezoidal(), hht(0.1), generalized_alpha(0.8)}) {
+    BlockChain chain = full_chain(scalar_chain(1.0, 0, false), 0);
+    chain.interface = cubic_edge();
+    const double plain = chain_wave(chain, scheme, dt, omega).speed / kBarSpeed - 1;
+    EXPECT_NEAR(plain / (-period_error(scheme) * theta * theta / 2), 1.0, 0.01);  // next order: theta^2 = 0.004
+    chain.interface.inertia_reduction = inertia_reduction(chain, period_error(scheme), dt);
+    // Left is of fourth order: theta^4 and, from the mean of the differences, period_error theta^2 Omega^2/24.
+    EXPECT_LT(std::abs(chain_wave(chain, scheme, dt, omega).speed / kBarSpeed - 1), 0.02 * std::abs(plain));
+  }
+}
+
 // Shear springs k_s at the corners hold the lateral strain: E grows to E1 (1 - nu^2/(1 + 2 (k_s h/(L E1))
 // sin^2(kappa/2))) with E1 = E/(1 - nu^2), up to E1 itself.
 TEST(Dispersion, ShearSpringsStiffenTheBarTowardsTheConfinedSpeed) {

@@ -111,6 +111,19 @@ TEST(FiniteChain, AgreesForALoadThatStartsAtOnceAndCarriedVelocities) {
   }
 }
 
+TEST(FiniteChain, AgreesForTheCubicLawWithItsOptions) {
+  const double dt = 2e-5;
+  BlockChain chain = rock_chain(10, 1.0, 0.25, cubic_edge());
+  chain.interface.inertia_reduction = inertia_reduction(chain, period_error(generalized_alpha(0.8)), dt);
+  ASSERT_GT(chain.interface.inertia_reduction, 0);
+  expect_agreement(chain, generalized_alpha(0.8), dt, std::vector<double>(301, 1e6), "step load");
+  chain.interface.normal = 0.3 * kYoung;
+  chain.interface.tangential_half = 0.2 * kYoung;
+  expect_agreement(chain, hht(0.1), dt, pulse_load(dt, 300), "springs as well");
+  chain.lateral_inertia = 0;
+  expect_agreement(chain, trapezoidal(), dt, pulse_load(dt, 300), "without lateral inertia");
+}
+
 TEST(FiniteChain, AgreesForAChainOfTwoBlocks) {
   for (const InterfaceLaw& law : all_laws()) {
     expect_agreement(rock_chain(2, 1.0, 0.25, law), trapezoidal(), 2e-5, pulse_load(2e-5, 300), "two blocks");

@@ -38,6 +38,9 @@ void check(const BlockChain& chain, const std::vector<ChainProbe>& probes) {
                      (chain.interface.cubic ? chain.interface.normal >= 0 : chain.interface.normal > 0) &&
                      chain.interface.tangential_half >= 0 && chain.end_stiffness >= 0 && chain.end_impedance >= 0;
   if (!sound) throw std::invalid_argument("the chain needs positive sizes, density and stiffnesses");
+  if (chain.interface.cubic && chain.interface.consistent) {
+    throw std::invalid_argument("an interface is either cubic or consistent");
+  }
   const auto exists = [&](const ChainProbe& probe) {
     const bool between =
         probe.quantity == ChainQuantity::interface_force || probe.quantity == ChainQuantity::interface_stress;

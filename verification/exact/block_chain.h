@@ -8,10 +8,11 @@
 // with {sigma_x} the mean of the two blocks' stresses; the interface carries N = dV/dg, tension positive.
 //
 // The cubic law (Hermite chain) has instead, over the cell from centroid to centroid, the axial displacement w(x) that
-// is cubic with w = u, w' = ex at both centroids. With Q = e11 - e12^2/e11 (bar with free sides) each half adds
-//   h integral of sigma_x (w' - ex) + Q (w' - ex)^2/2,   sigma_x and ex of the block it lies in,
-// to V = k g^2/2 + k_t w^2/2, and the inertia of w replaces that of the two straight lines. With ey in equilibrium a
-// block then has h L/2 (Q mean(w'^2) - S (mean(w') - ex)^2), S = e12^2/e11: indefinite from S > Q/5 on.
+// is cubic with w = u, w' = ex at both centroids. The strain that it adds to the block it lies in contracts sideways
+// freely: eps_y(x) = ey - e12/e11 (w'(x) - ex). With Q = e11 - e12^2/e11 (bar with free sides) each half then adds
+//   h integral of Q ex (w' - ex) + Q (w' - ex)^2/2,   Q ex = sigma_x - e12/e11 sigma_y of that block,
+// to V = k g^2/2 + k_t w^2/2, and the inertia of w replaces that of the two straight lines. A chain so stores
+//   h integral of Q w'^2/2  +  sum over blocks of h L e11 (ey + e12/e11 ex)^2/2.
 #pragma once
 
 #include <vector>
@@ -30,7 +31,7 @@ struct InterfaceLaw {
   double normal = 0;           // k (N/m) of the whole interface; may be 0 for the cubic law
   double tangential_half = 0;  // k_t (N/m)
   bool consistent = false;     // with the flux term of Nitsche's method
-  bool cubic = false;          // cubic displacement across the interface
+  bool cubic = false;          // cubic displacement across the interface; excludes `consistent`
   // Cubic only, co (-): the kinetic energy is lowered by co rho h L (u0_(j+1)' - u0_j')^2/2 (velocities).
   double inertia_reduction = 0;
 };
@@ -65,7 +66,7 @@ struct BlockChain {
 
 enum class ChainQuantity {
   block_stress,  // sigma_x of block `index` (Pa), index 0..blocks-1
-  // N between blocks `index` and `index + 1` (N), index 0..blocks-2; cubic law: h ({sigma_x} + 3/2 Q g/L), the height
+  // N between blocks `index` and `index + 1` (N), index 0..blocks-2; cubic law: h Q ({ex} + 3/2 g/L), the height
   // times the stress of the cubic at the interface.
   interface_force,
   displacement,      // u0 of block `index` (m)
@@ -80,7 +81,8 @@ struct ChainProbe {
 // One history per probe, each with a value per sample of the load (the first is the state of rest).
 using ChainHistories = std::vector<std::vector<double>>;
 
-// Throws std::invalid_argument unless sizes, density and stiffnesses are positive and every probe exists.
+// Throws std::invalid_argument unless sizes, density and stiffnesses are positive, the interface is not both cubic and
+// consistent, and every probe exists.
 void check(const BlockChain& chain, const std::vector<ChainProbe>& probes);
 
 }  // namespace exact

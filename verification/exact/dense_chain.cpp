@@ -20,6 +20,14 @@ VectorXd stress_row(const BlockChain& chain, int block) {
   return row;
 }
 
+// The stress that is left of sigma_x when the block contracts sideways until sigma_y vanishes: Q ex.
+VectorXd side_free_stress_row(const BlockChain& chain, int block) {
+  VectorXd lateral_stress = zero_row(chain);
+  lateral_stress[3 * block + 1] = chain.elasticity.e12;
+  lateral_stress[3 * block + 2] = chain.elasticity.e11;
+  return stress_row(chain, block) - chain.elasticity.e12 / chain.elasticity.e11 * lateral_stress;
+}
+
 VectorXd face_row(const BlockChain& chain, int block, double side) {
   VectorXd row = zero_row(chain);
   row[3 * block] = 1;
@@ -60,7 +68,8 @@ CubicRows cubic_rows(const BlockChain& chain, double s) {
 VectorXd force_row(const BlockChain& chain, int left) {
   if (chain.interface.cubic) {
     const double stiffness = 1.5 * bar_modulus(chain.elasticity) / chain.length;
-    return chain.height * (mean_stress_row(chain, left) + stiffness * gap_row(chain, left));
+    const VectorXd blocks = side_free_stress_row(chain, left) + side_free_stress_row(chain, left + 1);
+    return chain.height * (blocks / 2 + stiffness * gap_row(chain, left));
   }
   VectorXd row = chain.interface.normal * gap_row(chain, left);
   if (chain.interface.consistent) row += chain.height * mean_stress_row(chain, left);
@@ -85,7 +94,7 @@ void add_cubic_point(const BlockChain& chain, int block, double s, double weight
   const PairRow strain = PairRow::Unit(3 * block + 1);
   const PairRow straight = PairRow::Unit(3 * block) + distance * strain;
   const CubicRows cubic = cubic_rows(chain, s);
-  const PairRow excess = cubic.slope - strain, stress = weight * stress_row(chain, block);
+  const PairRow excess = cubic.slope - strain, stress = weight * side_free_stress_row(chain, block);
   system.stiffness += stress * excess.transpose() + excess * stress.transpose() +
                       weight * bar_modulus(chain.elasticity) * excess * excess.transpose();
   system.mass += weight * chain.density * (cubic.value * cubic.value.transpose() - straight * straight.transpose());

@@ -14,9 +14,9 @@ ScaledData scaled_data(const BlockChain& chain) {
           widen(chain.interface.inertia_reduction)};
 }
 
-// h {sigma_x} g
-void add_flux(const ScaledData& data, InterfaceForms& forms) {
-  const RealVector3 mean_stress(0, data.height / 2, data.height * data.e12 / 2);
+// h {stress} g, the stress of a block being `axial` ex + `lateral` ey.
+void add_flux(Real height, Real axial, Real lateral, InterfaceForms& forms) {
+  const RealVector3 mean_stress(0, height * axial / 2, height * lateral / 2);
   forms.opening_stiffness.col(0) += mean_stress;
   forms.opening_stiffness.row(0) += mean_stress.transpose();
   forms.force += mean_stress;
@@ -26,24 +26,22 @@ void add_flux(const ScaledData& data, InterfaceForms& forms) {
 //   opening: w' = S/2 + 3 g/(4 H) (1 - s^2), against the blocks' S/2
 //   bending: w' = D s/2, against -D/2 on the left and D/2 on the right
 // and the integrals over the cell are polynomials in s:
-//   opening: strain h Q 3 g^2/(5 H)/2, kinetic -9/70 H g'^2 - H^2/20 g' S'
-//   bending: strain h (-(D + e12 (ey_1 - ey_0)) D H/4 + Q D^2 H/12), kinetic H^2/12 B' D' - H^3/20 D'^2
+//   opening: strain h Q (S g/2 + 3 g^2/(5 H)/2), kinetic -9/70 H g'^2 - H^2/20 g' S'
+//   bending: strain h Q (-D^2 H/4 + D^2 H/12), kinetic H^2/12 B' D' - H^3/20 D'^2
 void add_cubic(const ScaledData& data, InterfaceForms& forms) {
   const Real half = 0.5L, modulus = 1 - data.e12 * data.e12;
-  add_flux(data, forms);
+  add_flux(data.height, modulus, 0, forms);
   forms.opening_stiffness(0, 0) += data.height * modulus * 3 / (5 * half);
   forms.force[0] += data.height * modulus * 3 / 2;
   forms.opening_inertia(0, 0) -= half * 9 / 35;
   forms.opening_inertia(0, 1) -= half * half / 20;
-  forms.bending_stiffness(1, 1) += data.height * half * (modulus / 6 - half);
-  forms.bending_stiffness(1, 2) -= data.height * half * data.e12 / 4;
+  forms.bending_stiffness(1, 1) -= data.height * modulus * half / 3;
   forms.bending_inertia(0, 1) += half * half / 12;
   forms.bending_inertia(1, 1) -= half * half * half / 10;
   // u_1 - u_0 = g + S/2
   const RealVector3 difference(1, half, 0);
   forms.opening_inertia -= data.reduction * difference * difference.transpose();
   forms.opening_inertia(1, 0) = forms.opening_inertia(0, 1);
-  forms.bending_stiffness(2, 1) = forms.bending_stiffness(1, 2);
   forms.bending_inertia(1, 0) = forms.bending_inertia(0, 1);
 }
 
@@ -58,11 +56,10 @@ InterfaceForms interface_forms(const BlockChain& chain) {
   } else {
     forms.force[0] = data.normal;
   }
-  if (chain.interface.consistent) add_flux(data, forms);
+  if (chain.interface.consistent) add_flux(data.height, 1, data.e12, forms);
   forms.bending_stiffness(2, 2) += data.tangential * data.height * data.height / 4;
-  // The cubic couples ex of neighbours and, through Poisson's ratio, ey; a flux couples ex.
-  const bool lateral = data.tangential > 0 || (chain.interface.cubic && data.e12 > 0);
-  forms.waves = 1 + (chain.interface.cubic || chain.interface.consistent ? 1 : 0) + (lateral ? 1 : 0);
+  // The cubic and the flux couple ex of neighbours, tangential springs ey.
+  forms.waves = 1 + (chain.interface.cubic || chain.interface.consistent ? 1 : 0) + (data.tangential > 0 ? 1 : 0);
   return forms;
 }
 

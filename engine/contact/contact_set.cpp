@@ -114,10 +114,12 @@ Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {
 
 InterfaceStiffness stiffness_of(const InterfaceElement& element, const Vec4& mask) {
   const auto stiffness = element.stiffness.cwiseProduct(mask).asDiagonal();
+  const Eigen::Matrix<double, 6, 4> weighted_a = element.rows_a.transpose() * stiffness;
+  const Eigen::Matrix<double, 6, 4> weighted_b = element.rows_b.transpose() * stiffness;
   InterfaceStiffness k;
-  k.aa = element.rows_a.transpose() * stiffness * element.rows_a;
-  k.bb = element.rows_b.transpose() * stiffness * element.rows_b;
-  k.ba = element.rows_b.transpose() * stiffness * element.rows_a;
+  k.aa.noalias() = weighted_a * element.rows_a;
+  k.bb.noalias() = weighted_b * element.rows_b;
+  k.ba.noalias() = weighted_b * element.rows_a;
   if (!has_stress_rows(element)) return k;
   const Eigen::Matrix<double, 6, 3> a = element.rows_a.transpose() * element.strain_rows_a;
   const Eigen::Matrix<double, 6, 3> b = element.rows_b.transpose() * element.strain_rows_b;

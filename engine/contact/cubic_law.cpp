@@ -7,9 +7,6 @@
 namespace dda {
 namespace {
 
-// Cap on the lowered inertia, as a share of the mass between the two centroids.
-constexpr double most_correction = 0.1;
-
 const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
 
 // Rows over the six unknowns of one block: normal displacement at mid-interface, and h times the normal strain.
@@ -104,7 +101,7 @@ InterfaceInertia interface_inertia(const Model& model, const Interface& interfac
   const Vec12 mean_displacement = joined(a.displacement, b.displacement) / 2;
   const Vec12 mean_strain = joined(a.strain, b.strain) / 2;
   const double courant = std::sqrt(side_free_modulus(material) / material.density) * dt / (2 * h);
-  const double correction = std::min(period_error * courant * courant, most_correction);
+  const double correction = std::min(period_error * courant * courant, cubic::most_correction);
   const Vec12 between_centroids = gap + 2 * mean_strain;
 
   Mat12 inertia = 2 * (33.0 / 560 - 3.0 / 16) * gap * gap.transpose();
@@ -130,8 +127,9 @@ double period_error(const Integrator& integrator) {
   const double shift = integrator.gamma - 0.5;
   const double m = integrator.alpha_m;
   const double f = integrator.alpha_f;
+  const double damping = f - m - shift;  // first-order numerical damping; it shortens waves too
   return -1.0 / 12 + (0.5 - integrator.gamma + 2 * integrator.beta) / 2 - shift * shift / 2 -
-         (m * (1 - m) - f * (1 - f)) / 2;
+         (m * (1 - m) - f * (1 - f)) / 2 - damping * damping / 4;
 }
 
 }  // namespace dda

@@ -30,6 +30,7 @@ inline constexpr double gap_stiffness = 0.6;          // of Q l/h
 inline constexpr double jump_stiffness = 1.0 / 6;     // of Q l/h
 inline constexpr double bending_stiffness = 1.0 / 6;  // of Q l/h: E I/(2 h) turned by 2 (half difference)/l
 inline constexpr double gap_at_interface = 0.75;      // of Q g/h: stress at mid-interface above the mean of both blocks
+inline constexpr double most_correction = 0.1;        // of the mass between the centroids: cap on the lowered inertia
 
 }  // namespace cubic
 
@@ -59,7 +60,8 @@ InterfaceInertia interface_inertia(const Model& model, const Interface& interfac
 // What the sideways strain of a block adds to its inertia (6x6), for a chain that runs along `normal`.
 Mat6 lateral_inertia(double mass, const AreaMoments& moments, const Vec2& normal);
 
-// epsilon of an integrator, from its characteristic equation at small omega dt: 1/6 for the trapezoidal rule.
+// epsilon of an integrator, from its characteristic equation at small omega dt: waves driven at the frequency omega run
+// slower by the share epsilon (omega dt)^2/2. 1/6 for the trapezoidal rule, -1/48 for Eq. 5.
 double period_error(const Integrator& integrator);
 
 }  // namespace dda

@@ -26,7 +26,7 @@ InterfaceState as_classical(const InterfaceState& consistent, const Vec4& classi
   state.force << consistent.force.head<2>() - consistent.force.tail<2>(),
       consistent.force.head<2>() + consistent.force.tail<2>();
   state.force /= 2;
-  state.gap = state.force.cwiseQuotient(classical_stiffness);
+  for (Eigen::Index row = 0; row < 4; ++row) state.gap(row) = elastic_gap(state.force(row), classical_stiffness(row), 0);
   return state;
 }
 

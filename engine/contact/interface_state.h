@@ -37,11 +37,16 @@ EndStrength end_strength(const JointMaterial& joint, double length);
 
 bool exceeds(const EndStrength& strength, double normal_force, double shear_force);
 
+// The gap at which a spring carries `force`; `unloaded` where it has no stiffness.
+inline double elastic_gap(double force, double stiffness, double unloaded) {
+  return stiffness > 0 ? force / stiffness : unloaded;
+}
+
 // Forces of the closed, stuck interface at this gap, and the traction part for these block stresses.
 Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b);
 
-// The state of a consistent interface as the classical law sees it: the same forces, shared by the two ends.
-// (from a consistent one; cubic interfaces never break).
+// The state of a consistent interface as the classical law sees it: the same forces and moment, shared by the two ends.
+// (Cubic interfaces never break.)
 InterfaceState as_classical(const InterfaceState& consistent, const Vec4& classical_stiffness);
 
 }  // namespace dda

@@ -117,14 +117,15 @@ InterfaceState finish_trial(const InterfaceElement& element, const InterfaceStat
       continue;
     }
     state.status[e] = trial.active(n + 1) != 0 ? ContactStatus::locked : ContactStatus::sliding;
-    state.gap(n + 1) = trial.force(n + 1) / element.stiffness(n + 1);
+    state.gap(n + 1) = elastic_gap(trial.force(n + 1), element.stiffness(n + 1), trial.gap(n + 1));
     state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
   }
   return state;
 }
 
 bool beyond_strength(const EndStrength& strength, const Vec4& force) {
-  return exceeds(strength, force(0) / 2, force(1) / 2);
+  return exceeds(strength, (force(0) - force(2)) / 2, force(1) / 2) ||
+         exceeds(strength, (force(0) + force(2)) / 2, force(1) / 2);
 }
 
 }  // namespace dda

@@ -42,7 +42,8 @@ bool break_ends(const EndStrength& strength, InterfaceTrial& trial);
 // The state that a converged trial leaves.
 InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial);
 
-// True when an interface with stress rows is loaded beyond the strength of its joint and must go on as a classical one.
+// True when an interface with stress rows is loaded beyond the strength of its joint and must go on as a classical one: when
+// either end, with its share of the normal force and of the moment, and half the shear force, is.
 bool beyond_strength(const EndStrength& strength, const Vec4& force);
 
 }  // namespace dda

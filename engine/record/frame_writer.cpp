@@ -100,15 +100,27 @@ void FrameWriter::write(const State& state) {
   data_.time = state.time;
   fill_points(state);
   fill_cells(state);
-  const std::filesystem::path frame = index_.stem() / fmt::format("{:06}.vtp", frames_);
-  write_vtp(index_.parent_path() / frame, data_);
-
-  const std::string entry = fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", state.time,
-                                        xml_escaped(frame.generic_string()));
-  write_file(index_, "<VTKFile type=\"Collection\" version=\"1.0\">\n  <Collection>\n" + entries_ + entry +
+  write_vtp(index_.parent_path() / frame_path(), data_);
+  const std::string latest = entry(state.time);
+  write_file(index_, "<VTKFile type=\"Collection\" version=\"1.0\">\n  <Collection>\n" + entries_ + latest +
                          "  </Collection>\n</VTKFile>\n");
-  entries_ += entry;
+  entries_ += latest;
   ++frames_;
+}
+
+void FrameWriter::go_on_after(std::span<const double> times) {
+  for (const double time : times) {
+    entries_ += entry(time);
+    ++frames_;
+  }
+}
+
+// Of the next frame, from the folder of the index.
+std::filesystem::path FrameWriter::frame_path() const { return index_.stem() / fmt::format("{:06}.vtp", frames_); }
+
+std::string FrameWriter::entry(double time) const {
+  return fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time,
+                     xml_escaped(frame_path().generic_string()));
 }
 
 void FrameWriter::fill_points(const State& state) {

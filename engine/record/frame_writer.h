@@ -27,9 +27,14 @@ class FrameWriter {
   // Adds a frame; std::runtime_error naming path and reason, with all earlier frames and their index left as they were.
   void write(const State& state);
 
+  // Goes on behind the frames that an earlier run wrote at these times (s), which stay as they are.
+  void go_on_after(std::span<const double> times);
+
   [[nodiscard]] int frames() const { return frames_; }
 
  private:
+  [[nodiscard]] std::filesystem::path frame_path() const;
+  [[nodiscard]] std::string entry(double time) const;
   void add_block(int block);
   void add_cell(int block, int first_vertex, std::span<const int> corners);
   void fill_points(const State& state);

@@ -189,6 +189,28 @@ TEST_F(FrameWriterTest, IndexListsEveryFrameWithItsTime) {
   EXPECT_EQ(folder_.names(), (std::set<std::string>{"run", "run.pvd"}));
 }
 
+// An index of three frames is the same whether they were written by one run or by two.
+TEST_F(FrameWriterTest, GoesOnBehindTheFramesOfAnEarlierRun) {
+  State state = initial_state(model_);
+  const auto write_at = [&](FrameWriter& writer, double time) {
+    state.time = time;
+    writer.write(state);
+  };
+  FrameWriter whole(model_, index_);
+  for (const double time : {0.0, 0.1 + 0.2, 1e-5}) write_at(whole, time);
+  const std::string index = read_file(index_);
+  const std::string second_frame = read_file(folder_ / "run/000001.vtp");
+
+  std::filesystem::remove(index_);
+  FrameWriter resumed(model_, index_);
+  const std::vector<double> earlier = {0.0, 0.1 + 0.2};
+  resumed.go_on_after(earlier);
+  write_at(resumed, 1e-5);
+  EXPECT_EQ(resumed.frames(), 3);
+  EXPECT_EQ(read_file(index_), index);
+  EXPECT_EQ(read_file(folder_ / "run/000001.vtp"), second_frame);
+}
+
 TEST_F(FrameWriterTest, NamesWithSpecialCharacters) {
   index_ = folder_ / R"(a<b>&"c.pvd)";
   FrameWriter(model_, index_).write(initial_state(model_));

@@ -1,10 +1,16 @@
 #include "dda/record/history_writer.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <exception>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
+
+#include "dda/core/error.h"
 
 namespace dda {
 namespace {
@@ -27,12 +33,46 @@ std::string header(const std::vector<Column>& columns) {
   return line + '\n';
 }
 
+// Header and first `rows` rows of the file, or nothing when it has not got them.
+std::optional<std::string> beginning_of(const std::filesystem::path& path, const std::string& header,
+                                        std::int64_t rows) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+  std::string text = read_file(path);
+  if (!text.starts_with(header)) return std::nullopt;
+  std::size_t end = header.size();
+  for (std::int64_t row = 0; row < rows; ++row) {
+    const std::size_t line_break = text.find('\n', end);
+    if (line_break == std::string::npos) return std::nullopt;
+    end = line_break + 1;
+  }
+  text.resize(end);
+  return text;
+}
+
+std::string kept_beginning(const std::filesystem::path& path, const std::string& header, std::int64_t rows) {
+  std::filesystem::path left_over = path;
+  left_over += ".tmp";
+  for (const auto& candidate : {left_over, path}) {
+    if (auto beginning = beginning_of(candidate, header, rows)) return *std::move(beginning);
+  }
+  throw InputError(path.string(), "the history to go on with", "missing, of other measurements or too short",
+                   fmt::format("a file with {} rows of this scene's measurements", rows));
+}
+
 }  // namespace
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns)
-    : file_(std::move(path)), columns_(columns.size()), last_flush_(std::chrono::steady_clock::now()) {
+    : HistoryWriter(std::move(path), columns.size(), header(columns), 0) {}
+
+HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns, std::int64_t rows)
+    : HistoryWriter(path, columns.size(), kept_beginning(path, header(columns), rows), rows) {}
+
+HistoryWriter::HistoryWriter(std::filesystem::path path, std::size_t columns, const std::string& beginning,
+                             std::int64_t rows)
+    : file_(std::move(path)), columns_(columns), rows_(rows), last_flush_(std::chrono::steady_clock::now()) {
   buffer_.reserve(buffer_size + 32 * (columns_ + 1));
-  file_.write(header(columns));
+  file_.write(beginning);
 }
 
 HistoryWriter::~HistoryWriter() {

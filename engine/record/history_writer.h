@@ -26,6 +26,12 @@ class HistoryWriter {
  public:
   // Opens the file; std::runtime_error naming path and reason when that fails.
   HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns);
+
+  // Goes on with the file of a run that stopped or was broken off (NAME.tmp is then what it left): keeps its header and
+  // first `rows` rows, and drops later ones. InputError naming the file when there is none with these columns and as
+  // many rows.
+  HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns, std::int64_t rows);
+
   ~HistoryWriter();
   HistoryWriter(const HistoryWriter&) = delete;
   HistoryWriter& operator=(const HistoryWriter&) = delete;
@@ -42,6 +48,7 @@ class HistoryWriter {
   [[nodiscard]] std::int64_t rows() const { return rows_; }
 
  private:
+  HistoryWriter(std::filesystem::path path, std::size_t columns, const std::string& beginning, std::int64_t rows);
   void write_number(double value);
   void flush_when_due();
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "dda/core/allocation_counter.h"
+#include "dda/core/error.h"
 #include "dda/model/quantity_names.h"
 #include "dda/record/record_test_support.h"
 
@@ -154,6 +155,54 @@ TEST(QuantityNames, AreDifferentAndHaveUnits) {
   EXPECT_FALSE(names.contains("unknown"));
   EXPECT_EQ(unit_of(Quantity::traction_shear), "Pa");
   EXPECT_EQ(unit_of(Quantity::acceleration_y), "m/s2");
+}
+
+std::string resumed_text(const TestFolder& folder, std::int64_t rows) {
+  HistoryWriter writer(folder / "h.csv", {{"a", "m"}}, rows);
+  EXPECT_EQ(writer.rows(), rows);
+  writer.append(9, Row{9});
+  EXPECT_EQ(writer.rows(), rows + 1);
+  writer.close();
+  return read_file(folder / "h.csv");
+}
+
+TEST(HistoryWriter, GoesOnAfterTheRowsThatCount) {
+  const TestFolder folder;
+  write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2\n2,3\n");
+  EXPECT_EQ(resumed_text(folder, 2), "time [s],a [m]\n0,1\n1,2\n9,9\n");
+  EXPECT_EQ(resumed_text(folder, 3), "time [s],a [m]\n0,1\n1,2\n9,9\n9,9\n");
+  EXPECT_EQ(resumed_text(folder, 0), "time [s],a [m]\n9,9\n");
+}
+
+TEST(HistoryWriter, GoesOnWithWhatABrokenOffRunLeft) {
+  const TestFolder folder;
+  write_file(folder / "h.csv", "time [s],a [m]\n0,7\n1,7\n");  // of an earlier run
+  write_file(folder / "h.csv.tmp", "time [s],a [m]\n0,1\n1,2\n2,3\n2.5,");
+  EXPECT_EQ(resumed_text(folder, 2), "time [s],a [m]\n0,1\n1,2\n9,9\n");
+}
+
+TEST(HistoryWriter, GoesOnWithTheWholeFileWhenNothingUsefulIsLeftOver) {
+  const TestFolder folder;
+  write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2\n");
+  write_file(folder / "h.csv.tmp", "");
+  EXPECT_EQ(resumed_text(folder, 2), "time [s],a [m]\n0,1\n1,2\n9,9\n");
+}
+
+TEST(HistoryWriter, DoesNotGoOnWithAnotherFile) {
+  const TestFolder folder;
+  const auto refusal = [&](const std::vector<Column>& columns, std::int64_t rows) {
+    return message_of<InputError>([&] { const HistoryWriter writer(folder / "h.csv", columns, rows); });
+  };
+  EXPECT_EQ(refusal({{"a", "m"}}, 0), (folder / "h.csv").string() +
+                                          ": the history to go on with is missing, of other measurements or too short, "
+                                          "expected a file with 0 rows of this scene's measurements");
+  write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2");
+  EXPECT_EQ(refusal({{"a", "m"}}, 1), "");
+  write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2");
+  EXPECT_NE(refusal({{"a", "m"}}, 2), "") << "the second row is not whole";
+  EXPECT_NE(refusal({{"b", "m"}}, 1), "");
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"h.csv"})) << "a refusal leaves everything as it was";
+  EXPECT_EQ(read_file(folder / "h.csv"), "time [s],a [m]\n0,1\n1,2");
 }
 
 }  // namespace

@@ -73,6 +73,8 @@ class EnergyAudit {
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
  private:
+  friend struct SnapshotAccess;  // snapshot.h
+
   EnergyLedger ledger_;
   double replaced_ = 0;  // losses by interface_replaced in the step under way
 };

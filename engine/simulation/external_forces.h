@@ -24,6 +24,8 @@ class ExternalForces {
   [[nodiscard]] bool has_loads() const { return !loads_.empty(); }
 
  private:
+  friend struct SnapshotAccess;  // snapshot.h
+
   struct Load {
     int block;
     Vec6 force;

@@ -33,6 +33,7 @@ Simulation::Simulation(Model model)
       terms_(make_block_terms(model_, 1)),
       damping_(make_block_damping(model_, state_)),
       external_(model_, state_),
+      contact_range_(model_, contacts_.interfaces),
       matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_)) {
   const Eigen::Index unknowns = matrix_.unknowns();
   for (Eigen::VectorXd* vector :
@@ -58,6 +59,7 @@ void Simulation::begin_stage() {
   for (Inertia& inertia : terms_.inertia) inertia.strain_inertia = stage().strain_inertia;
   plan_ = make_plan(model_, stage(), contacts_, matrix_.couplings(),
                     stiffness_number(contacts_, terms_, stage().dt));
+  if (solver_) counters_.solver_iterations += solver_->counts().iterations;
   solver_ = make_solver(plan_.solver);
   solver_->analyze(matrix_);
   ++counters_.analyses;
@@ -88,11 +90,17 @@ Status Simulation::step() {
   ++step_in_stage_;
   ++state_.step;
   state_.time = stage_start_ + static_cast<double>(step_in_stage_) * stage().dt;
+  const bool in_range = !plan_.finite_kinematics || moving_ || contacts_are_in_range();
   if (step_in_stage_ >= steps_in_stage()) {
     ++stage_;
     if (!finished()) begin_stage();
   }
-  return status;
+  return in_range ? Status::ok : Status::left_contact_range;
+}
+
+bool Simulation::contacts_are_in_range() {
+  message_ = contact_range_.problem(model_, state_, contacts_);
+  return message_.empty();
 }
 
 Status Simulation::advance(double dt, int reductions_left) {
@@ -223,7 +231,8 @@ Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
     message_ = "the linear solver failed";
     return status;
   }
-  if (increment.allFinite()) return Status::ok;
+  // 0 times anything not finite is NaN, and so is a sum with a NaN: allFinite(), vectorized.
+  if ((0 * increment).sum() == 0) return Status::ok;
   message_ = "a displacement is not finite";
   return Status::not_finite;
 }

@@ -24,6 +24,7 @@
 #include "dda/model/model.h"
 #include "dda/model/state.h"
 #include "dda/simulation/block_terms.h"
+#include "dda/simulation/contact_range.h"
 #include "dda/simulation/energy_audit.h"
 #include "dda/simulation/external_forces.h"
 #include "dda/simulation/linear_operators.h"
@@ -61,6 +62,8 @@ class Simulation {
   [[nodiscard]] std::int64_t steps_in_all_stages() const;
 
  private:
+  friend struct SnapshotAccess;  // snapshot.h
+
   void begin_stage();
   void set_step_size(double dt);
   [[nodiscard]] const Stage& stage() const { return model_.stages[stage_]; }
@@ -97,6 +100,7 @@ class Simulation {
   void accept_contacts();
   void accept_supports();
   void damp_velocities();
+  [[nodiscard]] bool contacts_are_in_range();
   void add_dashpot_and_support_rhs();
   void start_energy_audit();
 
@@ -130,6 +134,7 @@ class Simulation {
   double stage_start_ = 0;
   StepPlan plan_;
   StepCoefficients coefficients_;
+  ContactRange contact_range_;  // looked at in finite kinematics
   BlockMatrix matrix_;
   std::unique_ptr<LinearSolver> solver_;
   bool matrix_is_current_ = false;

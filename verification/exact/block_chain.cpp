@@ -21,13 +21,30 @@ InterfaceLaw corner_springs(double normal_spring, double shear_spring) {
 
 InterfaceLaw consistent_edge(double mid, double tangential_half) { return {mid, tangential_half, true}; }
 
+InterfaceLaw cubic_edge(double inertia_reduction) { return {.cubic = true, .inertia_reduction = inertia_reduction}; }
+
+double bar_modulus(const PlaneElasticity& elasticity) {
+  return elasticity.e11 - elasticity.e12 * elasticity.e12 / elasticity.e11;
+}
+
+double inertia_reduction(const BlockChain& chain, double period_error, double dt) {
+  const double courant2 = bar_modulus(chain.elasticity) / chain.density * dt * dt / (chain.length * chain.length);
+  return std::min(period_error * courant2, 0.1);
+}
+
 void check(const BlockChain& chain, const std::vector<ChainProbe>& probes) {
   const bool sound = chain.blocks >= 1 && chain.length > 0 && chain.height > 0 && chain.density > 0 &&
-                     chain.elasticity.e11 > 0 && chain.inertia_factor > 0 && chain.interface.normal > 0 &&
+                     chain.elasticity.e11 > 0 && chain.inertia_factor > 0 && chain.lateral_inertia >= 0 &&
+                     (chain.interface.cubic ? chain.interface.normal >= 0 : chain.interface.normal > 0) &&
                      chain.interface.tangential_half >= 0 && chain.end_stiffness >= 0 && chain.end_impedance >= 0;
   if (!sound) throw std::invalid_argument("the chain needs positive sizes, density and stiffnesses");
+  if (chain.interface.cubic && chain.interface.consistent) {
+    throw std::invalid_argument("an interface is either cubic or consistent");
+  }
   const auto exists = [&](const ChainProbe& probe) {
-    const int count = probe.quantity == ChainQuantity::interface_force ? chain.blocks - 1 : chain.blocks;
+    const bool between =
+        probe.quantity == ChainQuantity::interface_force || probe.quantity == ChainQuantity::interface_stress;
+    const int count = between ? chain.blocks - 1 : chain.blocks;
     return probe.index >= 0 && probe.index < count;
   };
   if (!std::ranges::all_of(probes, exists)) throw std::invalid_argument("a probe lies outside of the chain");

@@ -6,6 +6,13 @@
 //   tangential half  w = h/2 (ey_(j+1) - ey_j)   (half the difference of the tangential gaps of the two corners)
 //   potential        V = k g^2/2 + [consistent] h {sigma_x} g + k_t w^2/2
 // with {sigma_x} the mean of the two blocks' stresses; the interface carries N = dV/dg, tension positive.
+//
+// The cubic law (Hermite chain) has instead, over the cell from centroid to centroid, the axial displacement w(x) that
+// is cubic with w = u, w' = ex at both centroids. The strain that it adds to the block it lies in contracts sideways
+// freely: eps_y(x) = ey - e12/e11 (w'(x) - ex). With Q = e11 - e12^2/e11 (bar with free sides) each half then adds
+//   h integral of Q ex (w' - ex) + Q (w' - ex)^2/2,   Q ex = sigma_x - e12/e11 sigma_y of that block,
+// to V = k g^2/2 + k_t w^2/2, and the inertia of w replaces that of the two straight lines. A chain so stores
+//   h integral of Q w'^2/2  +  sum over blocks of h L e11 (ey + e12/e11 ex)^2/2.
 #pragma once
 
 #include <vector>
@@ -21,14 +28,19 @@ struct PlaneElasticity {
 [[nodiscard]] PlaneElasticity plane_strain(double young, double poisson);
 
 struct InterfaceLaw {
-  double normal = 0;           // k (N/m) of the whole interface
+  double normal = 0;           // k (N/m) of the whole interface; may be 0 for the cubic law
   double tangential_half = 0;  // k_t (N/m)
   bool consistent = false;     // with the flux term of Nitsche's method
+  bool cubic = false;          // cubic displacement across the interface; excludes `consistent`
+  // Cubic only, co (-): the kinetic energy is lowered by co rho h L (u0_(j+1)' - u0_j')^2/2 (velocities).
+  double inertia_reduction = 0;
 };
 // Classical DDA: a normal and a shear spring (N/m each) at each of the two corners.
 [[nodiscard]] InterfaceLaw corner_springs(double normal_spring, double shear_spring);
 // Symmetric Nitsche edge: stiffness (N/m) of the gap at mid-edge and of the tangential half-difference.
 [[nodiscard]] InterfaceLaw consistent_edge(double mid, double tangential_half);
+// The cubic law without further stiffness; see inertia_reduction() for its argument.
+[[nodiscard]] InterfaceLaw cubic_edge(double inertia_reduction = 0);
 
 struct BlockChain {
   int blocks = 1;
@@ -39,15 +51,26 @@ struct BlockChain {
   InterfaceLaw interface;
   // Inertia of ex and ey: factor rho h L^3/12 and factor rho L h^3/12. 1: consistent; 2: averaged consistent/lumped.
   double inertia_factor = 1;
+  double lateral_inertia = 1;  // further factor on the inertia of ey; 0: ey follows without inertia
   // Right end, acting on the centre of its face; both zero: free.
   double end_stiffness = 0;  // N/m
   double end_impedance = 0;  // N s/m, ratio rho c h for a dashpot of that ratio to the bar's impedance
 };
 
+// Q (Pa): axial modulus of a bar whose sides are free.
+[[nodiscard]] double bar_modulus(const PlaneElasticity& elasticity);
+
+// co = min(period_error (c dt/L)^2, 0.1), c^2 = Q/rho, lifts the chain's frequencies by the share that a time scheme of
+// that period_error() takes away: the chain's mean of (u0_(j+1)' - u0_j')^2 is (kappa L)^2 u0'^2 for long waves.
+[[nodiscard]] double inertia_reduction(const BlockChain& chain, double period_error, double dt);
+
 enum class ChainQuantity {
-  block_stress,     // sigma_x of block `index` (Pa), index 0..blocks-1
-  interface_force,  // N between blocks `index` and `index + 1` (N), index 0..blocks-2
-  displacement,     // u0 of block `index` (m)
+  block_stress,  // sigma_x of block `index` (Pa), index 0..blocks-1
+  // N between blocks `index` and `index + 1` (N), index 0..blocks-2; cubic law: h Q ({ex} + 3/2 g/L), the height
+  // times the stress of the cubic at the interface.
+  interface_force,
+  displacement,      // u0 of block `index` (m)
+  interface_stress,  // interface_force/height (Pa)
 };
 
 struct ChainProbe {
@@ -58,7 +81,8 @@ struct ChainProbe {
 // One history per probe, each with a value per sample of the load (the first is the state of rest).
 using ChainHistories = std::vector<std::vector<double>>;
 
-// Throws std::invalid_argument unless sizes, density and stiffnesses are positive and every probe exists.
+// Throws std::invalid_argument unless sizes, density and stiffnesses are positive, the interface is not both cubic and
+// consistent, and every probe exists.
 void check(const BlockChain& chain, const std::vector<ChainProbe>& probes);
 
 }  // namespace exact

@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "verification/exact/block_chain.h"
+#include "verification/exact/interface_forms.h"
 #include "verification/exact/time_scheme.h"
 
 namespace exact {
+
+using ComplexVector3 = Eigen::Matrix<Complex, 3, 1>;
 
 // One wave that decays to the right (|lambda| <= 1); its mirror image decays to the left. Amplitudes of block 0 and of
 // the interface between blocks 0 and 1, in the units of the chain scaled by block length and e11 (see ScaledChain).
@@ -14,16 +17,19 @@ struct ChainMode {
   Complex sin2;  // sin^2(kappa/2), lambda = exp(-i kappa)
   Complex lambda;
   Complex u, ex, ey;
-  Complex gap, force, slip;  // slip = ey_1 - ey_0
+  Complex force;  // interface force
+  // What the interface adds to the equations (u, ex, ey) of the block to its left and to its right.
+  ComplexVector3 on_left, on_right;
 };
 
 // The chain with lengths in block lengths, stresses in e11 and forces in e11 length (thickness 1).
 struct ScaledChain {
   explicit ScaledChain(const BlockChain& chain);
 
-  Real height, e12, normal, tangential, consistent, inertia;  // inertia: factor/12
-  Real mass_over_stiffness;                                   // rho h L / e11 (s^2)
-  int waves;  // decaying waves to one side: 1, plus 1 if consistent, plus 1 with tangential stiffness
+  Real height, e12;
+  RealVector3 inertia;  // of u, ex, ey
+  InterfaceForms forms;
+  Real mass_over_stiffness;  // rho h L / e11 (s^2)
 };
 
 // All waves that decay to the right for s^2 = `inertia_operator` (1/s^2), longest waves first.

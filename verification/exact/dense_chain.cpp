@@ -1,5 +1,7 @@
 #include "verification/exact/dense_chain.h"
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace exact {
@@ -18,6 +20,14 @@ VectorXd stress_row(const BlockChain& chain, int block) {
   return row;
 }
 
+// The stress that is left of sigma_x when the block contracts sideways until sigma_y vanishes: Q ex.
+VectorXd side_free_stress_row(const BlockChain& chain, int block) {
+  VectorXd lateral_stress = zero_row(chain);
+  lateral_stress[3 * block + 1] = chain.elasticity.e12;
+  lateral_stress[3 * block + 2] = chain.elasticity.e11;
+  return stress_row(chain, block) - chain.elasticity.e12 / chain.elasticity.e11 * lateral_stress;
+}
+
 VectorXd face_row(const BlockChain& chain, int block, double side) {
   VectorXd row = zero_row(chain);
   row[3 * block] = 1;
@@ -32,13 +42,35 @@ VectorXd mean_stress_row(const BlockChain& chain, int left) {
 }
 
 VectorXd tangential_row(const BlockChain& chain, int left) {
-  VectorXd row = zero_row(chain);
-  row[3 * left + 5] = chain.height / 2;
-  row[3 * left + 2] = -chain.height / 2;
-  return row;
+  const Eigen::Index unknowns = 3 * chain.blocks;
+  return chain.height / 2 * (VectorXd::Unit(unknowns, 3 * left + 5) - VectorXd::Unit(unknowns, 3 * left + 2));
+}
+
+// Displacement and slope of the cubic between two blocks at x = s L/2 from their interface, s in [-1, 1].
+using PairRow = Eigen::Matrix<double, 6, 1>;
+struct CubicRows {
+  PairRow value = PairRow::Zero(), slope = PairRow::Zero();
+};
+CubicRows cubic_rows(const BlockChain& chain, double s) {
+  const double half = chain.length / 2;
+  CubicRows rows;
+  rows.value[0] = (1 - s) * (1 - s) * (2 + s) / 4;
+  rows.value[3] = (1 + s) * (1 + s) * (2 - s) / 4;
+  rows.value[1] = half * (1 - s) * (1 - s) * (1 + s) / 4;
+  rows.value[4] = -half * (1 + s) * (1 + s) * (1 - s) / 4;
+  rows.slope[0] = -3 * (1 - s * s) / (4 * half);
+  rows.slope[3] = -rows.slope[0];
+  rows.slope[1] = (1 - s) * (-1 - 3 * s) / 4;
+  rows.slope[4] = (1 + s) * (3 * s - 1) / 4;
+  return rows;
 }
 
 VectorXd force_row(const BlockChain& chain, int left) {
+  if (chain.interface.cubic) {
+    const double stiffness = 1.5 * bar_modulus(chain.elasticity) / chain.length;
+    const VectorXd blocks = side_free_stress_row(chain, left) + side_free_stress_row(chain, left + 1);
+    return chain.height * (blocks / 2 + stiffness * gap_row(chain, left));
+  }
   VectorXd row = chain.interface.normal * gap_row(chain, left);
   if (chain.interface.consistent) row += chain.height * mean_stress_row(chain, left);
   return row;
@@ -49,25 +81,65 @@ void add_block(const BlockChain& chain, int block, DenseSystem& system) {
   const double spread = chain.inertia_factor * mass / 12;
   system.mass(3 * block, 3 * block) = mass;
   system.mass(3 * block + 1, 3 * block + 1) = spread * chain.length * chain.length;
-  system.mass(3 * block + 2, 3 * block + 2) = spread * chain.height * chain.height;
+  system.mass(3 * block + 2, 3 * block + 2) = chain.lateral_inertia * spread * chain.height * chain.height;
   Eigen::Matrix2d elasticity;
   elasticity << chain.elasticity.e11, chain.elasticity.e12, chain.elasticity.e12, chain.elasticity.e11;
   system.stiffness.block<2, 2>(3 * block + 1, 3 * block + 1) += area * elasticity;
 }
 
-void add_interface(const BlockChain& chain, int left, MatrixXd& stiffness) {
-  const VectorXd gap = gap_row(chain, left), slip = tangential_row(chain, left);
-  stiffness += chain.interface.normal * gap * gap.transpose();
-  stiffness += chain.interface.tangential_half * slip * slip.transpose();
-  if (!chain.interface.consistent) return;
-  const MatrixXd flux = chain.height * mean_stress_row(chain, left) * gap.transpose();
-  stiffness += flux + flux.transpose();
+// One point of the quadrature over block `block`'s half of the cell of two blocks: the cubic's energies less the
+// block's.
+void add_cubic_point(const BlockChain& chain, int block, double s, double weight, DenseSystem& system) {
+  const double distance = chain.length / 2 * (block == 0 ? 1 + s : s - 1);
+  const PairRow strain = PairRow::Unit(3 * block + 1);
+  const PairRow straight = PairRow::Unit(3 * block) + distance * strain;
+  const CubicRows cubic = cubic_rows(chain, s);
+  const PairRow excess = cubic.slope - strain, stress = weight * side_free_stress_row(chain, block);
+  system.stiffness += stress * excess.transpose() + excess * stress.transpose() +
+                      weight * bar_modulus(chain.elasticity) * excess * excess.transpose();
+  system.mass += weight * chain.density * (cubic.value * cubic.value.transpose() - straight * straight.transpose());
+}
+
+void add_cubic(const BlockChain& pair, DenseSystem& system) {
+  // Gauss' four points on [-1, 1]: exact for the sixth degree of the kinetic energy.
+  const double spread = 2.0 / 7 * std::sqrt(6.0 / 5), root = std::sqrt(30.0);
+  const double inner = std::sqrt(3.0 / 7 - spread), outer = std::sqrt(3.0 / 7 + spread);
+  const std::array<double, 4> points{-outer, -inner, inner, outer};
+  for (const double point : points) {
+    const double weight = (18 + (std::abs(point) < 0.5 ? root : -root)) / 36 * pair.length / 4 * pair.height;
+    add_cubic_point(pair, 0, (point - 1) / 2, weight, system);
+    add_cubic_point(pair, 1, (point + 1) / 2, weight, system);
+  }
+  const VectorXd difference = face_row(pair, 1, 0) - face_row(pair, 0, 0);
+  system.mass -=
+      pair.interface.inertia_reduction * pair.density * pair.length * pair.height * difference * difference.transpose();
+}
+
+DenseSystem no_system(int blocks) {
+  const MatrixXd zero = MatrixXd::Zero(3 * blocks, 3 * blocks);
+  return {zero, zero, zero};
+}
+
+// What any interface adds to the matrices of its two blocks (6 x 6).
+DenseSystem interface_system(BlockChain chain) {
+  chain.blocks = 2;
+  DenseSystem system = no_system(2);
+  const VectorXd gap = gap_row(chain, 0), slip = tangential_row(chain, 0);
+  system.stiffness += chain.interface.tangential_half * slip * slip.transpose();
+  system.stiffness += chain.interface.normal * gap * gap.transpose();
+  if (chain.interface.cubic) add_cubic(chain, system);
+  if (chain.interface.consistent) {
+    const MatrixXd flux = chain.height * mean_stress_row(chain, 0) * gap.transpose();
+    system.stiffness += flux + flux.transpose();
+  }
+  return system;
 }
 
 VectorXd probe_row(const BlockChain& chain, const ChainProbe& probe) {
   switch (probe.quantity) {
     case ChainQuantity::block_stress: return stress_row(chain, probe.index);
     case ChainQuantity::interface_force: return force_row(chain, probe.index);
+    case ChainQuantity::interface_stress: return force_row(chain, probe.index) / chain.height;
     case ChainQuantity::displacement: break;
   }
   return face_row(chain, probe.index, 0);
@@ -76,10 +148,13 @@ VectorXd probe_row(const BlockChain& chain, const ChainProbe& probe) {
 }  // namespace
 
 DenseSystem dense_chain_system(const BlockChain& chain) {
-  const MatrixXd zero = MatrixXd::Zero(3 * chain.blocks, 3 * chain.blocks);
-  DenseSystem system{zero, zero, zero};
+  const DenseSystem between = interface_system(chain);
+  DenseSystem system = no_system(chain.blocks);
   for (int block = 0; block < chain.blocks; ++block) add_block(chain, block, system);
-  for (int left = 0; left + 1 < chain.blocks; ++left) add_interface(chain, left, system.stiffness);
+  for (int left = 0; left + 1 < chain.blocks; ++left) {
+    system.mass.block<6, 6>(3 * left, 3 * left) += between.mass;
+    system.stiffness.block<6, 6>(3 * left, 3 * left) += between.stiffness;
+  }
   const VectorXd end = face_row(chain, chain.blocks - 1, 1);
   system.stiffness += chain.end_stiffness * end * end.transpose();
   system.damping += chain.end_impedance * end * end.transpose();

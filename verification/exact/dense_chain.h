@@ -11,7 +11,7 @@ namespace exact {
 [[nodiscard]] DenseSystem dense_chain_system(const BlockChain& chain);
 
 // Histories under a force load[i] (N, at t = i dt) spread over the left face, positive in +x (compression).
-// Cost: blocks^2 per step; meant for tens of blocks. Throws std::invalid_argument on bad data.
+// Throws std::invalid_argument on bad data.
 [[nodiscard]] ChainHistories dense_chain_response(const BlockChain& chain, const TimeScheme& scheme, double dt,
                                                   const std::vector<double>& load,
                                                   const std::vector<ChainProbe>& probes);

@@ -10,7 +10,7 @@
 namespace exact {
 
 // M a + C v + K u = F with n unknowns; all n x n. The matrices need not be symmetric or definite, but M must be
-// regular.
+// regular if load(0) is not zero.
 struct DenseSystem {
   Eigen::MatrixXd mass;
   Eigen::MatrixXd damping;

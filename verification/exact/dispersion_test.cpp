@@ -100,6 +100,60 @@ TEST(Dispersion, MatchedInertiaCancelsSpaceAgainstTime) {
   EXPECT_NEAR(std::log2(error(200) / error(100)), 4.0, 0.1);  // no second order is left
 }
 
+// speed/c - 1 of the cubic chain in space alone, c that of free sides: a step of 1 ns adds 3e-14.
+double cubic_error(double length, const PlaneElasticity& elasticity, double lateral_inertia = 0) {
+  BlockChain chain = full_chain(scalar_chain(length, 0, false), 0);
+  chain.elasticity = elasticity;
+  chain.interface = cubic_edge();
+  chain.lateral_inertia = lateral_inertia;
+  const double speed = std::sqrt(bar_modulus(elasticity) / kDensity);
+  return chain_wave(chain, trapezoidal(), 1e-9, 2 * std::numbers::pi * 100).speed / speed - 1;
+}
+
+TEST(Dispersion, CubicChainIsOfSixthOrderForEveryPoissonRatio) {
+  for (const PlaneElasticity& elasticity :
+       {plane_stress(kYoung, 0), plane_stress(kYoung, 0.25), plane_stress(kYoung, 0.45), plane_strain(kYoung, 0.25)}) {
+    for (const double length : {0.5, 1.0}) {  // next order: Omega^2 = 0.08 at most; the time step adds 0.01 at 0.5 m
+      EXPECT_NEAR(std::log2(cubic_error(2 * length, elasticity) / cubic_error(length, elasticity)), 6.0, 0.08)
+          << length << " " << elasticity.e12;
+    }
+  }
+}
+
+// In plane stress Q is Young's modulus whatever Poisson's ratio: so is the wave without lateral inertia.
+TEST(Dispersion, PoissonRatioDoesNotShowInTheCubicChainWithoutLateralInertia) {
+  for (const double poisson : {0.1, 0.25, 0.45}) {
+    EXPECT_NEAR(cubic_error(4, plane_stress(kYoung, poisson)), cubic_error(4, plane_stress(kYoung, 0)), 1e-15)
+        << poisson;  // round-off of double
+  }
+}
+
+// Love's rod: the sides' kinetic energy rho (nu h)^2/12 w''^2/2 lowers the speed by (nu k h)^2/24 to leading order, k =
+// omega/c the wave number, h = L here and nu = e12/e11 the ratio of free sides.
+TEST(Dispersion, LateralInertiaGivesTheCubicChainLovesDispersion) {
+  for (const double poisson : {0.1, 0.25}) {
+    for (const PlaneElasticity& elasticity : {plane_stress(kYoung, poisson), plane_strain(kYoung, poisson)}) {
+      const double length = 1.0, omega = 2 * std::numbers::pi * 100, ratio = elasticity.e12 / elasticity.e11;
+      const double big_omega2 = std::pow(omega * length, 2) * kDensity / bar_modulus(elasticity);
+      const double expected = -ratio * ratio * big_omega2 / 24;
+      EXPECT_NEAR(cubic_error(length, elasticity, 1) / expected, 1.0, big_omega2) << elasticity.e12;  // next order
+    }
+  }
+}
+
+TEST(Dispersion, InertiaReductionCancelsTheTimeSchemesError) {
+  const double dt = 1e-4, omega = 2 * std::numbers::pi * 100, theta = omega * dt;
+  for (const TimeScheme& scheme : {trapezoidal(), hht(0.1), generalized_alpha(0.8)}) {
+    BlockChain chain = full_chain(scalar_chain(1.0, 0, false), 0);
+    chain.interface = cubic_edge();
+    const double plain = chain_wave(chain, scheme, dt, omega).speed / kBarSpeed - 1;
+    EXPECT_NEAR(plain / (-period_error(scheme) * theta * theta / 2), 1.0, 0.01);  // next order: theta^2 = 0.004
+    chain.interface.inertia_reduction = inertia_reduction(chain, period_error(scheme), dt);
+    // Left is of fourth order: theta^4 and, from the mean of the differences, period_error theta^2 Omega^2/24.
+    EXPECT_LT(std::abs(chain_wave(chain, scheme, dt, omega).speed / kBarSpeed - 1), 0.02 * std::abs(plain));
+  }
+}
+
 // Shear springs k_s at the corners hold the lateral strain: E grows to E1 (1 - nu^2/(1 + 2 (k_s h/(L E1))
 // sin^2(kappa/2))) with E1 = E/(1 - nu^2), up to E1 itself.
 TEST(Dispersion, ShearSpringsStiffenTheBarTowardsTheConfinedSpeed) {

@@ -1,6 +1,6 @@
 #include "verification/exact/finite_chain.h"
 
-#include <Eigen/LU>
+#include <Eigen/QR>
 #include <cstddef>
 #include <stdexcept>
 
@@ -10,8 +10,8 @@
 namespace exact {
 namespace {
 
-// At most three waves from each end.
-using EndMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+// At most three waves from each end; three equations of each end block.
+using EndMatrix = Eigen::Matrix<Complex, 6, Eigen::Dynamic, 0, 6, 6>;
 using EndVector = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, 6, 1>;
 
 Complex power(Complex base, int exponent) {
@@ -22,22 +22,28 @@ Complex power(Complex base, int exponent) {
   return result;
 }
 
+// A vector of a block's equations or unknowns (u, ex, ey) seen in a mirror.
+ComplexVector3 mirrored(const ComplexVector3& vector) { return {-vector[0], vector[1], vector[2]}; }
+
 // The field at one z. Blocks are 1..n and interfaces 0..n, of which 0 and n do not exist: the homogeneous chain runs on
-// over ghost blocks 0 and n+1, and the end conditions are what makes their missing interfaces do no harm.
+// over ghost blocks 0 and n+1, and what a missing interface adds to the equations of its end block must be the load or
+// the support of that end. Of those three equations as many are independent as there are waves.
 class ChainField {
  public:
   ChainField(const ScaledChain& chain, int blocks, Complex inertia, Complex end_reaction)
       : chain_(chain), blocks_(blocks), modes_(chain_modes(chain, inertia)) {
     const auto waves = static_cast<Eigen::Index>(modes_.size());
-    EndMatrix ends = EndMatrix::Zero(2 * waves, 2 * waves);
+    EndMatrix ends(6, 2 * waves);
     for (Eigen::Index i = 0; i < waves; ++i) {
-      set_column(modes_[static_cast<std::size_t>(i)], end_reaction, ends.col(i).head(waves), ends.col(i).tail(waves));
-      set_mirrored_column(modes_[static_cast<std::size_t>(i)], end_reaction, ends.col(waves + i).head(waves),
-                          ends.col(waves + i).tail(waves));
+      const ChainMode& mode = modes_[static_cast<std::size_t>(i)];
+      const Complex far = power(mode.lambda, blocks_), half = 0.5L;
+      ends.col(i) << mode.on_right, far * mode.on_left - end_reaction * far * (mode.u + half * mode.ex) * face(1);
+      ends.col(waves + i) << far * mirrored(mode.on_left),
+          mirrored(mode.on_right) - end_reaction * mode.lambda * (half * mode.ex - mode.u) * face(1);
     }
-    EndVector unit = EndVector::Zero(2 * waves);
-    unit[0] = -1;  // a unit compressive force on the left face
-    amplitudes_ = ends.partialPivLu().solve(unit);
+    EndVector unit = EndVector::Zero(6);
+    unit.head<3>() = -face(-1);  // a unit compressive force on the left face
+    amplitudes_ = ends.colPivHouseholderQr().solve(unit);
   }
 
   [[nodiscard]] Complex displacement(int block) const {
@@ -54,27 +60,8 @@ class ChainField {
   }
 
  private:
-  // Conditions at one end: the force it carries; no gap to pair with a flux; no slip to pair with a tangential spring.
-  template <typename Rows>
-  void set_rows(const ChainMode& mode, Complex reaction, Complex factor, Real slip_sign, Rows&& rows) const {
-    Eigen::Index row = 0;
-    rows[row++] = mode.force * factor + reaction;
-    if (chain_.consistent > 0) rows[row++] = mode.gap * factor;
-    if (chain_.tangential > 0) rows[row++] = slip_sign * mode.slip * factor;
-  }
-  template <typename Rows>
-  void set_column(const ChainMode& mode, Complex end_reaction, Rows&& left, Rows&& right) const {
-    const Complex far = power(mode.lambda, blocks_), face = (mode.u + Real{0.5L} * mode.ex) * far;
-    set_rows(mode, 0, 1, 1, left);
-    set_rows(mode, end_reaction * face, far, 1, right);
-  }
-  // The mirror image changes the signs of u and of the slip.
-  template <typename Rows>
-  void set_mirrored_column(const ChainMode& mode, Complex end_reaction, Rows&& left, Rows&& right) const {
-    const Complex far = power(mode.lambda, blocks_), face = (Real{0.5L} * mode.ex - mode.u) * mode.lambda;
-    set_rows(mode, 0, far, -1, left);
-    set_rows(mode, end_reaction * face, 1, -1, right);
-  }
+  // Equations (u, ex, ey) of a block under a unit force on its left (-1) or right (1) face.
+  static ComplexVector3 face(Real side) { return {Real{1}, side / 2, Real{0}}; }
   template <typename Amplitude>
   [[nodiscard]] Complex sum(int from_left, int from_right, const Amplitude& amplitude, Real mirror_sign) const {
     Complex total = 0;
@@ -98,7 +85,8 @@ class ChainField {
 Complex probe_value(const ChainField& field, const ChainProbe& probe) {
   switch (probe.quantity) {
     case ChainQuantity::block_stress: return field.stress(probe.index + 1);
-    case ChainQuantity::interface_force: return field.force(probe.index + 1);
+    case ChainQuantity::interface_force:
+    case ChainQuantity::interface_stress: return field.force(probe.index + 1);
     case ChainQuantity::displacement: break;
   }
   return field.displacement(probe.index + 1);
@@ -107,6 +95,7 @@ Complex probe_value(const ChainField& field, const ChainProbe& probe) {
 Real unit_response(const BlockChain& chain, const ChainProbe& probe) {
   if (probe.quantity == ChainQuantity::block_stress) return 1 / widen(chain.length);
   if (probe.quantity == ChainQuantity::interface_force) return 1;
+  if (probe.quantity == ChainQuantity::interface_stress) return 1 / widen(chain.height);
   return 1 / widen(chain.elasticity.e11);
 }
 

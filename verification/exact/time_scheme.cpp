@@ -21,6 +21,14 @@ TimeScheme generalized_alpha(double rho_inf) {
   return {.beta = (1 + excess) * (1 + excess) / 4, .gamma = 0.5 + excess, .alpha_m = alpha_m, .alpha_f = alpha_f};
 }
 
+// With z = exp(i theta), -inertia dt^2 = theta^2 (1 - theta^2/12) (1 + i d theta + A theta^2)/(1 + i g theta + B
+// theta^2) up to higher orders; the real part of its square root is theta (1 + period_error theta^2/2).
+double period_error(const TimeScheme& scheme) {
+  const double d = scheme.alpha_f - scheme.alpha_m, g = scheme.gamma - 0.5;
+  const double a = d * (0.5 - scheme.alpha_f), b = g / 2 - scheme.beta;
+  return -1.0 / 12 + a - b + (d * d - g * g) / 2 - (d - g) * (d - g) / 4;
+}
+
 // With A, V, U the transforms of acceleration, velocity and displacement and a_0 the acceleration at the start, the two
 // update rules give U = gain A - start a_0; the equation of motion then holds between U, F and F_0 = M a_0 alone.
 SchemeOperators scheme_operators(const TimeScheme& scheme, double dt, Complex z) {

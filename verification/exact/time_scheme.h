@@ -38,6 +38,11 @@ struct TimeScheme {
 // Chung & Hulbert (1993): rho_inf in [0, 1] is the spectral radius at infinite frequency.
 [[nodiscard]] TimeScheme generalized_alpha(double rho_inf);
 
+// Relative error of the period (-): an undamped oscillation of frequency omega gets the frequency omega_num with
+// omega_num^2 = omega^2 (1 - period_error (omega dt)^2) + higher orders (real parts). Needs carried_velocity = 1. For
+// second-order schemes, gamma = 1/2 + alpha_f - alpha_m, it is beta - 1/12 - alpha_f (alpha_f - alpha_m).
+[[nodiscard]] double period_error(const TimeScheme& scheme);
+
 // The scheme seen by z-transforms X(z) = sum x_n z^-n of a motion that starts with u = v = 0 and M a_0 = F_0:
 //   (inertia M + damping C + K) U(z) = F(z) + initial_load F_0.
 // `inertia` (1/s^2) and `damping` (1/s) stand for s^2 and s of the Laplace transform; -inertia at z = exp(i omega dt)

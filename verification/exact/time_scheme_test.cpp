@@ -136,5 +136,15 @@ TEST(TimeScheme, CarriedVelocityGivesTheTerminalVelocity) {
   EXPECT_NEAR(mean_velocity, g * dt * (1 + 0.9) / (2 * (1 - 0.9)), 1e-12);  // 0.9^398 = 6e-19 remains
 }
 
+// Against the z-domain operator itself, whose square root is the frequency that the space operator must supply.
+TEST(TimeScheme, PeriodErrorIsTheLeadingOrderOfTheOperator) {
+  const double theta = 0.01;
+  for (const TimeScheme& scheme : {thesis_scheme(), trapezoidal(), hht(0.1), generalized_alpha(0.8)}) {
+    const Complex inertia = scheme_operators(scheme, 1.0, std::polar<Real>(1, widen(theta))).inertia;
+    const double supplied = static_cast<double>(std::abs(std::sqrt(-inertia).real()));
+    EXPECT_NEAR((supplied / theta - 1) * 2 / (theta * theta), period_error(scheme), theta * theta);
+  }
+}
+
 }  // namespace
 }  // namespace exact

@@ -1,0 +1,174 @@
+#include "dda/app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "dda/app/run_command.h"
+#include "dda/app/scene_report.h"
+#include "dda/core/error.h"
+#include "dda/core/quantity.h"
+#include "dda/scene/scene.h"
+
+namespace dda {
+namespace {
+
+constexpr int exit_failed = 1;
+constexpr int exit_bad_input = 2;
+
+constexpr auto program_details =
+    "Examples:\n"
+    "  dda check bar.json                    say what would be run, and how accurate it will be\n"
+    "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
+    "  dda run --help                        more on a command\n\n"
+    "Exit codes: 0 done, 1 a result could not be written, 2 bad input, 3 the run ended before its time,\n"
+    "128 + signal the run was stopped (130 after Ctrl-C).\n";
+
+constexpr auto check_details =
+    "Prints blocks, contacts, what acts, sizes, the terms and phases of every stage with its solver, and the errors "
+    "to\n"
+    "expect of waves: in speed by interfaces, block size and time step, and in amplitude.\n\n"
+    "Examples:\n"
+    "  dda check bar.json\n"
+    "  dda check bar.json --frequency 250Hz\n";
+
+constexpr auto run_details =
+    "DIR gets histories.csv (the measurements), summary.json (status, counters, energy), checkpoint.bin (for "
+    "--resume)\n"
+    "and, when asked for, frames.pvd with frames/ for ParaView. Files of these names are overwritten, others left "
+    "alone.\n"
+    "Ctrl-C stops after the current step.\n\n"
+    "Examples:\n"
+    "  dda run bar.json --out results\n"
+    "  dda run wall.json --out results --frames 100                     then open results/frames.pvd in ParaView\n"
+    "  dda run wall.json --out results --frame-interval 5ms --every 10\n"
+    "  dda run wall.json --out results --frames 100 --resume            go on where a run with these options stopped\n";
+
+constexpr auto schema_details =
+    "Name the file in \"$schema\" of a scene, and editors complete keys and underline mistakes.\n\n"
+    "Example:\n"
+    "  dda schema > scene.schema.json\n";
+
+// A positive number in SI or with a unit, as in scenes.
+double positive_quantity(const std::string& text, Dimension dimension, const char* option) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool plain = error == std::errc() && end == text.data() + text.size();
+  if (!plain) value = parse_quantity(text, dimension, option);
+  if (!(value > 0) || !std::isfinite(value))
+    throw InputError("", option, text, expected_quantity(dimension) + " above 0");
+  return value;
+}
+
+struct Arguments {
+  std::string scene;
+  std::string folder;
+  std::string frequency;
+  std::string frame_interval;
+  std::int64_t frames = 0;
+  RunOptions run;
+};
+
+void add_check(CLI::App& app, Arguments& arguments) {
+  CLI::App* check = app.add_subcommand("check", "Validate a scene and print what will be run")->footer(check_details);
+  check->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
+  check
+      ->add_option("--frequency", arguments.frequency,
+                   "frequency of the waves to predict, e.g. 100Hz; default: the highest sine in the scene")
+      ->type_name("FREQUENCY");
+}
+
+void add_run(CLI::App& app, Arguments& arguments) {
+  CLI::App* run = app.add_subcommand("run", "Run a scene into a folder of results")->footer(run_details);
+  run->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
+  run->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
+  CLI::Option* frames =
+      run->add_option("--frames", arguments.frames, "number of frames over the run, besides that of the start")
+          ->type_name("N")
+          ->check(CLI::PositiveNumber);
+  run->add_option("--frame-interval", arguments.frame_interval, "simulated time between frames, e.g. 5ms")
+      ->type_name("TIME")
+      ->excludes(frames);
+  run->add_option("--every", arguments.run.rows_every, "steps between the rows of histories.csv; default 1")
+      ->type_name("K")
+      ->check(CLI::PositiveNumber);
+  run->add_flag("--resume", arguments.run.resume, "go on from DIR/checkpoint.bin, to the last bit as if never stopped");
+  run->add_flag("--quiet", arguments.run.quiet, "no progress bar, and nothing on standard output");
+}
+
+void check_scene(const Arguments& arguments, std::ostream& out) {
+  std::optional<double> frequency;
+  if (!arguments.frequency.empty())
+    frequency = positive_quantity(arguments.frequency, Dimension::frequency, "--frequency");
+  const Model model = read_scene(arguments.scene);
+  try {
+    out << describe_scene(model, frequency);
+  } catch (const InputError& error) {
+    throw error.in_file(arguments.scene);
+  }
+}
+
+int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
+  RunOptions& options = arguments.run;
+  options.scene = arguments.scene;
+  options.folder = arguments.folder;
+  if (arguments.frames > 0) options.frames = arguments.frames;
+  if (!arguments.frame_interval.empty())
+    options.frame_interval = positive_quantity(arguments.frame_interval, Dimension::time, "--frame-interval");
+  return run_scene(options, out, errors);
+}
+
+// What is wrong with the command line. The library says of an unknown command only that one is required.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+  const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
+  if (unknown_command) return "the command is \"" + std::string(argv[1]) + "\", expected check, run or schema";
+  return error.what();
+}
+
+int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std::ostream& errors) {
+  if (app.got_subcommand("check")) {
+    check_scene(arguments, out);
+    return 0;
+  }
+  if (app.got_subcommand("run")) return run(arguments, out, errors);
+  out << scene_schema();
+  return 0;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, std::ostream& out, std::ostream& errors) {
+  CLI::App app("Two-dimensional Discontinuous Deformation Analysis", "dda");
+  app.footer(program_details);
+  Arguments arguments;
+  app.set_version_flag("--version", "dda " DDA_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(32);
+  add_check(app, arguments);
+  add_run(app, arguments);
+  app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);
+  try {
+    app.parse(argc, argv);
+    return carry_out(app, arguments, out, errors);
+  } catch (const CLI::Success& request) {
+    return app.exit(request, out, errors);
+  } catch (const CLI::ParseError& error) {
+    errors << "dda: " << complaint(app, error, argc, argv) << "; dda --help says more\n";
+    return exit_bad_input;
+  } catch (const InputError& error) {
+    errors << "dda: " << error.what() << '\n';
+    return exit_bad_input;
+  } catch (const std::bad_alloc&) {
+    errors << "dda: out of memory\n";
+    return exit_failed;
+  } catch (const std::exception& error) {
+    errors << "dda: " << error.what() << '\n';
+    return exit_failed;
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,245 @@
+#include "dda/app/command_line.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "dda/app/app_test_support.h"
+#include "dda/scene/scene.h"
+
+namespace dda {
+namespace {
+
+struct Outcome {
+  int code;
+  std::string out;
+  std::string errors;
+};
+
+Outcome call(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv = {"dda"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  std::ostringstream out;
+  std::ostringstream errors;
+  const int code = run_command_line(static_cast<int>(argv.size()), argv.data(), out, errors);
+  return {code, out.str(), errors.str()};
+}
+
+std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+class CommandLine : public FolderTest {
+ protected:
+  void expect_refusal(const std::vector<std::string>& arguments, std::string_view part) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines(outcome.errors), 1) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, part)) << outcome.errors;
+    EXPECT_FALSE(exists("out"));
+  }
+};
+
+TEST_F(CommandLine, HelpOfEveryCommandHasExamples) {
+  for (const std::string command : {"", "check", "run", "schema"}) {
+    std::vector<std::string> arguments = {"--help"};
+    if (!command.empty()) arguments.insert(arguments.begin(), command);
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_TRUE(contains(outcome.out, "Example")) << command;
+    EXPECT_TRUE(contains(outcome.out, "dda " + (command.empty() ? "run" : command))) << outcome.out;
+    for (std::istringstream stream(outcome.out); std::getline(stream, arguments[0]);)
+      EXPECT_LE(arguments[0].size(), 120U) << arguments[0];
+  }
+}
+
+TEST_F(CommandLine, VersionAndSchema) {
+  EXPECT_EQ(call({"--version"}).out, "dda " DDA_VERSION "\n");
+  EXPECT_EQ(call({"schema"}).out, scene_schema());
+}
+
+TEST_F(CommandLine, MistakesInTheCommandItself) {
+  write("scene.json", bar_scene(3, 10));
+  expect_refusal({}, "subcommand is required");
+  expect_refusal({"solve", "scene.json"}, "the command is \"solve\", expected check, run or schema");
+  expect_refusal({"run", path("scene.json")}, "--out is required");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "0"}, "--frames");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--every", "-1"}, "--every");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "3", "--frame-interval", "1ms"},
+                 "excludes");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "5Hz"},
+                 "--frame-interval is \"5Hz\", expected a finite number with a unit of time");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "-1ms"}, "above 0");
+  expect_refusal({"check", path("scene.json"), "--frequency", "0"}, "--frequency is 0, expected");
+  expect_refusal({"check", path("scene.json"), "--colour"}, "--colour");
+}
+
+TEST_F(CommandLine, BadScenesGiveOneSentenceAndNoFolder) {
+  expect_refusal({"run", path("none.json"), "--out", path("out")}, "none.json: the scene file is missing");
+  std::string scene = bar_scene(3, 10);
+  const auto refuse = [&](const std::string& from, const std::string& to, std::string_view part) {
+    std::string bad = scene;
+    bad.replace(bad.find(from), from.size(), to);
+    write("scene.json", bad);
+    expect_refusal({"run", path("scene.json"), "--out", path("out")}, path("scene.json") + ": ");
+    expect_refusal({"run", path("scene.json"), "--out", path("out")}, part);
+    expect_refusal({"check", path("scene.json")}, part);
+  };
+  refuse("2650", "-2650", "density");
+  refuse("2650", "NaN", "NaN");
+  refuse("50 GPa", "50 GPy", "50 GPy");
+  refuse("\"left\"", "\"lefft\"", "lefft");
+  refuse("\"dt\"", "\"dtt\"", "dtt");
+  refuse("\"dda\": 1,", "\"dda\": 1", "");
+  refuse("[2, 0.5]", "[2.5, 0.5]", "measurements[1].point");
+}
+
+TEST_F(CommandLine, WhereResultsCannotGo) {
+  write("scene.json", bar_scene(3, 10));
+  write("file", "mine");
+  const Outcome onto_file = call({"run", path("scene.json"), "--out", path("file")});
+  EXPECT_EQ(onto_file.code, 2);
+  EXPECT_EQ(onto_file.errors, "dda: --out is " + path("file") + ", which is a file, expected a folder\n");
+  EXPECT_EQ(text("file"), "mine");
+  const Outcome below_file = call({"run", path("scene.json"), "--out", path("file/out")});
+  EXPECT_EQ(below_file.code, 1);
+  EXPECT_EQ(lines(below_file.errors), 1);
+}
+
+TEST_F(CommandLine, CheckSaysWhatWillBeRun) {
+  write("scene.json", bar_scene(40, 300));
+  const Outcome outcome = call({"check", path("scene.json")});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.errors, "");
+  for (const char* part :
+       {"bar\n", "40, 1 m to 1 m", "\"rock\": 2650 kg/m3, E = 50 GPa", "39 interfaces", "39 cubic, bonded",
+        "1 edge load", "stress [Pa]: stress_xx at [1.5, 0.5]", "240 unknowns", "300 steps of 1e-05 s",
+        "geometry: as drawn, matrix built once", "predicted for waves of 100 Hz",
+        "bar wave in \"rock\": 4343.72 m/s, wavelength 43.44 m", "eta) 0.023 at 1 m", "theta) 0.00628"})
+    EXPECT_TRUE(contains(outcome.out, part)) << part << "\n" << outcome.out;
+  EXPECT_TRUE(contains(call({"check", path("scene.json"), "--frequency", "0.2 kHz"}).out, "waves of 200 Hz"));
+  EXPECT_TRUE(contains(call({"check", path("scene.json"), "--frequency", "50"}).out, "waves of 50 Hz"));
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(CommandLine, RunWritesItsResults) {
+  write("scene.json", bar_scene(5, 100));
+  const Outcome outcome = call({"run", path("scene.json"), "--out", path("out"), "--frames", "4", "--every", "10"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_TRUE(contains(outcome.out, "ok: 100 steps to 0.001 s")) << outcome.out;
+  const std::string histories = text("out/histories.csv");
+  EXPECT_EQ(lines(histories), 1 + 11);
+  EXPECT_TRUE(histories.starts_with("time [s],stress [Pa],traction_normal [Pa]\n0,0,0\n"));
+  EXPECT_TRUE(exists("out/frames.pvd"));
+  EXPECT_TRUE(exists("out/frames/000004.vtp"));
+  EXPECT_FALSE(exists("out/frames/000005.vtp"));
+  const auto summary = nlohmann::json::parse(text("out/summary.json"));
+  EXPECT_EQ(summary["status"], "ok");
+  EXPECT_EQ(summary["steps"], 100);
+  EXPECT_EQ(summary["counters"]["factorizations"], 1);
+  EXPECT_EQ(summary["histories"][0]["rows"], 11);
+  EXPECT_LT(std::abs(summary["energy"]["residual_relative"].get<double>()), 1e-10);
+  EXPECT_EQ(summary["outputs"].size(), 4U);
+  for (const auto& output : summary["outputs"]) EXPECT_TRUE(exists("out/" + output.get<std::string>()));
+}
+
+TEST_F(CommandLine, FrameIntervalIsSimulatedTime) {
+  write("scene.json", bar_scene(3, 100));
+  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "0.3 ms", "--quiet"}).out, "");
+  const std::string index = text("out/frames.pvd");
+  for (const double time : {0.0, 3e-4, 6e-4, 9e-4}) {
+    const auto found = index.find(fmt::format("timestep=\"{:.4g}", time));
+    EXPECT_NE(found, std::string::npos) << time << "\n" << index;
+  }
+  EXPECT_FALSE(exists("out/frames/000004.vtp"));
+}
+
+TEST_F(CommandLine, OverwritesItsOwnFilesOnly) {
+  write("scene.json", bar_scene(3, 20));
+  std::filesystem::create_directories(path("out/frames"));
+  write("out/notes.txt", "mine");
+  write("out/histories.csv", "old");
+  write("out/checkpoint.bin", "old");
+  write("out/frames/mine.vtp", "mine");
+  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("out"), "--frames", "1"}).code, 0);
+  EXPECT_EQ(text("out/notes.txt"), "mine");
+  EXPECT_EQ(text("out/frames/mine.vtp"), "mine");
+  EXPECT_EQ(lines(text("out/histories.csv")), 1 + 21);
+  EXPECT_TRUE(text("out/checkpoint.bin").starts_with("DDASTATE"));
+}
+
+TEST_F(CommandLine, ARunThatEndsEarlySaysWhyAndKeepsItsResults) {
+  write("scene.json", falling_stone);
+  const Outcome outcome = call({"run", path("scene.json"), "--out", path("out"), "--frames", "2"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(lines(outcome.errors), 1);
+  EXPECT_TRUE(contains(outcome.errors, "left_contact_range after step ")) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "\"floor\" and \"stone\"")) << outcome.errors;
+  const auto summary = nlohmann::json::parse(text("out/summary.json"));
+  EXPECT_EQ(summary["status"], "left_contact_range");
+  EXPECT_TRUE(contains(summary["message"], "not followed yet"));
+  EXPECT_EQ(lines(text("out/histories.csv")), 2 + summary["steps"].get<int>()) << "a row each step, start and header";
+  EXPECT_TRUE(contains(text("out/frames.pvd"), fmt::format("timestep=\"{}\"", summary["time_s"].get<double>())));
+}
+
+TEST_F(CommandLine, ResumeNeedsACheckpointOfThisScene) {
+  write("scene.json", bar_scene(3, 20));
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--resume"}, "checkpoint is unreadable");
+  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("results")}).code, 0);
+  const auto before = files_below("results");
+  write("scene.json", bar_scene(4, 20));
+  expect_refusal({"run", path("scene.json"), "--out", path("results"), "--resume"}, "of another scene");
+  std::string changed = bar_scene(3, 20);
+  changed.replace(changed.find("1e-5"), 4, "2e-5");
+  write("scene.json", changed);
+  expect_refusal({"run", path("scene.json"), "--out", path("results"), "--resume"}, "steps of 1e-05 s");
+  changed = bar_scene(3, 20);
+  changed.replace(changed.find("\"stress\""), 8, "\"strain\"");
+  write("scene.json", changed);
+  expect_refusal({"run", path("scene.json"), "--out", path("results"), "--resume"}, "of other measurements");
+  EXPECT_EQ(files_below("results"), before);
+}
+
+TEST_F(CommandLine, ResumingAFinishedRunChangesNoResult) {
+  write("scene.json", bar_scene(3, 20));
+  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("out"), "--frames", "2"}).code, 0);
+  const std::string histories = text("out/histories.csv");
+  const std::string index = text("out/frames.pvd");
+  const Outcome outcome = call({"run", path("scene.json"), "--out", path("out"), "--frames", "2", "--resume"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.out, "resumed after 20"));
+  EXPECT_EQ(text("out/histories.csv"), histories);
+  EXPECT_EQ(text("out/frames.pvd"), index);
+}
+
+// Every published example can be checked and run.
+class Example : public CommandLine, public testing::WithParamInterface<std::string> {};
+
+TEST_P(Example, ChecksAndRuns) {
+  const std::string scene = std::string(DDA_EXAMPLES) + "/" + GetParam() + ".json";
+  const Outcome check = call({"check", scene});
+  EXPECT_EQ(check.code, 0) << check.errors;
+  EXPECT_TRUE(contains(check.out, "solve: ")) << check.out;
+  const Outcome run = call({"run", scene, "--out", path("out"), "--frames", "3", "--quiet"});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.out + run.errors, "");
+  EXPECT_EQ(nlohmann::json::parse(text("out/summary.json"))["status"], "ok");
+  EXPECT_GT(lines(text("out/histories.csv")), 100);
+}
+
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(DDA_EXAMPLES)) names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Docs, Example, testing::ValuesIn(example_names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace dda

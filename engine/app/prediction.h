@@ -1,0 +1,38 @@
+// What blocks, interfaces and time steps do to a harmonic wave, before anything is run: leading-order errors of its
+// speed, cause by cause. README.md has the formulas.
+#pragma once
+
+#include "dda/model/settings.h"
+
+namespace dda {
+
+// A plane wave that runs across a row of equal blocks.
+struct BlockWave {
+  double frequency = 0;   // Hz
+  double speed = 0;       // m/s, in the continuous material
+  double block_size = 0;  // m, along the wave
+  double compliance = 0;  // eta_s = modulus * interface area / (interface stiffness * block size); 0 without springs
+  double lateral_coupling = 0;  // nu^2 ks h/(L E) of a bar with corner springs, which keep its sides from contracting
+  bool cubic = false;           // all interfaces have the cubic law
+  double strain_inertia = 1;
+  Integrator integrator;
+  double dt = 0;                // s
+  bool time_corrected = false;  // the inertia of cubic interfaces makes up for the integrator's period error
+};
+
+// Relative errors of the phase speed (positive: too fast), and the share of the amplitude that the integrator takes on
+// the way of one wavelength (negative: it grows).
+struct WaveErrors {
+  double interfaces = 0;
+  double blocks = 0;
+  double time = 0;
+  double amplitude_loss = 0;
+
+  [[nodiscard]] double speed() const { return interfaces + blocks + time; }
+};
+
+inline double wavelength(const BlockWave& wave) { return wave.speed / wave.frequency; }  // m
+
+WaveErrors predict_errors(const BlockWave& wave);
+
+}  // namespace dda

@@ -1,0 +1,175 @@
+#include "dda/app/run_command.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dda/app/run_files.h"
+#include "dda/app/run_position.h"
+#include "dda/app/stop_signal.h"
+#include "dda/core/error.h"
+#include "dda/record/progress.h"
+#include "dda/scene/scene.h"
+#include "dda/simulation/probes.h"
+#include "dda/simulation/simulation.h"
+
+namespace dda {
+namespace {
+
+constexpr int exit_ended_early = 3;
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC); }
+
+double end_time(const Model& model) {
+  double end = 0;
+  for (const Stage& stage : model.stages) end += stage.duration;
+  return end;
+}
+
+class Run {
+ public:
+  explicit Run(const RunOptions& options)
+      : options_(options),
+        simulation_(read_scene(options.scene)),
+        probes_(checked_probes()),
+        resumed_(position_to_resume()) {
+    check_folder();
+    phases_.emplace_back("read and set up", wall_seconds() - began_);
+  }
+
+  int run(std::ostream& out, std::ostream& errors) {
+    const StopSignal stop_signal;
+    RunFiles files(simulation_, probes_, file_options(), resumed_);
+    if (!options_.quiet) announce(out);
+    const Status status = step_to_the_end(files);
+    const std::string message = reason(status);
+    finish(files, status, message);
+    if (status != Status::ok && status != Status::stopped)
+      errors << fmt::format("dda: {}: {}\n", options_.scene.string(), message);
+    if (!options_.quiet) conclude(status, out);
+    if (status == Status::stopped) return 128 + StopSignal::received();
+    return status == Status::ok ? 0 : exit_ended_early;
+  }
+
+ private:
+  [[nodiscard]] Probes checked_probes() const {
+    try {
+      return Probes(simulation_);
+    } catch (const InputError& error) {
+      throw error.in_file(options_.scene.string());
+    }
+  }
+
+  std::optional<RunPosition> position_to_resume() {
+    if (!options_.resume) return std::nullopt;
+    return load_run(options_.folder / "checkpoint.bin", simulation_);
+  }
+
+  void check_folder() const {
+    if (std::filesystem::exists(options_.folder) && !std::filesystem::is_directory(options_.folder))
+      throw InputError("", "--out", options_.folder.string() + ", which is a file", "a folder");
+  }
+
+  [[nodiscard]] FileOptions file_options() const {
+    FileOptions files{options_.folder, options_.rows_every, options_.frame_interval};
+    if (options_.frames) files.frame_interval = end_time(simulation_.model()) / static_cast<double>(*options_.frames);
+    return files;
+  }
+
+  void announce(std::ostream& out) const {
+    const Model& model = simulation_.model();
+    out << fmt::format("{}: {} blocks, {} contacts, {} steps{}\n",
+                       model.title.empty() ? options_.scene.string() : model.title, model.blocks.size(),
+                       simulation_.contacts().interfaces.size(), simulation_.steps_in_all_stages(),
+                       resumed_ ? fmt::format(", resumed after {}", simulation_.state().step) : "");
+    out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; ")) << std::flush;
+  }
+
+  Status step_to_the_end(RunFiles& files) {
+    Progress progress(simulation_.state().time, end_time(simulation_.model()), options_.quiet ? nullptr : terminal());
+    const double begin = wall_seconds();
+    double writing = 0;
+    Status status = Status::ok;
+    while (!simulation_.finished() && status == Status::ok) {
+      const std::int64_t steps_before = simulation_.state().step;
+      time_before_ = simulation_.state().time;
+      status = simulation_.step();
+      if (simulation_.state().step > steps_before) {
+        const double before_writing = wall_seconds();
+        files.after_step();
+        writing += wall_seconds() - before_writing;
+        time_before_ = simulation_.state().time;
+      }
+      progress.update(simulation_.state().time, simulation_.state().step);
+      if (status == Status::ok && StopSignal::received() != 0 && !simulation_.finished()) status = Status::stopped;
+    }
+    progress.finish(simulation_.state().time, simulation_.state().step);
+    phases_.emplace_back("steps", wall_seconds() - begin - writing);
+    phases_.emplace_back("write", writing);
+    return status;
+  }
+
+  [[nodiscard]] std::string reason(Status status) const {
+    if (status == Status::ok) return "";
+    if (status == Status::stopped) return "stopped by the user; --resume goes on";
+    return fmt::format("{} after step {} at {:.6g} s: {}", to_string(status), simulation_.state().step,
+                       simulation_.state().time, simulation_.message());
+  }
+
+  void finish(RunFiles& files, Status status, const std::string& message) {
+    if (status != Status::ok && status != Status::stopped) files.write_last_frame();
+    // A step that failed half-way leaves a state between steps, from which a run cannot go on: the last checkpoint
+    // stays.
+    if (simulation_.state().time == time_before_) files.write_checkpoint();
+    files.close(summary(status, message));
+  }
+
+  [[nodiscard]] RunSummary summary(Status status, const std::string& message) const {
+    RunSummary summary;
+    summary.status = status;
+    summary.message = message;
+    summary.title = simulation_.model().title;
+    summary.time_s = simulation_.state().time;
+    summary.steps = simulation_.state().step;
+    summary.counters = simulation_.counters();
+    summary.energy = simulation_.energy();
+    summary.cpu_s = cpu_seconds();
+    summary.wall_s = wall_seconds() - began_;
+    summary.phases = phases_;
+    summary.solver = to_string(simulation_.plan().solver);
+    summary.blocks = static_cast<std::int64_t>(simulation_.model().blocks.size());
+    summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
+    return summary;
+  }
+
+  void conclude(Status status, std::ostream& out) const {
+    out << fmt::format("{}: {} steps to {:.6g} s in {:.3g} s, energy residual {:.1e}; results in {}\n",
+                       to_string(status), simulation_.state().step, simulation_.state().time, wall_seconds() - began_,
+                       simulation_.energy().relative_residual(), options_.folder.string());
+  }
+
+  double began_ = wall_seconds();
+  const RunOptions& options_;
+  Simulation simulation_;
+  Probes probes_;
+  std::optional<RunPosition> resumed_;
+  double time_before_ = simulation_.state().time;  // s, at the end of the last whole step
+  std::vector<std::pair<std::string, double>> phases_;
+};
+
+}  // namespace
+
+int run_scene(const RunOptions& options, std::ostream& out, std::ostream& errors) {
+  return Run(options).run(out, errors);
+}
+
+}  // namespace dda

@@ -1,0 +1,26 @@
+// `dda run`: a scene in, a folder of results out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+
+namespace dda {
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path folder;
+  std::optional<std::int64_t> frames;    // over the whole run, besides that of the start
+  std::optional<double> frame_interval;  // s
+  std::int64_t rows_every = 1;           // steps
+  bool resume = false;
+  bool quiet = false;
+};
+
+// Returns the exit code: 0; 3 when the run ended before its time (the reason is in the summary and on `errors`); 128 +
+// signal when SIGINT or SIGTERM stopped it. Throws InputError for what is wrong with scene, folder or checkpoint,
+// before anything is written, and std::runtime_error when a result cannot be written.
+int run_scene(const RunOptions& options, std::ostream& out, std::ostream& errors);
+
+}  // namespace dda

@@ -1,0 +1,94 @@
+#include "dda/app/run_files.h"
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "dda/model/quantity_names.h"
+
+namespace dda {
+namespace {
+
+constexpr auto checkpoint_interval = std::chrono::seconds(10);
+constexpr auto histories_name = "histories.csv";
+constexpr auto frames_name = "frames.pvd";
+constexpr auto checkpoint_name = "checkpoint.bin";
+constexpr auto summary_name = "summary.json";
+
+std::vector<Column> columns_of(const Model& model) {
+  std::vector<Column> columns;
+  for (const Measurement& measurement : model.measurements)
+    columns.push_back({measurement.name, std::string(unit_of(measurement.quantity))});
+  return columns;
+}
+
+}  // namespace
+
+RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptions options,
+                   const std::optional<RunPosition>& resumed)
+    : simulation_(simulation),
+      probes_(probes),
+      options_(std::move(options)),
+      columns_(columns_of(simulation.model())),
+      values_(columns_.size()) {
+  std::filesystem::create_directories(options_.folder);
+  const auto histories = in_folder(histories_name);
+  histories_ = resumed ? std::make_unique<HistoryWriter>(histories, columns_, resumed->history_rows)
+                       : std::make_unique<HistoryWriter>(histories, columns_);
+  if (resumed) frame_times_ = resumed->frame_times;
+  if (options_.frame_interval) {
+    frames_ = std::make_unique<FrameWriter>(simulation.model(), in_folder(frames_name));
+    frames_->go_on_after(frame_times_);
+    if (!frame_times_.empty()) next_frame_ = std::llround(frame_times_.back() / *options_.frame_interval) + 1;
+  }
+  if (!resumed) {
+    sample();
+    write_frame_when_due();
+  }
+  write_checkpoint();
+}
+
+void RunFiles::after_step() {
+  if (simulation_.state().step % options_.rows_every == 0) sample();
+  write_frame_when_due();
+  if (std::chrono::steady_clock::now() - last_checkpoint_ > checkpoint_interval) write_checkpoint();
+}
+
+void RunFiles::sample() {
+  probes_.sample(simulation_, values_);
+  histories_->append(simulation_.state().time, values_);
+}
+
+void RunFiles::write_frame_when_due() {
+  if (!frames_) return;
+  // A step ends within round-off of where a frame is due.
+  const double intervals = simulation_.state().time / *options_.frame_interval + 1e-6;
+  if (intervals < static_cast<double>(next_frame_)) return;
+  next_frame_ = static_cast<std::int64_t>(intervals) + 1;
+  write_frame();
+}
+
+void RunFiles::write_frame() {
+  frames_->write(simulation_.state());
+  frame_times_.push_back(simulation_.state().time);
+}
+
+void RunFiles::write_last_frame() {
+  if (frames_ && (frame_times_.empty() || frame_times_.back() != simulation_.state().time)) write_frame();
+}
+
+void RunFiles::write_checkpoint() {
+  histories_->flush();
+  save_run(in_folder(checkpoint_name), simulation_, {histories_->rows(), frame_times_});
+  last_checkpoint_ = std::chrono::steady_clock::now();
+}
+
+void RunFiles::close(RunSummary summary) {
+  histories_->close();
+  summary.histories = {{histories_name, histories_->rows(), columns_}};
+  summary.outputs = {histories_name, checkpoint_name, summary_name};
+  if (frames_) summary.outputs.emplace_back(frames_name);
+  write_summary(in_folder(summary_name), summary);
+}
+
+}  // namespace dda

@@ -1,0 +1,66 @@
+// The files of a run: histories.csv, frames.pvd with frames/, checkpoint.bin, summary.json.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dda/app/run_position.h"
+#include "dda/record/frame_writer.h"
+#include "dda/record/history_writer.h"
+#include "dda/record/summary.h"
+#include "dda/simulation/probes.h"
+#include "dda/simulation/simulation.h"
+
+namespace dda {
+
+struct FileOptions {
+  std::filesystem::path folder;
+  std::int64_t rows_every = 1;           // steps
+  std::optional<double> frame_interval;  // s; none: no frames
+};
+
+// Creates the folder if need be, and writes to it what a run should leave. Other files there are left alone. All errors
+// are std::runtime_error naming path and reason.
+class RunFiles {
+ public:
+  // `resumed`: what load_run returned; nothing for a run from the start, of which a first row, frame and checkpoint are
+  // written at once. Both must outlive the object.
+  RunFiles(const Simulation& simulation, const Probes& probes, FileOptions options,
+           const std::optional<RunPosition>& resumed);
+
+  // To be called after every step: writes the row, frame and checkpoint that are due.
+  void after_step();
+
+  // A frame of the state that a run ended in, unless it has one.
+  void write_last_frame();
+
+  // Rows reach the disk before the checkpoint that counts them.
+  void write_checkpoint();
+
+  // Completes histories.csv, and adds what lies in the folder to the summary before writing it.
+  void close(RunSummary summary);
+
+ private:
+  void sample();
+  void write_frame_when_due();
+  void write_frame();
+  [[nodiscard]] std::filesystem::path in_folder(const char* name) const { return options_.folder / name; }
+
+  const Simulation& simulation_;
+  const Probes& probes_;
+  FileOptions options_;
+  std::vector<Column> columns_;
+  std::vector<double> values_;
+  std::unique_ptr<HistoryWriter> histories_;
+  std::unique_ptr<FrameWriter> frames_;
+  std::vector<double> frame_times_;
+  std::int64_t next_frame_ = 0;  // in frame intervals
+  std::chrono::steady_clock::time_point last_checkpoint_;
+};
+
+}  // namespace dda

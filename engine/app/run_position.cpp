@@ -1,0 +1,58 @@
+#include "dda/app/run_position.h"
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <utility>
+
+#include "dda/core/error.h"
+#include "dda/record/checkpoint.h"
+#include "dda/simulation/snapshot.h"
+
+namespace dda {
+namespace {
+
+// Before the snapshot: the number of rows, the number of frames, and their times.
+struct Sizes {
+  std::int64_t rows;
+  std::int64_t frames;
+};
+
+std::size_t frame_bytes(const Sizes& sizes) { return static_cast<std::size_t>(sizes.frames) * sizeof(double); }
+
+}  // namespace
+
+void save_run(const std::filesystem::path& path, const Simulation& simulation, const RunPosition& position) {
+  const Sizes sizes{position.history_rows, static_cast<std::int64_t>(position.frame_times.size())};
+  const std::vector<std::byte> snapshot = save(simulation);
+  std::vector<std::byte> bytes;
+  bytes.reserve(sizeof sizes + frame_bytes(sizes) + snapshot.size());
+  const auto append = [&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); };
+  append(std::as_bytes(std::span(&sizes, 1)));
+  append(std::as_bytes(std::span(position.frame_times)));
+  append(snapshot);
+  save_checkpoint(path, simulation.model(), simulation.state(), bytes);
+}
+
+RunPosition load_run(const std::filesystem::path& path, Simulation& simulation) {
+  Checkpoint checkpoint = load_checkpoint(path, simulation.model());
+  std::span<const std::byte> bytes = checkpoint.extra;
+  const auto refuse_if = [&](bool refused) {
+    if (refused) throw InputError(path.string(), "checkpoint", "of another program", "one that dda run has written");
+  };
+  Sizes sizes{};
+  refuse_if(bytes.size() < sizeof sizes);
+  std::memcpy(&sizes, bytes.data(), sizeof sizes);
+  bytes = bytes.subspan(sizeof sizes);
+  refuse_if(sizes.frames < 0 || bytes.size() / sizeof(double) < static_cast<std::size_t>(sizes.frames));
+  RunPosition position{sizes.rows, std::vector<double>(static_cast<std::size_t>(sizes.frames))};
+  if (sizes.frames > 0) std::memcpy(position.frame_times.data(), bytes.data(), frame_bytes(sizes));
+  try {
+    restore(simulation, std::move(checkpoint.state), bytes.subspan(frame_bytes(sizes)));
+  } catch (const InputError& error) {
+    throw error.in_file(path.string());
+  }
+  return position;
+}
+
+}  // namespace dda

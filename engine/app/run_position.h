@@ -1,0 +1,24 @@
+// The checkpoint of a run by the program: the simulation, and how far its output files had got.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "dda/simulation/simulation.h"
+
+namespace dda {
+
+struct RunPosition {
+  std::int64_t history_rows = 0;
+  std::vector<double> frame_times;  // s
+};
+
+// std::runtime_error naming path and reason when it cannot be written.
+void save_run(const std::filesystem::path& path, const Simulation& simulation, const RunPosition& position);
+
+// Brings a simulation of the same scene to where it was saved. InputError naming the file when that is missing, damaged
+// or of another scene.
+RunPosition load_run(const std::filesystem::path& path, Simulation& simulation);
+
+}  // namespace dda

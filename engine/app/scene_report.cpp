@@ -1,0 +1,193 @@
+#include "dda/app/scene_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "dda/app/wave_survey.h"
+#include "dda/contact/contact_set.h"
+#include "dda/geometry/box.h"
+#include "dda/linear/cholesky_solver.h"
+#include "dda/model/quantity_names.h"
+#include "dda/simulation/block_terms.h"
+#include "dda/simulation/probes.h"
+#include "dda/simulation/simulation.h"
+#include "dda/simulation/step_plan.h"
+#include "dda/simulation/system_matrix.h"
+
+namespace dda {
+namespace {
+
+// Lines with their subject in a column of its own.
+class Text {
+ public:
+  template <typename... Arguments>
+  void line(const char* subject, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text_), "{:<13}", subject);
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+    text_ += '\n';
+  }
+  void gap() { text_ += '\n'; }
+  void plain(const std::string& line) { text_ += line + '\n'; }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+std::string count(std::size_t n, const char* singular) {
+  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
+}
+
+const char* to_text(InterfaceLaw law) {
+  switch (law) {
+    case InterfaceLaw::classical: return "classical";
+    case InterfaceLaw::consistent: return "consistent";
+    case InterfaceLaw::cubic: return "cubic";
+  }
+  return "";
+}
+
+void add_blocks(const Model& model, Text& text) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  std::vector<std::size_t> of_material(model.materials.size(), 0);
+  for (const Block& block : model.blocks) {
+    const Box box = bounding_box(block.shape);
+    least = std::min(least, (box.upper - box.lower).minCoeff());
+    most = std::max(most, (box.upper - box.lower).maxCoeff());
+    ++of_material[static_cast<std::size_t>(block.material)];
+  }
+  text.line("blocks", "{}, {:.6g} m to {:.6g} m wide or high", model.blocks.size(), least, most);
+  for (std::size_t i = 0; i < of_material.size(); ++i) {
+    const Material& material = model.materials[i];
+    text.line("material", "\"{}\": {:.6g} kg/m3, E = {:.6g} GPa, nu = {:.6g}, plane {}; {}", material.name,
+              material.density, material.young / 1e9, material.poisson,
+              material.plane == PlaneState::stress ? "stress" : "strain", count(of_material[i], "block"));
+  }
+}
+
+std::string strength_of(const JointMaterial& joint) {
+  if (joint.bonded) return "bonded: never opens or slides";
+  constexpr double degrees = 57.29577951308232;
+  return fmt::format("friction {:.6g} deg, cohesion {:.6g} MPa, tension {:.6g} MPa", joint.friction_angle * degrees,
+                     joint.cohesion / 1e6, joint.tensile_strength / 1e6);
+}
+
+// Interfaces by joint and law: a joint's law may not be usable everywhere, e.g. where blocks touch in a point.
+void add_contacts(const Model& model, const ContactSet& contacts, Text& text) {
+  std::map<std::pair<int, InterfaceLaw>, std::size_t> groups;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    ++groups[{contacts.interfaces[i].joint, contacts.elements[i].law}];
+    if (contacts.interfaces[i].length == 0) ++points;
+  }
+  text.line("contacts", "{}{}", count(contacts.interfaces.size(), "interface"),
+            points > 0 ? fmt::format(", {} of them in a point", points) : "");
+  for (const auto& [group, number] : groups) {
+    const JointMaterial& joint = model.joints[static_cast<std::size_t>(group.first)];
+    text.line("joint", "\"{}\": {} {}, {}", joint.name, number, to_text(group.second), strength_of(joint));
+  }
+}
+
+void add_what_acts(const Model& model, Text& text) {
+  text.line("loads", "{}, {}, gravity [{:.6g}, {:.6g}] m/s2", count(model.point_loads.size(), "point load"),
+            count(model.edge_loads.size(), "edge load"), model.gravity.x(), model.gravity.y());
+  text.line("held by", "{}, {}", count(model.supports.size(), "point support"),
+            count(model.viscous_edges.size(), "absorbing edge"));
+  for (const Measurement& measurement : model.measurements)
+    text.line("measured", "{} [{}]: {} at [{:.6g}, {:.6g}], block \"{}\"", measurement.name,
+              unit_of(measurement.quantity), to_string(measurement.quantity), measurement.point.x(),
+              measurement.point.y(), model.blocks[static_cast<std::size_t>(measurement.block)].name);
+}
+
+void add_stage(const Model& model, const Stage& stage, const ContactSet& contacts, const BlockMatrix& matrix,
+               Text& text) {
+  const BlockTerms terms = make_block_terms(model, stage.strain_inertia);
+  const StepPlan plan =
+      make_plan(model, stage, contacts, matrix.couplings(), stiffness_number(contacts, terms, stage.dt));
+  text.gap();
+  text.plain(fmt::format("stage \"{}\": {} steps of {:.6g} s, {:.6g} s in all; {}, {} kinematics", stage.name,
+                         std::llround(stage.duration / stage.dt), stage.dt, stage.duration, stage.integrator.name,
+                         stage.kinematics == Kinematics::small ? "small" : "finite"));
+  for (const std::string& line : plan.describe()) text.plain("  " + line);
+}
+
+double megabytes(const Model& model, const ContactSet& contacts, const BlockMatrix& matrix, double factor_nonzeros) {
+  const auto blocks = static_cast<double>(model.blocks.size());
+  const double per_block = sizeof(Block) + 4 * sizeof(Vec2) + 30 * sizeof(Vec6) + 2 * sizeof(Mat3);
+  const double per_interface = sizeof(Interface) + sizeof(InterfaceElement) + 2 * sizeof(InterfaceState);
+  const double matrix_numbers = 36.0 * (matrix.size() + matrix.couplings());
+  return (blocks * per_block + static_cast<double>(contacts.interfaces.size()) * per_interface +
+          matrix_numbers * (sizeof(double) + sizeof(int)) + factor_nonzeros * sizeof(double)) /
+         1e6;
+}
+
+void add_size(const Model& model, const ContactSet& contacts, const BlockMatrix& matrix, Text& text) {
+  CholeskySolver solver;
+  solver.analyze(matrix);
+  const double nonzeros = solver.factor_facts().nonzeros;
+  text.line("size", "{} unknowns, {} of blocks, {} numbers in a factor; about {:.3g} MB", matrix.unknowns(),
+            count(static_cast<std::size_t>(matrix.couplings()), "coupled pair"), std::llround(nonzeros),
+            megabytes(model, contacts, matrix, nonzeros));
+}
+
+void add_wave(const Model& model, const SurveyedWave& surveyed, Text& text) {
+  const BlockWave& wave = surveyed.wave;
+  const WaveErrors errors = predict_errors(wave);
+  const double length = wavelength(wave);
+  text.plain(fmt::format("  {} wave in \"{}\": {:.2f} m/s, wavelength {:.4g} m", surveyed.kind,
+                         model.materials[static_cast<std::size_t>(surveyed.material)].name, wave.speed, length));
+  text.plain(fmt::format("    block size/wavelength (eta) {:.3g} at {:.4g} m; omega dt (theta) {:.3g}",
+                         wave.block_size / length, wave.block_size, 6.283185307179586 * wave.frequency * wave.dt));
+  text.plain(
+      fmt::format("    error of its speed: interfaces {:+.4f} %, block size {:+.4f} %, time step {:+.4f} %, "
+                  "together {:+.4f} %",
+                  100 * errors.interfaces, 100 * errors.blocks, 100 * errors.time, 100 * errors.speed()));
+  text.plain(fmt::format("    amplitude taken by the integrator: {:.4f} % a wavelength", 100 * errors.amplitude_loss));
+}
+
+void add_prediction(const Model& model, const ContactSet& contacts, double frequency, Text& text) {
+  for (const Stage& stage : model.stages) {
+    const std::vector<SurveyedWave> waves = survey_waves(model, contacts, stage, frequency);
+    if (waves.empty()) continue;
+    text.gap();
+    text.plain(fmt::format("predicted for waves of {:.6g} Hz square across closed joints, stage \"{}\"", frequency,
+                           stage.name));
+    for (const SurveyedWave& wave : waves) add_wave(model, wave, text);
+  }
+}
+
+}  // namespace
+
+std::string describe_scene(const Model& model, std::optional<double> frequency) {
+  const Simulation simulation(model);
+  const Probes probes(simulation);
+  const ContactSet& contacts = simulation.contacts();
+  const BlockMatrix matrix = make_system_matrix(static_cast<int>(model.blocks.size()), contacts);
+  Text text;
+  if (!model.title.empty()) text.plain(model.title + '\n');
+  add_blocks(model, text);
+  add_contacts(model, contacts, text);
+  add_what_acts(model, text);
+  add_size(model, contacts, matrix, text);
+  for (const Stage& stage : model.stages) add_stage(model, stage, contacts, matrix, text);
+  if (!frequency) frequency = highest_sine_frequency(model);
+  if (frequency) {
+    add_prediction(model, contacts, *frequency, text);
+  } else {
+    text.gap();
+    text.plain("no sine in the scene: give --frequency for predicted errors of waves");
+  }
+  return text.take();
+}
+
+}  // namespace dda

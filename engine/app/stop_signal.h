@@ -1,0 +1,18 @@
+// Lets a run end in order when the user asks it to.
+#pragma once
+
+namespace dda {
+
+// While it lives, the first SIGINT or SIGTERM is only noted; a second one ends the program at once. One at a time.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  // The signal's number, or 0.
+  [[nodiscard]] static int received();
+};
+
+}  // namespace dda

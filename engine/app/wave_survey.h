@@ -1,0 +1,28 @@
+// Which waves a scene carries across its joints, for predicting their errors.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dda/app/prediction.h"
+#include "dda/contact/contact_set.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+struct SurveyedWave {
+  int material = 0;
+  std::string kind;  // "bar", "P" or "S"
+  BlockWave wave;    // over the material's largest blocks and softest interfaces
+};
+
+// Waves of `frequency` (Hz) in every material that has interfaces: the bar wave where the blocks form a straight row,
+// otherwise P and S waves square across the interfaces. None for a static stage.
+std::vector<SurveyedWave> survey_waves(const Model& model, const ContactSet& contacts, const Stage& stage,
+                                       double frequency);
+
+// The highest frequency of a sine among loads and prescribed motions, Hz.
+std::optional<double> highest_sine_frequency(const Model& model);
+
+}  // namespace dda

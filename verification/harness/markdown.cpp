@@ -1,0 +1,54 @@
+#include "verification/harness/markdown.h"
+
+#include <fmt/format.h>
+
+namespace verify {
+namespace {
+
+std::string row_of(const std::vector<std::string>& cells) {
+  std::string row = "|";
+  for (const std::string& cell : cells) row += " " + cell + " |";
+  return row + "\n";
+}
+
+std::string rule_of(const Table& table) {
+  std::string rule = "|";
+  for (std::size_t i = 0; i < table.header.size(); ++i) rule += table.numeric && i > 0 ? "---:|" : "---|";
+  return rule + "\n";
+}
+
+struct Renderer {
+  std::string operator()(const Paragraph& paragraph) const { return paragraph.text + "\n\n"; }
+
+  std::string operator()(const Bullets& bullets) const {
+    std::string text;
+    for (const std::string& item : bullets.items) text += "- " + item + "\n";
+    return text + "\n";
+  }
+
+  std::string operator()(const Table& table) const {
+    std::string text = table.caption.empty() ? "" : table.caption + "\n\n";
+    text += row_of(table.header) + rule_of(table);
+    for (const std::vector<std::string>& row : table.rows) text += row_of(row);
+    return text + "\n";
+  }
+
+  std::string operator()(const Figure& figure) const {
+    return fmt::format("![{}]({})\n\n{}\n\n", figure.file, figure.file, figure.caption);
+  }
+};
+
+}  // namespace
+
+std::string to_markdown(const Document& document) {
+  std::string text = fmt::format("# {}\n\n{}\n\n", document.title, document.subtitle);
+  for (const KeyFigure& figure : document.key_figures) text += fmt::format("- **{}** {}\n", figure.value, figure.label);
+  if (!document.key_figures.empty()) text += "\n";
+  for (const Section& section : document.sections) {
+    text += fmt::format("## {}\n\n", section.title);
+    for (const Piece& piece : section.pieces) text += std::visit(Renderer(), piece);
+  }
+  return text + document.footer + "\n";
+}
+
+}  // namespace verify

@@ -1,0 +1,12 @@
+// Documents as Markdown (GitHub's tables).
+#pragma once
+
+#include <string>
+
+#include "verification/harness/document.h"
+
+namespace verify {
+
+[[nodiscard]] std::string to_markdown(const Document& document);
+
+}  // namespace verify

@@ -1,0 +1,62 @@
+#include "verification/thesis/calibrate_command.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "dda/record/atomic_file.h"
+#include "dda/record/progress.h"
+#include "verification/harness/gnuplot.h"
+#include "verification/harness/html.h"
+#include "verification/harness/markdown.h"
+#include "verification/harness/recorded_run.h"
+#include "verification/thesis/calibration_json.h"
+#include "verification/thesis/plots.h"
+#include "verification/thesis/promises.h"
+#include "verification/thesis/report.h"
+
+namespace verify {
+namespace {
+
+// True if all promises are kept; says on standard error which rows break them.
+bool all_kept(const std::vector<Promise>& promises) {
+  bool kept = true;
+  for (const Promise& promise : promises) {
+    for (const std::string& failure : promise.failures) std::cerr << "dda-verify: " << failure << "\n";
+    kept = kept && promise.kept();
+  }
+  return kept;
+}
+
+void say_what_came_out(const std::vector<Promise>& promises) {
+  for (const Promise& promise : promises)
+    fmt::print("{}  {}: {}\n", promise.kept() ? "kept  " : "BROKEN", promise.claim, promise.measured);
+}
+
+}  // namespace
+
+int calibrate(const CalibrateCommand& command) {
+  std::filesystem::create_directories(command.folder);
+  const double start = cpu_seconds();
+  const Calibration calibration = run_calibration({command.quick, CalibrationOptions().repetitions, dda::terminal()});
+  const std::vector<Promise> promises = judge(calibration);
+  const bool figures = gnuplot_is_installed();
+  ReportFacts facts;
+  facts.figures = figures;
+  facts.total_cpu_s = cpu_seconds() - start;
+  facts.command_line = command.quick ? "dda-verify calibrate --quick" : "dda-verify calibrate";
+  const Document report = calibration_report(calibration, promises, facts);
+
+  dda::write_file(command.folder / "calibration.json", to_json(calibration, promises));
+  dda::write_file(command.folder / "calibration.md", to_markdown(report));
+  if (figures) {
+    plot_calibration(calibration, command.folder / plots_folder);
+    dda::write_file(command.folder / "calibration.html", to_html(report, command.folder));
+  } else {
+    std::cerr << "dda-verify: gnuplot is not installed, so there are no plots and no calibration.html\n";
+  }
+  say_what_came_out(promises);
+  return all_kept(promises) && figures ? 0 : 1;
+}
+
+}  // namespace verify

@@ -117,6 +117,7 @@ InterfaceState finish_trial(const InterfaceElement& element, const InterfaceStat
       continue;
     }
     state.status[e] = trial.active(n + 1) != 0 ? ContactStatus::locked : ContactStatus::sliding;
+    if (state.status[e] == ContactStatus::locked) continue;
     state.gap(n + 1) = elastic_gap(trial.force(n + 1), element.stiffness(n + 1), trial.gap(n + 1));
     state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
   }

@@ -173,7 +173,8 @@ TEST(CubicLaw, TractionIsThatOfTheCubicAtTheInterface) {
     Vec12 q = some_motion(2);
     const Vec3 stress_a = elasticity * q.segment<3>(3);
     const Vec3 stress_b = elasticity * q.segment<3>(9);
-    const InterfaceState state = linear_state(contacts.elements[0], Vec4::Zero(), q.head<6>(), q.tail<6>(), stress_a, stress_b);
+    const InterfaceState state =
+        linear_state(contacts.elements[0], Vec4::Zero(), q.head<6>(), q.tail<6>(), stress_a, stress_b);
     // With free sides sigma = Q w'; here each block has a lateral stress too, of which the mean of both shows.
     const double modulus = side_free_modulus(material);
     const double mean_lateral = [&] {

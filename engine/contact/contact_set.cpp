@@ -66,10 +66,10 @@ ContactSet make_contacts(const Model& model) {
   return contacts;
 }
 
-InterfaceState linear_state(const InterfaceElement& element, const Vec6& displacement_a, const Vec6& displacement_b,
-                            const Vec3& stress_a, const Vec3& stress_b) {
+InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_rest, const Vec6& displacement_a,
+                            const Vec6& displacement_b, const Vec3& stress_a, const Vec3& stress_b) {
   InterfaceState state;
-  state.gap = element.rows_a * displacement_a + element.rows_b * displacement_b;
+  state.gap = gap_at_rest + element.rows_a * displacement_a + element.rows_b * displacement_b;
   state.force = elastic_force(element, state.gap, stress_a, stress_b);
   return state;
 }

@@ -24,10 +24,10 @@ struct ContactSet {
 // the inertia between blocks constant.
 ContactSet make_contacts(const Model& model);
 
-// The state of an interface in a scene that never left its first configuration: from the blocks' total displacements
-// and current stresses, instead of step by step.
-InterfaceState linear_state(const InterfaceElement& element, const Vec6& displacement_a, const Vec6& displacement_b,
-                            const Vec3& stress_a, const Vec3& stress_b);
+// The state of a bonded interface whose geometry stays, from the blocks' total displacements and current stresses instead
+// of step by step; `gap_at_rest` is its gap at zero displacement.
+InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_rest, const Vec6& displacement_a,
+                            const Vec6& displacement_b, const Vec3& stress_a, const Vec3& stress_b);
 
 // Mean normal and shear traction over the interface, Pa, tension positive; the cubic law's normal value is the one its
 // reconstruction has at the interface. Zero where blocks touch in a point.

@@ -156,7 +156,7 @@ TEST(CubicLaw, EnergyOfAStateIsThatOfTheCubic) {
     const Mat3 elasticity = elasticity_matrix(material);
     for (int seed = 1; seed <= 3; ++seed) {
       const Vec12 q = some_motion(seed);
-      const InterfaceState state = linear_state(contacts.elements[0], q.head<6>(), q.tail<6>(),
+      const InterfaceState state = linear_state(contacts.elements[0], Vec4::Zero(), q.head<6>(), q.tail<6>(),
                                                 elasticity * q.segment<3>(3), elasticity * q.segment<3>(9));
       const double expected = axial_potential(hermite(q, angle), elasticity) + transverse_potential(model, q, angle);
       EXPECT_NEAR(interface_energy(contacts.elements[0], state), expected, round_off * std::abs(expected));
@@ -173,7 +173,8 @@ TEST(CubicLaw, TractionIsThatOfTheCubicAtTheInterface) {
     Vec12 q = some_motion(2);
     const Vec3 stress_a = elasticity * q.segment<3>(3);
     const Vec3 stress_b = elasticity * q.segment<3>(9);
-    const InterfaceState state = linear_state(contacts.elements[0], q.head<6>(), q.tail<6>(), stress_a, stress_b);
+    const InterfaceState state =
+        linear_state(contacts.elements[0], Vec4::Zero(), q.head<6>(), q.tail<6>(), stress_a, stress_b);
     // With free sides sigma = Q w'; here each block has a lateral stress too, of which the mean of both shows.
     const double modulus = side_free_modulus(material);
     const double mean_lateral = [&] {

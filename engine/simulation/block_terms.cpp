@@ -7,6 +7,13 @@
 #include "dda/terms/viscous_boundary.h"
 
 namespace dda {
+namespace {
+
+BlockDamping::iterator find_block(int block, BlockDamping& damping) {
+  return std::find_if(damping.begin(), damping.end(), [&](const auto& entry) { return entry.first == block; });
+}
+
+}  // namespace
 
 BlockTerms make_block_terms(const Model& model, double strain_inertia) {
   BlockTerms terms;
@@ -31,20 +38,21 @@ void update_geometry(const Model& model, const State& state, BlockTerms& terms) 
 
 BlockDamping make_block_damping(const Model& model, const State& state) {
   BlockDamping damping;
+  for (const ViscousEdge& edge : model.viscous_edges)
+    if (find_block(edge.block, damping) == damping.end()) damping.emplace_back(edge.block, Mat6::Zero());
+  update_geometry(model, state, damping);
+  return damping;
+}
+
+void update_geometry(const Model& model, const State& state, BlockDamping& damping) {
+  for (auto& [block, matrix] : damping) matrix.setZero();
   for (const ViscousEdge& edge : model.viscous_edges) {
     const Vec2 centroid = current_centroid(model, state, edge.block);
-    const Mat6 matrix = viscous_damping(current_position(model, state, edge.block, edge.from) - centroid,
-                                        current_position(model, state, edge.block, edge.to) - centroid,
-                                        edge.normal_impedance, edge.shear_impedance);
-    const auto same_block = [&](const auto& entry) { return entry.first == edge.block; };
-    const auto found = std::find_if(damping.begin(), damping.end(), same_block);
-    if (found == damping.end()) {
-      damping.emplace_back(edge.block, matrix);
-    } else {
-      found->second += matrix;
-    }
+    find_block(edge.block, damping)->second +=
+        viscous_damping(current_position(model, state, edge.block, edge.from) - centroid,
+                        current_position(model, state, edge.block, edge.to) - centroid, edge.normal_impedance,
+                        edge.shear_impedance);
   }
-  return damping;
 }
 
 }  // namespace dda

@@ -26,5 +26,6 @@ void update_geometry(const Model& model, const State& state, BlockTerms& terms);
 // Damping matrices of the blocks that have an absorbing edge, at most one entry a block.
 using BlockDamping = std::vector<std::pair<int, Mat6>>;
 BlockDamping make_block_damping(const Model& model, const State& state);
+void update_geometry(const Model& model, const State& state, BlockDamping& damping);
 
 }  // namespace dda

@@ -31,6 +31,7 @@ Eigen::VectorXd acceleration_of(const BlockMatrix& inertia, const Eigen::VectorX
 }  // namespace
 
 void Simulation::begin_linear_stage() {
+  if (!linear_) keep_gaps_at_rest();
   linear_.emplace(make_linear_operators(model_, stage(), terms_, contacts_, supports_));
   const Eigen::Index unknowns = matrix_.unknowns();
   for (Eigen::VectorXd* vector : {&momentum_, &inertia_force_, &elastic_force_, &internal_at_rest_})
@@ -46,7 +47,33 @@ void Simulation::begin_linear_stage() {
   if (plan_.gravity) inertia_force_ += external_.weight();
   for (const auto& [block, matrix] : damping_)
     inertia_force_.segment<6>(6 * block) -= matrix * state_.velocity[static_cast<std::size_t>(block)];
-  if (!inertia_force_.isZero(0)) unflatten(acceleration_of(linear_->inertia, inertia_force_), state_.acceleration);
+  if (inertia_force_.isZero(0)) return;
+  rhs_ = initial_linear_acceleration();
+  unflatten(rhs_, state_.acceleration);
+  linear_->inertia_times.multiply(rhs_, inertia_force_);
+}
+
+// Of the unbalanced forces in inertia_force_. Strains without inertia take theirs with the inertia they would have: the
+// first step puts them in equilibrium.
+Eigen::VectorXd Simulation::initial_linear_acceleration() const {
+  if (stage().lateral_inertia) return acceleration_of(linear_->inertia, inertia_force_);
+  Stage complete = stage();
+  complete.lateral_inertia = true;
+  return acceleration_of(make_linear_operators(model_, complete, terms_, contacts_, supports_).inertia, inertia_force_);
+}
+
+// In a linear stage contacts_.states hold the gaps at zero displacement: what finite kinematics before it left.
+void Simulation::keep_gaps_at_rest() {
+  for (std::size_t i = 0; i < contacts_.elements.size(); ++i) {
+    const InterfaceElement& element = contacts_.elements[i];
+    contacts_.states[i].gap -= element.rows_a * state_.displacement[static_cast<std::size_t>(element.block_a)] +
+                               element.rows_b * state_.displacement[static_cast<std::size_t>(element.block_b)];
+  }
+}
+
+void Simulation::end_linear_stage() {
+  for (std::size_t i = 0; i < contacts_.states.size(); ++i) contacts_.states[i] = interface_state(i);
+  linear_.reset();
 }
 
 Status Simulation::linear_step() {
@@ -139,7 +166,7 @@ InterfaceState Simulation::interface_state(std::size_t index) const {
   const InterfaceElement& element = contacts_.elements[index];
   const Vec6& a = state_.displacement[static_cast<std::size_t>(element.block_a)];
   const Vec6& b = state_.displacement[static_cast<std::size_t>(element.block_b)];
-  return linear_state(element, a, b, state_.stress[static_cast<std::size_t>(element.block_a)],
+  return linear_state(element, contacts_.states[index].gap, a, b, state_.stress[static_cast<std::size_t>(element.block_a)],
                       state_.stress[static_cast<std::size_t>(element.block_b)]);
 }
 

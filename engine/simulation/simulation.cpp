@@ -57,8 +57,11 @@ void Simulation::begin_stage() {
   step_in_stage_ = 0;
   stage_start_ = state_.time;
   for (Inertia& inertia : terms_.inertia) inertia.strain_inertia = stage().strain_inertia;
-  plan_ = make_plan(model_, stage(), contacts_, matrix_.couplings(),
-                    stiffness_number(contacts_, terms_, stage().dt));
+  const StepPlan next = make_plan(model_, stage(), contacts_, matrix_.couplings(),
+                                  stiffness_number(contacts_, terms_, stage().dt));
+  if (linear_ && !next.linear) end_linear_stage();
+  plan_ = next;
+  if (plan_.is_static) damp_velocities();
   if (solver_) counters_.solver_iterations += solver_->counts().iterations;
   solver_ = make_solver(plan_.solver);
   solver_->analyze(matrix_);
@@ -111,8 +114,8 @@ Status Simulation::advance(double dt, int reductions_left) {
 }
 
 Status Simulation::try_step(double dt) {
-  if (plan_.linear) return linear_step();
   if (dt != coefficients_.dt) set_step_size(dt);
+  if (plan_.linear) return linear_step();
   prepare_step();
   Status status = find_contact_statuses();
   if (status == Status::ok && moving_ && largest_motion() > ContactSearch::reach / 2) {
@@ -163,7 +166,7 @@ void Simulation::follow_geometry() {
   update_geometry(model_, state_, terms_);
   follow_contacts();
   update_geometry(model_, state_, supports_);
-  if (plan_.viscous_edges) damping_ = make_block_damping(model_, state_);
+  if (plan_.viscous_edges) update_geometry(model_, state_, damping_);
   if (plan_.loads) {
     external_.update_geometry(model_, state_);
     external_.loads_at(state_.time, load_old_);

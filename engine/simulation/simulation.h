@@ -106,6 +106,9 @@ class Simulation {
 
   // Linear step (linear_step.cpp)
   void begin_linear_stage();
+  void end_linear_stage();
+  void keep_gaps_at_rest();
+  [[nodiscard]] Eigen::VectorXd initial_linear_acceleration() const;
   [[nodiscard]] Status linear_step();
   void form_linear_rhs();
   void accept_linear_step();

@@ -20,7 +20,7 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
       break;
   }
   const double chi = plan.is_static ? std::numeric_limits<double>::infinity() : plan.chi;
-  return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, !plan.linear});
+  return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, plan.finite_kinematics});
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+// For tests: scenes put together by hand, and what is asked of their runs.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dda/contact/contact_models.h"
+#include "dda/model/model.h"
+#include "dda/scene/generators.h"
+#include "dda/simulation/simulation.h"
+
+namespace dda {
+
+inline Stage stage_of(const Integrator& integrator, double dt, int steps, Kinematics kinematics = Kinematics::small) {
+  Stage stage;
+  stage.dt = dt;
+  stage.duration = dt * steps;
+  stage.integrator = integrator;
+  stage.kinematics = kinematics;
+  stage.solver = SolverRequest::cholesky;  // to round-off; PCG stops at 1e-12
+  return stage;
+}
+
+inline JointMaterial bond(InterfaceLaw law) {
+  JointMaterial joint;
+  joint.law = law;
+  joint.bonded = true;
+  return joint;
+}
+
+// The same but judged every step, and too strong to give way: takes the general path.
+inline JointMaterial strong(InterfaceLaw law) {
+  JointMaterial joint;
+  joint.law = law;
+  joint.tensile_strength = joint.cohesion = 1e30;
+  return joint;
+}
+
+// Not finished: loads and stages are still to come.
+inline Model bar_of(int blocks, const JointMaterial& joint, const Material& material = rock()) {
+  Model model;
+  model.materials = {material};
+  model.joints = {joint};
+  append_bar(model, {.length = 1.0 * blocks, .height = 0.8, .block_length = 1});
+  return model;
+}
+
+inline Model grid_of(int size, const JointMaterial& joint, GridPattern pattern = GridPattern::stack) {
+  Model model;
+  model.materials = {rock()};
+  model.joints = {joint};
+  append_grid(model, {.columns = size, .rows = size, .block_width = 1, .block_height = 0.7, .pattern = pattern});
+  return model;
+}
+
+inline Simulation simulation_of(Model model) {
+  finish_model(model);
+  return Simulation(std::move(model));
+}
+
+inline void run(Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i)
+    ASSERT_EQ(simulation.step(), Status::ok) << "step " << i << ": " << simulation.message();
+}
+
+inline std::vector<Integrator> dynamic_integrators() {
+  return {thesis_integrator(), trapezoidal_integrator(), hht_integrator(0.1), generalized_alpha_integrator(0.8)};
+}
+
+}  // namespace dda

@@ -35,6 +35,8 @@ class ContactSearch {
   static constexpr double reach = 0.02;
 
  private:
+  friend struct SnapshotAccess;  // engine/simulation/snapshot.h
+
   void list_pairs();
 
   Outlines outlines_;

@@ -28,6 +28,8 @@ class MovingContacts {
   [[nodiscard]] double size_of(int block) const { return search_.size_of(block); }
 
  private:
+  friend struct SnapshotAccess;  // engine/simulation/snapshot.h
+
   void drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones);
   void refresh(const Model& model, const State& state, ContactSet& contacts);
 

@@ -11,11 +11,13 @@
 
 #include "dda/core/error.h"
 #include "dda/simulation/step_coefficients.h"
+#include "dda/simulation/system_matrix.h"
 
 namespace dda {
 namespace {
 
-constexpr std::uint64_t magic = 0x3150414e53414444;  // "DDASNAP1", read as a little-endian number
+constexpr std::uint64_t magic = 0x3250414e53414444;  // "DDASNAP2", read as a little-endian number
+constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a damaged file
 
 class Writer {
  public:
@@ -116,7 +118,7 @@ struct SnapshotAccess {
 
   template <typename AnySimulation, typename Archive>
   static void place_in_run(AnySimulation& s, Archive& archive) {
-    archive.same(s.contacts_.interfaces.size(), "interfaces");
+    if (!s.moving_) archive.same(s.contacts_.interfaces.size(), "interfaces");
     archive.same(s.supports_.size(), "supports");
     archive.same(s.external_.loads_.size(), "loads");
     archive.same(s.damping_.size(), "blocks with viscous edges");
@@ -137,15 +139,67 @@ struct SnapshotAccess {
                        fmt::format("less than the {} steps of stage \"{}\"", s.steps_in_stage(), s.stage().name));
   }
 
+  // A list whose length a restored simulation takes over.
+  template <typename Archive, typename List>
+  static void resize(Archive& archive, List& list) {
+    std::size_t size = list.size();
+    archive.number(size);
+    if constexpr (!std::is_const_v<List>) {
+      if (size > most_entries) throw InputError("", "checkpoint", "damaged", "the state of a simulation");
+      list.resize(size);
+    }
+  }
+
+  // Which contacts there are, where blocks move against each other.
+  template <typename AnySimulation, typename Archive>
+  static void contact_list(AnySimulation& s, Archive& archive) {
+    auto& moving = *s.moving_;
+    archive.number(moving.stretches_);
+    resize(archive, moving.known_);
+    for (auto& contact : moving.known_) {
+      auto& [edge_block, vertex_block, edge, vertex, normal, gap] = contact;
+      for (auto* number : {&edge_block, &vertex_block, &edge, &vertex}) archive.number(*number);
+      matrices(archive, normal);
+      archive.number(gap);
+    }
+    for (auto& box : moving.search_.grown_) matrices(archive, box.lower, box.upper);
+    resize(archive, moving.search_.pairs_);
+    for (auto& pair : moving.search_.pairs_) {
+      archive.number(pair.first);
+      archive.number(pair.second);
+    }
+    resize(archive, s.contacts_.interfaces);
+    resize(archive, s.contacts_.elements);
+    resize(archive, s.contacts_.strengths);
+    resize(archive, s.contacts_.states);
+    for (std::size_t i = 0; i < s.contacts_.interfaces.size(); ++i) {
+      auto& interface = s.contacts_.interfaces[i];
+      auto& element = s.contacts_.elements[i];
+      matrices(archive, interface.from, interface.to, interface.normal, element.stiffness);
+      for (auto* number : {&interface.block_a, &interface.block_b, &interface.joint, &element.block_a, &element.block_b})
+        archive.number(*number);
+      archive.number(interface.length);
+      archive.number(element.length);
+      archive.number(s.contacts_.strengths[i]);
+    }
+    archive.number(s.moved_);
+    if constexpr (!std::is_const_v<AnySimulation>) s.matrix_ = make_system_matrix(s.matrix_.size(), moving.pairs());
+  }
+
   template <typename AnySimulation, typename Archive>
   static void contacts(AnySimulation& s, bool moves, Archive& archive) {
     if (!moves && !s.contacts_.can_change) return;
+    if (s.moving_) contact_list(s, archive);
+    resize(archive, s.matrix_rows_);
+    for (auto& rows : s.matrix_rows_) matrices(archive, rows);
     for (std::size_t i = 0; i < s.contacts_.elements.size(); ++i) {
       auto& element = s.contacts_.elements[i];
       InterfaceLaw law = element.law;
       archive.number(law);
       if constexpr (!std::is_const_v<AnySimulation>) {
-        if (law != element.law) {
+        if (s.moving_) {
+          element.law = law;
+        } else if (law != element.law) {
           element = make_element(s.model_, s.contacts_.interfaces[i], law);
           set_geometry(s.model_, reference_frame(s.model_, s.contacts_.interfaces[i]), element);
         }

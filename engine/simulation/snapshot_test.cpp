@@ -80,6 +80,18 @@ Model two_stages() {
   return model;
 }
 
+// A linear stage that begins with stresses, displacements and gaps.
+Model bar_first_finite() {
+  Model model = bar(InterfaceLaw::consistent);
+  model.stages[0].duration = 30e-4;
+  model.stages[0].kinematics = Kinematics::finite;
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].kinematics = Kinematics::small;
+  model.stages[1].duration = 70e-4;
+  finish_model(model);
+  return model;
+}
+
 void run(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
 }
@@ -176,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"finite", [] { return shaken_stack(InterfaceLaw::consistent, Kinematics::finite); }, true},
                     Case{"finite_pcg",
                          [] { return with_pcg(shaken_stack(InterfaceLaw::classical, Kinematics::finite)); }, true},
-                    Case{"two_stages", two_stages, true}),
+                    Case{"two_stages", two_stages, true}, Case{"bar_first_finite", bar_first_finite, false}),
     [](const auto& test) { return std::string(test.param.name); });
 
 std::string refusal(Model model, const State& state, std::span<const std::byte> snapshot) {
@@ -215,6 +227,27 @@ TEST(Snapshot, RefusesWhatDoesNotFit) {
   longer.push_back(std::byte{0});
   EXPECT_NE(refusal(model, state, longer), "accepted");
   EXPECT_NE(refusal(model, state, {}), "accepted");
+}
+
+// Contacts are looked at from time to time; a resumed run looks at the same times.
+TEST(Snapshot, LeavesTheContactRangeAtTheSameStep) {
+  Model model = bare_model(InterfaceLaw::classical, Kinematics::finite);
+  model.blocks = {rectangle("floor", 0, 0, 3, 1), rectangle("stone", 1, 1.1, 1, 1)};
+  model.blocks[1].initial_velocity = {0, -1};
+  model.stages[0].dt = 1e-3;
+  model.stages[0].duration = 1;
+  finish_model(model);
+  const auto step_of_end = [](Simulation& simulation) {
+    Status status = Status::ok;
+    while (status == Status::ok && !simulation.finished()) status = simulation.step();
+    EXPECT_EQ(status, Status::left_contact_range);
+    return simulation.state().step;
+  };
+  Simulation whole(model);
+  run(whole, 50);
+  Simulation resumed(model);
+  restore(resumed, whole.state(), save(whole));
+  EXPECT_EQ(step_of_end(resumed), step_of_end(whole));
 }
 
 TEST(Snapshot, DurationMayGrow) {

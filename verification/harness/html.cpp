@@ -24,6 +24,24 @@ void mark_up(std::string& text, std::string_view mark, const std::string& elemen
   }
 }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// True if text[space] stands between a number and a unit of at most three letters (or %).
+bool before_unit(std::string_view text, std::size_t space) {
+  if (space == 0 || !is_digit(text[space - 1]) || space + 1 == text.size()) return false;
+  std::size_t end = space + 1;
+  while (end < text.size() && is_letter(text[end])) ++end;
+  const std::string_view unit = text.substr(space + 1, end - space - 1);
+  return text[space + 1] == '%' || unit == "m" || unit == "s" || unit == "ms" || unit == "mm" || unit == "kPa" ||
+         unit == "GPa" || unit == "Hz" || unit == "kN" || unit == "kg" || unit == "E";
+}
+
+void keep_units(std::string& text) {
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1))
+    if (before_unit(text, at)) text.replace(at, 1, "&nbsp;");
+}
+
 std::string cells(const std::vector<std::string>& texts, std::string_view element) {
   std::string html;
   for (const std::string& text : texts) html += fmt::format("<{}>{}</{}>", element, inline_html(text), element);
@@ -92,6 +110,7 @@ std::string inline_html(std::string_view text) {
   replace_all(html, "&", "&amp;");
   replace_all(html, "<", "&lt;");
   replace_all(html, ">", "&gt;");
+  keep_units(html);
   mark_up(html, "**", "strong");
   mark_up(html, "`", "code");
   return html;

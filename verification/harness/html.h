@@ -12,7 +12,7 @@ namespace verify {
 // Figures are read from `folder`; std::runtime_error naming the file that is missing.
 [[nodiscard]] std::string to_html(const Document& document, const std::filesystem::path& folder);
 
-// Text with &, < and > escaped, `code` and **bold** as elements.
+// Text with &, < and > escaped, `code` and **bold** as elements, and no line break between a number and its unit.
 [[nodiscard]] std::string inline_html(std::string_view text);
 
 // An SVG file's text as an element of a page: without its XML declaration and document type, with `prefix` before every

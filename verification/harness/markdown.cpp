@@ -5,9 +5,19 @@
 namespace verify {
 namespace {
 
+// A bar would end the cell.
+std::string cell_of(const std::string& text) {
+  std::string cell;
+  for (const char letter : text) {
+    if (letter == '|') cell += '\\';
+    cell += letter;
+  }
+  return cell;
+}
+
 std::string row_of(const std::vector<std::string>& cells) {
   std::string row = "|";
-  for (const std::string& cell : cells) row += " " + cell + " |";
+  for (const std::string& cell : cells) row += fmt::format(" {} |", cell_of(cell));
   return row + "\n";
 }
 

@@ -145,7 +145,7 @@ Table other_readings_table(const Calibration& calibration) {
 Table schemes_error_table(const Calibration& calibration) {
   Table table;
   table.caption =
-      "Errors in % of all schemes: first-peak amplitude | correlation velocity, each against the analytic value at "
+      "Errors in % of all schemes: first-peak amplitude / correlation velocity, each against the analytic value at "
       "the place where the scheme's stress is taken.";
   table.header = {"scheme", "Δt (ms)"};
   for (const double length : calibration.block_lengths) table.header.push_back(fmt::format("{:g} m", length));
@@ -155,7 +155,7 @@ Table schemes_error_table(const Calibration& calibration) {
       std::vector<std::string> cells = {std::string(scheme_settings(name).title), milliseconds(dt)};
       for (const double length : calibration.block_lengths) {
         const CalibrationRow& row = calibration.at(name, dt, length);
-        cells.push_back(signed_pct(percent(row.picks.first_peak, calibration.bar.incident_stress())) + " | " +
+        cells.push_back(signed_pct(percent(row.picks.first_peak, calibration.bar.incident_stress())) + " / " +
                         signed_pct(row.correlation_error_pct()));
       }
       table.rows.push_back(cells);

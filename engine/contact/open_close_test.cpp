@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include "dda/contact/contact_models.h"
@@ -16,7 +17,6 @@ namespace {
 constexpr double normal_spring = 100;
 constexpr double shear_spring = 40;
 constexpr double round_off = 1e-13;
-constexpr double friction_tolerance = 1e-9;
 
 InterfaceElement classical_element() {
   InterfaceElement element;
@@ -26,19 +26,22 @@ InterfaceElement classical_element() {
   return element;
 }
 
-// Judges the end `from` once, from the given start, while `to` stays pressed.
-struct Judged {
-  bool again;
-  InterfaceState state;
-};
-Judged judge_first_end(const EndStrength& strength, InterfaceState start, double normal_gap, double shear_gap) {
+// The answer at given gaps when capacities stand still and nothing more breaks.
+void settle(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
+  do {
+    respond(element, trial);
+    update_capacity(element, strength, trial);
+  } while (break_ends(strength, trial));
+}
+
+// One step that takes the end `from` to the given gaps while `to` is pressed.
+InterfaceState step_to(const EndStrength& strength, InterfaceState start, double normal_gap, double shear_gap) {
   start.gap(2) = -1;
   start.force(2) = -normal_spring;
-  const Vec4 change(normal_gap - start.gap(0), shear_gap - start.gap(1), 0, 0);
-  InterfaceState trial = start;
-  const bool again =
-      judge(classical_element(), strength, start, change, Vec3::Zero(), Vec3::Zero(), friction_tolerance, trial);
-  return {again, trial};
+  InterfaceTrial trial = start_trial(classical_element(), strength, start);
+  trial.gap << normal_gap, shear_gap, -1, 0;
+  settle(classical_element(), strength, trial);
+  return finish_trial(classical_element(), start, trial);
 }
 
 InterfaceState start_with(bool broken, ContactStatus status = ContactStatus::locked) {
@@ -90,29 +93,129 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(MohrCoulomb, StatusAndForces) {
   const Case& given = GetParam();
-  const Judged judged =
-      judge_first_end(given.strength, start_with(given.was_broken), given.normal_gap, given.shear_gap);
-  EXPECT_EQ(judged.state.status[0], given.status);
-  EXPECT_EQ(judged.state.broken[0], given.is_broken);
-  EXPECT_NEAR(judged.state.force(0), given.normal_force, round_off);
-  EXPECT_NEAR(judged.state.force(1), given.shear_force, round_off);
-  EXPECT_EQ(judged.again, given.status != locked);  // from locked
-  EXPECT_DOUBLE_EQ(judged.state.gap(0), given.normal_gap);
+  const InterfaceState state = step_to(given.strength, start_with(given.was_broken), given.normal_gap, given.shear_gap);
+  EXPECT_EQ(state.status[0], given.status);
+  EXPECT_EQ(state.broken[0], given.is_broken);
+  EXPECT_NEAR(state.force(0), given.normal_force, round_off);
+  EXPECT_NEAR(state.force(1), given.shear_force, round_off);
+  EXPECT_DOUBLE_EQ(state.gap(0), given.normal_gap);
   // The elastic part of the tangential gap carries the shear; the rest is slip.
-  EXPECT_NEAR(judged.state.gap(1) * shear_spring, given.shear_force, round_off);
+  EXPECT_NEAR(state.gap(1) * shear_spring, given.shear_force, round_off);
   const double slip = given.status == sliding ? given.shear_gap - given.shear_force / shear_spring : 0;
-  EXPECT_NEAR(judged.state.slip[0], slip, round_off);
+  EXPECT_NEAR(state.slip[0], slip, round_off);
   // The other end is pressed and not touched by any of this.
-  EXPECT_EQ(judged.state.status[1], locked);
-  EXPECT_EQ(judged.state.force(2), -normal_spring);
+  EXPECT_EQ(state.status[1], locked);
+  EXPECT_EQ(state.force(2), -normal_spring);
+}
+
+// The potential whose gradient the forces are, written out: half parabolas and Huber's function.
+double potential(const InterfaceElement& element, const InterfaceTrial& trial, const Vec4& gap) {
+  double energy = 0;
+  for (int end = 0; end < 2; ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    const double normal = trial.broken[e] ? std::min(gap(2 * end), 0.0) : gap(2 * end);
+    energy += element.stiffness(2 * end) * normal * normal / 2;
+    const double k = element.stiffness(2 * end + 1);
+    const double slide = std::abs(gap(2 * end + 1));
+    const bool stuck = !trial.broken[e] || k * slide < trial.capacity[e];
+    energy += stuck ? k * slide * slide / 2 : trial.capacity[e] * slide - trial.capacity[e] * trial.capacity[e] / (2 * k);
+  }
+  return energy;
+}
+
+class RandomTrials : public testing::Test {
+ protected:
+  double number(double lower, double upper) { return std::uniform_real_distribution<>(lower, upper)(generator_); }
+  Vec4 gaps() { return {number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1)}; }
+
+  InterfaceTrial trial() {
+    InterfaceTrial trial;
+    for (std::size_t end = 0; end < 2; ++end) {
+      trial.broken[end] = number(0, 1) < 0.8;
+      trial.capacity[end] = std::max(0.0, number(-5, 40));
+    }
+    return trial;
+  }
+
+  static Vec4 force_at(const InterfaceElement& element, InterfaceTrial trial, const Vec4& gap) {
+    trial.gap = gap;
+    respond(element, trial);
+    return trial.force;
+  }
+
+ private:
+  std::mt19937 generator_{1};
+};
+
+TEST_F(RandomTrials, ForceIsTheGradientOfAPotential) {
+  const InterfaceElement element = classical_element();
+  constexpr double step = 1e-6;
+  // Central differences of a piecewise quadratic: exact within a piece; a kink within the step adds k step/2, and the
+  // subtraction round-off eps * 100 J / step.
+  constexpr double tolerance = normal_spring * step + 1e-7;
+  for (int i = 0; i < 2000; ++i) {
+    const InterfaceTrial given = trial();
+    const Vec4 gap = gaps();
+    const Vec4 force = force_at(element, given, gap);
+    for (int row = 0; row < 4; ++row) {
+      const Vec4 change = step * Vec4::Unit(row);
+      const double slope =
+          (potential(element, given, gap + change) - potential(element, given, gap - change)) / (2 * step);
+      ASSERT_NEAR(force(row), slope, tolerance);
+    }
+  }
+}
+
+TEST_F(RandomTrials, ThePotentialIsConvex) {
+  const InterfaceElement element = classical_element();
+  for (int i = 0; i < 5000; ++i) {
+    const InterfaceTrial given = trial();
+    const Vec4 first = gaps();
+    const Vec4 second = i % 2 == 0 ? gaps() : Vec4(first + 1e-3 * gaps());
+    const Vec4 difference = force_at(element, given, first) - force_at(element, given, second);
+    for (int row = 0; row < 4; ++row) ASSERT_GE(difference(row) * (first(row) - second(row)), 0);
+  }
+}
+
+TEST_F(RandomTrials, ForceAlongAStepIsThatReachedThere) {
+  const InterfaceElement element = classical_element();
+  for (int i = 0; i < 2000; ++i) {
+    InterfaceTrial given = trial();
+    given.gap = gaps();
+    given.direction = gaps();
+    const double share = number(0, 1);
+    const Vec4 force = force_at(element, given, given.gap + share * given.direction);
+    // Sums of four products of up to 200 N/m.
+    ASSERT_NEAR(force_along(element, given, share), given.direction.dot(force), 1e-12);
+  }
+}
+
+// The rows said to be active are those whose force changes with the gap.
+TEST_F(RandomTrials, ActiveRowsCarryTheStiffness) {
+  const InterfaceElement element = classical_element();
+  constexpr double step = 1e-9;
+  int inactive = 0;
+  for (int i = 0; i < 2000; ++i) {
+    InterfaceTrial given = trial();
+    given.gap = gaps();
+    respond(element, given);
+    for (int row = 0; row < 4; ++row) {
+      const Vec4 moved = force_at(element, given, given.gap + step * Vec4::Unit(row));
+      // Round-off of forces of up to 100 N/m over the step.
+      ASSERT_NEAR((moved(row) - given.force(row)) / step, given.active(row) * element.stiffness(row), 1e-4);
+      inactive += given.active(row) == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inactive, 1000);
 }
 
 TEST(OpenClose, BondedNeverBreaks) {
   JointMaterial bonded;
   bonded.bonded = true;
-  const Judged judged = judge_first_end(end_strength(bonded, 2), start_with(false), 1e9, -1e9);
-  EXPECT_FALSE(judged.again);
-  EXPECT_EQ(judged.state.status[0], locked);
+  const InterfaceState state = step_to(end_strength(bonded, 2), start_with(false), 1e9, -1e9);
+  EXPECT_EQ(state.status[0], locked);
+  EXPECT_FALSE(state.broken[0]);
+  EXPECT_EQ(state.force(0), 1e9 * normal_spring);
 }
 
 TEST(OpenClose, StrengthIsSharedByTheEnds) {
@@ -127,72 +230,104 @@ TEST(OpenClose, StrengthIsSharedByTheEnds) {
 }
 
 TEST(OpenClose, ClosesAgainWithoutShearOrStrength) {
-  const InterfaceState start = start_with(true, open);
-  const Judged judged = judge_first_end(joint, start, -0.04, 0);
-  EXPECT_TRUE(judged.again);
-  EXPECT_EQ(judged.state.status[0], locked);
-  EXPECT_TRUE(judged.state.broken[0]);
-  EXPECT_NEAR(judged.state.force(0), -4, round_off);
-  EXPECT_EQ(judged.state.force(1), 0);
+  InterfaceState state = step_to(joint, start_with(false), -0.04, 0.12);
+  ASSERT_NE(state.force(1), 0);
+  state = step_to(joint, state, 0.06, 0.3);
+  ASSERT_EQ(state.status[0], open);
+  state = step_to(joint, state, -0.04, state.gap(1));
+  EXPECT_EQ(state.status[0], locked);
+  EXPECT_TRUE(state.broken[0]);
+  EXPECT_NEAR(state.force(0), -4, round_off);
+  EXPECT_EQ(state.force(1), 0);
 }
 
 TEST(OpenClose, AnEndThatOpensAfterAPassOfSlidingHasNotSlipped) {
+  const InterfaceElement element = classical_element();
   const InterfaceState start = start_with(true);
-  InterfaceState trial = judge_first_end(joint, start, -0.04, 0.3).state;
-  ASSERT_EQ(trial.status[0], sliding);
-  ASSERT_NE(trial.slip[0], 0);
-  judge(classical_element(), joint, start, Vec4(0.01, 0.3, 0, 0), Vec3::Zero(), Vec3::Zero(), friction_tolerance,
-        trial);
-  EXPECT_EQ(trial.status[0], open);
-  EXPECT_EQ(trial.slip[0], 0);
+  InterfaceTrial trial = start_trial(element, joint, start);
+  trial.gap << -0.04, 0.3, 0, 0;
+  settle(element, joint, trial);
+  ASSERT_EQ(finish_trial(element, start, trial).status[0], sliding);
+  trial.gap << 0.01, 0.3, 0, 0;
+  settle(element, joint, trial);
+  const InterfaceState state = finish_trial(element, start, trial);
+  EXPECT_EQ(state.status[0], open);
+  EXPECT_EQ(state.slip[0], 0);
 }
 
-TEST(OpenClose, SlidingAsksForAnotherPassUntilFrictionSettles) {
-  InterfaceState start = start_with(true, sliding);
-  start.force(1) = 2;  // friction of the previous pass
-  EXPECT_FALSE(judge_first_end(joint, start, -0.04, 0.3).again);
-  start.force(1) = 2.1;
-  EXPECT_TRUE(judge_first_end(joint, start, -0.04, 0.3).again);
+TEST(OpenClose, SlipAddsUpOverStepsAndTurnsBack) {
+  InterfaceState state = step_to(no_strength, start_with(true), -0.04, 0.06);  // 2 N of friction: 0.05 m elastic
+  EXPECT_NEAR(state.slip[0], 0.01, round_off);
+  state = step_to(no_strength, state, -0.04, state.gap(1) + 0.03);
+  EXPECT_NEAR(state.slip[0], 0.04, round_off);
+  state = step_to(no_strength, state, -0.04, state.gap(1) - 0.07);  // back through stick, not yet sliding
+  EXPECT_EQ(state.status[0], locked);
+  EXPECT_NEAR(state.slip[0], 0.04, round_off);
+  EXPECT_NEAR(state.force(1), 2 - 0.07 * shear_spring, round_off);
+  state = step_to(no_strength, state, -0.04, state.gap(1) - 0.05);
+  EXPECT_EQ(state.status[0], sliding);
+  EXPECT_NEAR(state.slip[0], 0.02, round_off);
+  EXPECT_NEAR(state.force(1), -2, round_off);
+}
+
+TEST(OpenClose, AnEndThatSlidStartsItsNextStepSliding) {
+  const InterfaceElement element = classical_element();
+  for (const double side : {1.0, -1.0}) {
+    InterfaceState state = step_to(no_strength, start_with(true), -0.04, side * 0.06);
+    ASSERT_EQ(state.status[0], sliding);
+    state.gap(1) *= 1 - 1e-9;  // measured anew
+    InterfaceTrial trial = start_trial(element, no_strength, state);
+    EXPECT_EQ(trial.active(1), 0);
+    EXPECT_NEAR(trial.force(1), side * 2, round_off);
+    trial.gap(1) -= side * 0.01;  // turns back: sticks
+    respond(element, trial);
+    EXPECT_EQ(trial.active(1), 1);
+    trial.gap(1) += side * 0.02;  // goes on
+    respond(element, trial);
+    EXPECT_EQ(trial.active(1), 0);
+  }
+}
+
+TEST(OpenClose, CapacityFollowsTheNormalForceAndSaysWhatThatChanges) {
+  const InterfaceElement element = classical_element();
+  InterfaceTrial trial = start_trial(element, no_strength, start_with(true));
+  trial.gap << -0.04, 0.3, 0, 0;
+  respond(element, trial);
+  EXPECT_EQ(trial.force(1), 0);  // not pressed at the start
+  EXPECT_NEAR(update_capacity(element, no_strength, trial), 2, round_off);
+  EXPECT_NEAR(trial.force(1), 2, round_off);
+  EXPECT_EQ(update_capacity(element, no_strength, trial), 0);
 }
 
 TEST(OpenClose, SpringsWithoutShearStiffnessStayFinite) {
   InterfaceElement element = classical_element();
   element.stiffness(1) = element.stiffness(3) = 0;
   for (const double shear_gap : {0.0, 0.3}) {
-    InterfaceState trial = start_with(false);
-    const InterfaceState start = trial;
-    judge(element, joint, start, Vec4(-0.04, shear_gap, -0.04, 0), Vec3::Zero(), Vec3::Zero(), friction_tolerance,
-          trial);
-    EXPECT_TRUE(trial.gap.allFinite() && trial.force.allFinite());
-    EXPECT_EQ(trial.status[0], locked);
-    EXPECT_EQ(trial.force(1), 0);
+    const InterfaceState start = start_with(false);
+    InterfaceTrial trial = start_trial(element, joint, start);
+    trial.gap << -0.04, shear_gap, -0.04, 0;
+    settle(element, joint, trial);
+    const InterfaceState state = finish_trial(element, start, trial);
+    EXPECT_TRUE(state.gap.allFinite() && state.force.allFinite());
+    EXPECT_EQ(state.status[0], locked);
+    EXPECT_EQ(state.force(1), 0);
   }
 }
 
-TEST(OpenClose, PointContactJudgesOneEnd) {
+TEST(OpenClose, PointContactHasOneEnd) {
   InterfaceElement element = classical_element();
   element.length = 0;
   element.stiffness(2) = element.stiffness(3) = 0;
-  InterfaceState start;
-  InterfaceState trial = start;
-  EXPECT_TRUE(
-      judge(element, no_strength, start, Vec4(1, 0, 1, 0), Vec3::Zero(), Vec3::Zero(), friction_tolerance, trial));
-  EXPECT_EQ(trial.status[0], open);
-  EXPECT_EQ(trial.status[1], locked);
-}
-
-TEST(OpenClose, RowsAndForcesOfTheNextPassFollowTheStatuses) {
-  InterfaceState start;
-  start.gap << -0.04, 0.02, -0.01, 0.03;
-  start.force << -4, 0.8, -1, 1.2;
-  InterfaceState trial = start;
-  const InterfaceElement element = classical_element();
-  EXPECT_EQ(active_rows(element, trial), Vec4(1, 1, 1, 1));
-  EXPECT_NEAR((force_without_motion(element, start, trial) - start.force).norm(), 0, round_off);
-  trial.status = {sliding, open};
-  trial.force(1) = 1.9;  // friction of the pass before
-  EXPECT_EQ(active_rows(element, trial), Vec4(1, 0, 0, 0));
-  EXPECT_NEAR((force_without_motion(element, start, trial) - Vec4(-4, 1.9, 0, 0)).norm(), 0, round_off);
+  const InterfaceState start;
+  InterfaceTrial trial = start_trial(element, no_strength, start);
+  trial.gap << 1, 0, 1, 0;
+  trial.direction << 0.5, 0, 0.5, 0;
+  EXPECT_EQ(force_along(element, trial, 0), 0.5 * normal_spring);
+  settle(element, no_strength, trial);
+  const InterfaceState state = finish_trial(element, start, trial);
+  EXPECT_EQ(state.status[0], open);
+  EXPECT_EQ(state.status[1], locked);
+  EXPECT_FALSE(state.broken[1]);
 }
 
 // Resultant and moment about the middle of the forces that a classical or consistent interface exerts on block b.
@@ -225,31 +360,30 @@ TEST(AsClassical, FiniteWithoutShearStiffness) {
 }
 
 TEST(BeyondStrength, MeanForceAndEitherEnd) {
-  const auto beyond = [](const EndStrength& strength, const Vec4& force) {
-    InterfaceState state;
-    state.force = force;
-    return beyond_strength(strength, state);
-  };
-  EXPECT_FALSE(beyond(joint, Vec4(9.9, 0, 0, 0)));
-  EXPECT_TRUE(beyond(joint, Vec4(10.1, 0, 0, 0)));
-  EXPECT_FALSE(beyond(joint, Vec4(0, 5.9, 0, 0)));
-  EXPECT_TRUE(beyond(joint, Vec4(0, -6.1, 0, 0)));
+  EXPECT_FALSE(beyond_strength(joint, Vec4(9.9, 0, 0, 0)));
+  EXPECT_TRUE(beyond_strength(joint, Vec4(10.1, 0, 0, 0)));
+  EXPECT_FALSE(beyond_strength(joint, Vec4(0, 5.9, 0, 0)));
+  EXPECT_TRUE(beyond_strength(joint, Vec4(0, -6.1, 0, 0)));
   // Pressed as a whole but bent open at one end, whichever.
-  EXPECT_FALSE(beyond(no_strength, Vec4(-10, 0, 9.9, 0)));
-  EXPECT_TRUE(beyond(no_strength, Vec4(-10, 0, 10.1, 0)));
-  EXPECT_TRUE(beyond(no_strength, Vec4(-10, 0, -10.1, 0)));
+  EXPECT_FALSE(beyond_strength(no_strength, Vec4(-10, 0, 9.9, 0)));
+  EXPECT_TRUE(beyond_strength(no_strength, Vec4(-10, 0, 10.1, 0)));
+  EXPECT_TRUE(beyond_strength(no_strength, Vec4(-10, 0, -10.1, 0)));
 }
 
-TEST(Judge, ConsistentInterfaceFollowsGapAndStress) {
-  Model model = model_of({{box_ring(0, 0, 1, 2), {}}, {box_ring(1, 0, 2, 2), {}}});
+TEST(Trial, ConsistentInterfaceIsNeverJudgedByEnds) {
+  const Model model = model_of({{box_ring(0, 0, 1, 2), {}}, {box_ring(1, 0, 2, 2), {}}});
   const ContactSet contacts = make_contacts(model);
-  InterfaceState trial;
-  const Vec3 stress_a(3, 0, 1);
-  const Vec3 stress_b(5, 0, -2);
-  EXPECT_FALSE(
-      judge(contacts.elements[0], no_strength, {}, Vec4(1e-9, 0, 0, 0), stress_a, stress_b, friction_tolerance, trial));
-  EXPECT_NEAR(trial.force(0), contacts.elements[0].stiffness(0) * 1e-9 + 8, 1e-12);
-  EXPECT_NEAR(trial.force(1), -1, 1e-12);
+  ASSERT_TRUE(has_stress_rows(contacts.elements.at(0)));
+  InterfaceState start;
+  start.force << 8, -1, 2, 3;
+  InterfaceTrial trial = start_trial(contacts.elements[0], no_strength, start);
+  EXPECT_EQ(trial.force, start.force);
+  EXPECT_EQ(trial.active, Vec4::Ones());
+  trial.gap << 1e-9, 0, 0, 0;
+  const InterfaceState state = finish_trial(contacts.elements[0], start, trial);
+  EXPECT_EQ(state.gap, trial.gap);
+  EXPECT_EQ(state.status[0], locked);
+  EXPECT_EQ(state.slip[0], 0);
 }
 
 }  // namespace

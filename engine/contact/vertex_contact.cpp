@@ -1,6 +1,7 @@
 #include "dda/contact/vertex_contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -9,18 +10,33 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+constexpr double notch_turn = 0.1;  // sine of the turn beyond which a reflex corner is a notch with two sides
+
+struct Candidate {
+  VertexContact contact;
+  int corner = -1;       // vertex of the edge's block that the vertex meets, where that is no notch
+  bool in_notch = false;  // the vertex lies beyond the edge's end, where a notch goes on
+};
+
 // One block's vertices against another's edges.
 class Side {
  public:
-  Side(const Outlines& outlines, int vertex_block, int edge_block, double reach, double depth)
-      : outlines_(outlines), vertex_block_(vertex_block), edge_block_(edge_block), reach_(reach), depth_(depth) {}
+  Side(const Outlines& outlines, int vertex_block, int edge_block, double reach, double depth, double corner)
+      : outlines_(outlines),
+        vertex_block_(vertex_block),
+        edge_block_(edge_block),
+        reach_(reach),
+        depth_(depth),
+        corner_(corner) {}
 
-  void collect(std::vector<VertexContact>& found) const {
+  void collect(std::vector<Candidate>& found) const {
     const Box near = expanded(outlines_.boxes[at(edge_block_)], reach_);
     for (int vertex = first(vertex_block_); vertex < last(vertex_block_); ++vertex) {
       const Vec2& point = outlines_.current[at(vertex)];
       if ((point.array() < near.lower.array()).any() || (point.array() > near.upper.array()).any()) continue;
+      const std::size_t before = found.size();
       for (int edge = first(edge_block_); edge < last(edge_block_); ++edge) try_pair(vertex, edge, found);
+      if (found.size() - before > 1) keep_nearest(before, found);
     }
   }
 
@@ -28,17 +44,32 @@ class Side {
   [[nodiscard]] int first(int block) const { return outlines_.starts[at(block)]; }
   [[nodiscard]] int last(int block) const { return outlines_.starts[at(block) + 1]; }
 
-  void try_pair(int vertex, int edge, std::vector<VertexContact>& found) const {
+  void try_pair(int vertex, int edge, std::vector<Candidate>& found) const {
+    const int end = outlines_.next[at(edge)];
     const Vec2& start = outlines_.current[at(edge)];
-    const Vec2 along = outlines_.current[at(outlines_.next[at(edge)])] - start;
+    const Vec2 along = outlines_.current[at(end)] - start;
     const Vec2 offset = outlines_.current[at(vertex)] - start;
-    const double length = along.norm();
+    const double squared = along.squaredNorm();
+    const double gap_by_length = offset.x() * along.y() - offset.y() * along.x();
+    if (gap_by_length * gap_by_length > squared * std::max(reach_ * reach_, depth_ * depth_)) return;
+    const double length = std::sqrt(squared);
+    const double gap = gap_by_length / length;
     const double place = offset.dot(along) / length;
-    if (place < 0 || place > length) return;
+    const int nearer = place < length / 2 ? edge : end;
+    const double inside = std::min(place, length - place);  // negative beyond an end
+    const bool notch = inside <= corner_ && is_notch(nearer);
     const Vec2 normal = Vec2(along.y(), -along.x()) / length;
-    const double gap = offset.dot(normal);
-    if (gap > reach_ || gap < -depth_ || !enters(vertex, normal)) return;
-    found.push_back({edge_block_, vertex_block_, edge, vertex, normal, gap});
+    if (inside < -(notch ? reach_ : corner_) || gap > reach_ || gap < -depth_ || !enters(vertex, normal)) return;
+    found.push_back({{edge_block_, vertex_block_, edge, vertex, normal, gap},
+                     inside <= corner_ && !notch ? nearer : -1,
+                     notch});
+  }
+
+  [[nodiscard]] bool is_notch(int vertex) const {
+    const Vec2& point = outlines_.current[at(vertex)];
+    const Vec2 in = point - outlines_.current[at(outlines_.previous[at(vertex)])];
+    const Vec2 out = outlines_.current[at(outlines_.next[at(vertex)])] - point;
+    return in.x() * out.y() - in.y() * out.x() < -notch_turn * in.norm() * out.norm();
   }
 
   [[nodiscard]] bool enters(int vertex, const Vec2& normal) const {
@@ -50,32 +81,42 @@ class Side {
     return stays_outside(outlines_.next[at(vertex)]) && stays_outside(outlines_.previous[at(vertex)]);
   }
 
+  // True when the way out through `deep` would lead the vertex past the line of `shallow` first.
+  [[nodiscard]] bool is_behind(const VertexContact& deep, const VertexContact& shallow) const {
+    return deep.gap < std::min(0.0, shallow.gap) &&
+           shallow.gap - deep.gap * deep.normal.dot(shallow.normal) <= corner_;
+  }
+
+  // A vertex inside a block has come in through the edge nearest to it. Only in a notch it is behind two at once.
+  void keep_nearest(std::size_t begin, std::vector<Candidate>& found) const {
+    const std::vector<Candidate> all(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end());
+    const auto is_hidden = [&](const Candidate& deep) {
+      return !deep.in_notch && std::any_of(all.begin(), all.end(), [&](const Candidate& shallow) {
+        return !shallow.in_notch && is_behind(deep.contact, shallow.contact);
+      });
+    };
+    found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), is_hidden), found.end());
+  }
+
   const Outlines& outlines_;
   int vertex_block_;
   int edge_block_;
   double reach_;
   double depth_;
+  double corner_;
 };
 
-// The vertex of the edge's block at which this contact lies, or -1 when it is away from both ends.
-int corner_met(const Outlines& outlines, const VertexContact& contact, double corner) {
-  const Vec2& point = outlines.current[at(contact.vertex)];
-  for (const int end : {contact.edge, outlines.next[at(contact.edge)]})
-    if ((outlines.current[at(end)] - point).squaredNorm() <= corner * corner) return end;
-  return -1;
+bool of_same_corners(const Candidate& a, const Candidate& b) {
+  return std::minmax(a.contact.vertex, a.corner) == std::minmax(b.contact.vertex, b.corner);
 }
 
-// Among contacts of the same two corners, keeps the first with the largest gap.
-void keep_one_a_corner(const Outlines& outlines, double corner, std::size_t first, std::vector<VertexContact>& found) {
-  const auto corners = [&](const VertexContact& contact) {
-    const int other = corner_met(outlines, contact, corner);
-    return std::pair(std::min(contact.vertex, other), std::max(contact.vertex, other));
-  };
-  for (std::size_t i = first; i < found.size(); ++i) {
-    if (corner_met(outlines, found[i], corner) < 0) continue;
+// Among contacts of the same two corners keeps the first with the largest gap.
+void keep_one_a_corner(std::vector<Candidate>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].corner < 0) continue;
     for (std::size_t j = found.size() - 1; j > i; --j) {
-      if (corners(found[j]) != corners(found[i])) continue;
-      if (found[j].gap > found[i].gap) std::swap(found[i], found[j]);
+      if (found[j].corner < 0 || !of_same_corners(found[i], found[j])) continue;
+      if (found[j].contact.gap > found[i].contact.gap) std::swap(found[i], found[j]);
       found.erase(found.begin() + static_cast<std::ptrdiff_t>(j));
     }
   }
@@ -85,10 +126,11 @@ void keep_one_a_corner(const Outlines& outlines, double corner, std::size_t firs
 
 void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double corner,
                           std::vector<VertexContact>& found) {
-  const std::size_t first = found.size();
-  Side(outlines, a, b, reach, depth).collect(found);
-  Side(outlines, b, a, reach, depth).collect(found);
-  if (found.size() - first > 1) keep_one_a_corner(outlines, corner, first, found);
+  std::vector<Candidate> candidates;
+  Side(outlines, a, b, reach, depth, corner).collect(candidates);
+  Side(outlines, b, a, reach, depth, corner).collect(candidates);
+  keep_one_a_corner(candidates);
+  for (const Candidate& each : candidates) found.push_back(each.contact);
 }
 
 }  // namespace dda

@@ -1,0 +1,137 @@
+#include "dda/contact/contact_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "dda/contact/contact_models.h"
+
+namespace dda {
+namespace {
+
+// Boxes of all sizes in disorder; overlaps are of no matter here.
+Model random_boxes(int count, double least, double most, double room, std::mt19937& generator) {
+  const auto number = [&](double lower, double upper) {
+    return std::uniform_real_distribution<>(lower, upper)(generator);
+  };
+  Model model;
+  for (int i = 0; i < count; ++i) {
+    const double size = least * std::pow(most / least, number(0, 1));
+    const Vec2 place(number(0, room), number(0, room));
+    Block& block = model.blocks.emplace_back();
+    block.shape.outer = box_ring(place.x(), place.y(), place.x() + size, place.y() + number(0.5, 2) * size);
+    block.moments = area_moments(block.shape);
+  }
+  return model;
+}
+
+using Pairs = std::set<std::pair<int, int>>;
+using Keys = std::vector<std::pair<int, int>>;  // edge, vertex
+
+Keys keys_of(const std::vector<VertexContact>& contacts) {
+  Keys keys;
+  for (const VertexContact& contact : contacts) keys.emplace_back(contact.edge, contact.vertex);
+  return keys;
+}
+
+// Every pair of blocks put to the narrow phase, wherever they are.
+Keys all_contacts(const Model& model, const State& state, const ContactSearch& search) {
+  const Outlines outlines = make_outlines(model, state);
+  std::vector<VertexContact> found;
+  for (int a = 0; a < outlines.blocks(); ++a) {
+    for (int b = a + 1; b < outlines.blocks(); ++b) {
+      const double smaller = std::min(search.size_of(a), search.size_of(b));
+      find_vertex_contacts(outlines, a, b, ContactSearch::reach * smaller, 0.1 * smaller, 1e-6 * smaller, found);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return keys_of(found);
+}
+
+void move_at_random(const ContactSearch& search, double share, State& state, std::mt19937& generator) {
+  std::uniform_real_distribution<> number(-1, 1);
+  for (std::size_t i = 0; i < state.displacement.size(); ++i) {
+    const double length = share * search.size_of(static_cast<int>(i));
+    state.displacement[i].head<2>() += length * Vec2(number(generator), number(generator));
+    state.deformation[i] = rotation(share * number(generator)) * state.deformation[i];
+  }
+}
+
+void follow_random_motion(Model model, int steps, double share, std::mt19937& generator) {
+  State state = initial_state(model);
+  ContactSearch search(model, state);
+  int lists = 0;
+  std::size_t contacts = 0;
+  for (int step = 0; step < steps; ++step) {
+    move_at_random(search, share, state, generator);
+    lists += search.update(model, state) ? 1 : 0;
+    const Keys expected = all_contacts(model, state, search);
+    ASSERT_EQ(keys_of(search.find({})), expected) << "step " << step;
+    contacts += expected.size();
+  }
+  EXPECT_GT(contacts, static_cast<std::size_t>(steps));  // the boxes do meet
+  EXPECT_GT(lists, 0);                                   // the list went out of date
+  EXPECT_LT(lists, steps);                               // and held in between
+}
+
+TEST(ContactSearch, FindsWhatBruteForceFindsWhileBlocksMove) {
+  std::mt19937 generator(3);
+  follow_random_motion(random_boxes(60, 0.5, 1, 6, generator), 200, 0.01, generator);
+}
+
+TEST(ContactSearch, SizesThatDifferTenThousandfold) {
+  std::mt19937 generator(5);
+  Model model = random_boxes(80, 1e-3, 10, 6, generator);
+  // Grains strewn over the outline of a big block, where they touch it.
+  Block& big = model.blocks.emplace_back();
+  big.shape.outer = box_ring(0, -10, 10, 0);
+  big.moments = area_moments(big.shape);
+  for (int i = 0; i < 40; ++i) {
+    Block& grain = model.blocks.emplace_back();
+    const double left = 0.1 * i;
+    grain.shape.outer = box_ring(left, 1e-6, left + 1e-3, 1e-3);
+    grain.moments = area_moments(grain.shape);
+  }
+  follow_random_motion(model, 100, 0.005, generator);
+}
+
+// Pairs are kept at least as long as their blocks can come within reach before the list is made anew.
+TEST(ContactSearch, ListedPairsHoldAllThatAreNear) {
+  std::mt19937 generator(7);
+  const Model model = random_boxes(50, 0.1, 1, 5, generator);
+  State state = initial_state(model);
+  ContactSearch search(model, state);
+  for (int step = 0; step < 100; ++step) {
+    move_at_random(search, 0.01, state, generator);
+    search.update(model, state);
+    const Outlines now = make_outlines(model, state);
+    const Pairs listed(search.pairs().begin(), search.pairs().end());
+    for (int a = 0; a < now.blocks(); ++a) {
+      for (int b = a + 1; b < now.blocks(); ++b) {
+        const double near = ContactSearch::reach * std::min(search.size_of(a), search.size_of(b));
+        const Box grown = expanded(now.boxes[static_cast<std::size_t>(a)], near);
+        const bool is_near = overlap(grown, now.boxes[static_cast<std::size_t>(b)]);
+        ASSERT_TRUE(!is_near || listed.contains({a, b})) << step;
+      }
+    }
+  }
+}
+
+TEST(ContactSearch, BondedPairsAreLeftOut) {
+  const Model model = model_of({{box_ring(0, 0, 3, 1), {}}, {box_ring(0, 1, 1, 2), {}}, {box_ring(2, 1, 3, 2), {}}});
+  const State state = initial_state(model);
+  const ContactSearch search(model, state);
+  EXPECT_EQ(search.find({}).size(), 4U);
+  const std::vector<VertexContact> rest = search.find({{0, 2}});
+  ASSERT_EQ(rest.size(), 2U);
+  for (const VertexContact& contact : rest) EXPECT_EQ(std::min(contact.edge_block, contact.vertex_block), 0);
+  for (const VertexContact& contact : rest) EXPECT_EQ(std::max(contact.edge_block, contact.vertex_block), 1);
+  EXPECT_TRUE(search.find({{0, 1}, {0, 2}}).empty());
+}
+
+}  // namespace
+}  // namespace dda

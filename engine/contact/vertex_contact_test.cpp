@@ -213,6 +213,13 @@ bool is_by_a_notch(const Outlines& outlines, const VertexContact& contact) {
   return std::arg((place(after) - place(middle)) / (place(middle) - place(before))) < 0;
 }
 
+// A vertex on the far side of a thin part of the block is behind the line of an edge but nowhere near.
+bool is_far(const Outlines& outlines, const Expected& expected) {
+  const std::size_t edge_block = expected.edge < outlines.starts[1] ? 0 : 1;
+  const Box near = expanded(outlines.boxes[edge_block], reach - 1e-9);
+  return !overlap(near, expanded(Box{}, outlines.current[static_cast<std::size_t>(expected.vertex)]));
+}
+
 bool same(const VertexContact& contact, const Expected& expected) {
   return contact.edge == expected.edge && contact.vertex == expected.vertex;
 }
@@ -237,7 +244,7 @@ RC_GTEST_PROP(VertexContactProperty, EveryContactOfTheOracleIsFoundOrANearerOne,
   const Outlines outlines = outlines_of(touching_pair());
   const std::vector<VertexContact> found = contacts_of(outlines);
   for (const Expected& expected : expectations(outlines)) {
-    if (expected.margin < 1e-9) continue;
+    if (expected.margin < 1e-9 || is_far(outlines, expected)) continue;
     const bool covered = std::any_of(found.begin(), found.end(), [&](const VertexContact& contact) {
       const bool same_vertex = contact.vertex == expected.vertex;
       const Vec2 apart = outlines.current[static_cast<std::size_t>(contact.vertex)] -

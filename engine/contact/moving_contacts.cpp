@@ -27,11 +27,15 @@ Interface interface_of(const Model& model, const Outlines& outlines, const Verte
 }
 
 // Both blocks feel the contact at the vertex, so its forces have no moment between them.
-InterfaceFrame frame_of(const Model& model, const State& state, const Outlines& outlines, const VertexContact& contact) {
+InterfaceFrame frame_of(const Model& model, const State& state, const Outlines& outlines,
+                        const VertexContact& contact) {
   const Vec2& point = outlines.current[at(contact.vertex)];
-  return {point,          point,
-          point,          point,
-          contact.normal, current_centroid(model, state, contact.edge_block),
+  return {point,
+          point,
+          point,
+          point,
+          contact.normal,
+          current_centroid(model, state, contact.edge_block),
           current_centroid(model, state, contact.vertex_block)};
 }
 
@@ -42,6 +46,57 @@ InterfaceState fresh_state() {
   state.status = {ContactStatus::open, ContactStatus::open};
   return state;
 }
+
+// Says for every contact found which known one it continues, if any; each is continued once. A contact that is not
+// known by its name may be so under another: a vertex went over to the next edge in line, or of two corners above each
+// other the other one now is the vertex. (Exchanging the blocks turns normal and gap both, so the state stays as it
+// is.)
+class Succession {
+ public:
+  Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found, const Outlines& outlines)
+      : known_(known), outlines_(outlines), taken_(known.size(), false), earlier_(found.size(), -1) {
+    for (const auto& rule : {&Succession::same, &Succession::next_edge, &Succession::exchanged})
+      for (std::size_t i = 0; i < found.size(); ++i)
+        if (earlier_[i] < 0) earlier_[i] = (this->*rule)(found[i]);
+  }
+
+  // Index of the known contact, or -1.
+  [[nodiscard]] const std::vector<std::ptrdiff_t>& earlier() const { return earlier_; }
+
+ private:
+  std::ptrdiff_t same(const VertexContact& contact) { return take(contact.edge, contact.vertex, contact.normal); }
+
+  std::ptrdiff_t next_edge(const VertexContact& contact) {
+    const auto before = take(outlines_.previous[at(contact.edge)], contact.vertex, contact.normal);
+    return before >= 0 ? before : take(outlines_.next[at(contact.edge)], contact.vertex, contact.normal);
+  }
+
+  std::ptrdiff_t exchanged(const VertexContact& contact) {
+    for (const int corner : {contact.edge, outlines_.next[at(contact.edge)]}) {
+      for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
+        if (const auto known = take(edge, corner, -contact.normal); known >= 0) return known;
+    }
+    return -1;
+  }
+
+  std::ptrdiff_t take(int edge, int vertex, const Vec2& normal) {
+    constexpr double same_direction = 0.99;  // cosine; far more than a step turns a block
+    VertexContact wanted;
+    wanted.edge = edge;
+    wanted.vertex = vertex;
+    const auto place = std::lower_bound(known_.begin(), known_.end(), wanted);
+    if (place == known_.end() || wanted < *place || place->normal.dot(normal) < same_direction) return -1;
+    const std::ptrdiff_t index = place - known_.begin();
+    if (taken_[static_cast<std::size_t>(index)]) return -1;
+    taken_[static_cast<std::size_t>(index)] = true;
+    return index;
+  }
+
+  const std::vector<VertexContact>& known_;
+  const Outlines& outlines_;
+  std::vector<bool> taken_;
+  std::vector<std::ptrdiff_t> earlier_;
+};
 
 void measure(const InterfaceElement& element, double gap, InterfaceState& state) {
   state.gap(0) = gap;
@@ -75,8 +130,8 @@ void MovingContacts::drop_stretches(const Model& model, ContactSet& contacts, bo
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const auto& broken = contacts.states[i].broken;
-    const bool drop = dry_ones ? is_dry(model, contacts.interfaces[i]) || contacts.interfaces[i].length == 0
-                               : broken[0] && broken[1];
+    const bool drop =
+        dry_ones ? is_dry(model, contacts.interfaces[i]) || contacts.interfaces[i].length == 0 : broken[0] && broken[1];
     if (drop) continue;
     contacts.interfaces[kept] = contacts.interfaces[i];
     contacts.elements[kept] = contacts.elements[i];
@@ -108,12 +163,9 @@ void MovingContacts::refresh(const Model& model, const State& state, ContactSet&
   const std::vector<VertexContact> found = search_.find(bonded);
   std::vector<InterfaceState> states(contacts.states.begin(),
                                      contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_));
-  std::size_t old = 0;
-  for (const VertexContact& contact : found) {
-    while (old < known_.size() && known_[old] < contact) ++old;
-    const bool is_known = old < known_.size() && !(contact < known_[old]);
-    states.push_back(is_known ? contacts.states[stretches_ + old] : fresh_state());
-  }
+  const Succession succession(known_, found, search_.outlines());
+  for (const std::ptrdiff_t earlier : succession.earlier())
+    states.push_back(earlier >= 0 ? contacts.states[stretches_ + static_cast<std::size_t>(earlier)] : fresh_state());
   const std::size_t total = stretches_ + found.size();
   contacts.interfaces.resize(total);
   contacts.elements.resize(total);

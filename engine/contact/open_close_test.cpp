@@ -118,7 +118,8 @@ double potential(const InterfaceElement& element, const InterfaceTrial& trial, c
     const double k = element.stiffness(2 * end + 1);
     const double slide = std::abs(gap(2 * end + 1));
     const bool stuck = !trial.broken[e] || k * slide < trial.capacity[e];
-    energy += stuck ? k * slide * slide / 2 : trial.capacity[e] * slide - trial.capacity[e] * trial.capacity[e] / (2 * k);
+    energy +=
+        stuck ? k * slide * slide / 2 : trial.capacity[e] * slide - trial.capacity[e] * trial.capacity[e] / (2 * k);
   }
   return energy;
 }

@@ -14,7 +14,7 @@ constexpr double notch_turn = 0.1;  // sine of the turn beyond which a reflex co
 
 struct Candidate {
   VertexContact contact;
-  int corner = -1;       // vertex of the edge's block that the vertex meets, where that is no notch
+  int corner = -1;        // vertex of the edge's block that the vertex meets, where that is no notch
   bool in_notch = false;  // the vertex lies beyond the edge's end, where a notch goes on
 };
 
@@ -60,9 +60,8 @@ class Side {
     const bool notch = inside <= corner_ && is_notch(nearer);
     const Vec2 normal = Vec2(along.y(), -along.x()) / length;
     if (inside < -(notch ? reach_ : corner_) || gap > reach_ || gap < -depth_ || !enters(vertex, normal)) return;
-    found.push_back({{edge_block_, vertex_block_, edge, vertex, normal, gap},
-                     inside <= corner_ && !notch ? nearer : -1,
-                     notch});
+    found.push_back(
+        {{edge_block_, vertex_block_, edge, vertex, normal, gap}, inside <= corner_ && !notch ? nearer : -1, notch});
   }
 
   [[nodiscard]] bool is_notch(int vertex) const {
@@ -83,8 +82,7 @@ class Side {
 
   // True when the way out through `deep` would lead the vertex past the line of `shallow` first.
   [[nodiscard]] bool is_behind(const VertexContact& deep, const VertexContact& shallow) const {
-    return deep.gap < std::min(0.0, shallow.gap) &&
-           shallow.gap - deep.gap * deep.normal.dot(shallow.normal) <= corner_;
+    return deep.gap < std::min(0.0, shallow.gap) && shallow.gap - deep.gap * deep.normal.dot(shallow.normal) <= corner_;
   }
 
   // A vertex inside a block has come in through the edge nearest to it. Only in a notch it is behind two at once.
@@ -95,7 +93,8 @@ class Side {
         return !shallow.in_notch && is_behind(deep.contact, shallow.contact);
       });
     };
-    found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), is_hidden), found.end());
+    found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), is_hidden),
+                found.end());
   }
 
   const Outlines& outlines_;

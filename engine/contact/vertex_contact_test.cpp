@@ -66,8 +66,8 @@ TEST(VertexContact, AlignedBoxesTouchInTwoCorners) {
   }
 }
 
-// Across the whole edge and past both its corners. Where less than the corner distance is left of the common stretch, its
-// ends are one corner that meets another.
+// Across the whole edge and past both its corners. Where less than the corner distance is left of the common stretch,
+// its ends are one corner that meets another.
 TEST(VertexContact, ABoxThatSlidesAcrossAnotherHasTwo) {
   for (const double gap : small_gaps) {
     for (const double angle : {0.0, 1e-7, -1e-7}) {
@@ -163,8 +163,10 @@ Expected expectation(const Outlines& outlines, int vertex, int edge) {
   const double length = std::abs(place(next(edge)) - origin);
   const Complex turn = std::polar(1.0, -std::arg(place(next(edge)) - origin));
   const Complex w = turn * (place(vertex) - origin);
-  const auto dip = [&](int neighbour) { return std::asin(std::clamp(
-      (turn * (place(neighbour) - place(vertex)) / std::abs(place(neighbour) - place(vertex))).imag(), -1.0, 1.0)); };
+  const auto dip = [&](int neighbour) {
+    return std::asin(std::clamp(
+        (turn * (place(neighbour) - place(vertex)) / std::abs(place(neighbour) - place(vertex))).imag(), -1.0, 1.0));
+  };
   const double slack = std::asin(entrance_slack);
   const double gap = -w.imag();
   return {edge, vertex, gap,
@@ -185,7 +187,8 @@ std::vector<Expected> expectations(const Outlines& outlines) {
   return all;
 }
 
-// B's edge laid against A's, nearly antiparallel, at a random place along it and a random small gap: where contacts are.
+// B's edge laid against A's, nearly antiparallel, at a random place along it and a random small gap: where contacts
+// are.
 std::vector<Polygon> touching_pair() {
   const Ring a = random::star();
   const Ring b = random::star();
@@ -206,7 +209,8 @@ bool is_by_a_notch(const Outlines& outlines, const VertexContact& contact) {
   const auto place = [&](int i) { return complex_of(outlines.current[static_cast<std::size_t>(i)]); };
   const int start = contact.edge;
   const int end = outlines.next[static_cast<std::size_t>(start)];
-  const bool nearer_start = std::abs(place(contact.vertex) - place(start)) < std::abs(place(contact.vertex) - place(end));
+  const bool nearer_start =
+      std::abs(place(contact.vertex) - place(start)) < std::abs(place(contact.vertex) - place(end));
   const int middle = nearer_start ? start : end;
   const int before = outlines.previous[static_cast<std::size_t>(middle)];
   const int after = outlines.next[static_cast<std::size_t>(middle)];
@@ -230,7 +234,8 @@ RC_GTEST_PROP(VertexContactProperty, OnlyWhatTheOracleAllowsAndNoneTwice, ()) {
   RC_CLASSIFY(!found.empty());
   const std::vector<Expected> expected = expectations(outlines);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto match = std::find_if(expected.begin(), expected.end(), [&](const Expected& e) { return same(found[i], e); });
+    const auto match =
+        std::find_if(expected.begin(), expected.end(), [&](const Expected& e) { return same(found[i], e); });
     RC_ASSERT(match != expected.end());
     RC_ASSERT(std::abs(match->gap - found[i].gap) < 1e-12);
     // A vertex pressed into a notch lies beyond the ends of both edges there, by as much as it is pressed in.
@@ -259,8 +264,12 @@ RC_GTEST_PROP(VertexContactProperty, EveryContactOfTheOracleIsFoundOrANearerOne,
 // A pentagon with a base of this width and a notch opposite it, right way up.
 Polygon notched(double left, double base, double width) {
   const double right = left + width;
-  return {{{left, base}, {right, base}, {right - 0.2 * width, base + 0.6}, {left + width / 2, base + 0.3},
-           {left + 0.2 * width, base + 0.6}}, {}};
+  return {{{left, base},
+           {right, base},
+           {right - 0.2 * width, base + 0.6},
+           {left + width / 2, base + 0.3},
+           {left + 0.2 * width, base + 0.6}},
+          {}};
 }
 
 // Antiparallel edges at a small gap: both ends of their common stretch are contacts where the vertex there is convex.
@@ -274,7 +283,8 @@ RC_GTEST_PROP(VertexContactProperty, EndsOfACommonStretch, ()) {
   const Mat2 matrix = rotation(random::number(-3, 3));
   const Polygon lower = random::transformed(notched(-lower_width, 0, lower_width), -Mat2::Identity(), Vec2::Zero());
   const Polygon upper = notched(left, gap, width);
-  const auto found = contacts_of({random::transformed(lower, matrix, {1, 2}), random::transformed(upper, matrix, {1, 2})});
+  const auto found =
+      contacts_of({random::transformed(lower, matrix, {1, 2}), random::transformed(upper, matrix, {1, 2})});
   RC_ASSERT(found.size() == 2);
   for (const VertexContact& contact : found) RC_ASSERT(std::abs(contact.gap - gap) < 1e-14);
 }

@@ -1,0 +1,167 @@
+#include "dda/contact/moving_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dda/contact/contact_models.h"
+
+namespace dda {
+namespace {
+
+JointMaterial joint_of(double cohesion) {
+  JointMaterial joint;
+  joint.law = InterfaceLaw::classical;
+  joint.friction_angle = 0.5;
+  joint.cohesion = joint.tensile_strength = cohesion;
+  return joint;
+}
+
+// A box on a wider one, away from its corners, or on one just as wide.
+struct Scene {
+  explicit Scene(double floor_width, double cohesion = 0)
+      : model(model_of(
+            {{box_ring((1 - floor_width) / 2, 0, (1 + floor_width) / 2, 1), {}}, {box_ring(0, 1, 1, 2), {}}})) {
+    model.joints = {joint_of(cohesion)};
+    contacts = make_contacts(model);
+    state = initial_state(model);
+  }
+
+  void move_upper(double x, double y) { state.displacement[1].head<2>() += Vec2(x, y); }
+
+  Model model;
+  State state;
+  ContactSet contacts;
+};
+
+// As a step that presses, shears and slides would leave it.
+void load(ContactSet& contacts, double shear_gap, double slip) {
+  for (std::size_t i = 0; i < contacts.states.size(); ++i) {
+    InterfaceState& state = contacts.states[i];
+    state.status[0] = ContactStatus::sliding;
+    state.gap(1) = shear_gap * static_cast<double>(i + 1);
+    state.slip[0] = slip * static_cast<double>(i + 1);
+    state.force.head<2>() = contacts.elements[i].stiffness.head<2>().cwiseProduct(state.gap.head<2>());
+  }
+}
+
+TEST(MovingContacts, DryStretchesBecomeVertexContacts) {
+  Scene scene(3);
+  ASSERT_EQ(scene.contacts.interfaces.size(), 1U);
+  const MovingContacts moving(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.interfaces.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(scene.contacts.elements[i].length, 0);
+    EXPECT_TRUE(scene.contacts.states[i].broken[0]);
+    EXPECT_NEAR(scene.contacts.strengths[i].friction, std::tan(0.5), 1e-15);
+    EXPECT_EQ(scene.contacts.strengths[i].cohesion, 0);
+  }
+}
+
+TEST(MovingContacts, KnownContactsKeepShearAndSlipAndMeasureTheirGap) {
+  Scene scene(3);
+  MovingContacts moving(scene.model, scene.state, scene.contacts);
+  load(scene.contacts, 1e-6, 1e-4);
+  scene.move_upper(0.5, -1e-5);
+  moving.follow(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.states.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const InterfaceState& state = scene.contacts.states[i];
+    const Vec4& stiffness = scene.contacts.elements[i].stiffness;
+    const double number = static_cast<double>(i + 1);
+    EXPECT_EQ(state.status[0], ContactStatus::sliding);
+    EXPECT_EQ(state.gap(1), 1e-6 * number);
+    EXPECT_EQ(state.slip[0], 1e-4 * number);
+    EXPECT_NEAR(state.gap(0), -1e-5, 1e-15);
+    EXPECT_NEAR(state.force(0), -1e-5 * stiffness(0), 1e-15 * stiffness(0));
+    EXPECT_NEAR(state.force(1), 1e-6 * number * stiffness(1), 1e-18 * stiffness(1));
+  }
+}
+
+TEST(MovingContacts, ContactsThatOpenForgetTheirShear) {
+  Scene scene(3);
+  MovingContacts moving(scene.model, scene.state, scene.contacts);
+  load(scene.contacts, 1e-6, 1e-4);
+  scene.move_upper(0, 1e-3);
+  moving.follow(scene.model, scene.state, scene.contacts);
+  for (const InterfaceState& state : scene.contacts.states) {
+    EXPECT_EQ(state.status[0], ContactStatus::open);
+    EXPECT_TRUE(state.force.isZero(0));
+    EXPECT_EQ(state.gap(1), 0);
+  }
+  scene.move_upper(0, 1);
+  moving.follow(scene.model, scene.state, scene.contacts);
+  EXPECT_TRUE(scene.contacts.states.empty());
+}
+
+// Where two corners are above each other, it is the one's vertex on the other's edge or the other way round, whichever
+// side either is off by: still the same contact.
+TEST(MovingContacts, AlignedCornersKeepTheirHistory) {
+  for (const double shift : {1e-9, 1e-5, -1e-9, -1e-5}) {
+    Scene scene(1);
+    MovingContacts moving(scene.model, scene.state, scene.contacts);
+    scene.move_upper(-shift, -1e-6);
+    moving.follow(scene.model, scene.state, scene.contacts);
+    ASSERT_EQ(scene.contacts.states.size(), 2U);
+    load(scene.contacts, 1e-7, 1e-4);
+    for (InterfaceState& state : scene.contacts.states) state.slip[0] = 3e-4;
+    const auto shear_on_upper = [&] {
+      Eigen::VectorXd force = Eigen::VectorXd::Zero(12);
+      for (InterfaceState& state : scene.contacts.states) {
+        state.gap(1) = std::copysign(1e-7, state.gap(1));
+        state.force(1) = std::copysign(scene.contacts.elements[0].stiffness(1) * 1e-7, state.force(1));
+      }
+      add_contact_force(scene.contacts, force);
+      return force(6);
+    };
+    const double before = shear_on_upper();
+    ASSERT_NE(before, 0);
+    scene.move_upper(2 * shift, 0);
+    moving.follow(scene.model, scene.state, scene.contacts);
+    ASSERT_EQ(scene.contacts.states.size(), 2U);
+    for (const InterfaceState& state : scene.contacts.states) {
+      EXPECT_EQ(state.slip[0], 3e-4) << shift;
+      EXPECT_EQ(state.gap(1), 1e-7) << shift;
+    }
+    EXPECT_NEAR(shear_on_upper(), before, 1e-9 * std::abs(before)) << shift;
+  }
+}
+
+// A vertex that slides over a joint in its path, from one edge to the next in line.
+TEST(MovingContacts, HistoryGoesOnAlongTheNextEdgeInLine) {
+  Model model = model_of({{{{0, 0}, {4, 0}, {4, 1}, {2, 1}, {0, 1}}, {}}, {box_ring(0.9, 1, 1.9, 2), {}}});
+  model.joints = {joint_of(0)};
+  ContactSet contacts = make_contacts(model);
+  State state = initial_state(model);
+  MovingContacts moving(model, state, contacts);
+  ASSERT_EQ(contacts.states.size(), 2U);
+  load(contacts, 1e-7, 0);
+  for (InterfaceState& each : contacts.states) each.slip[0] = 3e-4;
+  state.displacement[1](0) += 0.2;
+  moving.follow(model, state, contacts);
+  // The straight vertex between the edges has come under the box: a third contact, without history.
+  ASSERT_EQ(contacts.states.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(contacts.states[i].slip[0], contacts.interfaces[i].block_b == 1 ? 3e-4 : 0);
+}
+
+TEST(MovingContacts, StretchesWithStrengthStayUntilBothEndsAreBroken) {
+  Scene scene(3, 1e6);
+  MovingContacts moving(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.interfaces.size(), 1U);
+  EXPECT_GT(scene.contacts.interfaces[0].length, 0);
+  scene.contacts.states[0].broken = {true, false};
+  moving.follow(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.interfaces.size(), 1U);
+  scene.contacts.states[0].broken = {true, true};
+  moving.follow(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.interfaces.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(scene.contacts.elements[i].length, 0);
+    EXPECT_EQ(scene.contacts.strengths[i].cohesion, 0);
+    EXPECT_NEAR(scene.contacts.strengths[i].friction, std::tan(0.5), 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,7 +1,8 @@
-// Watches whether the interfaces of the start still cover all contacts of a scene whose blocks move.
+// Watches whether the interfaces of the start still cover all contacts of a scene with finite kinematics whose joints
+// are all bonded. (Where some are not, MovingContacts finds contacts anew.)
 //
-// Interfaces are found once, from the drawing. When blocks come to overlap elsewhere, or slide off an interface, the
-// forces between them are no longer right, and the run must not go on as if nothing had happened.
+// Bonded interfaces are found once, from the drawing. When blocks come to overlap elsewhere, or slide off an interface,
+// the forces between them are no longer right, and the run must not go on as if nothing had happened.
 #pragma once
 
 #include <string>

@@ -17,10 +17,13 @@ namespace {
 // then off by as much, and gaps by half its square.
 constexpr double geometry_tolerance = 1e-6;
 
-bool contacts_move(const Model& model, const ContactSet& contacts) {
-  return contacts.can_change && std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& stage) {
-           return stage.kinematics == Kinematics::finite;
-         });
+// Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
+bool contacts_move(const Model& model) {
+  const bool can_touch =
+      model.blocks.size() > 1 && std::any_of(model.joints.begin(), model.joints.end(),
+                                             [](const JointMaterial& joint) { return !joint.bonded; });
+  return can_touch && std::any_of(model.stages.begin(), model.stages.end(),
+                                  [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
 }
 
 }  // namespace
@@ -39,7 +42,8 @@ Simulation::Simulation(Model model)
   for (Eigen::VectorXd* vector :
        {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
     vector->setZero(unknowns);
-  if (contacts_move(model_, contacts_)) {
+  if (contacts_move(model_)) {
+    contacts_.can_change = true;
     moving_.emplace(model_, state_, contacts_);
     matrix_ = make_system_matrix(matrix_.size(), moving_->pairs());
   }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <ranges>
 
 #include "verification/thesis/findings.h"
 #include "verification/thesis/plots.h"
@@ -81,7 +80,9 @@ Section table_section(const std::string& title, const Table& table, const std::s
 
 Section history_section(const Calibration& calibration) {
   Section section{"The wave at 50 m", {}};
-  for (const double dt : std::views::reverse(calibration.time_steps))  // as the thesis numbers its figures
+  std::vector<double> time_steps = calibration.time_steps;
+  std::ranges::sort(time_steps, std::greater());  // as the thesis numbers its figures
+  for (const double dt : time_steps)
     section.pieces.emplace_back(Figure{
         path_of(history_figure(dt)),
         fmt::format("**Fig. {}** of the thesis: σₓ against time for the five block lengths at Δt = {} ms, tension "

@@ -43,11 +43,11 @@ class Program : public FolderTest {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
 
-  // Sends `number` once the run has written its first checkpoint, which it does before its first step.
+  // Sends `number` once the run is under way: rows are being written, and there is a checkpoint.
   int interrupt(const std::vector<std::string>& arguments, int number) {
     const pid_t process = start(arguments);
-    for (int i = 0; i < 10000 && !exists("out/checkpoint.bin"); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const auto under_way = [&] { return exists("out/histories.csv.tmp") && exists("out/checkpoint.bin"); };
+    for (int i = 0; i < 10000 && !under_way(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
     ::kill(process, number);
     return end_of(process);

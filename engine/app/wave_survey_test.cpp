@@ -123,6 +123,20 @@ TEST(WaveSurvey, PlanesOfBlocksCarryTwoWaves) {
   EXPECT_FALSE(waves[0].wave.cubic);
 }
 
+// Two narrow blocks beside each other on a wide one on a foot: all joints are level, but that is no bar.
+TEST(WaveSurvey, BranchesAreNoBar) {
+  const Model model = parse_scene(R"({"dda": 1,
+ "materials": {"rock": {"density": 2500, "young": "20 GPa", "poisson": 0.25}},
+ "joints": {"default": {"bonded": true}},
+ "blocks": [{"polygon": {"vertices": [[0, 0], [3, 0], [3, 1], [0, 1]]}},
+            {"polygon": {"vertices": [[0, 1], [3, 1], [3, 2], [0, 2]]}},
+            {"polygon": {"vertices": [[0, 2], [1, 2], [1, 3], [0, 3]]}},
+            {"polygon": {"vertices": [[2, 2], [3, 2], [3, 3], [2, 3]]}}],
+ "steps": {"dt": 1e-4, "duration": 0.01, "kinematics": "small"}})",
+                                  "branches");
+  EXPECT_EQ(survey_waves(model, make_contacts(model), model.stages[0], 50).size(), 2U);
+}
+
 TEST(WaveSurvey, NoneWhereNothingRuns) {
   Model model = grid(R"("bonded": true)");
   model.stages[0].integrator = static_integrator();

@@ -71,7 +71,7 @@ ContactRange::ContactRange(const Model& model, const std::vector<Interface>& int
   }
   for (const Interface& interface : interfaces) {
     slide_limit_.push_back(slide_limit(model, interface));
-    of_pair_.push_back({std::minmax(interface.block_a, interface.block_b), static_cast<int>(of_pair_.size())});
+    of_pair_.emplace_back(std::minmax(interface.block_a, interface.block_b), static_cast<int>(of_pair_.size()));
   }
   std::sort(of_pair_.begin(), of_pair_.end());
 }

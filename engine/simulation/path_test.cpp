@@ -11,7 +11,7 @@ namespace {
 
 // Everything a bonded scene can have.
 Model full_scene(const JointMaterial& joint, const Integrator& integrator, bool grid) {
-  Model model = grid ? grid_of(3, joint, GridPattern::running_bond) : bar_of(5, joint);
+  Model model = grid ? grid_of(3, joint, Pattern::running_bond) : bar_of(5, joint);
   const double right = grid ? 3 : 5;
   const int last = static_cast<int>(model.blocks.size()) - 1;
   const double top = grid ? 2.1 : 0.8;

@@ -75,7 +75,7 @@ Momentum momentum_of(const Simulation& simulation, bool moved) {
 }
 
 // A bonded wall of which every block flies its own way.
-Model torn_wall(const JointMaterial& joint, const Stage& stage, GridPattern pattern, double speed) {
+Model torn_wall(const JointMaterial& joint, const Stage& stage, Pattern pattern, double speed) {
   Model model = grid_of(3, joint, pattern);
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const double phase = 1.7 * static_cast<double>(i);
@@ -90,7 +90,7 @@ struct Drift {
   double linear, angular;  // relative to the sum of magnitudes
 };
 
-Drift momentum_drift(const JointMaterial& joint, const Stage& stage, GridPattern pattern, double speed) {
+Drift momentum_drift(const JointMaterial& joint, const Stage& stage, Pattern pattern, double speed) {
   const bool moved = stage.kinematics == Kinematics::finite;
   Simulation simulation = simulation_of(torn_wall(joint, stage, pattern, speed));
   const Momentum before = momentum_of(simulation, moved);
@@ -104,7 +104,7 @@ Drift momentum_drift(const JointMaterial& joint, const Stage& stage, GridPattern
 TEST(Momentum, IsConservedInSmallKinematics) {
   for (const JointMaterial& joint : {bond(InterfaceLaw::classical), bond(InterfaceLaw::consistent),
                                      strong(InterfaceLaw::classical), strong(InterfaceLaw::consistent)}) {
-    for (const GridPattern pattern : {GridPattern::stack, GridPattern::running_bond}) {
+    for (const Pattern pattern : {Pattern::stack, Pattern::running_bond}) {
       for (const Integrator& integrator : dynamic_integrators()) {
         // 200 solves with a matrix of condition 1e3 to 1e4.
         const Drift drift = momentum_drift(joint, stage_of(integrator, 1e-4, 200), pattern, 0.1);
@@ -120,11 +120,11 @@ TEST(Momentum, InFiniteKinematicsLinearIsExactAndAngularAsStrainsAreSmall) {
     const Stage stage = stage_of(generalized_alpha_integrator(0.8), 1e-4, 200, Kinematics::finite);
     // Speeds of 0.1 m/s give strains of v/c = 2e-4; arms follow the blocks a step late and forces act on either side of
     // a gap, so that the moment is in error by that share.
-    const Drift drift = momentum_drift(bond(law), stage, GridPattern::stack, 0.1);
+    const Drift drift = momentum_drift(bond(law), stage, Pattern::stack, 0.1);
     EXPECT_LT(drift.linear, 1e-11);
     EXPECT_LT(drift.angular, 2e-4);
     // A tenth of the speed, a tenth of the error.
-    const Drift slower = momentum_drift(bond(law), stage, GridPattern::stack, 0.01);
+    const Drift slower = momentum_drift(bond(law), stage, Pattern::stack, 0.01);
     EXPECT_LT(slower.angular, 0.2 * drift.angular);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -10,7 +11,6 @@
 
 #include "dda/contact/contact_models.h"
 #include "dda/model/model.h"
-#include "dda/scene/generators.h"
 #include "dda/simulation/simulation.h"
 
 namespace dda {
@@ -40,20 +40,29 @@ inline JointMaterial strong(InterfaceLaw law) {
   return joint;
 }
 
-// Not finished: loads and stages are still to come.
+// Blocks of 1 m in a row. Not finished: loads and stages are still to come.
 inline Model bar_of(int blocks, const JointMaterial& joint, const Material& material = rock()) {
   Model model;
   model.materials = {material};
   model.joints = {joint};
-  append_bar(model, {.length = 1.0 * blocks, .height = 0.8, .block_length = 1});
+  for (int i = 0; i < blocks; ++i) model.blocks.emplace_back().shape.outer = box_ring(i, 0, i + 1, 0.8);
   return model;
 }
 
-inline Model grid_of(int size, const JointMaterial& joint, GridPattern pattern = GridPattern::stack) {
+enum class Pattern { stack, running_bond };
+
+// `size` rows of as many blocks 1 m wide; in a running bond the odd ones have half blocks at both ends.
+inline Model grid_of(int size, const JointMaterial& joint, Pattern pattern = Pattern::stack) {
+  constexpr double height = 0.7;
   Model model;
   model.materials = {rock()};
   model.joints = {joint};
-  append_grid(model, {.columns = size, .rows = size, .block_width = 1, .block_height = 0.7, .pattern = pattern});
+  for (int row = 0; row < size; ++row) {
+    const double shift = pattern == Pattern::running_bond && row % 2 == 1 ? 0.5 : 0;
+    for (double left = -shift; left < size; ++left)
+      model.blocks.emplace_back().shape.outer =
+          box_ring(std::max(left, 0.0), height * row, std::min(left + 1, 1.0 * size), height * (row + 1));
+  }
   return model;
 }
 

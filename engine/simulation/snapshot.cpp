@@ -118,6 +118,7 @@ struct SnapshotAccess {
 
   template <typename AnySimulation, typename Archive>
   static void place_in_run(AnySimulation& s, Archive& archive) {
+    archive.same(s.model_.stages.size(), "stages");
     if (!s.moving_) archive.same(s.contacts_.interfaces.size(), "interfaces");
     archive.same(s.supports_.size(), "supports");
     archive.same(s.external_.loads_.size(), "loads");

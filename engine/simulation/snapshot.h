@@ -16,8 +16,8 @@ std::vector<std::byte> save(const Simulation& simulation);
 
 // Brings a simulation of the same model to where `snapshot` and `state` were saved. Its counters go on from there, with
 // one more analysis and factorization. Loads and the durations of stages may differ from those of the saved run; throws
-// InputError (without a file) when the number of interfaces, supports, loads or viscous edges does, when the stage that
-// was under way has another time step or is now over, or when the bytes are not a snapshot.
+// InputError (without a file) when the number of stages, interfaces, supports, loads or viscous edges does, when the
+// stage that was under way has another time step or is now over, or when the bytes are not a snapshot.
 void restore(Simulation& simulation, State state, std::span<const std::byte> snapshot);
 
 }  // namespace dda

@@ -16,7 +16,8 @@ struct Bullets {
   std::vector<std::string> items;
 };
 
-// A heading over several neighbouring columns; HTML only. An empty title leaves them without.
+// A heading over several neighbouring columns (in Markdown before the name of each). An empty title leaves them
+// without.
 struct ColumnGroup {
   std::string title;
   int columns = 1;

@@ -21,6 +21,17 @@ std::string row_of(const std::vector<std::string>& cells) {
   return row + "\n";
 }
 
+// The header with each column's group before its name: Markdown has no cells over several columns.
+std::vector<std::string> full_header(const Table& table) {
+  std::vector<std::string> header = table.header;
+  std::size_t column = 0;
+  for (const ColumnGroup& group : table.groups) {
+    for (int i = 0; i < group.columns; ++i, ++column)
+      if (!group.title.empty()) header.at(column) = fmt::format("{}: {}", group.title, header[column]);
+  }
+  return header;
+}
+
 std::string rule_of(const Table& table) {
   std::string rule = "|";
   for (std::size_t i = 0; i < table.header.size(); ++i) rule += table.numeric && i > 0 ? "---:|" : "---|";
@@ -38,7 +49,7 @@ struct Renderer {
 
   std::string operator()(const Table& table) const {
     std::string text = table.caption.empty() ? "" : table.caption + "\n\n";
-    text += row_of(table.header) + rule_of(table);
+    text += row_of(full_header(table)) + rule_of(table);
     for (const std::vector<std::string>& row : table.rows) text += row_of(row);
     return text + "\n";
   }

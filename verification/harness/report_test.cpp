@@ -29,6 +29,12 @@ TEST(Markdown, EscapesBarsInTables) {
   EXPECT_NE(text.find("- first\n"), std::string::npos);
 }
 
+TEST(Markdown, NamesTheGroupOfAColumn) {
+  Document document = example();
+  std::get<Table>(document.sections[0].pieces[2]).groups = {{"", 1}, {"second", 1}};
+  EXPECT_NE(to_markdown(document).find("| what | second: x\\|y |\n"), std::string::npos);
+}
+
 TEST(Html, EscapesAndMarksUp) {
   EXPECT_EQ(inline_html("a < b & **c** `d`"), "a &lt; b &amp; <strong>c</strong> <code>d</code>");
   EXPECT_EQ(inline_html("a ** b"), "a ** b");

@@ -39,7 +39,8 @@ Promise at_most(const Calibration& calibration, std::string claim, double limit,
   return promise;
 }
 
-RowTest scheme_is(std::string name, double shortest = 0, double longest = std::numeric_limits<double>::infinity()) {
+RowTest scheme_is(const std::string& name, double shortest = 0,
+                  double longest = std::numeric_limits<double>::infinity()) {
   return [=](const CalibrationRow& row) {
     return row.scheme == name && row.block_length >= shortest && row.block_length <= longest;
   };

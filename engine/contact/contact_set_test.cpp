@@ -1,0 +1,75 @@
+#include "dda/contact/contact_set.h"
+
+#include <gtest/gtest.h>
+
+#include "dda/contact/contact_models.h"
+
+namespace dda {
+namespace {
+
+constexpr double round_off = 1e-13;  // of coordinates of order ten
+
+// Two blocks side by side, drawn at a slant and moved together by x -> shift + deformation * x.
+struct MovedPair {
+  MovedPair(const Mat2& deformation, const Vec2& shift)
+      : model(model_of({{{{0, 0}, {2, 0}, {1.5, 1}, {0, 1}}, {}}, {{{2, 0}, {3, 0}, {3, 2}, {1, 2}}, {}}})),
+        state(initial_state(model)) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Vec2& centroid = model.blocks[i].moments.centroid;
+      state.deformation[i] = deformation;
+      state.displacement[i].head<2>() = shift + deformation * centroid - centroid;
+    }
+  }
+  Model model;
+  State state;
+};
+
+TEST(CurrentFrame, FollowsTheBlocks) {
+  const Mat2 stretch = (Mat2() << 1.2, 0.3, 0.3, 0.8).finished();
+  for (const double angle : {0.0, 0.6, -2.0}) {
+    const Mat2 deformation = rotation(angle) * stretch;
+    const Vec2 shift(3, -1);
+    const MovedPair moved(deformation, shift);
+    const Interface interface = find_interfaces(moved.model).at(0);
+    const InterfaceFrame frame = current_frame(moved.model, moved.state, interface);
+    const Vec2 from = shift + deformation * interface.from;
+    const Vec2 to = shift + deformation * interface.to;
+    EXPECT_LT((frame.from_a - from).norm() + (frame.from_b - from).norm(), round_off);
+    EXPECT_LT((frame.to_a - to).norm() + (frame.to_b - to).norm(), round_off);
+    const Vec2 along = (to - from).normalized();
+    EXPECT_LT((frame.normal - Vec2(along.y(), -along.x())).norm(), round_off);  // block a on the left
+    EXPECT_LT((frame.centroid_b - current_centroid(moved.model, moved.state, 1)).norm(), round_off);
+  }
+}
+
+TEST(CurrentFrame, NormalIsBetweenThoseOfTheTwoEdges) {
+  MovedPair moved(Mat2::Identity(), Vec2::Zero());
+  moved.state.deformation[0] = rotation(0.02);
+  moved.state.deformation[1] = rotation(0.06);
+  const Interface interface = find_interfaces(moved.model).at(0);
+  const InterfaceFrame frame = current_frame(moved.model, moved.state, interface);
+  EXPECT_LT((frame.normal - rotation(0.04) * interface.normal).norm(), round_off);
+}
+
+TEST(UpdateGeometry, ElementsTurnWithTheBlocks) {
+  const double angle = 0.7;
+  const MovedPair moved(rotation(angle), Vec2(1, 2));
+  ContactSet contacts = make_contacts(moved.model);
+  update_geometry(moved.model, moved.state, contacts);
+  Model turned = moved.model;
+  place(turned, angle, Vec2(1, 2));
+  const ContactSet expected = make_contacts(turned);
+  EXPECT_LT((contacts.elements[0].rows_a - expected.elements[0].rows_a).norm(), round_off);
+  EXPECT_LT((contacts.elements[0].rows_b - expected.elements[0].rows_b).norm(), round_off);
+  EXPECT_LT((contacts.elements[0].stress_rows_a - expected.elements[0].stress_rows_a).norm(), round_off);
+}
+
+TEST(MakeContacts, KnowsWhetherAnythingCanChange) {
+  Model model = model_of({{box_ring(0, 0, 1, 1), {}}, {box_ring(1, 0, 2, 1), {}}});
+  EXPECT_TRUE(make_contacts(model).can_change);
+  model.joints[0].bonded = true;
+  EXPECT_FALSE(make_contacts(model).can_change);
+}
+
+}  // namespace
+}  // namespace dda

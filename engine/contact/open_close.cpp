@@ -81,7 +81,8 @@ Vec4 force_without_motion(const InterfaceElement& element, const InterfaceState&
 }
 
 bool judge(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
-           const Vec4& gap_change, const Vec3& stress_a, const Vec3& stress_b, double friction_tolerance, InterfaceState& trial) {
+           const Vec4& gap_change, const Vec3& stress_a, const Vec3& stress_b, double friction_tolerance,
+           InterfaceState& trial) {
   const Vec4 gap = start.gap + gap_change;
   if (has_stress_rows(element)) {
     trial.gap = gap;

@@ -74,8 +74,8 @@ bool Simulation::judge_contacts() {
       stress_a = trial_stress(element.block_a);
       stress_b = trial_stress(element.block_b);
     }
-    const bool again = judge(element, contacts_.strengths[i], contacts_.states[i],
-                             gap_increment(element, increment_), stress_a, stress_b, friction_tolerance, trial_[i]);
+    const bool again = judge(element, contacts_.strengths[i], contacts_.states[i], gap_increment(element, increment_),
+                             stress_a, stress_b, friction_tolerance, trial_[i]);
     changed = changed || again;
     if (has_stress_rows(element)) changed = weaken_consistent(i) || changed;
     if (trial_[i].status == old_status) continue;

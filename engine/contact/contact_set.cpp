@@ -15,7 +15,8 @@ Vec2 moved(const Model& model, const State& state, int block, const Vec2& refere
 }
 
 bool stays_linear(const Model& model) {
-  return std::all_of(model.joints.begin(), model.joints.end(), [](const JointMaterial& joint) { return joint.bonded; }) &&
+  return std::all_of(model.joints.begin(), model.joints.end(),
+                     [](const JointMaterial& joint) { return joint.bonded; }) &&
          std::all_of(model.stages.begin(), model.stages.end(),
                      [](const Stage& stage) { return stage.kinematics == Kinematics::small; });
 }
@@ -38,9 +39,12 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
   };
   // A lone vertex presses on block a's edge: that edge alone has a direction.
   const Vec2 normal = interface.length > 0 ? turned(a) + turned(b) : turned(a);
-  return {moved(model, state, interface.block_a, interface.from), moved(model, state, interface.block_a, interface.to),
-          moved(model, state, interface.block_b, interface.from), moved(model, state, interface.block_b, interface.to),
-          normal.normalized(), current_centroid(model, state, interface.block_a),
+  return {moved(model, state, interface.block_a, interface.from),
+          moved(model, state, interface.block_a, interface.to),
+          moved(model, state, interface.block_b, interface.from),
+          moved(model, state, interface.block_b, interface.to),
+          normal.normalized(),
+          current_centroid(model, state, interface.block_a),
           current_centroid(model, state, interface.block_b)};
 }
 
@@ -80,8 +84,8 @@ Vec2 mean_traction(const Model& model, const Interface& interface, const Interfa
   Vec2 force = state.force.head<2>();
   if (element.law == InterfaceLaw::classical) force += state.force.tail<2>();
   if (element.law == InterfaceLaw::cubic) {
-    const double unit =
-        side_free_modulus(model.material_of(interface.block_a)) * element.length / cubic_half_distance(model, interface);
+    const double unit = side_free_modulus(model.material_of(interface.block_a)) * element.length /
+                        cubic_half_distance(model, interface);
     force(0) += (cubic::gap_at_interface - cubic::gap_stiffness) * unit * state.gap(0);
   }
   return force / element.length;

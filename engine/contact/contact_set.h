@@ -24,8 +24,8 @@ struct ContactSet {
 // the inertia between blocks constant.
 ContactSet make_contacts(const Model& model);
 
-// The state of a bonded interface whose geometry stays, from the blocks' total displacements and current stresses instead
-// of step by step; `gap_at_rest` is its gap at zero displacement.
+// The state of a bonded interface whose geometry stays, from the blocks' total displacements and current stresses
+// instead of step by step; `gap_at_rest` is its gap at zero displacement.
 InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_rest, const Vec6& displacement_a,
                             const Vec6& displacement_b, const Vec3& stress_a, const Vec3& stress_b);
 

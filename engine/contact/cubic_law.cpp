@@ -38,8 +38,8 @@ bool is_square_to_chain(const Model& model, const Interface& interface) {
   const Vec2 to_b = block_of(model, interface.block_b).moments.centroid - middle;
   const double depth_a = -to_a.dot(interface.normal);
   const double depth_b = to_b.dot(interface.normal);
-  const bool on_line = (to_a + depth_a * interface.normal).norm() < tolerance &&
-                       (to_b - depth_b * interface.normal).norm() < tolerance;
+  const bool on_line =
+      (to_a + depth_a * interface.normal).norm() < tolerance && (to_b - depth_b * interface.normal).norm() < tolerance;
   // A rectangle's area is its width times twice the depth of its centroid; anything else is no slice of a bar.
   const double slice = 2 * depth_a * interface.length;
   return on_line && std::abs(depth_a - depth_b) < tolerance &&
@@ -55,8 +55,8 @@ double side_free_modulus(const Material& material) {
 }
 
 double cubic_half_distance(const Model& model, const Interface& interface) {
-  const Vec2 distance = block_of(model, interface.block_b).moments.centroid -
-                        block_of(model, interface.block_a).moments.centroid;
+  const Vec2 distance =
+      block_of(model, interface.block_b).moments.centroid - block_of(model, interface.block_a).moments.centroid;
   return distance.dot(interface.normal) / 2;
 }
 
@@ -117,9 +117,9 @@ Mat6 lateral_inertia(double mass, const AreaMoments& moments, const Vec2& normal
   const Vec2 side(-normal.y(), normal.x());
   Vec6 strain;
   strain << 0, 0, 0, side.x() * side.x(), side.y() * side.y(), side.x() * side.y();
-  const double mean_square = (side.x() * side.x() * moments.xx + side.y() * side.y() * moments.yy +
-                              2 * side.x() * side.y() * moments.xy) /
-                             moments.area;
+  const double mean_square =
+      (side.x() * side.x() * moments.xx + side.y() * side.y() * moments.yy + 2 * side.x() * side.y() * moments.xy) /
+      moments.area;
   return mass * mean_square * strain * strain.transpose();
 }
 

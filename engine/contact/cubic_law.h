@@ -53,8 +53,8 @@ struct InterfaceInertia {
 };
 
 // `period_error`: epsilon of the integrator, whose oscillators run at omega^2 (1 - epsilon omega^2 dt^2), or 0. Inertia
-// of relative motion is lowered by epsilon (c dt/2h)^2 of the cell's mass to make up for it, by at most a tenth: at 17/140
-// of it the inertia of waves two blocks long would vanish.
+// of relative motion is lowered by epsilon (c dt/2h)^2 of the cell's mass to make up for it, by at most a tenth: at
+// 17/140 of it the inertia of waves two blocks long would vanish.
 InterfaceInertia interface_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 
 // What the sideways strain of a block adds to its inertia (6x6), for a chain that runs along `normal`.

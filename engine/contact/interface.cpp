@@ -73,8 +73,7 @@ class PairSearch {
   }
 
   // Vertices of `other` inside an edge of `owner` that are not an end of a stretch found before.
-  void find_vertices(int owner, int other, const std::vector<Edge>& owner_edges,
-                     const std::vector<Edge>& other_edges) {
+  void find_vertices(int owner, int other, const std::vector<Edge>& owner_edges, const std::vector<Edge>& other_edges) {
     for (const Edge& edge : owner_edges) {
       for (const Edge& start_here : other_edges) {
         const Vec2& vertex = start_here.segment.start;

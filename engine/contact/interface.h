@@ -13,10 +13,10 @@ namespace dda {
 struct Interface {
   int block_a = 0;
   int block_b = 0;
-  Vec2 from, to;     // reference coordinates; block a lies on the left of from -> to
-  Vec2 normal;       // unit, from block a into block b
-  double length = 0; // m
-  int joint = 0;     // index into Model::joints
+  Vec2 from, to;      // reference coordinates; block a lies on the left of from -> to
+  Vec2 normal;        // unit, from block a into block b
+  double length = 0;  // m
+  int joint = 0;      // index into Model::joints
 };
 
 // Index of the joint between two blocks, into Model::joints.

@@ -12,12 +12,10 @@ namespace {
 const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
 
 // Rows (normal, tangent): the local components of a global vector.
-Mat2 local_axes(const Vec2& normal) {
-  return (Mat2() << normal.x(), normal.y(), -normal.y(), normal.x()).finished();
-}
+Mat2 local_axes(const Vec2& normal) { return (Mat2() << normal.x(), normal.y(), -normal.y(), normal.x()).finished(); }
 
-// Width of a block across an interface with this normal. The sum of length * width over the sides of any convex block is
-// about four times its area (six for a triangle), which is what bounds Nitsche's penalty from below.
+// Width of a block across an interface with this normal. The sum of length * width over the sides of any convex block
+// is about four times its area (six for a triangle), which is what bounds Nitsche's penalty from below.
 double width(const Model& model, int block, const Vec2& normal) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -86,12 +84,8 @@ Mat46 rows_of(const Mat2& axes, const Vec2& from, const Vec2& to, const Vec2& ce
   const Mat26 last = local_rows(axes, to - centroid);
   Mat46 rows;
   switch (law) {
-    case InterfaceLaw::classical:
-      rows << first, last;
-      break;
-    case InterfaceLaw::consistent:
-      rows << (first + last) / 2, (last - first) / 2;
-      break;
+    case InterfaceLaw::classical: rows << first, last; break;
+    case InterfaceLaw::consistent: rows << (first + last) / 2, (last - first) / 2; break;
     case InterfaceLaw::cubic:
       rows << (first + last) / 2, normal_strain_row(axes.row(0), ((from + to) / 2 - centroid).norm()),
           (last.row(0) - first.row(0)) / 2;
@@ -112,8 +106,7 @@ Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side
   rows.topRows<2>() = length / 2 * axes * traction;
   if (law == InterfaceLaw::consistent) return rows;
   const Vec2 side_direction = axes.row(1);
-  const Eigen::RowVector3d axial =
-      normal_stress_row(n) - side_free_ratio(material) * normal_stress_row(side_direction);
+  const Eigen::RowVector3d axial = normal_stress_row(n) - side_free_ratio(material) * normal_stress_row(side_direction);
   rows.row(0) = length / 2 * axial;
   rows.row(2) = side * cubic::jump_traction * length * axial;
   return rows;
@@ -122,20 +115,20 @@ Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side
 }  // namespace
 
 InterfaceFrame reference_frame(const Model& model, const Interface& interface) {
-  return {interface.from,   interface.to,
-          interface.from,   interface.to,
-          interface.normal, block_of(model, interface.block_a).moments.centroid,
+  return {interface.from,
+          interface.to,
+          interface.from,
+          interface.to,
+          interface.normal,
+          block_of(model, interface.block_a).moments.centroid,
           block_of(model, interface.block_b).moments.centroid};
 }
 
 Vec4 interface_stiffness(const Model& model, const Interface& interface, InterfaceLaw law) {
   switch (law) {
-    case InterfaceLaw::classical:
-      return classical_stiffness(model, interface);
-    case InterfaceLaw::consistent:
-      return consistent_stiffness(model, interface);
-    case InterfaceLaw::cubic:
-      break;
+    case InterfaceLaw::classical: return classical_stiffness(model, interface);
+    case InterfaceLaw::consistent: return consistent_stiffness(model, interface);
+    case InterfaceLaw::cubic: break;
   }
   return cubic_stiffness(model, interface);
 }

@@ -12,7 +12,8 @@ EndStrength end_strength(const JointMaterial& joint, double length) {
 }
 
 bool exceeds(const EndStrength& strength, double normal_force, double shear_force) {
-  return normal_force > strength.tension || std::abs(shear_force) > strength.cohesion - strength.friction * normal_force;
+  return normal_force > strength.tension ||
+         std::abs(shear_force) > strength.cohesion - strength.friction * normal_force;
 }
 
 Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b) {
@@ -26,7 +27,8 @@ InterfaceState as_classical(const InterfaceState& consistent, const Vec4& classi
   state.force << consistent.force.head<2>() - consistent.force.tail<2>(),
       consistent.force.head<2>() + consistent.force.tail<2>();
   state.force /= 2;
-  for (Eigen::Index row = 0; row < 4; ++row) state.gap(row) = elastic_gap(state.force(row), classical_stiffness(row), 0);
+  for (Eigen::Index row = 0; row < 4; ++row)
+    state.gap(row) = elastic_gap(state.force(row), classical_stiffness(row), 0);
   return state;
 }
 

@@ -7,11 +7,11 @@ namespace dda {
 
 enum class Status {
   ok,
-  not_converged,   // the open-close iteration or the linear solver did not converge
-  not_finite,      // a displacement, velocity or stress is NaN or infinite
-  singular,        // the system matrix is not positive definite: a block has neither inertia nor support
+  not_converged,       // the open-close iteration or the linear solver did not converge
+  not_finite,          // a displacement, velocity or stress is NaN or infinite
+  singular,            // the system matrix is not positive definite: a block has neither inertia nor support
   left_contact_range,  // blocks meet where they did not at the start, which is not followed; the state is the first so
-  stopped,         // the user asked to stop; the state is complete and can be resumed
+  stopped,             // the user asked to stop; the state is complete and can be resumed
 };
 
 constexpr std::string_view to_string(Status status) {

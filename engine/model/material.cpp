@@ -16,8 +16,12 @@ Mat3 elasticity_matrix(const Material& material) {
 
 double bar_wave_speed(const Material& material) { return std::sqrt(material.young / material.density); }
 
-double p_wave_speed(const Material& material) { return std::sqrt(elasticity_matrix(material)(0, 0) / material.density); }
+double p_wave_speed(const Material& material) {
+  return std::sqrt(elasticity_matrix(material)(0, 0) / material.density);
+}
 
-double s_wave_speed(const Material& material) { return std::sqrt(elasticity_matrix(material)(2, 2) / material.density); }
+double s_wave_speed(const Material& material) {
+  return std::sqrt(elasticity_matrix(material)(2, 2) / material.density);
+}
 
 }  // namespace dda

@@ -45,7 +45,7 @@ struct PointSupport {
   Vec2 point;
   bool holds_x = true;
   bool holds_y = true;
-  double stiffness = 0;                // N/m per m of thickness
+  double stiffness = 0;              // N/m per m of thickness
   Vec2 displacement = Vec2::Zero();  // m, prescribed, times history
   TimeFunction history;
 };
@@ -59,26 +59,32 @@ struct ViscousEdge {
 };
 
 enum class Quantity {
-  stress_xx, stress_yy, stress_xy,      // Pa, of the block (constant in it)
-  displacement_x, displacement_y,       // m, of the material point since the start
-  velocity_x, velocity_y,               // m/s, of the material point
-  acceleration_x, acceleration_y,       // m/s2
-  rotation,                             // rad, of the block since the start
-  traction_normal, traction_shear,      // Pa, mean over the interface at the point; tension positive
+  stress_xx,
+  stress_yy,
+  stress_xy,  // Pa, of the block (constant in it)
+  displacement_x,
+  displacement_y,  // m, of the material point since the start
+  velocity_x,
+  velocity_y,  // m/s, of the material point
+  acceleration_x,
+  acceleration_y,  // m/s2
+  rotation,        // rad, of the block since the start
+  traction_normal,
+  traction_shear,  // Pa, mean over the interface at the point; tension positive
 };
 
 struct Measurement {
   std::string name;
   Quantity quantity = Quantity::stress_xx;
-  int block = 0;        // for a traction: one of the two blocks
-  int other_block = -1; // for a traction: the other block
+  int block = 0;         // for a traction: one of the two blocks
+  int other_block = -1;  // for a traction: the other block
   Vec2 point;
 };
 
 struct Model {
   std::string title;
   std::vector<Material> materials;
-  std::vector<JointMaterial> joints;                      // joints[0] is the default
+  std::vector<JointMaterial> joints;                       // joints[0] is the default
   std::map<std::pair<int, int>, int> joint_of_block_pair;  // (smaller, larger block) -> joint, where not the default
   std::vector<Block> blocks;
   Vec2 gravity = Vec2::Zero();  // m/s2

@@ -9,9 +9,9 @@
 namespace dda {
 
 inline constexpr std::array all_quantities = {
-    Quantity::stress_xx,      Quantity::stress_yy,      Quantity::stress_xy,       Quantity::displacement_x,
-    Quantity::displacement_y, Quantity::velocity_x,     Quantity::velocity_y,      Quantity::acceleration_x,
-    Quantity::acceleration_y, Quantity::rotation,       Quantity::traction_normal, Quantity::traction_shear,
+    Quantity::stress_xx,      Quantity::stress_yy,  Quantity::stress_xy,       Quantity::displacement_x,
+    Quantity::displacement_y, Quantity::velocity_x, Quantity::velocity_y,      Quantity::acceleration_x,
+    Quantity::acceleration_y, Quantity::rotation,   Quantity::traction_normal, Quantity::traction_shear,
 };
 
 constexpr std::string_view to_string(Quantity quantity) {

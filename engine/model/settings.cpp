@@ -6,9 +6,7 @@ Integrator thesis_integrator() { return {"thesis", 0.5, 1.0, 0, 0, false}; }
 
 Integrator trapezoidal_integrator() { return {"trapezoidal", 0.25, 0.5, 0, 0, false}; }
 
-Integrator hht_integrator(double alpha) {
-  return {"hht", (1 + alpha) * (1 + alpha) / 4, 0.5 + alpha, 0, alpha, false};
-}
+Integrator hht_integrator(double alpha) { return {"hht", (1 + alpha) * (1 + alpha) / 4, 0.5 + alpha, 0, alpha, false}; }
 
 Integrator generalized_alpha_integrator(double rho_inf) {
   const double alpha_m = (2 * rho_inf - 1) / (rho_inf + 1);

@@ -5,8 +5,8 @@
 
 namespace dda {
 
-// General Newmark / generalized-alpha: M a(n+1-am) + C v(n+1-af) + Fint(n+1-af) = F(n+1-af), x(n+1-a) = (1-a) x1 + a x0,
-// d = dt v0 + dt^2 ((1/2 - beta) a0 + beta a1), v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
+// General Newmark / generalized-alpha: M a(n+1-am) + C v(n+1-af) + Fint(n+1-af) = F(n+1-af), x(n+1-a) = (1-a) x1 + a
+// x0, d = dt v0 + dt^2 ((1/2 - beta) a0 + beta a1), v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
 struct Integrator {
   std::string name = "trapezoidal";
   double beta = 0.25;
@@ -16,11 +16,11 @@ struct Integrator {
   bool is_static = false;  // velocities are zeroed at the start of every step (Shi's static mode)
 };
 
-Integrator thesis_integrator();       // Eq. 5 of the thesis: beta = 1/2, gamma = 1, first-order numerical damping
-Integrator trapezoidal_integrator();  // beta = 1/4, gamma = 1/2: second order, no damping
-Integrator hht_integrator(double alpha);              // Hilber, Hughes & Taylor 1977, 0 <= alpha <= 1/3
+Integrator thesis_integrator();           // Eq. 5 of the thesis: beta = 1/2, gamma = 1, first-order numerical damping
+Integrator trapezoidal_integrator();      // beta = 1/4, gamma = 1/2: second order, no damping
+Integrator hht_integrator(double alpha);  // Hilber, Hughes & Taylor 1977, 0 <= alpha <= 1/3
 Integrator generalized_alpha_integrator(double rho_inf);  // Chung & Hulbert 1993, 0 <= rho_inf <= 1
-Integrator static_integrator();       // Eq. 5 with velocities zeroed
+Integrator static_integrator();                           // Eq. 5 with velocities zeroed
 
 enum class Kinematics {
   small,   // geometry stays as drawn: matrices are built once (waves in bonded rock)

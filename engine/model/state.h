@@ -10,13 +10,13 @@
 namespace dda {
 
 struct State {
-  double time = 0;        // s
+  double time = 0;  // s
   std::int64_t step = 0;
   std::vector<Vec6> displacement;  // sums of the step increments
   std::vector<Vec6> velocity;      // time derivatives of the six unknowns
   std::vector<Vec6> acceleration;
-  std::vector<Vec3> stress;        // Pa, Cauchy stress in the global frame, tension positive
-  std::vector<Mat2> deformation;   // current offset from the centroid = deformation * reference offset
+  std::vector<Vec3> stress;       // Pa, Cauchy stress in the global frame, tension positive
+  std::vector<Mat2> deformation;  // current offset from the centroid = deformation * reference offset
 };
 
 State initial_state(const Model& model);

@@ -1,4 +1,5 @@
-// Dimensionless histories of loads and prescribed motions: value = amplitude * f(t), t in s from the start of the scene.
+// Dimensionless histories of loads and prescribed motions: value = amplitude * f(t), t in s from the start of the
+// scene.
 #pragma once
 
 #include <variant>

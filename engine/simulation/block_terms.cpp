@@ -48,10 +48,9 @@ void update_geometry(const Model& model, const State& state, BlockDamping& dampi
   for (auto& [block, matrix] : damping) matrix.setZero();
   for (const ViscousEdge& edge : model.viscous_edges) {
     const Vec2 centroid = current_centroid(model, state, edge.block);
-    find_block(edge.block, damping)->second +=
-        viscous_damping(current_position(model, state, edge.block, edge.from) - centroid,
-                        current_position(model, state, edge.block, edge.to) - centroid, edge.normal_impedance,
-                        edge.shear_impedance);
+    find_block(edge.block, damping)->second += viscous_damping(
+        current_position(model, state, edge.block, edge.from) - centroid,
+        current_position(model, state, edge.block, edge.to) - centroid, edge.normal_impedance, edge.shear_impedance);
   }
 }
 

@@ -72,8 +72,7 @@ void EnergyAudit::record(const StepCoefficients& step, double inertia_work, cons
   replaced_ = 0;
   const double off_centre = 0.5 - step.load_old;  // 1/2 - alpha_f
   if (off_centre != 0)
-    ledger_.numerical +=
-        off_centre * (d.dot(forces.internal_new) - d.dot(forces.internal_old) - (work_new - work_old));
+    ledger_.numerical += off_centre * (d.dot(forces.internal_new) - d.dot(forces.internal_old) - (work_new - work_old));
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;

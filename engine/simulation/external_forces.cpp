@@ -15,7 +15,8 @@ ExternalForces::ExternalForces(const Model& model, const State& state) {
   if (model.gravity.isZero()) return;
   weight_.setZero(static_cast<Eigen::Index>(6 * model.blocks.size()));
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    weight_.segment<2>(static_cast<Eigen::Index>(6 * i)) = dda::weight(model.mass_of(static_cast<int>(i)), model.gravity);
+    weight_.segment<2>(static_cast<Eigen::Index>(6 * i)) =
+        dda::weight(model.mass_of(static_cast<int>(i)), model.gravity);
 }
 
 void ExternalForces::update_geometry(const Model& model, const State& state) {

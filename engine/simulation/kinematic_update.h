@@ -11,7 +11,7 @@ namespace dda {
 
 // Adds the increments `d` (6 entries a block): displacements, stresses, velocities and accelerations of the integrator,
 // shapes. Finite kinematics turn shapes and stresses by a finite rotation; small kinematics add the linear increments.
-void move_blocks(const StepCoefficients& step, Kinematics kinematics, const BlockTerms& terms,
-                 const Eigen::VectorXd& d, State& state);
+void move_blocks(const StepCoefficients& step, Kinematics kinematics, const BlockTerms& terms, const Eigen::VectorXd& d,
+                 State& state);
 
 }  // namespace dda

@@ -16,8 +16,8 @@
 namespace dda {
 
 struct LinearOperators {
-  BlockMatrix stiffness;  // blocks, interfaces and supports
-  BlockMatrix inertia;    // blocks, and what couples them in cubic interfaces
+  BlockMatrix stiffness;                            // blocks, interfaces and supports
+  BlockMatrix inertia;                              // blocks, and what couples them in cubic interfaces
   ConstantOperator stiffness_times, inertia_times;  // the same, for products
 };
 

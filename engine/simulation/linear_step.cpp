@@ -15,8 +15,7 @@ Eigen::Map<const Eigen::VectorXd> flat(const std::vector<Vec6>& per_block) {
 }
 
 void unflatten(const Eigen::VectorXd& from, std::vector<Vec6>& per_block) {
-  for (std::size_t i = 0; i < per_block.size(); ++i)
-    per_block[i] = from.segment<6>(static_cast<Eigen::Index>(6 * i));
+  for (std::size_t i = 0; i < per_block.size(); ++i) per_block[i] = from.segment<6>(static_cast<Eigen::Index>(6 * i));
 }
 
 // Solves M a = force once, at the start of a stage.
@@ -166,7 +165,8 @@ InterfaceState Simulation::interface_state(std::size_t index) const {
   const InterfaceElement& element = contacts_.elements[index];
   const Vec6& a = state_.displacement[static_cast<std::size_t>(element.block_a)];
   const Vec6& b = state_.displacement[static_cast<std::size_t>(element.block_b)];
-  return linear_state(element, contacts_.states[index].gap, a, b, state_.stress[static_cast<std::size_t>(element.block_a)],
+  return linear_state(element, contacts_.states[index].gap, a, b,
+                      state_.stress[static_cast<std::size_t>(element.block_a)],
                       state_.stress[static_cast<std::size_t>(element.block_b)]);
 }
 

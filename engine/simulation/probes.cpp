@@ -40,8 +40,8 @@ int interface_of(const Simulation& simulation, const Measurement& measurement) {
 double traction(const Simulation& simulation, const Measurement& measurement, int interface) {
   const auto i = static_cast<std::size_t>(interface);
   const ContactSet& contacts = simulation.contacts();
-  const Vec2 mean = mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i],
-                                  simulation.interface_state(i));
+  const Vec2 mean =
+      mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], simulation.interface_state(i));
   return measurement.quantity == Quantity::traction_normal ? mean(0) : mean(1);
 }
 
@@ -56,29 +56,18 @@ double block_value(const Simulation& simulation, const Measurement& measurement)
   const State& state = simulation.state();
   const auto i = static_cast<std::size_t>(measurement.block);
   switch (measurement.quantity) {
-    case Quantity::stress_xx:
-      return state.stress[i](0);
-    case Quantity::stress_yy:
-      return state.stress[i](1);
-    case Quantity::stress_xy:
-      return state.stress[i](2);
-    case Quantity::displacement_x:
-      return point_displacement(model, state, measurement.block, measurement.point).x();
-    case Quantity::displacement_y:
-      return point_displacement(model, state, measurement.block, measurement.point).y();
-    case Quantity::velocity_x:
-      return point_velocity(model, state, measurement.block, measurement.point).x();
-    case Quantity::velocity_y:
-      return point_velocity(model, state, measurement.block, measurement.point).y();
-    case Quantity::acceleration_x:
-      return point_acceleration(simulation, measurement).x();
-    case Quantity::acceleration_y:
-      return point_acceleration(simulation, measurement).y();
-    case Quantity::rotation:
-      return state.displacement[i](2);
+    case Quantity::stress_xx: return state.stress[i](0);
+    case Quantity::stress_yy: return state.stress[i](1);
+    case Quantity::stress_xy: return state.stress[i](2);
+    case Quantity::displacement_x: return point_displacement(model, state, measurement.block, measurement.point).x();
+    case Quantity::displacement_y: return point_displacement(model, state, measurement.block, measurement.point).y();
+    case Quantity::velocity_x: return point_velocity(model, state, measurement.block, measurement.point).x();
+    case Quantity::velocity_y: return point_velocity(model, state, measurement.block, measurement.point).y();
+    case Quantity::acceleration_x: return point_acceleration(simulation, measurement).x();
+    case Quantity::acceleration_y: return point_acceleration(simulation, measurement).y();
+    case Quantity::rotation: return state.displacement[i](2);
     case Quantity::traction_normal:
-    case Quantity::traction_shear:
-      break;
+    case Quantity::traction_shear: break;
   }
   return std::nan("");
 }

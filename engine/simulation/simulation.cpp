@@ -61,8 +61,8 @@ void Simulation::begin_stage() {
   step_in_stage_ = 0;
   stage_start_ = state_.time;
   for (Inertia& inertia : terms_.inertia) inertia.strain_inertia = stage().strain_inertia;
-  const StepPlan next = make_plan(model_, stage(), contacts_, matrix_.couplings(),
-                                  stiffness_number(contacts_, terms_, stage().dt));
+  const StepPlan next =
+      make_plan(model_, stage(), contacts_, matrix_.couplings(), stiffness_number(contacts_, terms_, stage().dt));
   if (linear_ && !next.linear) end_linear_stage();
   plan_ = next;
   if (plan_.is_static) damp_velocities();
@@ -227,7 +227,8 @@ Status Simulation::refactor() {
   const Status status = solver_->factorize(matrix_);
   ++counters_.factorizations;
   matrix_is_current_ = status == Status::ok;
-  if (status != Status::ok) message_ = "the system matrix is not positive definite: a block is not held, or data overflow";
+  if (status != Status::ok)
+    message_ = "the system matrix is not positive definite: a block is not held, or data overflow";
   return status;
 }
 

@@ -16,9 +16,9 @@ struct StepCoefficients {
   double damping = 0, damping_v = 0, damping_a = 0;
   double stiffness = 0;
   double load_new = 0, load_old = 0;
-  double a_d = 0, a_v = 0, a_a = 0;     // a1 = a_d d + a_v v0 + a_a a0
-  double v_v = 0, v_a0 = 0, v_a1 = 0;   // v1 = v_v v0 + v_a0 a0 + v_a1 a1
-  double weight_new_a = 0;              // acceleration in the balance: weight_new_a a1 + (1 - weight_new_a) a0
+  double a_d = 0, a_v = 0, a_a = 0;    // a1 = a_d d + a_v v0 + a_a a0
+  double v_v = 0, v_a0 = 0, v_a1 = 0;  // v1 = v_v v0 + v_a0 a0 + v_a1 a1
+  double weight_new_a = 0;             // acceleration in the balance: weight_new_a a1 + (1 - weight_new_a) a0
 };
 
 StepCoefficients step_coefficients(const Integrator& integrator, double dt);

@@ -10,14 +10,10 @@ namespace {
 
 SolverKind solver_for(const Model& model, const Stage& stage, int couplings, const StepPlan& plan) {
   switch (stage.solver) {
-    case SolverRequest::cholesky:
-      return SolverKind::cholesky;
-    case SolverRequest::pcg:
-      return SolverKind::pcg;
-    case SolverRequest::dense:
-      return SolverKind::dense;
-    case SolverRequest::automatic:
-      break;
+    case SolverRequest::cholesky: return SolverKind::cholesky;
+    case SolverRequest::pcg: return SolverKind::pcg;
+    case SolverRequest::dense: return SolverKind::dense;
+    case SolverRequest::automatic: break;
   }
   const double chi = plan.is_static ? std::numeric_limits<double>::infinity() : plan.chi;
   return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, plan.finite_kinematics});

@@ -23,8 +23,8 @@ std::vector<SupportElement> make_supports(const Model& model, const State& state
 void update_geometry(const Model& model, const State& state, std::vector<SupportElement>& supports) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const int block = supports[i].block;
-    supports[i].offset = current_position(model, state, block, model.supports[i].point) -
-                         current_centroid(model, state, block);
+    supports[i].offset =
+        current_position(model, state, block, model.supports[i].point) - current_centroid(model, state, block);
   }
 }
 

@@ -55,9 +55,8 @@ double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, dou
   for (const InterfaceElement& element : contacts.elements) {
     const double mass = std::min(terms.inertia[static_cast<std::size_t>(element.block_a)].mass,
                                  terms.inertia[static_cast<std::size_t>(element.block_b)].mass);
-    const double normal_stiffness = element.law == InterfaceLaw::classical
-                                        ? element.stiffness(0) + element.stiffness(2)
-                                        : element.stiffness(0);
+    const double normal_stiffness =
+        element.law == InterfaceLaw::classical ? element.stiffness(0) + element.stiffness(2) : element.stiffness(0);
     largest = std::max(largest, normal_stiffness * dt * dt / mass);
   }
   return largest;

@@ -21,7 +21,8 @@ void assemble(const StepCoefficients& step, const BlockTerms& terms, const Block
               const std::vector<SupportElement>& supports, const ContactSet& contacts,
               const std::vector<Vec4>& active, BlockMatrix& matrix);
 
-// chi = k dt^2/m: the stiffest interface or support of a block against its inertia (numerics: choice of solver).
+// chi = k dt^2/m: the stiffest interface of a block against its inertia, which decides on the solver. Supports do not
+// count: PCG inverts the blocks they act on.
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt);
 
 }  // namespace dda

@@ -61,9 +61,10 @@ inline std::string bar_scene(int blocks, int steps) {
                      blocks, steps * 1e-5);
 }
 
-// A stone that falls on a floor it does not touch at the start, which is not followed.
+// A stone that falls on a floor it does not touch at the start. All joints being bonded, contacts are not followed.
 inline constexpr auto falling_stone = R"({"dda": 1,
  "materials": {"rock": {"density": 2600, "young": "10 GPa", "poisson": 0.2}},
+ "joints": {"default": {"bonded": true}},
  "blocks": [{"polygon": {"name": "floor", "vertices": [[0, 0], [3, 0], [3, 1], [0, 1]]}},
             {"polygon": {"name": "stone", "vertices": [[1, 1.1], [2, 1.1], [2, 2.1], [1, 2.1]],
                          "initial_velocity": [0, -1]}}],

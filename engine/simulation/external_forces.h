@@ -21,6 +21,8 @@ class ExternalForces {
 
   // The weight of all blocks; empty without gravity.
   [[nodiscard]] const Eigen::VectorXd& weight() const { return weight_; }
+  // Replaces it where inertia couples blocks: weight is inertia times gravity then too.
+  void set_weight(const Eigen::VectorXd& weight) { weight_ = weight; }
   [[nodiscard]] bool has_loads() const { return !loads_.empty(); }
 
  private:

@@ -41,6 +41,7 @@ void Simulation::begin_linear_stage() {
   rhs_ = flat(state_.velocity);
   linear_->inertia_times.multiply(rhs_, momentum_);
   set_energy_offset();
+  if (plan_.gravity) set_consistent_weight();
   if (plan_.is_static) return;
   inertia_force_ = load_old_ - internal_old_;
   if (plan_.gravity) inertia_force_ += external_.weight();
@@ -50,6 +51,14 @@ void Simulation::begin_linear_stage() {
   rhs_ = initial_linear_acceleration();
   unflatten(rhs_, state_.acceleration);
   linear_->inertia_times.multiply(rhs_, inertia_force_);
+}
+
+// Weight acts on the displacements between centroids as inertia does: M times the acceleration of free fall.
+void Simulation::set_consistent_weight() {
+  rhs_.setZero();
+  for (int block = 0; block < matrix_.size(); ++block) rhs_.segment<2>(6 * block) = model_.gravity;
+  linear_->inertia_times.multiply(rhs_, constant_rhs_);
+  external_.set_weight(constant_rhs_);
 }
 
 // Of the unbalanced forces in inertia_force_. Strains without inertia take theirs with the inertia they would have: the

@@ -9,9 +9,9 @@
 namespace dda {
 namespace {
 
-constexpr double growth = 0.1;           // of a block's size, on every side of its box
-constexpr double deepest = 0.1;          // of the smaller size: a vertex further inside has not come in through this edge
-constexpr double corner_distance = 1e-6; // of the smaller size: corners nearer than this meet
+constexpr double growth = 0.1;   // of a block's size, on every side of its box
+constexpr double deepest = 0.1;  // of the smaller size: a vertex further inside has not come in through this edge
+constexpr double corner_distance = 1e-6;  // of the smaller size: corners nearer than this meet
 
 bool contains(const Box& outer, const Box& inner) {
   return (inner.lower.array() >= outer.lower.array()).all() && (inner.upper.array() <= outer.upper.array()).all();

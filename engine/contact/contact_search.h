@@ -1,7 +1,7 @@
 // Follows which blocks can touch while they move.
 //
-// Broad phase: boxes grown by a tenth of each block's size; the list of pairs holds until some block leaves its grown box
-// (a Verlet list). Narrow phase: vertex-edge contacts of the listed pairs, see vertex_contact.h.
+// Broad phase: boxes grown by a tenth of each block's size; the list of pairs holds until some block leaves its grown
+// box (a Verlet list). Narrow phase: vertex-edge contacts of the listed pairs, see vertex_contact.h.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,6 @@
-// Keeps a ContactSet in step with blocks that move: dry contacts are vertex-edge contacts found anew as geometry changes,
-// with their history; joints with strength stay the stretches they were found as until both their ends are broken.
+// Keeps a ContactSet in step with blocks that move: dry contacts are vertex-edge contacts found anew as geometry
+// changes, with their history; joints with strength stay the stretches they were found as until both their ends are
+// broken.
 #pragma once
 
 #include <utility>

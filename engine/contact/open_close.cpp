@@ -30,8 +30,8 @@ int ends_of(const InterfaceElement& element) { return element.length > 0 ? 2 : 1
 
 Eigen::Index normal_row(int end) { return 2 * end; }
 
-// An end that slid in the last step starts this one at its capacity, but for round-off and the gap measured anew: the first
-// pass takes it to slide on.
+// An end that slid in the last step starts this one at its capacity, but for round-off and the gap measured anew: the
+// first pass takes it to slide on.
 void keep_sliding(const InterfaceElement& element, const InterfaceState& start, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(element); ++end) {
     const auto e = static_cast<std::size_t>(end);
@@ -76,8 +76,7 @@ double force_along(const InterfaceElement& element, const InterfaceTrial& trial,
     const double gap = trial.gap(n) + t * trial.direction(n);
     const double slide = trial.gap(n + 1) + t * trial.direction(n + 1);
     along += trial.direction(n) * press(element.stiffness(n), gap, trial.broken[e]).force;
-    along += trial.direction(n + 1) *
-             shear(element.stiffness(n + 1), slide, trial.broken[e], trial.capacity[e]).force;
+    along += trial.direction(n + 1) * shear(element.stiffness(n + 1), slide, trial.broken[e], trial.capacity[e]).force;
   }
   return along;
 }

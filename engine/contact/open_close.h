@@ -2,8 +2,9 @@
 //
 // An end that is whole is linear in both directions. A broken (or dry) end presses only, and resists shear up to its
 // `capacity`. For given capacities the answer is the gradient of a convex potential (a half parabola and Huber's
-// function), so a step has exactly one solution and Newton's method with a line search finds it in finitely many passes;
-// capacities then follow the normal forces (Coulomb as a fixed point of Tresca), and ends beyond their strength break.
+// function), so a step has exactly one solution and Newton's method with a line search finds it in finitely many
+// passes; capacities then follow the normal forces (Coulomb as a fixed point of Tresca), and ends beyond their strength
+// break.
 #pragma once
 
 #include <array>
@@ -16,10 +17,10 @@ namespace dda {
 
 // An interface in the course of a step.
 struct InterfaceTrial {
-  Vec4 gap = Vec4::Zero();        // m, at the displacements reached so far; tangential without earlier slip
-  Vec4 direction = Vec4::Zero();  // m, its change along the full Newton step
-  Vec4 force = Vec4::Zero();      // N per m of thickness, at `gap`
-  Vec4 active = Vec4::Ones();     // 1 for rows that carry stiffness, 0 for open or sliding ones
+  Vec4 gap = Vec4::Zero();               // m, at the displacements reached so far; tangential without earlier slip
+  Vec4 direction = Vec4::Zero();         // m, its change along the full Newton step
+  Vec4 force = Vec4::Zero();             // N per m of thickness, at `gap`
+  Vec4 active = Vec4::Ones();            // 1 for rows that carry stiffness, 0 for open or sliding ones
   std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end
   std::array<bool, 2> broken{false, false};
 };
@@ -42,8 +43,8 @@ bool break_ends(const EndStrength& strength, InterfaceTrial& trial);
 // The state that a converged trial leaves.
 InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial);
 
-// True when an interface with stress rows is loaded beyond the strength of its joint and must go on as a classical one: when
-// either end, with its share of the normal force and of the moment, and half the shear force, is.
+// True when an interface with stress rows is loaded beyond the strength of its joint and must go on as a classical one:
+// when either end, with its share of the normal force and of the moment, and half the shear force, is.
 bool beyond_strength(const EndStrength& strength, const Vec4& force);
 
 }  // namespace dda

@@ -10,8 +10,8 @@
 
 namespace dda {
 
-// Vertex i of a block belongs to one of its rings (outer counter-clockwise, holes clockwise); edge i runs from vertex i to
-// its successor, with the block on its left.
+// Vertex i of a block belongs to one of its rings (outer counter-clockwise, holes clockwise); edge i runs from vertex i
+// to its successor, with the block on its left.
 struct Outlines {
   std::vector<int> starts;      // block -> first of its vertices; one more entry than blocks
   std::vector<Vec2> reference;  // offsets from the block's reference centroid, m

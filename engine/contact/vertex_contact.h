@@ -1,10 +1,10 @@
 // Narrow phase: which vertices of one block touch, or nearly touch, which edges of another.
 //
 // Edge-edge contact is two vertex-edge contacts, one at each end of the common stretch. A vertex enters through an edge
-// when both its own edges leave that edge's line on the outer side (up to `entrance_slack`): a reflex corner never enters,
-// and a corner that meets another corner enters through the edge that keeps both wedges apart. A vertex inside a block has
-// come in through the edge nearest to it, or, in a notch, through both. Where two corners meet, only one contact is made:
-// the one with the least penetration.
+// when both its own edges leave that edge's line on the outer side (up to `entrance_slack`): a reflex corner never
+// enters, and a corner that meets another corner enters through the edge that keeps both wedges apart. A vertex inside
+// a block has come in through the edge nearest to it, or, in a notch, through both. Where two corners meet, only one
+// contact is made: the one with the least penetration.
 #pragma once
 
 #include <vector>
@@ -28,12 +28,12 @@ struct VertexContact {
   }
 };
 
-// Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat on
-// each other rock within it.
+// Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat
+// on each other rock within it.
 inline constexpr double entrance_slack = 0.05;
 
-// Contacts between blocks `a` and `b` with gaps from -`depth` to `reach` (m). A vertex nearer than `corner` (m), along an
-// edge, to the edge's end meets the corner there.
+// Contacts between blocks `a` and `b` with gaps from -`depth` to `reach` (m). A vertex nearer than `corner` (m), along
+// an edge, to the edge's end meets the corner there.
 void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double corner,
                           std::vector<VertexContact>& found);
 

@@ -92,7 +92,8 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
 }
 
 void EnergyAudit::geometry_followed(const StoredEnergy& stored) {
-  ledger_.numerical += ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact - stored.contact;
+  ledger_.numerical +=
+      ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact - stored.contact;
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;

@@ -3,8 +3,8 @@
 // With friction capacities given, the step minimizes the convex, piecewise quadratic
 //   1/2 d A0 d - d . rhs + stiffness factor * (potentials of all interfaces)
 // over the increments d, A0 being the matrix without dry contacts. Newton's method solves with the rows active at the
-// point reached; a line search along its step (exact: the slope is continuous and increasing) makes every pass lower the
-// minimum sought, so no set of statuses comes twice and the passes end. Two outer loops follow: capacities move to
+// point reached; a line search along its step (exact: the slope is continuous and increasing) makes every pass lower
+// the minimum sought, so no set of statuses comes twice and the passes end. Two outer loops follow: capacities move to
 // friction times normal force until forces stand still, and ends beyond their strength break, at most once each.
 #include <algorithm>
 #include <cmath>
@@ -64,8 +64,8 @@ void Simulation::start_trials() {
     trial_[i] = start_trial(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i]);
 }
 
-// Newton's method with line search. Capacities follow the normal forces after every pass at first, which is quickest where
-// it works, and then only when the statuses have settled for the capacities at hand, which is sure.
+// Newton's method with line search. Capacities follow the normal forces after every pass at first, which is quickest
+// where it works, and then only when the statuses have settled for the capacities at hand, which is sure.
 Status Simulation::settle_contacts() {
   for (int pass = 0; pass < stage().max_open_close_iterations; ++pass) {
     if (plan_.contacts) ++counters_.open_close_iterations;
@@ -120,8 +120,8 @@ bool Simulation::active_rows_changed() {
   return changed;
 }
 
-// Forces at the end of the step are force + K_active (gap at the end - gap reached); what of that does not depend on the
-// unknowns goes to the right, beside the forces carried over in constant_rhs_.
+// Forces at the end of the step are force + K_active (gap at the end - gap reached); what of that does not depend on
+// the unknowns goes to the right, beside the forces carried over in constant_rhs_.
 void Simulation::add_contact_rhs() {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
@@ -130,8 +130,7 @@ void Simulation::add_contact_rhs() {
     const Vec4 reached = trial.gap - contacts_.states[i].gap;
     const Vec4 constant =
         trial.force - trial.active.cwiseProduct(element.stiffness).cwiseProduct(reached) - contacts_.states[i].force;
-    if (!constant.isZero(0))
-      add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs_);
+    if (!constant.isZero(0)) add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs_);
   }
 }
 
@@ -143,8 +142,7 @@ bool Simulation::take_newton_step() {
     return true;
   }
   target_ -= increment_;  // from here on the direction
-  for (std::size_t i = 0; i < trial_.size(); ++i)
-    trial_[i].direction = gap_increment(contacts_.elements[i], target_);
+  for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i].direction = gap_increment(contacts_.elements[i], target_);
   const double share = length_of_step();
   increment_ += share * target_;
   const bool same_rows = follow_trials(share);
@@ -162,8 +160,8 @@ double Simulation::length_of_step() {
     const InterfaceTrial& trial = trial_[i];
     const Vec4 along = element.stiffness.cwiseProduct(trial.active).cwiseProduct(trial.direction);
     curvature -= factor * along.dot(trial.direction);
-    slope_at_start -= factor * (along.dot(trial.gap - contacts_.states[i].gap) +
-                                trial.direction.dot(contacts_.states[i].force));
+    slope_at_start -=
+        factor * (along.dot(trial.gap - contacts_.states[i].gap) + trial.direction.dot(contacts_.states[i].force));
   }
   const auto slope = [&](double t) {
     double value = slope_at_start + t * curvature;
@@ -184,8 +182,7 @@ bool Simulation::follow_trials(double share) {
     InterfaceTrial& trial = trial_[i];
     if (has_stress_rows(element)) {
       trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
-      trial.force =
-          elastic_force(element, trial.gap, trial_stress(element.block_a), trial_stress(element.block_b));
+      trial.force = elastic_force(element, trial.gap, trial_stress(element.block_a), trial_stress(element.block_b));
       continue;
     }
     trial.gap += share * trial.direction;
@@ -216,8 +213,8 @@ bool Simulation::break_interfaces() {
   return broke;
 }
 
-// An interface beyond its strength goes on under the classical law, with the same forces at the start of the step, and is
-// judged end by end from the next pass on.
+// An interface beyond its strength goes on under the classical law, with the same forces at the start of the step, and
+// is judged end by end from the next pass on.
 bool Simulation::weaken_consistent(std::size_t i) {
   if (!beyond_strength(contacts_.strengths[i], trial_[i].force)) return false;
   InterfaceElement& element = contacts_.elements[i];

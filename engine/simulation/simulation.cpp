@@ -20,8 +20,8 @@ constexpr double geometry_tolerance = 1e-6;
 // Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
 bool contacts_move(const Model& model) {
   const bool can_touch =
-      model.blocks.size() > 1 && std::any_of(model.joints.begin(), model.joints.end(),
-                                             [](const JointMaterial& joint) { return !joint.bonded; });
+      model.blocks.size() > 1 &&
+      std::any_of(model.joints.begin(), model.joints.end(), [](const JointMaterial& joint) { return !joint.bonded; });
   return can_touch && std::any_of(model.stages.begin(), model.stages.end(),
                                   [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
 }

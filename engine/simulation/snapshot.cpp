@@ -177,7 +177,8 @@ struct SnapshotAccess {
       auto& interface = s.contacts_.interfaces[i];
       auto& element = s.contacts_.elements[i];
       matrices(archive, interface.from, interface.to, interface.normal, element.stiffness);
-      for (auto* number : {&interface.block_a, &interface.block_b, &interface.joint, &element.block_a, &element.block_b})
+      for (auto* number :
+           {&interface.block_a, &interface.block_b, &interface.joint, &element.block_a, &element.block_b})
         archive.number(*number);
       archive.number(interface.length);
       archive.number(element.length);

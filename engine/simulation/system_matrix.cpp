@@ -18,8 +18,7 @@ void add_blocks(const StepCoefficients& step, const BlockTerms& terms, BlockMatr
   }
 }
 
-void add_contacts(double factor, const ContactSet& contacts, const std::vector<Vec4>& active,
-                  BlockMatrix& matrix) {
+void add_contacts(double factor, const ContactSet& contacts, const std::vector<Vec4>& active, BlockMatrix& matrix) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
     const InterfaceStiffness k = stiffness_of(element, active[i]);
@@ -37,11 +36,13 @@ BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts) {
   return make_system_matrix(blocks, std::move(couplings));
 }
 
-BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs) { return {blocks, std::move(pairs)}; }
+BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs) {
+  return {blocks, std::move(pairs)};
+}
 
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
-              const std::vector<SupportElement>& supports, const ContactSet& contacts,
-              const std::vector<Vec4>& active, BlockMatrix& matrix) {
+              const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
+              BlockMatrix& matrix) {
   matrix.set_zero();
   add_blocks(step, terms, matrix);
   for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;

@@ -18,8 +18,8 @@ BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pair
 
 // Writes all values. `active` has 1 for the rows of each interface that carry stiffness (see InterfaceTrial).
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
-              const std::vector<SupportElement>& supports, const ContactSet& contacts,
-              const std::vector<Vec4>& active, BlockMatrix& matrix);
+              const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
+              BlockMatrix& matrix);
 
 // chi = k dt^2/m: the stiffest interface of a block against its inertia, which decides on the solver. Supports do not
 // count: PCG inverts the blocks they act on.

@@ -153,8 +153,8 @@ TEST(Catalogue26, SelfWeightColumnStressAtCentroids) {
   }
 }
 
-// Weight acts at the centroids, not on the cubic between them, and the outer halves of the end blocks are straight: the
-// stress of the end blocks is off by a share of a block's weight, and the error dies out from block to block.
+// The outer halves of the end blocks are straight lines: the stress of the end blocks is off by a fifth of a block's
+// weight (measured 0.2023), and the error dies out from block to block.
 TEST(Catalogue26, SelfWeightColumnOfCubicJointsIsOffAtItsEndsAlone) {
   const Settled settled = settle(standing(12, InterfaceLaw::cubic, 0.25));
   const double block_weight = exact::self_weight_pressure(density, 9.81, column_height, 0) / 12;
@@ -163,7 +163,7 @@ TEST(Catalogue26, SelfWeightColumnOfCubicJointsIsOffAtItsEndsAlone) {
     const double y = settled.model.blocks[i].moments.centroid.y();
     const double error =
         std::abs(settled.state.stress[i](1) + exact::self_weight_pressure(density, 9.81, column_height, y));
-    EXPECT_LT(error, i == 0 ? 0.3 * block_weight : 0.2 * previous) << "block " << i;
+    EXPECT_LT(error, i == 0 ? 0.21 * block_weight : 0.2 * previous) << "block " << i;
     previous = error;
   }
 }

@@ -71,4 +71,13 @@ inline constexpr auto falling_stone = R"({"dda": 1,
  "measurements": [{"quantity": "displacement_y", "block": "stone"}],
  "steps": {"dt": "1 ms", "duration": "1 s"}})";
 
+// Gravity switched on at once on a slab that rests on a floor.
+inline constexpr auto restless_slab = R"({"dda": 1, "gravity": 9.81,
+ "materials": {"rock": {"density": 2600, "young": "10 GPa", "poisson": 0.2}},
+ "joints": {"default": {"friction_angle": "30 deg"}},
+ "blocks": [{"polygon": {"name": "floor", "vertices": [[-1, -1], [2, -1], [2, 0], [-1, 0]]}},
+            {"polygon": {"name": "slab", "vertices": [[0, 0], [1, 0], [1, 0.2], [0, 0.2]]}}],
+ "supports": [{"edge": "bottom", "stiffness": 2e12}],
+ "steps": {"dt": "1 ms", "duration": "0.2 s", "integrator": "trapezoidal"}})";
+
 }  // namespace dda

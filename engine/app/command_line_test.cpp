@@ -186,6 +186,19 @@ TEST_F(CommandLine, ARunThatEndsEarlySaysWhyAndKeepsItsResults) {
   EXPECT_TRUE(contains(text("out/frames.pvd"), fmt::format("timestep=\"{}\"", summary["time_s"].get<double>())));
 }
 
+// The trapezoidal rule carries contact accelerations into free flight: a light slab on a floor gains energy by them.
+TEST_F(CommandLine, ARunThatGainsEnergySaysSo) {
+  write("scene.json", restless_slab);
+  const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.errors, "warning: time integration added ")) << outcome.errors;
+  EXPECT_TRUE(contains(nlohmann::json::parse(text("out/summary.json"))["message"], "time integration added"));
+  std::string damped = restless_slab;
+  damped.replace(damped.find("trapezoidal"), 11, "thesis");
+  write("scene.json", damped);
+  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("damped")}).errors, "");
+}
+
 TEST_F(CommandLine, ResumeNeedsACheckpointOfThisScene) {
   write("scene.json", bar_scene(3, 20));
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--resume"}, "checkpoint is unreadable");

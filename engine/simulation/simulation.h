@@ -91,7 +91,8 @@ class Simulation {
   void add_contact_rhs();
   [[nodiscard]] bool take_newton_step();
   [[nodiscard]] double length_of_step();
-  [[nodiscard]] bool follow_trials(double share);
+  [[nodiscard]] double follow_trials(double share);
+  [[nodiscard]] double largest_force() const;
   [[nodiscard]] Vec3 trial_stress(int block) const;
   [[nodiscard]] bool break_interfaces();
   [[nodiscard]] bool weaken_consistent(std::size_t i);

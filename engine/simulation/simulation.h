@@ -91,7 +91,8 @@ class Simulation {
   void add_contact_rhs();
   [[nodiscard]] bool take_newton_step();
   [[nodiscard]] double length_of_step();
-  [[nodiscard]] double follow_trials(double share);
+  [[nodiscard]] double mismatch_of_whole_step() const;
+  void follow_trials(double share);
   [[nodiscard]] double largest_force() const;
   [[nodiscard]] Vec3 trial_stress(int block) const;
   [[nodiscard]] bool break_interfaces();

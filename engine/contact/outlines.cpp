@@ -9,7 +9,7 @@ void append_ring(const Ring& ring, const Vec2& centroid, Outlines& outlines) {
   const int first = static_cast<int>(outlines.reference.size());
   const int size = static_cast<int>(ring.size());
   for (int i = 0; i < size; ++i) {
-    outlines.reference.push_back(ring[static_cast<std::size_t>(i)] - centroid);
+    outlines.reference.emplace_back(ring[static_cast<std::size_t>(i)] - centroid);
     outlines.next.push_back(first + (i + 1) % size);
     outlines.previous.push_back(first + (i + size - 1) % size);
   }

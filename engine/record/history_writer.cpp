@@ -65,7 +65,7 @@ std::string kept_beginning(const std::filesystem::path& path, const std::string&
 HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns)
     : HistoryWriter(std::move(path), columns.size(), header(columns), 0) {}
 
-HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns, std::int64_t rows)
+HistoryWriter::HistoryWriter(const std::filesystem::path& path, const std::vector<Column>& columns, std::int64_t rows)
     : HistoryWriter(path, columns.size(), kept_beginning(path, header(columns), rows), rows) {}
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, std::size_t columns, const std::string& beginning,

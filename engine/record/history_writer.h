@@ -30,7 +30,7 @@ class HistoryWriter {
   // Goes on with the file of a run that stopped or was broken off (NAME.tmp is then what it left): keeps its header and
   // first `rows` rows, and drops later ones. InputError naming the file when there is none with these columns and as
   // many rows.
-  HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns, std::int64_t rows);
+  HistoryWriter(const std::filesystem::path& path, const std::vector<Column>& columns, std::int64_t rows);
 
   ~HistoryWriter();
   HistoryWriter(const HistoryWriter&) = delete;

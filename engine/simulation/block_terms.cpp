@@ -23,7 +23,7 @@ BlockTerms make_block_terms(const Model& model, double strain_inertia) {
     terms.inertia.push_back({model.mass_of(static_cast<int>(i)), mean_squares(block.moments), strain_inertia});
     terms.area.push_back(block.moments.area);
     terms.elasticity.push_back(elasticity);
-    terms.compliance.push_back(elasticity.inverse());
+    terms.compliance.emplace_back(elasticity.inverse());
   }
   return terms;
 }

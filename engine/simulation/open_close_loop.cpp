@@ -16,9 +16,13 @@
 namespace dda {
 namespace {
 
-// Forces stand still when they change by no more than this share of the largest force: far below what a stress or
-// displacement is read to, far above the round-off of a solve.
-constexpr double force_tolerance = 1e-9;
+// Forces stand still when they change by no more than this share of the largest contact force: far below what a stress
+// or displacement is read to.
+constexpr double force_tolerance = 1e-10;
+
+// Or by no more than this share of the largest entry of the right-hand side: what round-off of a solve makes of blocks
+// that only just touch.
+constexpr double round_off = 1e-13;
 
 // Passes after each of which capacities follow the normal forces.
 constexpr int eager_passes = 10;
@@ -87,7 +91,7 @@ bool Simulation::capacities_stand_still() {
     if (has_stress_rows(contacts_.elements[i])) continue;
     change = std::max(change, update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]));
   }
-  return change <= force_tolerance * largest_force();
+  return change <= negligible_force();
 }
 
 Status Simulation::solve_pass() {
@@ -142,7 +146,7 @@ bool Simulation::take_newton_step() {
   }
   target_ -= increment_;  // from here on the direction
   for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i].direction = gap_increment(contacts_.elements[i], target_);
-  const bool settled = mismatch_of_whole_step() <= force_tolerance * largest_force();
+  const bool settled = mismatch_of_whole_step() <= negligible_force();
   const double share = settled ? 1 : length_of_step();
   increment_ += share * target_;
   follow_trials(share);
@@ -165,10 +169,10 @@ double Simulation::mismatch_of_whole_step() const {
   return mismatch;
 }
 
-double Simulation::largest_force() const {
-  double largest = constant_rhs_.cwiseAbs().maxCoeff();
+double Simulation::negligible_force() const {
+  double largest = 0;
   for (const InterfaceTrial& trial : trial_) largest = std::max(largest, trial.force.cwiseAbs().maxCoeff());
-  return largest;
+  return std::max(force_tolerance * largest, round_off * constant_rhs_.cwiseAbs().maxCoeff());
 }
 
 double Simulation::length_of_step() {

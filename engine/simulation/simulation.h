@@ -93,7 +93,7 @@ class Simulation {
   [[nodiscard]] double length_of_step();
   [[nodiscard]] double mismatch_of_whole_step() const;
   void follow_trials(double share);
-  [[nodiscard]] double largest_force() const;
+  [[nodiscard]] double negligible_force() const;
   [[nodiscard]] Vec3 trial_stress(int block) const;
   [[nodiscard]] bool break_interfaces();
   [[nodiscard]] bool weaken_consistent(std::size_t i);

@@ -6,6 +6,8 @@
 // point reached; a line search along its step (exact: the slope is continuous and increasing) makes every pass lower
 // the minimum sought, so no set of statuses comes twice and the passes end. Two outer loops follow: capacities move to
 // friction times normal force until forces stand still, and ends beyond their strength break, at most once each.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -80,8 +82,27 @@ Status Simulation::settle_contacts() {
     if (!settled && pass >= eager_passes) continue;
     if (capacities_stand_still() && settled) return Status::ok;
   }
-  message_ = "the open-close iteration did not settle";
+  message_ = unsettled_message();
   return Status::not_converged;
+}
+
+std::string Simulation::unsettled_message() const {
+  std::size_t worst = 0;
+  double largest = -1;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    if (has_stress_rows(contacts_.elements[i])) continue;
+    InterfaceTrial again = trial_[i];
+    const double change = update_capacity(contacts_.elements[i], contacts_.strengths[i], again) +
+                          contacts_.elements[i].stiffness.cwiseProduct(again.direction).cwiseAbs().maxCoeff();
+    if (change > largest) largest = change, worst = i;
+  }
+  if (largest < 0) return "the open-close iteration did not settle";
+  const auto name = [&](int block) { return model_.blocks[static_cast<std::size_t>(block)].name; };
+  return fmt::format(
+      "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: take "
+      "another dt or a static stage first",
+      stage().max_open_close_iterations, name(contacts_.elements[worst].block_a),
+      name(contacts_.elements[worst].block_b), largest);
 }
 
 // Coulomb friction as a fixed point of given capacities.

@@ -34,7 +34,7 @@ int interface_of(const Simulation& simulation, const Measurement& measurement) {
   if (nearest >= 0 && least <= simulation.model().length_tolerance) return nearest;
   throw InputError("", fmt::format("measurements \"{}\": point", measurement.name),
                    fmt::format("[{}, {}]", measurement.point.x(), measurement.point.y()),
-                   "a point where two blocks touch along an edge");
+                   "a point on an edge along which two blocks are bonded, or joined with cohesion or tensile strength");
 }
 
 double traction(const Simulation& simulation, const Measurement& measurement, int interface) {

@@ -1,5 +1,7 @@
 #include "dda/simulation/simulation.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -122,10 +124,7 @@ Status Simulation::try_step(double dt) {
   if (plan_.linear) return linear_step();
   prepare_step();
   Status status = find_contact_statuses();
-  if (status == Status::ok && moving_ && largest_motion() > ContactSearch::reach / 2) {
-    message_ = "a block moves by more than 1 % of its size in one step, so contacts could be missed";
-    status = Status::not_converged;
-  }
+  if (status == Status::ok && moving_ && moves_too_far()) status = Status::not_converged;
   if (status == Status::ok) {
     accept_step();
   } else {
@@ -140,15 +139,25 @@ void Simulation::prepare_step() {
   form_constant_rhs();
 }
 
-// Largest motion of a point of a block in the step solved last, in sizes of that block.
-double Simulation::largest_motion() const {
-  double largest = 0;
+// The block that moves most in the step solved last, in sizes of that block.
+Simulation::Motion Simulation::largest_motion() const {
+  Motion largest;
   for (std::size_t i = 0; i < terms_.area.size(); ++i) {
     const auto own = increment_.segment<6>(static_cast<Eigen::Index>(6 * i));
     const double motion = own.head<2>().norm() / std::sqrt(terms_.area[i]) + own.tail<4>().cwiseAbs().maxCoeff();
-    largest = std::max(largest, motion);
+    if (motion > largest.share) largest = {i, motion};
   }
   return largest;
+}
+
+bool Simulation::moves_too_far() {
+  const Motion motion = largest_motion();
+  if (motion.share <= ContactSearch::reach / 2) return false;
+  message_ = fmt::format(
+      "block \"{}\" would move by {:.2g} of its size in a step of {:.3g} s, and contacts could be missed beyond {:g}: take a "
+      "smaller dt",
+      model_.blocks[motion.block].name, motion.share, coefficients_.dt, ContactSearch::reach / 2);
+  return true;
 }
 
 void Simulation::follow_contacts() {
@@ -249,7 +258,7 @@ void Simulation::accept_step() {
   const double work = inertia_work(coefficients_, terms_, state_, increment_);
   audit_.dashpots_worked(coefficients_, damping_, state_, increment_);
   move_blocks(coefficients_, stage().kinematics, terms_, increment_, state_);
-  if (plan_.finite_kinematics) moved_ += largest_motion();
+  if (plan_.finite_kinematics) moved_ += largest_motion().share;
   state_.time += coefficients_.dt;
   accept_contacts();
   accept_supports();

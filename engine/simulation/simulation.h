@@ -76,7 +76,13 @@ class Simulation {
   void prepare_step();
   void follow_geometry();
   void follow_contacts();
-  [[nodiscard]] double largest_motion() const;
+  struct Motion {
+    std::size_t block = 0;
+    double share = 0;
+  };
+  [[nodiscard]] Motion largest_motion() const;
+  [[nodiscard]] bool moves_too_far();
+  [[nodiscard]] std::string unsettled_message() const;
   void form_constant_rhs();
   [[nodiscard]] Status refactor();
   [[nodiscard]] Status solve_for_increment(Eigen::VectorXd& increment);

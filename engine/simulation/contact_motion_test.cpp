@@ -128,7 +128,8 @@ TEST(DryWall, StartsAtEveryTimeStep) {
     Model model = dry_wall(5, 5);
     model.stages = {stage_of(generalized_alpha_integrator(0), dt, 30, Kinematics::finite)};
     Simulation simulation = simulation_of(std::move(model));
-    for (int i = 0; i < 30; ++i) ASSERT_EQ(simulation.step(), Status::ok) << "dt " << dt << ": " << simulation.message();
+    for (int i = 0; i < 30; ++i)
+      ASSERT_EQ(simulation.step(), Status::ok) << "dt " << dt << ": " << simulation.message();
   }
 }
 

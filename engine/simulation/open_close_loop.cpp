@@ -99,7 +99,8 @@ std::string Simulation::unsettled_message() const {
   if (largest < 0) return "the open-close iteration did not settle";
   const auto name = [&](int block) { return model_.blocks[static_cast<std::size_t>(block)].name; };
   return fmt::format(
-      "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: take "
+      "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: "
+      "take "
       "another dt or a static stage first",
       stage().max_open_close_iterations, name(contacts_.elements[worst].block_a),
       name(contacts_.elements[worst].block_b), largest);

@@ -154,7 +154,8 @@ bool Simulation::moves_too_far() {
   const Motion motion = largest_motion();
   if (motion.share <= ContactSearch::reach / 2) return false;
   message_ = fmt::format(
-      "block \"{}\" would move by {:.2g} of its size in a step of {:.3g} s, and contacts could be missed beyond {:g}: take a "
+      "block \"{}\" would move by {:.2g} of its size in a step of {:.3g} s, and contacts could be missed beyond {:g}: "
+      "take a "
       "smaller dt",
       model_.blocks[motion.block].name, motion.share, coefficients_.dt, ContactSearch::reach / 2);
   return true;

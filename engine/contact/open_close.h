@@ -25,6 +25,11 @@ struct InterfaceTrial {
   std::array<bool, 2> broken{false, false};
 };
 
+// Linear in its gaps, whatever they are: nothing to settle.
+inline bool is_whole(const InterfaceElement& element, const InterfaceTrial& trial) {
+  return has_stress_rows(element) || (!trial.broken[0] && !trial.broken[1]);
+}
+
 // Starts a step: gaps, capacities and broken ends of its first moment.
 InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start);
 

@@ -56,6 +56,7 @@ double zero_of(const Slope& slope, double at_zero, double at_one) {
 
 Status Simulation::find_contact_statuses() {
   start_trials();
+  target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
   increment_.setZero();
   while (true) {
     const Status status = settle_contacts();
@@ -100,8 +101,7 @@ std::string Simulation::unsettled_message() const {
   const auto name = [&](int block) { return model_.blocks[static_cast<std::size_t>(block)].name; };
   return fmt::format(
       "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: "
-      "take "
-      "another dt or a static stage first",
+      "take another dt or a static stage first",
       stage().max_open_close_iterations, name(contacts_.elements[worst].block_a),
       name(contacts_.elements[worst].block_b), largest);
 }
@@ -110,7 +110,7 @@ std::string Simulation::unsettled_message() const {
 bool Simulation::capacities_stand_still() {
   double change = 0;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (has_stress_rows(contacts_.elements[i])) continue;
+    if (is_whole(contacts_.elements[i], trial_[i])) continue;
     change = std::max(change, update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]));
   }
   return change <= negligible_force();
@@ -124,9 +124,7 @@ Status Simulation::solve_pass() {
   }
   rhs_ = constant_rhs_;
   if (plan_.contacts_can_change) add_contact_rhs();
-  target_ = increment_;
-  const Status status = solve_for_increment(target_);
-  return status;
+  return solve_for_increment(target_);
 }
 
 // The matrix holds the stiffness of `matrix_rows_`; it must be that of the rows active now.
@@ -172,6 +170,7 @@ bool Simulation::take_newton_step() {
   const double share = settled ? 1 : length_of_step();
   increment_ += share * target_;
   follow_trials(share);
+  target_ = increment_;
   return settled;
 }
 
@@ -181,7 +180,7 @@ double Simulation::mismatch_of_whole_step() const {
   double mismatch = 0;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
-    if (has_stress_rows(element)) continue;
+    if (is_whole(element, trial_[i])) continue;
     InterfaceTrial after = trial_[i];
     after.gap += after.direction;
     respond(element, after);

@@ -110,11 +110,13 @@ std::string how_far(const Calibration& calibration) {
 Section beyond_section(const Calibration& calibration) {
   return {
       "All schemes",
-      {Paragraph{"From springs to the accurate scheme in three changes: the integrator (which takes away the damping), "
-                 "the interface law (which takes away the springs' compliance), and the cubic reconstruction with "
-                 "the time step's dispersion corrected (which takes away that of the block length). The last "
-                 "scheme adds lateral inertia: the strip of 1 m then has Love's dispersion, which elementary bar "
-                 "theory, the reference here, does not know."},
+      {Paragraph{
+           "From springs to the accurate scheme in three changes: the integrator (which takes away the damping), "
+           "the interface law (which takes away the springs' compliance), and the cubic reconstruction with "
+           "the time step's dispersion corrected (which takes away that of the block length). The last "
+           "scheme adds lateral inertia: the strip of 1 m then disperses sideways, at low frequencies as Love's bar "
+           "does, which elementary bar theory, the reference here, does not know. Its first peak is made by the "
+           "load's kinks at some kHz, where blocks of one strain across the strip are no model of it."},
        schemes_error_table(calibration), Paragraph{how_far(calibration)}}};
 }
 

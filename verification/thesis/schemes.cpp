@@ -75,8 +75,8 @@ SchemeSettings accurate_strip(const ThesisBar& bar) {
   scheme.name = "accurate_strip";
   scheme.title = "accurate, strip";
   scheme.description =
-      "The accurate scheme with lateral inertia: the bar as the strip of 1 m that it is. What it differs by is Love's "
-      "lateral dispersion, physics that elementary bar theory leaves out.";
+      "The accurate scheme with lateral inertia: the bar as the strip of 1 m that it is. It disperses "
+      "sideways, at low frequencies as Love's bar does, which elementary bar theory leaves out.";
   scheme.stage.lateral_inertia = true;
   return scheme;
 }

@@ -186,6 +186,14 @@ TEST_F(CommandLine, ARunThatEndsEarlySaysWhyAndKeepsItsResults) {
   EXPECT_TRUE(contains(text("out/frames.pvd"), fmt::format("timestep=\"{}\"", summary["time_s"].get<double>())));
 }
 
+TEST_F(CommandLine, CheckRefusesToPredictWavesShorterThanTwoSteps) {
+  write("scene.json", bar_scene(3, 20));  // steps of 1e-5 s
+  EXPECT_TRUE(
+      contains(call({"check", path("scene.json"), "--frequency", "60 kHz"}).out, "less than two steps a period"));
+  EXPECT_FALSE(
+      contains(call({"check", path("scene.json"), "--frequency", "40 kHz"}).out, "less than two steps a period"));
+}
+
 // The trapezoidal rule carries contact accelerations into free flight: a light slab on a floor gains energy by them.
 TEST_F(CommandLine, ARunThatGainsEnergySaysSo) {
   write("scene.json", restless_slab);

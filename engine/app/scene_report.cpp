@@ -10,6 +10,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <vector>
 
 #include "dda/app/wave_survey.h"
@@ -146,8 +147,14 @@ void add_wave(const Model& model, const SurveyedWave& surveyed, Text& text) {
   const double length = wavelength(wave);
   text.plain(fmt::format("  {} wave in \"{}\": {:.2f} m/s, wavelength {:.4g} m", surveyed.kind,
                          model.materials[static_cast<std::size_t>(surveyed.material)].name, wave.speed, length));
+  const double theta = 2 * std::numbers::pi * wave.frequency * wave.dt;
   text.plain(fmt::format("    block size/wavelength (eta) {:.3g} at {:.4g} m; omega dt (theta) {:.3g}",
-                         wave.block_size / length, wave.block_size, 6.283185307179586 * wave.frequency * wave.dt));
+                         wave.block_size / length, wave.block_size, theta));
+  if (theta >= std::numbers::pi) {
+    text.plain(fmt::format("    less than two steps a period: no such wave can be stepped; take dt below {:.2g} s",
+                           1 / (20 * wave.frequency)));
+    return;
+  }
   text.plain(
       fmt::format("    error of its speed: interfaces {:+.4f} %, block size {:+.4f} %, time step {:+.4f} %, "
                   "together {:+.4f} %",

@@ -19,7 +19,7 @@ NormalRows normal_rows(const Interface& interface, const Vec2& centroid, double 
   const Vec2& n = interface.normal;
   NormalRows rows;
   rows.displacement = displacement_rows((interface.from + interface.to) / 2 - centroid).transpose() * n;
-  rows.strain << 0, 0, 0, half * n.x() * n.x(), half * n.y() * n.y(), half * n.x() * n.y();
+  rows.strain = half * strain_along(n);
   return rows;
 }
 
@@ -113,10 +113,15 @@ InterfaceInertia interface_inertia(const Model& model, const Interface& interfac
   return {inertia.topLeftCorner<6, 6>(), inertia.bottomRightCorner<6, 6>(), inertia.bottomLeftCorner<6, 6>()};
 }
 
+Vec6 strain_along(const Vec2& direction) {
+  const double x = direction.x();
+  const double y = direction.y();
+  return (Vec6() << 0, 0, 0, x * x, y * y, x * y).finished();
+}
+
 Mat6 lateral_inertia(double mass, const AreaMoments& moments, const Vec2& normal) {
   const Vec2 side(-normal.y(), normal.x());
-  Vec6 strain;
-  strain << 0, 0, 0, side.x() * side.x(), side.y() * side.y(), side.x() * side.y();
+  const Vec6 strain = strain_along(side);
   const double mean_square =
       (side.x() * side.x() * moments.xx + side.y() * side.y() * moments.yy + 2 * side.x() * side.y() * moments.xy) /
       moments.area;

@@ -57,6 +57,9 @@ struct InterfaceInertia {
 // 17/140 of it the inertia of waves two blocks long would vanish.
 InterfaceInertia interface_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 
+// Strain along the unit vector `direction`, over the six unknowns of a block.
+Vec6 strain_along(const Vec2& direction);
+
 // What the sideways strain of a block adds to its inertia (6x6), for a chain that runs along `normal`.
 Mat6 lateral_inertia(double mass, const AreaMoments& moments, const Vec2& normal);
 

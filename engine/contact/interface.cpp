@@ -56,7 +56,7 @@ class PairSearch {
 
  private:
   void add(int owner, int other, const Vec2& from, const Vec2& to, const Vec2& normal) {
-    found_.push_back({owner, other, from, to, normal, (to - from).norm(), joint_index(model_, a_, b_)});
+    found_.push_back({owner, other, from, to, normal, (to - from).norm(), model_.joint_index(a_, b_)});
   }
 
   void find_stretches() {
@@ -104,11 +104,6 @@ class PairSearch {
 };
 
 }  // namespace
-
-int joint_index(const Model& model, int block_a, int block_b) {
-  const auto found = model.joint_of_block_pair.find(std::minmax(block_a, block_b));
-  return found == model.joint_of_block_pair.end() ? 0 : found->second;
-}
 
 std::vector<Interface> find_interfaces(const Model& model) {
   std::vector<std::vector<Edge>> edges;

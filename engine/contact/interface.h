@@ -19,9 +19,6 @@ struct Interface {
   int joint = 0;      // index into Model::joints
 };
 
-// Index of the joint between two blocks, into Model::joints.
-int joint_index(const Model& model, int block_a, int block_b);
-
 // All interfaces of the model, sorted by (block_a, block_b), with block_a < block_b for stretches. A vertex that meets
 // only another vertex makes none: bonded corners are held by the edges that meet there.
 std::vector<Interface> find_interfaces(const Model& model);

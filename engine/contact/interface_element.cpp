@@ -59,13 +59,6 @@ Vec4 cubic_stiffness(const Model& model, const Interface& interface) {
           cubic::bending_stiffness * unit};
 }
 
-// Normal strain times `half`, over the six unknowns.
-Eigen::Matrix<double, 1, 6> normal_strain_row(const Vec2& n, double half) {
-  Eigen::Matrix<double, 1, 6> row;
-  row << 0, 0, 0, half * n.x() * n.x(), half * n.y() * n.y(), half * n.x() * n.y();
-  return row;
-}
-
 // axes * displacement_rows(offset), written out: finite kinematics need it for every interface at every step.
 Mat26 local_rows(const Mat2& axes, const Vec2& offset) {
   const double x = offset.x();
@@ -87,7 +80,7 @@ Mat46 rows_of(const Mat2& axes, const Vec2& from, const Vec2& to, const Vec2& ce
     case InterfaceLaw::classical: rows << first, last; break;
     case InterfaceLaw::consistent: rows << (first + last) / 2, (last - first) / 2; break;
     case InterfaceLaw::cubic:
-      rows << (first + last) / 2, normal_strain_row(axes.row(0), ((from + to) / 2 - centroid).norm()),
+      rows << (first + last) / 2, ((from + to) / 2 - centroid).norm() * strain_along(axes.row(0)).transpose(),
           (last.row(0) - first.row(0)) / 2;
       break;
   }

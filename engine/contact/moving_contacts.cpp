@@ -22,7 +22,7 @@ Interface interface_of(const Model& model, const Outlines& outlines, const Verte
   interface.from = interface.to =
       model.blocks[at(contact.vertex_block)].moments.centroid + outlines.reference[at(contact.vertex)];
   interface.normal = contact.normal;
-  interface.joint = joint_index(model, contact.edge_block, contact.vertex_block);
+  interface.joint = model.joint_index(contact.edge_block, contact.vertex_block);
   return interface;
 }
 

@@ -30,6 +30,12 @@ int ends_of(const InterfaceElement& element) { return element.length > 0 ? 2 : 1
 
 Eigen::Index normal_row(int end) { return 2 * end; }
 
+// Capacity of an end: friction times the force that presses it.
+void set_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(element); ++end)
+    trial.capacity[static_cast<std::size_t>(end)] = strength.friction * std::max(0.0, -trial.force(normal_row(end)));
+}
+
 // An end that slid in the last step starts this one at its capacity, but for round-off and the gap measured anew: the
 // first pass takes it to slide on.
 void keep_sliding(const InterfaceElement& element, const InterfaceState& start, InterfaceTrial& trial) {
@@ -50,8 +56,7 @@ InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& s
   trial.broken = start.broken;
   trial.force = start.force;
   if (has_stress_rows(element)) return trial;
-  for (int end = 0; end < ends_of(element); ++end)
-    trial.capacity[static_cast<std::size_t>(end)] = strength.friction * std::max(0.0, -start.force(normal_row(end)));
+  set_capacity(element, strength, trial);  // by the forces of the start
   respond(element, trial);
   keep_sliding(element, start, trial);
   return trial;
@@ -83,8 +88,7 @@ double force_along(const InterfaceElement& element, const InterfaceTrial& trial,
 
 double update_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
   const Vec4 before = trial.force;
-  for (int end = 0; end < ends_of(element); ++end)
-    trial.capacity[static_cast<std::size_t>(end)] = strength.friction * std::max(0.0, -trial.force(normal_row(end)));
+  set_capacity(element, strength, trial);
   respond(element, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();
 }

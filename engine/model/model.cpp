@@ -12,10 +12,14 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 const Material& Model::material_of(int block) const { return materials[at(blocks[at(block)].material)]; }
 
-const JointMaterial& Model::joint_between(int block_a, int block_b) const {
-  if (joint_of_block_pair.empty()) return joints.front();
+int Model::joint_index(int block_a, int block_b) const {
+  if (joint_of_block_pair.empty()) return 0;
   const auto found = joint_of_block_pair.find({std::min(block_a, block_b), std::max(block_a, block_b)});
-  return joints[found == joint_of_block_pair.end() ? 0 : at(found->second)];
+  return found == joint_of_block_pair.end() ? 0 : found->second;
+}
+
+const JointMaterial& Model::joint_between(int block_a, int block_b) const {
+  return joints[at(joint_index(block_a, block_b))];
 }
 
 double Model::mass_of(int block) const { return material_of(block).density * blocks[at(block)].moments.area; }

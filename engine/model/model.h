@@ -97,6 +97,8 @@ struct Model {
   double length_tolerance = 0;  // m: points closer than this touch; set by finish_model
 
   [[nodiscard]] const Material& material_of(int block) const;
+  // Index into `joints` of the joint between two blocks.
+  [[nodiscard]] int joint_index(int block_a, int block_b) const;
   [[nodiscard]] const JointMaterial& joint_between(int block_a, int block_b) const;
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
 };

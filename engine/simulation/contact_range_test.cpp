@@ -6,17 +6,10 @@
 #include <string>
 
 #include "dda/simulation/simulation.h"
+#include "dda/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
-
-Block rectangle(const std::string& name, double left, double bottom, double width, double height) {
-  Block block;
-  block.name = name;
-  block.shape.outer = {
-      {left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
-  return block;
-}
 
 Model scene(std::vector<Block> blocks) {
   Model model;
@@ -31,11 +24,6 @@ Model scene(std::vector<Block> blocks) {
   stage.integrator = generalized_alpha_integrator(0.8);
   model.stages = {stage};
   return model;
-}
-
-Simulation simulation_of(Model model) {
-  finish_model(model);
-  return Simulation(std::move(model));
 }
 
 Status run(Simulation& simulation) {

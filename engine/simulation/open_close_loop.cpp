@@ -231,8 +231,11 @@ void Simulation::follow_trials(double share) {
       trial.force = elastic_force(element, trial.gap, trial_stress(element.block_a), trial_stress(element.block_b));
       continue;
     }
-    trial.gap += share * trial.direction;
-    if (!plan_.contacts_can_change) trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
+    if (plan_.contacts_can_change) {
+      trial.gap += share * trial.direction;
+    } else {
+      trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
+    }
     respond(element, trial);
   }
 }
@@ -245,15 +248,20 @@ Vec3 Simulation::trial_stress(int block) const {
 bool Simulation::break_interfaces() {
   if (!plan_.contacts_can_change) return false;
   bool broke = false;
+  bool weakened = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     if (has_stress_rows(contacts_.elements[i])) {
-      broke = weaken_consistent(i) || broke;
+      weakened = weaken_consistent(i) || weakened;
     } else if (break_ends(contacts_.strengths[i], trial_[i])) {
       respond(contacts_.elements[i], trial_[i]);
       broke = true;
     }
   }
-  return broke;
+  if (weakened) {
+    sum_internal_forces(internal_old_);
+    form_constant_rhs();
+  }
+  return broke || weakened;
 }
 
 // An interface beyond its strength goes on under the classical law, with the same forces at the start of the step, and
@@ -273,8 +281,6 @@ bool Simulation::weaken_consistent(std::size_t i) {
   respond(element, trial_[i]);
   matrix_rows_[i].setConstant(-1);
   audit_.interface_replaced(energy_before - interface_energy(element, contacts_.states[i]));
-  sum_internal_forces(internal_old_);
-  form_constant_rhs();
   return true;
 }
 

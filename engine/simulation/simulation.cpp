@@ -10,6 +10,7 @@
 
 #include "dda/simulation/kinematic_update.h"
 #include "dda/simulation/system_matrix.h"
+#include "dda/terms/elasticity.h"
 #include "dda/terms/velocity_damping.h"
 
 namespace dda {
@@ -194,7 +195,7 @@ void Simulation::sum_internal_forces(Eigen::VectorXd& force) const {
   for (std::size_t i = 0; i < state_.stress.size(); ++i) {
     auto own = force.segment<6>(static_cast<Eigen::Index>(6 * i));
     own.head<3>().setZero();
-    own.tail<3>() = terms_.area[i] * state_.stress[i];
+    own.tail<3>() = stress_force(terms_.area[i], state_.stress[i]);
   }
   add_contact_force(contacts_, force);
   add_support_force(supports_, force);

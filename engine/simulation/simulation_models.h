@@ -25,6 +25,14 @@ inline Stage stage_of(const Integrator& integrator, double dt, int steps, Kinema
   return stage;
 }
 
+// A named block, its lower left corner at (left, bottom).
+inline Block rectangle(const std::string& name, double left, double bottom, double width, double height) {
+  Block block;
+  block.name = name;
+  block.shape.outer = box_ring(left, bottom, left + width, bottom + height);
+  return block;
+}
+
 inline JointMaterial bond(InterfaceLaw law) {
   JointMaterial joint;
   joint.law = law;

@@ -8,17 +8,10 @@
 #include <string>
 
 #include "dda/core/error.h"
+#include "dda/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
-
-Block rectangle(const std::string& name, double left, double bottom, double width, double height) {
-  Block block;
-  block.name = name;
-  block.shape.outer = {
-      {left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
-  return block;
-}
 
 Model bare_model(InterfaceLaw law, Kinematics kinematics) {
   Model model;
@@ -90,10 +83,6 @@ Model bar_first_finite() {
   model.stages[1].duration = 70e-4;
   finish_model(model);
   return model;
-}
-
-void run(Simulation& simulation, int steps) {
-  for (int i = 0; i < steps; ++i) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
 }
 
 template <typename Values>

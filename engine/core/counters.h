@@ -1,6 +1,7 @@
 // What a run did, in counts that do not depend on the machine.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace dda {
@@ -16,5 +17,28 @@ struct Counters {
   std::int64_t contact_searches = 0;
   std::int64_t contact_state_changes = 0;
 };
+
+struct CounterField {
+  const char* name;  // as in summary.json
+  std::int64_t Counters::*value;
+};
+
+inline constexpr std::array counter_fields{
+    CounterField{"steps", &Counters::steps},
+    CounterField{"matrix_rebuilds", &Counters::matrix_rebuilds},
+    CounterField{"analyses", &Counters::analyses},
+    CounterField{"factorizations", &Counters::factorizations},
+    CounterField{"solves", &Counters::solves},
+    CounterField{"solver_iterations", &Counters::solver_iterations},
+    CounterField{"open_close_iterations", &Counters::open_close_iterations},
+    CounterField{"contact_searches", &Counters::contact_searches},
+    CounterField{"contact_state_changes", &Counters::contact_state_changes},
+};
+static_assert(sizeof(Counters) == counter_fields.size() * sizeof(std::int64_t), "counter_fields lists every counter");
+
+inline Counters& operator+=(Counters& sum, const Counters& added) {
+  for (const CounterField& field : counter_fields) sum.*field.value += added.*field.value;
+  return sum;
+}
 
 }  // namespace dda

@@ -10,15 +10,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const Counters& counters) {
-  return {{"steps", counters.steps},
-          {"matrix_rebuilds", counters.matrix_rebuilds},
-          {"analyses", counters.analyses},
-          {"factorizations", counters.factorizations},
-          {"solves", counters.solves},
-          {"solver_iterations", counters.solver_iterations},
-          {"open_close_iterations", counters.open_close_iterations},
-          {"contact_searches", counters.contact_searches},
-          {"contact_state_changes", counters.contact_state_changes}};
+  Json json = Json::object();
+  for (const CounterField& field : counter_fields) json[field.name] = counters.*field.value;
+  return json;
 }
 
 Json to_json(const EnergyLedger& energy) {

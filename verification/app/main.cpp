@@ -5,6 +5,8 @@
 #include <iostream>
 
 #include "dda/core/error.h"
+#include "verification/cases/all_cases.h"
+#include "verification/suite/run_command.h"
 #include "verification/thesis/calibrate_command.h"
 
 namespace {
@@ -12,23 +14,64 @@ namespace {
 constexpr int failed = 1;
 constexpr int bad_input = 2;
 
-int run(int argc, char** argv) {
-  CLI::App app("Verification studies of the dda engine.", "dda-verify");
-  app.require_subcommand(1);
-  verify::CalibrateCommand command;
+struct Arguments {
+  verify::CalibrateCommand calibrate;
+  verify::RunCommand run;
+  bool list = false;
+};
+
+void add_calibrate(CLI::App& app, Arguments& arguments) {
   CLI::App* calibrate = app.add_subcommand(
       "calibrate",
       "The P wave of Zelig (2015), chapter 3: Tables 3.2 and 3.3 from this engine, beside the printed numbers, its "
       "accurate scheme and the closed form of the discrete problem.\nWrites calibration.json, calibration.md, "
       "calibration.html and plots/. Exit code 1 if a promised accuracy is not met.");
-  calibrate->add_option("--out", command.folder, "folder of the report; made if it is not there")->required();
-  calibrate->add_flag("--quick", command.quick, "the time step of 0.1 ms only, each run once");
+  calibrate->add_option("--out", arguments.calibrate.folder, "folder of the report; made if it is not there")
+      ->required();
+  calibrate->add_flag("--quick", arguments.calibrate.quick, "the time step of 0.1 ms only, each run once");
+}
+
+void add_run(CLI::App& app, Arguments& arguments) {
+  CLI::App* run = app.add_subcommand(
+      "run",
+      "Runs the cases of the verification catalogue, all of them or those asked for, and writes verification.json: "
+      "one entry per asserted quantity with its reference, error and tolerance.\nExit code 1 if an assertion fails; "
+      "each is told on standard error.");
+  CLI::Option* folder =
+      run->add_option("--out", arguments.run.folder, "folder for verification.json; made if it is not there");
+  run->add_option("--case", arguments.run.selection.ids, "id of a case; may be given several times")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  run->add_option("--label", arguments.run.selection.labels, "cases of this label, fast or slow")
+      ->type_name("LABEL")
+      ->allow_extra_args(false);
+  CLI::Option* list =
+      run->add_flag("--list", arguments.list, "list catalogue numbers, label, id and title of the cases");
+  list->excludes(folder);
+  run->callback([folder, list] {
+    if (folder->count() + list->count() == 0) throw CLI::RequiredError("--out");
+  });
+}
+
+int carry_out(const CLI::App& app, const Arguments& arguments) {
+  if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
+  if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);
+  verify::list_cases(verify::select(verify::all_cases(), arguments.run.selection), std::cout);
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Verification studies of the dda engine.", "dda-verify");
+  app.require_subcommand(1);
+  Arguments arguments;
+  add_calibrate(app, arguments);
+  add_run(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : bad_input;
   }
-  return verify::calibrate(command);
+  return carry_out(app, arguments);
 }
 
 }  // namespace

@@ -1,12 +1,16 @@
 #include "verification/cases/all_cases.h"
 
-#include <initializer_list>
+#include <array>
+
+#include "verification/cases/rigid_motion_cases.h"
 
 namespace verify {
 namespace {
 
 // One function a subject; its cases keep their order.
-const std::initializer_list<std::vector<Case> (*)()> subjects = {};
+constexpr std::array subjects{
+    rigid_motion_cases,
+};
 
 std::vector<Case> collect() {
   std::vector<Case> cases;

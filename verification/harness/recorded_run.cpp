@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "dda/simulation/probes.h"
-#include "dda/simulation/simulation.h"
 
 namespace verify {
 namespace {
@@ -26,6 +25,14 @@ void step(dda::Simulation& simulation) {
 }
 
 }  // namespace
+
+void advance(dda::Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) step(simulation);
+}
+
+void advance_to_end(dda::Simulation& simulation) {
+  while (!simulation.finished()) step(simulation);
+}
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 

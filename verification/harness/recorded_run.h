@@ -7,6 +7,7 @@
 #include "dda/linear/solver_choice.h"
 #include "dda/model/energy.h"
 #include "dda/model/model.h"
+#include "dda/simulation/simulation.h"
 
 namespace verify {
 
@@ -23,6 +24,10 @@ struct RecordedRun {
 // `model` is finished (finish_model) and has one stage. Throws std::runtime_error, saying when and why, if a step
 // fails.
 [[nodiscard]] RecordedRun record_run(const dda::Model& model);
+
+// `steps` steps, or all that are left. Throws std::runtime_error, saying when and why, if a step fails.
+void advance(dda::Simulation& simulation, int steps);
+void advance_to_end(dda::Simulation& simulation);
 
 // CPU time of this process so far, s: what two runs on a busy machine can be compared by.
 [[nodiscard]] double cpu_seconds();

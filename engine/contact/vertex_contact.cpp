@@ -14,8 +14,8 @@ constexpr double notch_turn = 0.1;  // sine of the turn beyond which a reflex co
 
 struct Candidate {
   VertexContact contact;
-  int corner = -1;        // vertex of the edge's block that the vertex meets, where that is no notch
-  bool in_notch = false;  // the vertex lies beyond the edge's end, where a notch goes on
+  int corner = -1;  // vertex of the edge's block that the vertex meets, where that is no notch
+  int notch = -1;   // vertex of the notch at the edge's end that the vertex meets or has gone past
 };
 
 // One block's vertices against another's edges.
@@ -60,8 +60,9 @@ class Side {
     const bool notch = inside <= corner_ && is_notch(nearer);
     const Vec2 normal = Vec2(along.y(), -along.x()) / length;
     if (inside < -(notch ? reach_ : corner_) || gap > reach_ || gap < -depth_ || !enters(vertex, normal)) return;
-    found.push_back(
-        {{edge_block_, vertex_block_, edge, vertex, normal, gap}, inside <= corner_ && !notch ? nearer : -1, notch});
+    found.push_back({{edge_block_, vertex_block_, edge, vertex, normal, gap},
+                     inside <= corner_ && !notch ? nearer : -1,
+                     notch ? nearer : -1});
   }
 
   [[nodiscard]] bool is_notch(int vertex) const {
@@ -85,13 +86,19 @@ class Side {
     return deep.gap < std::min(0.0, shallow.gap) && shallow.gap - deep.gap * deep.normal.dot(shallow.normal) <= corner_;
   }
 
+  // Edges that bound a notch do not hide each other: a vertex pressed into it is behind both.
+  [[nodiscard]] bool bounds_notch_of(const Candidate& deep, const Candidate& shallow) const {
+    return shallow.notch >= 0 &&
+           (deep.contact.edge == shallow.notch || outlines_.next[at(deep.contact.edge)] == shallow.notch);
+  }
+
   // A vertex inside a block has come in through the edge nearest to it. Only in a notch it is behind two at once.
   void keep_nearest(std::size_t begin, std::vector<Candidate>& found) const {
     const std::vector<Candidate> all(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end());
     const auto is_hidden = [&](const Candidate& deep) {
-      return !deep.in_notch && std::any_of(all.begin(), all.end(), [&](const Candidate& shallow) {
-        return !shallow.in_notch && is_behind(deep.contact, shallow.contact);
-      });
+      return deep.notch < 0 && std::any_of(all.begin(), all.end(), [&](const Candidate& shallow) {
+               return !bounds_notch_of(deep, shallow) && is_behind(deep.contact, shallow.contact);
+             });
     };
     found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), is_hidden),
                 found.end());

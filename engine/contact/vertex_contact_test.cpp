@@ -133,6 +133,16 @@ TEST(VertexContact, ReflexCornersNeverEnter) {
   }
 }
 
+// A box on a step of a stair: its corner in the notch lies below the next step's line, but behind that step's riser.
+TEST(VertexContact, ABoxOnAStepMeetsNoOtherStep) {
+  const Polygon stair{{{0, -1}, {3, -1}, {3, 0.05}, {1, 0.05}, {1, 0}, {0, 0}}, {}};
+  for (const double gap : {1e-3, 1e-9, 0.0, -1e-9, -1e-7, -1e-5, -1e-4}) {
+    const auto found = contacts_of({stair, box(0.5 - gap, gap, 0.5, 1)});
+    EXPECT_EQ(found.size(), 4U) << gap;  // two on the tread, two on the riser
+    for (const VertexContact& contact : found) EXPECT_NEAR(contact.gap, gap, 1e-15);
+  }
+}
+
 // A vertex shallow under one edge of a convex corner and deep behind the other has come in through the first.
 TEST(VertexContact, EntersThroughTheNearerEdge) {
   const auto found = contacts_of({box(0, 0, 1, 1), box(0.95, 1 - 1e-3, 1, 1)});

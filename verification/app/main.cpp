@@ -7,6 +7,7 @@
 #include "dda/core/error.h"
 #include "verification/cases/all_cases.h"
 #include "verification/suite/run_command.h"
+#include "verification/suite/table_command.h"
 #include "verification/thesis/calibrate_command.h"
 
 namespace {
@@ -17,6 +18,7 @@ constexpr int bad_input = 2;
 struct Arguments {
   verify::CalibrateCommand calibrate;
   verify::RunCommand run;
+  verify::TableCommand table;
   bool list = false;
 };
 
@@ -31,30 +33,52 @@ void add_calibrate(CLI::App& app, Arguments& arguments) {
   calibrate->add_flag("--quick", arguments.calibrate.quick, "the time step of 0.1 ms only, each run once");
 }
 
+void add_selection(CLI::App& command, verify::Selection& selection) {
+  command.add_option("--case", selection.ids, "only the case of this id; may be given several times")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  command.add_option("--label", selection.labels, "only cases of this label, fast or slow")
+      ->type_name("LABEL")
+      ->allow_extra_args(false);
+}
+
+void require_one_of(CLI::App& command, CLI::Option* first, CLI::Option* second) {
+  second->excludes(first);
+  command.callback([first, second] {
+    if (first->count() + second->count() == 0) throw CLI::RequiredError(first->get_name());
+  });
+}
+
 void add_run(CLI::App& app, Arguments& arguments) {
   CLI::App* run = app.add_subcommand(
       "run",
       "Runs the cases of the verification catalogue, all of them or those asked for, and writes verification.json: "
       "one entry per asserted quantity with its reference, error and tolerance.\nExit code 1 if an assertion fails; "
       "each is told on standard error.");
-  CLI::Option* folder =
-      run->add_option("--out", arguments.run.folder, "folder for verification.json; made if it is not there");
-  run->add_option("--case", arguments.run.selection.ids, "id of a case; may be given several times")
-      ->type_name("ID")
-      ->allow_extra_args(false);
-  run->add_option("--label", arguments.run.selection.labels, "cases of this label, fast or slow")
-      ->type_name("LABEL")
-      ->allow_extra_args(false);
-  CLI::Option* list =
-      run->add_flag("--list", arguments.list, "list catalogue numbers, label, id and title of the cases");
-  list->excludes(folder);
-  run->callback([folder, list] {
-    if (folder->count() + list->count() == 0) throw CLI::RequiredError("--out");
-  });
+  add_selection(*run, arguments.run.selection);
+  require_one_of(
+      *run, run->add_option("--out", arguments.run.folder, "folder for verification.json; made if it is not there"),
+      run->add_flag("--list", arguments.list, "list catalogue numbers, label, id and title of the cases"));
+}
+
+void add_table(CLI::App& app, Arguments& arguments) {
+  CLI::App* table = app.add_subcommand(
+      "table",
+      "Makes docs/verification.md from what `run` has written. Cases without results keep the table "
+      "that the page has.\nExit code 1 if an assertion failed, or with --check if the page is stale.");
+  table->add_option("results", arguments.table.results, "folder with verification.json, or with one for each case")
+      ->required()
+      ->type_name("DIR");
+  add_selection(*table, arguments.table.selection);
+  CLI::Option* check = table->add_option("--check", arguments.table.page, "page to compare; nothing is written");
+  require_one_of(*table, table->add_option("--out", arguments.table.page, "page to write"), check);
+  table->parse_complete_callback([check, &arguments] { arguments.table.check = check->count() > 0; });
 }
 
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
+  if (app.got_subcommand("table"))
+    return verify::make_table(verify::all_cases(), arguments.table, std::cout, std::cerr);
   if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);
   verify::list_cases(verify::select(verify::all_cases(), arguments.run.selection), std::cout);
   return 0;
@@ -66,6 +90,7 @@ int run(int argc, char** argv) {
   Arguments arguments;
   add_calibrate(app, arguments);
   add_run(app, arguments);
+  add_table(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

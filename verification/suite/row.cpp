@@ -99,7 +99,8 @@ std::string to_json(const std::vector<Row>& rows) {
 std::vector<Row> rows_from_json(const std::string& text, const std::string& file) {
   try {
     std::vector<Row> rows;
-    for (const Json& json : Json::parse(text).at("cases")) rows.push_back(row_from(json));
+    const Json all = Json::parse(text);
+    for (const Json& json : all.at("cases")) rows.push_back(row_from(json));
     return rows;
   } catch (const Json::exception& error) {
     throw dda::InputError(file, "the text", error.what(), "what `dda-verify run` writes");

@@ -1,5 +1,7 @@
 #include "verification/suite/runner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <ctime>
 #include <exception>
@@ -44,8 +46,8 @@ void expect_known(const char* option, const std::vector<std::string>& asked, con
   for (const std::string& word : asked) {
     if (contains(known, word)) continue;
     const std::string nearest = dda::nearest_word(word, known);
-    throw dda::InputError("", option, "\"" + word + "\"",
-                          expected + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+    const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
+    throw dda::InputError("", option, fmt::format("\"{}\"", word), expected + hint);
   }
 }
 

@@ -12,6 +12,7 @@ namespace {
 constexpr auto checkpoint_interval = std::chrono::seconds(10);
 constexpr auto histories_name = "histories.csv";
 constexpr auto frames_name = "frames.pvd";
+constexpr auto contacts_name = "contacts.pvd";
 constexpr auto checkpoint_name = "checkpoint.bin";
 constexpr auto summary_name = "summary.json";
 
@@ -20,6 +21,15 @@ std::vector<Column> columns_of(const Model& model) {
   for (const Measurement& measurement : model.measurements)
     columns.push_back({measurement.name, std::string(unit_of(measurement.quantity))});
   return columns;
+}
+
+std::vector<ContactPoint> contact_points_of(const Simulation& simulation) {
+  const ContactSet& contacts = simulation.contacts();
+  std::vector<ContactPoint> points;
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i)
+    append_contact_points(simulation.model(), simulation.state(), contacts.interfaces[i], contacts.elements[i],
+                          simulation.interface_state(i), points);
+  return points;
 }
 
 }  // namespace
@@ -39,6 +49,8 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
   if (options_.frame_interval) {
     frames_ = std::make_unique<FrameWriter>(simulation.model(), in_folder(frames_name));
     frames_->go_on_after(frame_times_);
+    contact_frames_ = std::make_unique<ContactFrameWriter>(in_folder(contacts_name));
+    contact_frames_->go_on_after(frame_times_);
     if (!frame_times_.empty()) next_frame_ = std::llround(frame_times_.back() / *options_.frame_interval) + 1;
   }
   if (!resumed) {
@@ -68,7 +80,9 @@ void RunFiles::write_frame_when_due() {
   write_frame();
 }
 
+// Blocks last: a frame of them that is listed has its contacts.
 void RunFiles::write_frame() {
+  contact_frames_->write(simulation_.state().time, contact_points_of(simulation_));
   frames_->write(simulation_.state());
   frame_times_.push_back(simulation_.state().time);
 }
@@ -87,7 +101,7 @@ void RunFiles::close(RunSummary summary) {
   histories_->close();
   summary.histories = {{histories_name, histories_->rows(), columns_}};
   summary.outputs = {histories_name, checkpoint_name, summary_name};
-  if (frames_) summary.outputs.emplace_back(frames_name);
+  if (frames_) summary.outputs.insert(summary.outputs.end(), {frames_name, contacts_name});
   write_summary(in_folder(summary_name), summary);
 }
 

@@ -1,4 +1,5 @@
-// The files of a run: histories.csv, frames.pvd with frames/, checkpoint.bin, summary.json.
+// The files of a run: histories.csv, frames.pvd with frames/, contacts.pvd with contacts/, checkpoint.bin,
+// summary.json.
 #pragma once
 
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "dda/app/run_position.h"
+#include "dda/record/contact_frame_writer.h"
 #include "dda/record/frame_writer.h"
 #include "dda/record/history_writer.h"
 #include "dda/record/summary.h"
@@ -58,6 +60,7 @@ class RunFiles {
   std::vector<double> values_;
   std::unique_ptr<HistoryWriter> histories_;
   std::unique_ptr<FrameWriter> frames_;
+  std::unique_ptr<ContactFrameWriter> contact_frames_;
   std::vector<double> frame_times_;
   std::int64_t next_frame_ = 0;  // in frame intervals
   std::chrono::steady_clock::time_point last_checkpoint_;

@@ -1,18 +1,16 @@
 #include "dda/record/frame_writer.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
-#include <system_error>
+#include <string>
 #include <utility>
 
+#include "dda/geometry/segment.h"
 #include "dda/geometry/triangulate.h"
-#include "dda/record/atomic_file.h"
 
 namespace dda {
 namespace {
@@ -39,7 +37,6 @@ constexpr std::array scalars_of_block = {
     ScalarOfBlock{"rotation [rad]", [](const State& state, std::size_t i) { return state.displacement[i][2]; }},
 };
 
-VtkArray indices(std::string name) { return {std::move(name), 1, std::vector<std::int32_t>{}}; }
 VtkArray doubles(std::string name, int components, std::size_t tuples) {
   return {std::move(name), components, std::vector<double>(static_cast<std::size_t>(components) * tuples)};
 }
@@ -51,20 +48,39 @@ void set_vector(std::vector<double>& values, std::size_t tuple, const Vec2& vect
   values[3 * tuple + 1] = vector.y();
 }
 
-void create_folder(const std::filesystem::path& path) {
-  std::error_code error;
-  std::filesystem::create_directory(path, error);
-  if (error) throw std::runtime_error("cannot create folder " + path.string() + ": " + error.message());
+void add_cell(VtkCells& cells, int first_point, std::span<const int> corners) {
+  for (const int corner : corners) cells.connectivity.push_back(first_point + corner);
+  cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
 }
 
 }  // namespace
 
-FrameWriter::FrameWriter(const Model& model, std::filesystem::path index) : model_(model), index_(std::move(index)) {
-  create_folder(index_.parent_path() / index_.stem());
-  data_.cell_data = {indices("block"), indices("material")};
-  for (int block = 0; block < static_cast<int>(model.blocks.size()); ++block) add_block(block);
+// In a fan of as many triangles that all turn left, none overlaps another: their areas add up to that of the polygon.
+std::optional<std::size_t> fan_apex(const Polygon& polygon) {
+  if (!polygon.holes.empty()) return std::nullopt;
+  const Ring& ring = polygon.outer;
+  const std::size_t n = ring.size();
+  for (std::size_t apex = 0; apex < n; ++apex) {
+    bool covers = true;
+    for (std::size_t i = 1; i + 1 < n && covers; ++i) {
+      const Vec2 side = ring[(apex + i) % n] - ring[apex];
+      covers = cross(side, ring[(apex + i + 1) % n] - ring[apex]) >= 0;
+    }
+    if (covers) return apex;
+  }
+  return std::nullopt;
+}
+
+FrameWriter::FrameWriter(const Model& model, std::filesystem::path index) : model_(model), series_(std::move(index)) {
+  const int blocks = static_cast<int>(model.blocks.size());
+  for (int block = 0; block < blocks; ++block) add_points(block);
+  for (int block = 0; block < blocks; ++block) add_rings(block, first_point_[at(block)]);
+  for (int block = 0; block < blocks; ++block) add_surface(block, first_point_[at(block)]);
 
   const std::size_t cells = cell_block_.size();
+  std::vector<std::int32_t> materials;
+  for (const int block : cell_block_) materials.push_back(model.blocks[at(block)].material);
+  data_.cell_data = {{"block", 1, cell_block_}, {"material", 1, std::move(materials)}};
   for (const ScalarOfBlock& scalar : scalars_of_block) data_.cell_data.push_back(doubles(scalar.name, 1, cells));
   data_.cell_data.push_back(doubles("velocity [m/s]", 3, cells));
   data_.cell_data.push_back(doubles("displacement [m]", 3, cells));
@@ -72,55 +88,50 @@ FrameWriter::FrameWriter(const Model& model, std::filesystem::path index) : mode
   data_.point_data = {doubles("displacement [m]", 3, vertices_.size()), doubles("velocity [m/s]", 3, vertices_.size())};
 }
 
-void FrameWriter::add_block(int block) {
+void FrameWriter::add_points(int block) {
   const Polygon& shape = model_.blocks[at(block)].shape;
-  const int first = static_cast<int>(vertices_.size());
+  first_point_.push_back(static_cast<int>(vertices_.size()));
   vertices_.insert(vertices_.end(), shape.outer.begin(), shape.outer.end());
   for (const Ring& hole : shape.holes) vertices_.insert(vertices_.end(), hole.begin(), hole.end());
   vertex_block_.resize(vertices_.size(), block);
-
-  if (is_convex(shape)) {
-    std::vector<int> corners(shape.outer.size());
-    std::iota(corners.begin(), corners.end(), 0);
-    add_cell(block, first, corners);
-  } else {
-    for (const Triangle& triangle : triangulate(shape)) add_cell(block, first, triangle);
-  }
 }
 
-void FrameWriter::add_cell(int block, int first_vertex, std::span<const int> corners) {
-  for (const int corner : corners) data_.connectivity.push_back(first_vertex + corner);
-  data_.offsets.push_back(static_cast<std::int64_t>(data_.connectivity.size()));
-  cell_block_.push_back(block);
-  std::get<std::vector<std::int32_t>>(data_.cell_data[0].values).push_back(block);
-  std::get<std::vector<std::int32_t>>(data_.cell_data[1].values).push_back(model_.blocks[at(block)].material);
+void FrameWriter::add_rings(int block, int first_point) {
+  const Polygon& shape = model_.blocks[at(block)].shape;
+  if (fan_apex(shape)) return;
+  const auto add = [&](const Ring& ring) {
+    std::vector<int> corners(ring.size() + 1);
+    std::iota(corners.begin(), corners.end(), 0);
+    corners.back() = 0;
+    add_cell(data_.lines, first_point, corners);
+    cell_block_.push_back(block);
+    first_point += static_cast<int>(ring.size());
+  };
+  add(shape.outer);
+  for (const Ring& hole : shape.holes) add(hole);
+}
+
+void FrameWriter::add_surface(int block, int first_point) {
+  const Polygon& shape = model_.blocks[at(block)].shape;
+  if (const auto apex = fan_apex(shape)) {
+    std::vector<int> corners(shape.outer.size());
+    std::iota(corners.begin(), corners.end(), 0);
+    std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(*apex), corners.end());
+    add_cell(data_.polygons, first_point, corners);
+    cell_block_.push_back(block);
+    return;
+  }
+  for (const Triangle& triangle : triangulate(shape)) {
+    add_cell(data_.polygons, first_point, triangle);
+    cell_block_.push_back(block);
+  }
 }
 
 void FrameWriter::write(const State& state) {
   data_.time = state.time;
   fill_points(state);
   fill_cells(state);
-  write_vtp(index_.parent_path() / frame_path(), data_);
-  const std::string latest = entry(state.time);
-  write_file(index_, "<VTKFile type=\"Collection\" version=\"1.0\">\n  <Collection>\n" + entries_ + latest +
-                         "  </Collection>\n</VTKFile>\n");
-  entries_ += latest;
-  ++frames_;
-}
-
-void FrameWriter::go_on_after(std::span<const double> times) {
-  for (const double time : times) {
-    entries_ += entry(time);
-    ++frames_;
-  }
-}
-
-// Of the next frame, from the folder of the index.
-std::filesystem::path FrameWriter::frame_path() const { return index_.stem() / fmt::format("{:06}.vtp", frames_); }
-
-std::string FrameWriter::entry(double time) const {
-  return fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time,
-                     xml_escaped(frame_path().generic_string()));
+  series_.add(data_);
 }
 
 void FrameWriter::fill_points(const State& state) {

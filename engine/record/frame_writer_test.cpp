@@ -26,7 +26,7 @@ Block block_of(Polygon shape, int material) {
 
 Ring square(double x, double y, double side) { return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}; }
 
-// A square, an L and a square frame, of 1, 3 and 8 m2.
+// A square, an L and a square frame, of 1, 3 and 8 m2. The frame's cells: 2 lines, its rings, and 8 triangles.
 Model three_blocks() {
   Model model;
   model.blocks.push_back(block_of({square(0, 0, 1), {}}, 1));
@@ -68,7 +68,9 @@ TEST_F(FrameWriterTest, FileIsCompleteAndSaysHowToReadIt) {
   EXPECT_EQ(vtp.file().attributes.at("header_type"), "UInt64");
   EXPECT_EQ(vtp.tail(), "\n</AppendedData>\n</VTKFile>\n");
   EXPECT_EQ(vtp.count("NumberOfPoints"), 4U + 6U + 8U);
-  EXPECT_EQ(vtp.count("NumberOfPolys"), 1U + 4U + 8U);  // a square, triangles of the L and of the frame
+  EXPECT_EQ(vtp.count("NumberOfVerts"), 0U);
+  EXPECT_EQ(vtp.count("NumberOfLines"), 2U);
+  EXPECT_EQ(vtp.count("NumberOfPolys"), 1U + 1U + 8U);
 }
 
 TEST_F(FrameWriterTest, ArraysHaveATupleForEveryCellOrPoint) {
@@ -76,11 +78,11 @@ TEST_F(FrameWriterTest, ArraysHaveATupleForEveryCellOrPoint) {
   for (const char* name : {"block", "material", "stress_xx [Pa]", "stress_yy [Pa]", "stress_xy [Pa]", "stress_1 [Pa]",
                            "stress_2 [Pa]", "rotation [rad]"}) {
     EXPECT_EQ(vtp.components(std::string("CellData/") + name), 1U) << name;
-    EXPECT_EQ(vtp.cell(name).size(), 13U) << name;
+    EXPECT_EQ(vtp.cell(name).size(), 12U) << name;
   }
   for (const char* name : {"velocity [m/s]", "displacement [m]"}) {
     EXPECT_EQ(vtp.components(std::string("CellData/") + name), 3U) << name;
-    EXPECT_EQ(vtp.cell(name).size(), 3U * 13U) << name;
+    EXPECT_EQ(vtp.cell(name).size(), 3U * 12U) << name;
     EXPECT_EQ(vtp.components(std::string("PointData/") + name), 3U) << name;
     EXPECT_EQ(vtp.point(name).size(), 3U * 18U) << name;
   }
@@ -92,13 +94,37 @@ TEST_F(FrameWriterTest, BlocksAsDrawnCoverTheirAreaAndNoHole) {
   const std::map<int, double> expected = {{0, 1}, {1, 3}, {2, 8}};  // small integers: exact
   EXPECT_EQ(vtp.block_areas(), expected);
   for (std::size_t i = 0; i < vtp.count("NumberOfPolys"); ++i) {
-    const auto corners = vtp.cell_corners(i);
-    Vec2 middle = Vec2::Zero();
-    for (const Vec2& corner : corners) middle += corner / static_cast<double>(corners.size());
-    const auto block = static_cast<std::size_t>(vtp.cell("block")[i]);
-    EXPECT_TRUE(contains(model_.blocks[block].shape, middle)) << i;
-    EXPECT_EQ(vtp.cell("material")[i], model_.blocks[block].material);
+    const auto corners = vtp.corners("Polys", i);
+    const Polygon& shape = model_.blocks[vtp.block_of_polygon(i)].shape;
+    // VTK draws a polygon as a fan from its first point.
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+      EXPECT_GT(signed_area({corners[0], corners[k], corners[k + 1]}), 0) << i;
+      EXPECT_TRUE(contains(shape, (corners[0] + corners[k] + corners[k + 1]) / 3)) << i;
+    }
   }
+  for (std::size_t cell = 0; cell < vtp.cell("block").size(); ++cell)
+    EXPECT_EQ(vtp.cell("material")[cell], model_.blocks[static_cast<std::size_t>(vtp.cell("block")[cell])].material);
+}
+
+TEST_F(FrameWriterTest, RingsOfABlockThatIsTrianglesAreClosedLines) {
+  const VtpReader vtp = frame(initial_state(model_));
+  const Polygon& shape = model_.blocks[2].shape;
+  const std::vector<Ring> rings = {shape.outer, shape.holes[0]};
+  for (std::size_t i = 0; i < 2; ++i) {
+    Ring closed = rings[i];
+    closed.push_back(closed.front());
+    EXPECT_EQ(vtp.corners("Lines", i), closed);
+    EXPECT_EQ(vtp.cell("block")[i], 2);
+  }
+}
+
+TEST(FanApex, IsAVertexThatSeesTheWholePolygon) {
+  EXPECT_EQ(fan_apex({square(0, 0, 1), {}}), 0U);
+  // Of an L only the inner corner and the outer one on its diagonal see all of it.
+  EXPECT_EQ(fan_apex({{{4, 0}, {4, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 0}}, {}}), 2U);
+  const Ring letter_u = {{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  EXPECT_EQ(fan_apex({letter_u, {}}), std::nullopt);
+  EXPECT_EQ(fan_apex({square(5, 0, 3), {{{6, 1}, {6, 2}, {7, 2}, {7, 1}}}}), std::nullopt);
 }
 
 TEST_F(FrameWriterTest, BlocksAreWhereTheyAreNow) {
@@ -134,7 +160,7 @@ TEST_F(FrameWriterTest, BlocksAreWhereTheyAreNow) {
 TEST_F(FrameWriterTest, CellsCarryTheStateOfTheirBlock) {
   const State state = moved_state(model_);
   const VtpReader vtp = frame(state);
-  for (std::size_t cell = 0; cell < vtp.count("NumberOfPolys"); ++cell) {
+  for (std::size_t cell = 0; cell < vtp.cell("block").size(); ++cell) {
     const auto i = static_cast<std::size_t>(vtp.cell("block")[cell]);
     EXPECT_EQ(vtp.cell("stress_xx [Pa]")[cell], state.stress[i][0]);
     EXPECT_EQ(vtp.cell("stress_yy [Pa]")[cell], state.stress[i][1]);
@@ -156,7 +182,7 @@ TEST_F(FrameWriterTest, PrincipalStresses) {
   state.stress[2] << -5, -5, 0;
   const VtpReader vtp = frame(state);
   const std::vector<std::pair<double, double>> expected = {{3.5, -1.5}, {7, -7}, {-5, -5}};
-  for (std::size_t cell = 0; cell < vtp.count("NumberOfPolys"); ++cell) {
+  for (std::size_t cell = 0; cell < vtp.cell("block").size(); ++cell) {
     const auto [first, second] = expected[static_cast<std::size_t>(vtp.cell("block")[cell])];
     EXPECT_DOUBLE_EQ(vtp.cell("stress_1 [Pa]")[cell], first);
     EXPECT_DOUBLE_EQ(vtp.cell("stress_2 [Pa]")[cell], second);

@@ -75,23 +75,35 @@ void add_section(VtpText& text, std::string_view tag, const std::vector<VtkArray
   text.close(tag);
 }
 
+void add_cells(VtpText& text, std::string_view tag, const VtkCells& cells) {
+  text.open(tag);
+  text.array("connectivity", 1, std::span(cells.connectivity));
+  text.array("offsets", 1, std::span(cells.offsets));
+  text.close(tag);
+}
+
 void add_piece(VtpText& text, const PolyData& data) {
-  text.open("Piece", fmt::format(R"( NumberOfPoints="{}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" )"
-                                 R"(NumberOfPolys="{}")",
-                                 data.points.size() / 3, data.offsets.size()));
+  text.open("Piece",
+            fmt::format(R"( NumberOfPoints="{}" NumberOfVerts="{}" NumberOfLines="{}" NumberOfStrips="0" )"
+                        R"(NumberOfPolys="{}")",
+                        data.points.size() / 3, data.vertices.size(), data.lines.size(), data.polygons.size()));
   add_section(text, "PointData", data.point_data);
   add_section(text, "CellData", data.cell_data);
   text.open("Points");
   text.array("Points", 3, std::span(data.points));
   text.close("Points");
-  text.open("Polys");
-  text.array("connectivity", 1, std::span(data.connectivity));
-  text.array("offsets", 1, std::span(data.offsets));
-  text.close("Polys");
+  add_cells(text, "Verts", data.vertices);
+  add_cells(text, "Lines", data.lines);
+  add_cells(text, "Polys", data.polygons);
   text.close("Piece");
 }
 
 }  // namespace
+
+std::span<const std::int64_t> VtkCells::cell(std::size_t i) const {
+  const auto first = static_cast<std::size_t>(i == 0 ? 0 : offsets[i - 1]);
+  return std::span(connectivity).subspan(first, static_cast<std::size_t>(offsets[i]) - first);
+}
 
 void write_vtp(const std::filesystem::path& path, const PolyData& data) {
   constexpr bool little = std::endian::native == std::endian::little;

@@ -1,8 +1,10 @@
 // ParaView's .vtp: VTK XML PolyData with its numbers appended raw (VTK file formats, "XML File Formats").
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -16,12 +18,22 @@ struct VtkArray {
   std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>> values;
 };
 
-// Polygons in space. A cell is the polygon through points[connectivity[offsets[i - 1] .. offsets[i])].
+// Cell i goes through points[connectivity[offsets[i - 1] .. offsets[i])].
+struct VtkCells {
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets;  // where each cell ends
+
+  [[nodiscard]] std::size_t size() const { return offsets.size(); }
+  [[nodiscard]] std::span<const std::int64_t> cell(std::size_t i) const;
+};
+
+// Points, lines and polygons in space. Cell data are those of all vertices, then all lines, then all polygons.
 struct PolyData {
   double time = 0;             // s, kept as field data "TimeValue"
   std::vector<double> points;  // m, three coordinates each
-  std::vector<std::int64_t> connectivity;
-  std::vector<std::int64_t> offsets;  // where each cell ends
+  VtkCells vertices;           // each of any number of points
+  VtkCells lines;
+  VtkCells polygons;
   std::vector<VtkArray> point_data;
   std::vector<VtkArray> cell_data;
 };

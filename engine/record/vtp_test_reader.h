@@ -120,24 +120,30 @@ class VtpReader {
   std::size_t appended_bytes_read() const { return read_; }
   std::string tail() const { return data_.substr(read_); }
 
-  std::vector<Vec2> cell_corners(std::size_t cell) const {
-    const auto first = static_cast<std::size_t>(cell == 0 ? 0 : array("Polys/offsets")[cell - 1]);
-    const auto last = static_cast<std::size_t>(array("Polys/offsets")[cell]);
+  // The points of a cell of "Lines" or "Polys".
+  std::vector<Vec2> corners(const std::string& kind, std::size_t cell) const {
+    const auto first = static_cast<std::size_t>(cell == 0 ? 0 : array(kind + "/offsets")[cell - 1]);
+    const auto last = static_cast<std::size_t>(array(kind + "/offsets")[cell]);
     std::vector<Vec2> corners;
     for (std::size_t i = first; i < last; ++i) {
-      const auto point = static_cast<std::size_t>(array("Polys/connectivity").at(i));
+      const auto point = static_cast<std::size_t>(array(kind + "/connectivity").at(i));
       corners.emplace_back(array("Points/Points").at(3 * point), array("Points/Points").at(3 * point + 1));
     }
     return corners;
+  }
+
+  // The block of a polygon; cell data begin with those of the lines.
+  std::size_t block_of_polygon(std::size_t polygon) const {
+    return static_cast<std::size_t>(cell("block").at(count("NumberOfLines") + polygon));
   }
 
   // By the number of each block.
   std::map<int, double> block_areas() const {
     std::map<int, double> areas;
     for (std::size_t i = 0; i < count("NumberOfPolys"); ++i) {
-      const double area = signed_area(cell_corners(i));
+      const double area = signed_area(corners("Polys", i));
       EXPECT_GT(area, 0);
-      areas[static_cast<int>(cell("block")[i])] += area;
+      areas[static_cast<int>(block_of_polygon(i))] += area;
     }
     return areas;
   }

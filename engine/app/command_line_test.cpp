@@ -137,13 +137,15 @@ TEST_F(CommandLine, RunWritesItsResults) {
   EXPECT_TRUE(exists("out/frames.pvd"));
   EXPECT_TRUE(exists("out/frames/000004.vtp"));
   EXPECT_FALSE(exists("out/frames/000005.vtp"));
+  EXPECT_TRUE(exists("out/contacts/000004.vtp"));
+  EXPECT_FALSE(exists("out/contacts/000005.vtp"));
   const auto summary = nlohmann::json::parse(text("out/summary.json"));
   EXPECT_EQ(summary["status"], "ok");
   EXPECT_EQ(summary["steps"], 100);
   EXPECT_EQ(summary["counters"]["factorizations"], 1);
   EXPECT_EQ(summary["histories"][0]["rows"], 11);
   EXPECT_LT(std::abs(summary["energy"]["residual_relative"].get<double>()), 1e-10);
-  EXPECT_EQ(summary["outputs"].size(), 4U);
+  EXPECT_EQ(summary["outputs"].size(), 5U);
   for (const auto& output : summary["outputs"]) EXPECT_TRUE(exists("out/" + output.get<std::string>()));
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "dda/contact/interface_element.h"
 #include "dda/scene/generators.h"
@@ -53,6 +54,12 @@ exact::InterfaceLaw interface_of(const BarCase& bar, const exact::BlockChain& ch
 }
 
 }  // namespace
+
+std::string name_of(dda::InterfaceLaw law) {
+  return law == dda::InterfaceLaw::classical    ? "classical"
+         : law == dda::InterfaceLaw::consistent ? "consistent"
+                                                : "cubic";
+}
 
 BarCase bonded_bar(dda::InterfaceLaw law, const dda::Integrator& integrator, double dt, int steps) {
   BarCase bar;
@@ -103,24 +110,17 @@ exact::BlockChain chain_of(const BarCase& bar) {
   return chain;
 }
 
-Histories engine_histories(const BarCase& bar) { return record_run(model_of(bar)).histories; }
+Histories engine_histories(const BarCase& bar, dda::Counters& counters) {
+  RecordedRun run = record_run(model_of(bar));
+  counters += run.counters;
+  return std::move(run.histories);
+}
 
 Histories closed_form_histories(const BarCase& bar) {
   std::vector<exact::ChainProbe> probes;
   for (const int block : bar.probes) probes.push_back({exact::ChainQuantity::block_stress, block});
   return exact::finite_chain_response(chain_of(bar), scheme_of(bar.stage.integrator), bar.stage.dt, sampled_push(bar),
                                       probes);
-}
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() != b.size()) throw std::invalid_argument("histories of different lengths");
-  double difference = 0;
-  double peak = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-    peak = std::max(peak, std::abs(b[i]));
-  }
-  return difference / peak;
 }
 
 std::function<double(double)> smooth_push(double force, double duration) {

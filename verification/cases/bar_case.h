@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
+#include "dda/core/counters.h"
 #include "dda/model/model.h"
 #include "verification/exact/block_chain.h"
 #include "verification/exact/time_scheme.h"
@@ -24,19 +26,19 @@ struct BarCase {
   std::vector<int> probes{10};         // blocks whose axial stress is recorded
 };
 
+[[nodiscard]] std::string name_of(dda::InterfaceLaw law);
+
 [[nodiscard]] BarCase bonded_bar(dda::InterfaceLaw law, const dda::Integrator& integrator, double dt, int steps);
 
 [[nodiscard]] dda::Model model_of(const BarCase& bar);
 [[nodiscard]] exact::BlockChain chain_of(const BarCase& bar);
 [[nodiscard]] exact::TimeScheme scheme_of(const dda::Integrator& integrator);
 
-// Stress histories (Pa) of the probes: sample i at t = i dt, the first at rest.
+// Stress histories (Pa) of the probes: sample i at t = i dt, the first at rest. What the engine did is added to
+// `counters`.
 using Histories = std::vector<std::vector<double>>;
-[[nodiscard]] Histories engine_histories(const BarCase& bar);
+[[nodiscard]] Histories engine_histories(const BarCase& bar, dda::Counters& counters);
 [[nodiscard]] Histories closed_form_histories(const BarCase& bar);
-
-// max |a - b| / max |b|.
-[[nodiscard]] double largest_difference(const std::vector<double>& a, const std::vector<double>& b);
 
 // Three times continuously differentiable: force * sin^4(pi t/duration) within the duration, else 0.
 [[nodiscard]] std::function<double(double)> smooth_push(double force, double duration);

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "dda/geometry/polygon.h"
 #include "verification/exact/wave_speeds.h"
+#include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
 
 namespace verify {
@@ -84,7 +84,7 @@ Outcome fall_with_velocity_factor() {
 double farthest(const dda::Polygon& turned, const dda::Polygon& drawn) {
   double distance = 0;
   for (std::size_t i = 0; i < turned.outer.size(); ++i)
-    distance = std::max(distance, (turned.outer[i] - drawn.outer[i]).norm());
+    keep_largest(distance, (turned.outer[i] - drawn.outer[i]).norm());
   return distance;
 }
 

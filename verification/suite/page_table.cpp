@@ -61,20 +61,30 @@ std::string cell_of(const std::string& plain) {
   return cell;
 }
 
+// "1e-09" as "1e-9", "5e+09" as "5e9".
+std::string digits_of(double number, int digits) {
+  std::string text = fmt::format("{:.{}g}", number, digits);
+  const std::size_t mark = text.find('e');
+  if (mark == std::string::npos) return text;
+  const std::size_t sign = text[mark + 1] == '-' ? 1 : 0;
+  const std::size_t first = text.find_first_not_of("+-0", mark + 1);
+  return text.substr(0, mark + 1) + text.substr(mark + 1, sign) + text.substr(first);
+}
+
 // The power of ten that is three times the number or more, but no more than the tolerance.
 std::string bound_of(double number, double tolerance) {
   const double power = std::pow(10, std::ceil(std::log10(std::max(3 * std::abs(number), 1e-12))));
-  return fmt::format("< {:.2g}", std::min(power, tolerance));
+  return "< " + digits_of(std::min(power, tolerance), 2);
 }
 
 std::string error_cell(const Assertion& asserted) {
   if (std::abs(asserted.error) < smallest_digits) return bound_of(asserted.error, asserted.tolerance);
-  return fmt::format("{:.2g}", asserted.error);
+  return digits_of(asserted.error, 2);
 }
 
 std::string value_cell(const Assertion& asserted) {
   const bool nothing = asserted.reference == 0 && std::abs(asserted.value) < smallest_digits;
-  return nothing ? bound_of(asserted.value, asserted.tolerance) : fmt::format("{:.6g}", asserted.value);
+  return nothing ? bound_of(asserted.value, asserted.tolerance) : digits_of(asserted.value, 6);
 }
 
 std::string order_cell(const Assertion& asserted) {
@@ -86,9 +96,9 @@ std::string line_of(const Row& row, bool with_order, Notes& notes) {
   const std::string unit = asserted.unit.empty() ? "" : fmt::format(" [{}]", asserted.unit);
   const std::string source = notes.letters_of(text_of(asserted.source));
   const std::string reason = notes.letters_of(text_of(asserted.tolerance_reason));
-  const std::string line =
-      fmt::format("| {} | {} | {:.6g} ({}) | {} | {:.2g} ({}) |", cell_of(asserted.quantity + unit),
-                  value_cell(asserted), asserted.reference, source, error_cell(asserted), asserted.tolerance, reason);
+  const std::string line = fmt::format("| {} | {} | {} ({}) | {} | {} ({}) |", cell_of(asserted.quantity + unit),
+                                       value_cell(asserted), digits_of(asserted.reference, 6), source,
+                                       error_cell(asserted), digits_of(asserted.tolerance, 2), reason);
   return with_order ? fmt::format("{} {} |", line, order_cell(asserted)) : line;
 }
 

@@ -31,7 +31,8 @@ Assertion with_order(double observed) {
 }
 
 TEST(PageTable, RoundsWhatItPrints) {
-  EXPECT_EQ(row_of(assertion_of(2.00012345678, 2, 0.01)), "| slip [m] | 2.00012 | 2 (a) | 6.2e-05 | 0.01 (b) |");
+  EXPECT_EQ(row_of(assertion_of(2.00012345678, 2, 0.01)), "| slip [m] | 2.00012 | 2 (a) | 6.2e-5 | 0.01 (b) |");
+  EXPECT_EQ(row_of(assertion_of(-5e9, -5e9, 0.01)), "| slip [m] | -5e9 | -5e9 (a) | < 1e-12 | 0.01 (b) |");
   EXPECT_EQ(table_of(assertion_of(2, 2, 1)).at(4), "- (a) g t^2/2");
   EXPECT_EQ(table_of(assertion_of(2, 2, 1)).at(5), "- (b) theory");
   EXPECT_EQ(row_of(with_order(1.9777)), "| slip [m] | 2 | 2 (a) | < 1e-12 | 1 (b) | 1.98 (2) |");
@@ -40,11 +41,11 @@ TEST(PageTable, RoundsWhatItPrints) {
 TEST(PageTable, ErrorsOfRoundOffAreBounds) {
   EXPECT_EQ(row_of(with_error(-3e-15)), "| slip [m] | 2 | 2 (a) | < 1e-12 | 0.001 (b) |");
   EXPECT_EQ(row_of(with_error(2e-11)), "| slip [m] | 2 | 2 (a) | < 1e-10 | 0.001 (b) |");
-  EXPECT_EQ(row_of(with_error(5e-11)), "| slip [m] | 2 | 2 (a) | < 1e-09 | 0.001 (b) |");
-  EXPECT_EQ(row_of(with_error(5e-9, 1e-8)), "| slip [m] | 2 | 2 (a) | < 1e-08 | 1e-08 (b) |")
+  EXPECT_EQ(row_of(with_error(5e-11)), "| slip [m] | 2 | 2 (a) | < 1e-9 | 0.001 (b) |");
+  EXPECT_EQ(row_of(with_error(5e-9, 1e-8)), "| slip [m] | 2 | 2 (a) | < 1e-8 | 1e-8 (b) |")
       << "not above the tolerance";
   const Assertion creep = {"creep", "m", -4e-13, 0, "none", -4e-13, 1e-9, "theory"};
-  EXPECT_EQ(row_of(creep), "| creep [m] | < 1e-11 | 0 (a) | < 1e-11 | 1e-09 (b) |");
+  EXPECT_EQ(row_of(creep), "| creep [m] | < 1e-11 | 0 (a) | < 1e-11 | 1e-9 (b) |");
 }
 
 TEST(PageTable, TextsDoNotBreakCells) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "dda/record/progress.h"
+#include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
 #include "verification/thesis/bar_scene.h"
 #include "verification/thesis/closed_form.h"

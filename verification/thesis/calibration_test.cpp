@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "verification/harness/histories.h"
 #include "verification/thesis/bar_scene.h"
 #include "verification/thesis/calibration_json.h"
 #include "verification/thesis/closed_form.h"

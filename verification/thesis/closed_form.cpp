@@ -73,15 +73,4 @@ double phase_speed(const dda::Model& model, double omega) {
   return exact::chain_wave(chain_of(model), time_scheme_of(stage.integrator), stage.dt, omega).speed;
 }
 
-double largest_difference(const std::vector<double>& history, const std::vector<double>& exact) {
-  if (history.size() != exact.size()) throw std::invalid_argument("histories of different lengths");
-  double difference = 0;
-  double peak = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    difference = std::max(difference, std::abs(history[i] - exact[i]));
-    peak = std::max(peak, std::abs(exact[i]));
-  }
-  return difference / peak;
-}
-
 }  // namespace verify

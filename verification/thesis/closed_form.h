@@ -22,7 +22,4 @@ namespace verify {
 // Phase speed (m/s) of a harmonic wave of angular frequency omega (1/s) along the model's chain under its integrator.
 [[nodiscard]] double phase_speed(const dda::Model& model, double omega);
 
-// max |history - exact| / max |exact|. Throws std::invalid_argument if the lengths differ.
-[[nodiscard]] double largest_difference(const std::vector<double>& history, const std::vector<double>& exact);
-
 }  // namespace verify

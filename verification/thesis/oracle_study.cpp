@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
 #include "verification/thesis/bar_scene.h"
 #include "verification/thesis/closed_form.h"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <ostream>
 #include <string>
@@ -160,13 +161,25 @@ class Run {
     summary.cpu_s = cpu_seconds();
     summary.wall_s = wall_seconds() - began_;
     summary.phases = phases_;
+    summary.out_of_balance = static_stages();
     summary.solver = to_string(simulation_.plan().solver);
     summary.blocks = static_cast<std::int64_t>(simulation_.model().blocks.size());
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
     return summary;
   }
 
+  // Static stages that are over, and how far from equilibrium they left the blocks.
+  [[nodiscard]] std::vector<std::pair<std::string, double>> static_stages() const {
+    std::vector<std::pair<std::string, double>> stages;
+    for (std::size_t i = 0; i < simulation_.model().stages.size(); ++i)
+      if (const double share = simulation_.static_out_of_balance()[i]; !std::isnan(share))
+        stages.emplace_back(simulation_.model().stages[i].name, share);
+    return stages;
+  }
+
   void conclude(Status status, std::ostream& out) const {
+    for (const auto& [name, share] : static_stages())
+      out << fmt::format("static stage \"{}\": forces out of balance by {:.1e} of the largest load\n", name, share);
     out << fmt::format("{}: {} steps to {:.6g} s in {:.3g} s, energy residual {:.1e}; results in {}\n",
                        to_string(status), simulation_.state().step, simulation_.state().time, wall_seconds() - began_,
                        simulation_.energy().relative_residual(), options_.folder.string());

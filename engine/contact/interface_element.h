@@ -30,6 +30,7 @@ struct InterfaceElement {
   double length = 0;
   Mat46 rows_a, rows_b;
   Vec4 stiffness;                      // N/m per m of thickness, of each row while it is closed and stuck
+  Vec4 dashpot = Vec4::Zero();         // N s/m per m of thickness, of each row while it is closed and stuck
   Mat43 stress_rows_a, stress_rows_b;  // m; not set in the classical law
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set in the classical law
 };

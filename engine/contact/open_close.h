@@ -15,14 +15,29 @@
 
 namespace dda {
 
-// An interface in the course of a step.
+// How a stage and its time step look at contacts.
+struct ContactRule {
+  bool conserves_energy = false;  // normal forces whose work over the step is the change of the springs' energy
+  bool sticks = false;            // closed contacts do not slide and joints do not break: unlimited strength in shear
+  double touching = 0;            // m; contacts with a smaller gap at the start of the step stick, if `sticks`
+  double dashpot_rate = 0;        // 1/s: a dashpot's force in the balance is dashpot * dashpot_rate * change of gap
+};
+
+// An interface in the course of a step. What broken ends answer, for the change of the gap from g0 to g1:
+//   spring              k min(0, g1); conserving: 2 (V1 - V0)/(g1 - g0) - k min(0, g0) with V = k min(0, g)^2/2, which a
+//                       balance of means (alpha_f = 1/2) turns into the discrete gradient of V (Gonzalez 1996)
+//   dashpot             C (min(0, g1) - min(0, g0)), C = dashpot * dashpot_rate, and no pull of both together
+//   shear while closed  k g1 + C (g1 - g0), at most the capacity
+// Each is a non-decreasing function of g1, so every one has a convex potential.
 struct InterfaceTrial {
+  Vec4 start = Vec4::Zero();             // m, gap at the start of the step
   Vec4 gap = Vec4::Zero();               // m, at the displacements reached so far; tangential without earlier slip
   Vec4 direction = Vec4::Zero();         // m, its change along the full Newton step
-  Vec4 force = Vec4::Zero();             // N per m of thickness, at `gap`
-  Vec4 active = Vec4::Ones();            // 1 for rows that carry stiffness, 0 for open or sliding ones
+  Vec4 force = Vec4::Zero();             // N per m of thickness, at `gap`, what the balance of the step sees
+  Vec4 active = Vec4::Ones();            // d force/d gap over the stiffness: 0 for open or sliding rows, mostly 1 else
   std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end
   std::array<bool, 2> broken{false, false};
+  ContactRule rule;
 };
 
 // Linear in its gaps, whatever they are: nothing to settle.
@@ -31,7 +46,8 @@ inline bool is_whole(const InterfaceElement& element, const InterfaceTrial& tria
 }
 
 // Starts a step: gaps, capacities and broken ends of its first moment.
-InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start);
+InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
+                           const ContactRule& rule = {});
 
 // Force and active rows at the trial's gap. Classical elements only; the others are linear and never ask.
 void respond(const InterfaceElement& element, InterfaceTrial& trial);
@@ -45,7 +61,14 @@ double update_capacity(const InterfaceElement& element, const EndStrength& stren
 // Breaks ends that are beyond their strength; returns whether one broke.
 bool break_ends(const EndStrength& strength, InterfaceTrial& trial);
 
-// The state that a converged trial leaves.
+// The part of a trial's force that comes from dashpots.
+Vec4 dashpot_force(const InterfaceElement& element, const InterfaceTrial& trial);
+
+// Lets shear beyond the friction of a closed, broken end go (after a stage in which contacts stuck). Returns whether
+// something changed; the slip takes what the gap loses.
+bool release_shear(const InterfaceElement& element, const EndStrength& strength, InterfaceState& state);
+
+// The state that a converged trial leaves: forces of the springs alone.
 InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial);
 
 // True when an interface with stress rows is loaded beyond the strength of its joint and must go on as a classical one:

@@ -10,6 +10,7 @@ enum class Status {
   not_converged,       // the open-close iteration or the linear solver did not converge
   not_finite,          // a displacement, velocity or stress is NaN or infinite
   singular,            // the system matrix is not positive definite: a block has neither inertia nor support
+  not_in_equilibrium,  // a static stage ended out of balance; the state is the one reached
   left_contact_range,  // blocks meet where they did not at the start, which is not followed; the state is the first so
   stopped,             // the user asked to stop; the state is complete and can be resumed
 };
@@ -20,6 +21,7 @@ constexpr std::string_view to_string(Status status) {
     case Status::not_converged: return "not_converged";
     case Status::not_finite: return "not_finite";
     case Status::singular: return "singular";
+    case Status::not_in_equilibrium: return "not_in_equilibrium";
     case Status::left_contact_range: return "left_contact_range";
     case Status::stopped: return "stopped";
   }

@@ -15,6 +15,13 @@ Integrator generalized_alpha_integrator(double rho_inf) {
   return {"generalized_alpha", shift * shift / 4, 0.5 - alpha_m + alpha_f, alpha_m, alpha_f, false};
 }
 
+Integrator energy_conserving_integrator() {
+  Integrator midpoint = generalized_alpha_integrator(1);
+  midpoint.name = "energy_conserving";
+  midpoint.conserves_contact_energy = true;
+  return midpoint;
+}
+
 Integrator static_integrator() { return {"static", 0.5, 1.0, 0, 0, true}; }
 
 }  // namespace dda

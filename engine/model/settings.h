@@ -14,12 +14,17 @@ struct Integrator {
   double alpha_m = 0;
   double alpha_f = 0;
   bool is_static = false;  // velocities are zeroed at the start of every step (Shi's static mode)
+
+  // Contacts that open or close within a step do as much work as their springs store or give back, whatever the step.
+  bool conserves_contact_energy = false;
 };
 
 Integrator thesis_integrator();           // Eq. 5 of the thesis: beta = 1/2, gamma = 1, first-order numerical damping
 Integrator trapezoidal_integrator();      // beta = 1/4, gamma = 1/2: second order, no damping
 Integrator hht_integrator(double alpha);  // Hilber, Hughes & Taylor 1977, 0 <= alpha <= 1/3
 Integrator generalized_alpha_integrator(double rho_inf);  // Chung & Hulbert 1993, 0 <= rho_inf <= 1
+// The implicit midpoint rule with contact forces that conserve energy: elastic impacts give back what they took.
+Integrator energy_conserving_integrator();
 Integrator static_integrator();                           // Eq. 5 with velocities zeroed
 
 enum class Kinematics {
@@ -51,6 +56,14 @@ struct Stage {
   // False: the blocks of cubic chains contract sideways without inertia, as in the elementary theory of bars (waves of
   // every length then run at sqrt(E/rho)). True: with it, as a strip of finite width does (Love's bar).
   bool lateral_inertia = true;
+
+  // Static stages: the stage has done its work, and ends, when the forces out of balance are below this share of the
+  // largest load; 0 runs all of its steps and does not ask.
+  double equilibrium = 0;
+
+  // Contacts that are closed do not slide and joints do not break: for turning on gravity. What exceeds the friction
+  // when such a stage ends slides then.
+  bool unlimited_strength = false;
 
   int max_open_close_iterations = 200;
   int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge

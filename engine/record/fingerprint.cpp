@@ -28,11 +28,11 @@ void add(FnvHash& hash, const Material& material) {
 
 void add(FnvHash& hash, const JointMaterial& joint) {
   const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, normal_spring, spring_over_young,
-               shear_to_normal, penalty, stabilisation] = joint;
+               shear_to_normal, contact_damping, penalty, stabilisation] = joint;
   hash.add_number(law);
   hash.add_number(bonded);
   for (const double value : {friction_angle, cohesion, tensile_strength, normal_spring, spring_over_young,
-                             shear_to_normal, penalty, stabilisation}) {
+                             shear_to_normal, contact_damping, penalty, stabilisation}) {
     hash.add_number(value);
   }
 }

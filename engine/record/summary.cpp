@@ -53,6 +53,9 @@ Json to_json(const RunSummary& summary) {
                {"wall_s", summary.wall_s}};
   json["phases"] = Json::object();
   for (const auto& [name, seconds] : summary.phases) json["phases"][name] = seconds;
+  json["static_stages"] = Json::array();
+  for (const auto& [name, share] : summary.out_of_balance)
+    json["static_stages"].push_back({{"name", name}, {"out_of_balance", share}});
   json["counters"] = to_json(summary.counters);
   json["energy"] = to_json(summary.energy);
   json["histories"] = Json::array();

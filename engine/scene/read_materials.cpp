@@ -53,6 +53,8 @@ void read_springs(const Field& field, JointMaterial& joint) {
                                      [](const Field& f) { return f.positive(Dimension::dimensionless); });
   joint.shear_to_normal = value_or(field, "shear_to_normal", joint.shear_to_normal,
                                    [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
+  joint.contact_damping = value_or(field, "contact_damping", joint.contact_damping,
+                                   [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
 }
 
 void read_consistent_law(const Field& field, JointMaterial& joint) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "dda/scene/sections.h"
@@ -10,8 +11,9 @@ namespace {
 
 Integrator read_integrator(const Field& field) {
   if (field.is_text()) {
-    const std::size_t choice = field.choice({"thesis", "trapezoidal", "static"});
-    return choice == 0 ? thesis_integrator() : choice == 1 ? trapezoidal_integrator() : static_integrator();
+    constexpr std::array integrators = {thesis_integrator, trapezoidal_integrator, energy_conserving_integrator,
+                                        static_integrator};
+    return integrators.at(field.choice({"thesis", "trapezoidal", "energy_conserving", "static"}))();
   }
   if (const auto alpha = field.find("hht")) return hht_integrator(alpha->within(0, 1.0 / 3));
   return generalized_alpha_integrator(field.at("generalized_alpha").within(0, 1));
@@ -49,6 +51,15 @@ void read_accuracy(const Field& field, Stage& stage) {
   stage.lateral_inertia = value_or(field, "lateral_inertia", stage.lateral_inertia, truth);
 }
 
+void read_static(const Field& field, Stage& stage) {
+  if (const auto strength = field.find("strength"))
+    stage.unlimited_strength = strength->choice({"unlimited", "joints"}) == 0;
+  const auto equilibrium = field.find("equilibrium");
+  if (!equilibrium) return;
+  if (!stage.integrator.is_static) equilibrium->fail("to be left out: only the integrator \"static\" seeks equilibrium");
+  stage.equilibrium = equilibrium->within(0, 1);
+}
+
 void read_limits(const Field& field, Stage& stage) {
   const auto whole = [](const Field& f) { return f.whole_number(); };
   stage.max_open_close_iterations =
@@ -65,6 +76,7 @@ Stage read_stage(const Field& field, std::string name, const Scheme& scheme, boo
   read_duration(field, stage);
   read_damping(field, stage);
   read_accuracy(field, stage);
+  read_static(field, stage);
   read_limits(field, stage);
   return stage;
 }

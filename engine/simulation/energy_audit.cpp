@@ -79,8 +79,10 @@ void EnergyAudit::record(const StepCoefficients& step, double inertia_work, cons
 }
 
 void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,
-                                    const InterfaceState& after, const Vec4& gap_change) {
-  const double work = gap_change.dot(before.force + after.force) / 2;
+                                    const InterfaceState& after, const Vec4& gap_change, const Vec4& extra_force,
+                                    const Vec4& dashpot_force) {
+  const double work = gap_change.dot((before.force + after.force) / 2 + extra_force);
+  const double dashpot = gap_change.dot(dashpot_force);
   double friction = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
@@ -88,7 +90,8 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
   }
   const double stored = interface_energy(element, after) - interface_energy(element, before);
   ledger_.friction += friction;
-  ledger_.numerical += work - stored - friction;
+  ledger_.dashpot += dashpot;
+  ledger_.numerical += work - stored - friction - dashpot;
 }
 
 void EnergyAudit::geometry_followed(const StoredEnergy& stored) {

@@ -54,9 +54,11 @@ class EnergyAudit {
   void record(const StepCoefficients& step, double inertia_work, const StoredEnergy& stored, const StepForces& forces,
               const Eigen::VectorXd& d);
 
-  // Work of friction, and of status changes within the step, on one interface.
+  // Work of friction and of dashpots on one interface, and what status changes within the step make of it.
+  // `extra_force`: what the balance of the step had beyond the force that `after` keeps, times the weight of forces at
+  // the end of the step; `dashpot_force`: the part of it that is dashpots'.
   void interface_changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-                         const Vec4& gap_change);
+                         const Vec4& gap_change, const Vec4& extra_force, const Vec4& dashpot_force);
 
   // An interface went over to another law with this loss of stored energy (J per m of thickness).
   void interface_replaced(double loss) { replaced_ += loss; }

@@ -24,12 +24,17 @@ void deform_small(const Vec6& d, Mat2& deformation) {
 
 }  // namespace
 
-void move_blocks(const StepCoefficients& step, Kinematics kinematics, const BlockTerms& terms, const Eigen::VectorXd& d,
-                 State& state) {
+void advance_blocks(const StepCoefficients& step, const BlockTerms& terms, const Eigen::VectorXd& d, State& state) {
   for (std::size_t i = 0; i < state.velocity.size(); ++i) {
     const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
     advance_motion(step, own, i, state);
     state.stress[i].noalias() += terms.elasticity[i] * own.tail<3>();
+  }
+}
+
+void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, State& state) {
+  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+    const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
     if (kinematics == Kinematics::small) {
       deform_small(own, state.deformation[i]);
     } else {

@@ -9,9 +9,12 @@
 
 namespace dda {
 
-// Adds the increments `d` (6 entries a block): displacements, stresses, velocities and accelerations of the integrator,
-// shapes. Finite kinematics turn shapes and stresses by a finite rotation; small kinematics add the linear increments.
-void move_blocks(const StepCoefficients& step, Kinematics kinematics, const BlockTerms& terms, const Eigen::VectorXd& d,
-                 State& state);
+// Adds the increments `d` (6 entries a block) to displacements and stresses, and takes velocities and accelerations from
+// the integrator. Stresses stay in the directions of the step's start, which is where its forces are in balance.
+void advance_blocks(const StepCoefficients& step, const BlockTerms& terms, const Eigen::VectorXd& d, State& state);
+
+// Carries the increments into the blocks' shapes: finite kinematics turn shapes and stresses by a finite rotation, small
+// kinematics add the linear increments.
+void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, State& state);
 
 }  // namespace dda

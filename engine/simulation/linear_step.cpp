@@ -106,7 +106,8 @@ void Simulation::form_linear_rhs() {
 void Simulation::accept_linear_step() {
   const StepCoefficients& c = coefficients_;
   if (plan_.viscous_edges) audit_.dashpots_worked(c, damping_, state_, increment_);
-  move_blocks(c, Kinematics::small, terms_, increment_, state_);
+  advance_blocks(c, terms_, increment_, state_);
+  deform_blocks(Kinematics::small, increment_, state_);
   state_.time += c.dt;
   if (plan_.supports) accept_supports();
   linear_internal_forces(internal_new_);

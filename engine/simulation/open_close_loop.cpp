@@ -68,7 +68,7 @@ Status Simulation::find_contact_statuses() {
 void Simulation::start_trials() {
   trial_.resize(contacts_.elements.size());
   for (std::size_t i = 0; i < trial_.size(); ++i)
-    trial_[i] = start_trial(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i]);
+    trial_[i] = start_trial(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i], contact_rule_);
 }
 
 // Newton's method with line search. Capacities follow the normal forces after every pass at first, which is quickest
@@ -267,7 +267,7 @@ bool Simulation::break_interfaces() {
 // An interface beyond its strength goes on under the classical law, with the same forces at the start of the step, and
 // is judged end by end from the next pass on.
 bool Simulation::weaken_consistent(std::size_t i) {
-  if (!beyond_strength(contacts_.strengths[i], trial_[i].force)) return false;
+  if (contact_rule_.sticks || !beyond_strength(contacts_.strengths[i], trial_[i].force)) return false;
   InterfaceElement& element = contacts_.elements[i];
   const double energy_before = interface_energy(element, contacts_.states[i]);
   element = make_element(model_, contacts_.interfaces[i], InterfaceLaw::classical);
@@ -276,7 +276,7 @@ bool Simulation::weaken_consistent(std::size_t i) {
                plan_.finite_kinematics ? current_frame(model_, state_, interface) : reference_frame(model_, interface),
                element);
   contacts_.states[i] = as_classical(contacts_.states[i], element.stiffness);
-  trial_[i] = start_trial(element, contacts_.strengths[i], contacts_.states[i]);
+  trial_[i] = start_trial(element, contacts_.strengths[i], contacts_.states[i], contact_rule_);
   trial_[i].gap += gap_increment(element, increment_);
   respond(element, trial_[i]);
   matrix_rows_[i].setConstant(-1);
@@ -285,11 +285,14 @@ bool Simulation::weaken_consistent(std::size_t i) {
 }
 
 void Simulation::accept_contacts() {
+  const double weight = coefficients_.stiffness;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceState before = contacts_.states[i];
     const InterfaceState after = finish_trial(contacts_.elements[i], before, trial_[i]);
-    if (before.status != after.status || before.slip != after.slip)
-      audit_.interface_changed(contacts_.elements[i], before, after, gap_increment(contacts_.elements[i], increment_));
+    if (before.status != after.status || before.slip != after.slip || trial_[i].force != after.force)
+      audit_.interface_changed(contacts_.elements[i], before, after, gap_increment(contacts_.elements[i], increment_),
+                               weight * (trial_[i].force - after.force),
+                               weight * dashpot_force(contacts_.elements[i], trial_[i]));
     contacts_.states[i] = after;
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "dda/simulation/kinematic_update.h"
@@ -29,6 +30,12 @@ bool contacts_move(const Model& model) {
                                   [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
 }
 
+ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
+  const Integrator& integrator = stage.integrator;
+  const double rate = integrator.is_static ? 0 : 1 / (dt * (1 - integrator.alpha_f));
+  return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
+}
+
 }  // namespace
 
 Simulation::Simulation(Model model)
@@ -42,6 +49,7 @@ Simulation::Simulation(Model model)
       contact_range_(model_, contacts_.interfaces),
       matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_)) {
   const Eigen::Index unknowns = matrix_.unknowns();
+  static_out_of_balance_.assign(model_.stages.size(), std::numeric_limits<double>::quiet_NaN());
   for (Eigen::VectorXd* vector :
        {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
     vector->setZero(unknowns);
@@ -83,6 +91,7 @@ void Simulation::begin_stage() {
 
 void Simulation::set_step_size(double dt) {
   coefficients_ = step_coefficients(stage().integrator, dt);
+  contact_rule_ = contact_rule(model_, stage(), dt);
   matrix_is_current_ = false;
 }
 
@@ -101,11 +110,53 @@ Status Simulation::step() {
   ++state_.step;
   state_.time = stage_start_ + static_cast<double>(step_in_stage_) * stage().dt;
   const bool in_range = !plan_.finite_kinematics || moving_ || contacts_are_in_range();
-  if (step_in_stage_ >= steps_in_stage()) {
-    ++stage_;
-    if (!finished()) begin_stage();
+  const Status end = reached_equilibrium() || step_in_stage_ >= steps_in_stage() ? end_stage() : Status::ok;
+  return in_range ? end : Status::left_contact_range;
+}
+
+// Only when nothing more is to come: the clock then goes to the end of the stage.
+bool Simulation::reached_equilibrium() {
+  const double end = stage_start_ + static_cast<double>(steps_in_stage()) * stage().dt;
+  if (!plan_.is_static || stage().equilibrium == 0 || out_of_balance() > stage().equilibrium) return false;
+  if (!loads_stand_still_until(end)) return false;
+  state_.time = end;
+  return true;
+}
+
+bool Simulation::loads_stand_still_until(double time) {
+  if (plan_.loads) {
+    external_.loads_at(time, load_new_);
+    if (load_new_ != load_old_) return false;
   }
-  return in_range ? Status::ok : Status::left_contact_range;
+  for (std::size_t i = 0; plan_.moving_supports && i < supports_.size(); ++i)
+    if (prescribed_displacement(model_.supports[i], time) != supports_[i].prescribed) return false;
+  return true;
+}
+
+Status Simulation::end_stage() {
+  const Stage& ended = stage();
+  const double imbalance = out_of_balance();
+  if (plan_.is_static) static_out_of_balance_[stage_] = imbalance;
+  if (ended.unlimited_strength) release_shear_of_contacts();
+  const bool balanced = !plan_.is_static || ended.equilibrium == 0 || imbalance <= ended.equilibrium;
+  ++stage_;
+  if (!finished()) begin_stage();
+  if (balanced) return Status::ok;
+  message_ = fmt::format(
+      "static stage \"{}\" ended with forces out of balance by {:.2g} of the largest load, {:.2g} were asked for: give it "
+      "more steps or a larger dt",
+      ended.name, imbalance, ended.equilibrium);
+  return Status::not_in_equilibrium;
+}
+
+// Friction limits what contacts carry again; what they carried beyond it goes without a trace in the motion.
+void Simulation::release_shear_of_contacts() {
+  bool released = false;
+  for (std::size_t i = 0; i < contacts_.elements.size(); ++i)
+    released = release_shear(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i]) || released;
+  if (!released) return;
+  audit_.geometry_followed(stored_energy(terms_, state_, contacts_, supports_));
+  sum_internal_forces(internal_old_);
 }
 
 bool Simulation::contacts_are_in_range() {
@@ -181,6 +232,7 @@ void Simulation::follow_geometry() {
   update_geometry(model_, state_, terms_);
   follow_contacts();
   update_geometry(model_, state_, supports_);
+  for (std::size_t i = 0; i < supports_.size(); ++i) measure_gap(model_, state_, i, supports_[i]);
   if (plan_.viscous_edges) update_geometry(model_, state_, damping_);
   if (plan_.loads) {
     external_.update_geometry(model_, state_);
@@ -259,7 +311,7 @@ Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
 void Simulation::accept_step() {
   const double work = inertia_work(coefficients_, terms_, state_, increment_);
   audit_.dashpots_worked(coefficients_, damping_, state_, increment_);
-  move_blocks(coefficients_, stage().kinematics, terms_, increment_, state_);
+  advance_blocks(coefficients_, terms_, increment_, state_);
   if (plan_.finite_kinematics) moved_ += largest_motion().share;
   state_.time += coefficients_.dt;
   accept_contacts();
@@ -267,6 +319,7 @@ void Simulation::accept_step() {
   sum_internal_forces(internal_new_);
   audit_.record(coefficients_, work, stored_energy(terms_, state_, contacts_, supports_),
                 {load_old_, load_new_, external_.weight(), internal_old_, internal_new_}, increment_);
+  deform_blocks(stage().kinematics, increment_, state_);
   damp_velocities();
   internal_old_.swap(internal_new_);
   load_old_.swap(load_new_);
@@ -276,7 +329,11 @@ void Simulation::accept_step() {
 void Simulation::accept_supports() {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     const SupportElement before = supports_[i];
-    measure_gap(model_, state_, i, supports_[i]);
+    if (plan_.linear) {
+      measure_gap(model_, state_, i, supports_[i]);
+    } else {
+      advance_gap(model_.supports[i], increment_, state_.time, supports_[i]);
+    }
     if (plan_.moving_supports) audit_.support_moved(before, supports_[i]);
   }
 }

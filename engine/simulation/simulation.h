@@ -59,6 +59,9 @@ class Simulation {
   // largest load or weight: what is left on the way to static equilibrium.
   [[nodiscard]] double out_of_balance() const;
 
+  // out_of_balance() at the end of every stage; NaN for stages that are not static or not over.
+  [[nodiscard]] const std::vector<double>& static_out_of_balance() const { return static_out_of_balance_; }
+
   [[nodiscard]] std::int64_t steps_in_all_stages() const;
 
  private:
@@ -108,6 +111,10 @@ class Simulation {
   void accept_contacts();
   void accept_supports();
   void damp_velocities();
+  void release_shear_of_contacts();
+  [[nodiscard]] bool reached_equilibrium();
+  [[nodiscard]] bool loads_stand_still_until(double time);
+  [[nodiscard]] Status end_stage();
   [[nodiscard]] bool contacts_are_in_range();
   void add_dashpot_and_support_rhs();
   void start_energy_audit();
@@ -142,10 +149,12 @@ class Simulation {
   EnergyAudit audit_;
 
   std::size_t stage_ = 0;
+  std::vector<double> static_out_of_balance_;  // one a stage
   std::int64_t step_in_stage_ = 0;
   double stage_start_ = 0;
   StepPlan plan_;
   StepCoefficients coefficients_;
+  ContactRule contact_rule_;
   ContactRange contact_range_;  // looked at in finite kinematics
   BlockMatrix matrix_;
   std::unique_ptr<LinearSolver> solver_;

@@ -176,7 +176,7 @@ struct SnapshotAccess {
     for (std::size_t i = 0; i < s.contacts_.interfaces.size(); ++i) {
       auto& interface = s.contacts_.interfaces[i];
       auto& element = s.contacts_.elements[i];
-      matrices(archive, interface.from, interface.to, interface.normal, element.stiffness);
+      matrices(archive, interface.from, interface.to, interface.normal, element.stiffness, element.dashpot);
       for (auto* number :
            {&interface.block_a, &interface.block_b, &interface.joint, &element.block_a, &element.block_b})
         archive.number(*number);
@@ -232,6 +232,7 @@ struct SnapshotAccess {
                          &s.elastic_force_, &s.internal_at_rest_})
       archive.vector(*vector);
     archive.number(s.energy_offset_);
+    for (auto& share : s.static_out_of_balance_) archive.number(share);
     archive.number(s.audit_.ledger_);
     archive.number(s.audit_.replaced_);
     archive.number(s.plan_.chi);

@@ -34,6 +34,12 @@ void measure_gap(const Model& model, const State& state, std::size_t index, Supp
   support.gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed;
 }
 
+void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support) {
+  const Vec2 prescribed = prescribed_displacement(prescription, time);
+  support.gap += displacement_rows(support.offset) * d.segment<6>(6 * support.block) - (prescribed - support.prescribed);
+  support.prescribed = prescribed;
+}
+
 void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force) {
   for (const SupportElement& support : supports)
     force.segment<6>(6 * support.block) +=

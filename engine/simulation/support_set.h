@@ -25,6 +25,9 @@ void update_geometry(const Model& model, const State& state, std::vector<Support
 // Gap of support `index` at the state's time.
 void measure_gap(const Model& model, const State& state, std::size_t index, SupportElement& support);
 
+// Follows a held point by the increments `d` of all blocks to `time`, along the directions of the step's start.
+void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support);
+
 // Prescribed displacement of support `index` at `time`, m.
 Vec2 prescribed_displacement(const PointSupport& support, double time);
 

@@ -96,6 +96,16 @@ void update_geometry(const Model& model, const State& state, ContactSet& contact
     set_geometry(model, current_frame(model, state, contacts.interfaces[i]), contacts.elements[i]);
 }
 
+void refresh_tractions(const State& state, ContactSet& contacts) {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (!has_stress_rows(element)) continue;
+    contacts.states[i].force =
+        elastic_force(element, contacts.states[i].gap, state.stress[static_cast<std::size_t>(element.block_a)],
+                      state.stress[static_cast<std::size_t>(element.block_b)]);
+  }
+}
+
 void add_interface_force(const InterfaceElement& element, const Vec4& interface_force, const Vec4& gap,
                          Eigen::VectorXd& force) {
   Segment6 on_a = force.segment<6>(6 * element.block_a);

@@ -40,6 +40,9 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
 // Moves the elements to the current geometry (finite kinematics).
 void update_geometry(const Model& model, const State& state, ContactSet& contacts);
 
+// Forces of interfaces that carry their blocks' stresses, anew after stresses or normals have turned.
+void refresh_tractions(const State& state, ContactSet& contacts);
+
 // Adds the internal forces of all interfaces to `force` (6 entries a block).
 void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force);
 

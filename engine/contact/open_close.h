@@ -24,7 +24,8 @@ struct ContactRule {
 };
 
 // An interface in the course of a step. What broken ends answer, for the change of the gap from g0 to g1:
-//   spring              k min(0, g1); conserving: 2 (V1 - V0)/(g1 - g0) - k min(0, g0) with V = k min(0, g)^2/2, which a
+//   spring              k min(0, g1); conserving: 2 (V1 - V0)/(g1 - g0) - k min(0, g0) with V = k min(0, g)^2/2, which
+//   a
 //                       balance of means (alpha_f = 1/2) turns into the discrete gradient of V (Gonzalez 1996)
 //   dashpot             C (min(0, g1) - min(0, g0)), C = dashpot * dashpot_rate, and no pull of both together
 //   shear while closed  k g1 + C (g1 - g0), at most the capacity

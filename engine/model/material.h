@@ -46,8 +46,8 @@ struct JointMaterial {
   double spring_over_young = 10;
   double shear_to_normal = 0.4;
 
-  // Damping of dry and broken contacts while they are closed: a dashpot 2 contact_damping sqrt(k m) beside each spring k,
-  // m being the smaller mass of the two blocks. A block on one spring is critically damped by 1.
+  // Damping of dry and broken contacts while they are closed: a dashpot 2 contact_damping sqrt(k m) beside each spring
+  // k, m being the smaller mass of the two blocks. A block on one spring is critically damped by 1.
   double contact_damping = 0;
 
   // Consistent law: both in units of (plane modulus * interface length / block size across the interface).

@@ -25,7 +25,7 @@ Integrator hht_integrator(double alpha);  // Hilber, Hughes & Taylor 1977, 0 <= 
 Integrator generalized_alpha_integrator(double rho_inf);  // Chung & Hulbert 1993, 0 <= rho_inf <= 1
 // The implicit midpoint rule with contact forces that conserve energy: elastic impacts give back what they took.
 Integrator energy_conserving_integrator();
-Integrator static_integrator();                           // Eq. 5 with velocities zeroed
+Integrator static_integrator();  // Eq. 5 with velocities zeroed
 
 enum class Kinematics {
   small,   // geometry stays as drawn: matrices are built once (waves in bonded rock)

@@ -60,6 +60,7 @@ TEST(Summary, HoldsEverything) {
   summary.cpu_s = 1.5;
   summary.wall_s = 2.5;
   summary.phases = {{"solve", 1.25}, {"assembly", 0.25}};
+  summary.out_of_balance = {{"gravity", 3e-7}};
   summary.solver = "cholesky";
   summary.blocks = 200;
   summary.contacts = 199;
@@ -71,6 +72,7 @@ TEST(Summary, HoldsEverything) {
     "status": "stopped", "message": "stopped by the user", "title": "bar", "time_s": 0.1, "steps": 12,
     "blocks": 200, "contacts": 199, "solver": "cholesky", "cpu_s": 1.5, "wall_s": 2.5,
     "phases": {"solve": 1.25, "assembly": 0.25},
+    "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
       "solver_iterations": 6, "open_close_iterations": 7, "contact_searches": 8, "contact_state_changes": 9},
     "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0,

@@ -56,7 +56,8 @@ void read_static(const Field& field, Stage& stage) {
     stage.unlimited_strength = strength->choice({"unlimited", "joints"}) == 0;
   const auto equilibrium = field.find("equilibrium");
   if (!equilibrium) return;
-  if (!stage.integrator.is_static) equilibrium->fail("to be left out: only the integrator \"static\" seeks equilibrium");
+  if (!stage.integrator.is_static)
+    equilibrium->fail("to be left out: only the integrator \"static\" seeks equilibrium");
   stage.equilibrium = equilibrium->within(0, 1);
 }
 

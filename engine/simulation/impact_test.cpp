@@ -25,7 +25,8 @@ Model box_over_floor(double height, double contact_damping) {
   model.joints = {joint};
   model.blocks = {rectangle("floor", -2, -1, 5, 1), rectangle("box", 0, height, 1, 1)};
   for (const double x : {-2.0, 3.0})
-    for (const double y : {-1.0, 0.0}) model.supports.push_back({0, {x, y}, true, true, 5e13, Vec2::Zero(), Constant{}});
+    for (const double y : {-1.0, 0.0})
+      model.supports.push_back({0, {x, y}, true, true, 5e13, Vec2::Zero(), Constant{}});
   return model;
 }
 

@@ -38,9 +38,17 @@ void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, State& state
     if (kinematics == Kinematics::small) {
       deform_small(own, state.deformation[i]);
     } else {
-      state.stress[i] = rotate_stress(state.stress[i], own(2));
       state.deformation[i] = deformation_increment(own) * state.deformation[i];
     }
+  }
+}
+
+void turn_stresses(State& state, std::vector<double>& turned) {
+  for (std::size_t i = 0; i < turned.size(); ++i) {
+    const double rotation = state.displacement[i](2);
+    if (rotation == turned[i]) continue;
+    state.stress[i] = rotate_stress(state.stress[i], rotation - turned[i]);
+    turned[i] = rotation;
   }
 }
 

@@ -1,6 +1,8 @@
 // Moves the blocks at the end of a converged step.
 #pragma once
 
+#include <vector>
+
 #include "dda/core/types.h"
 #include "dda/model/model.h"
 #include "dda/model/state.h"
@@ -9,12 +11,15 @@
 
 namespace dda {
 
-// Adds the increments `d` (6 entries a block) to displacements and stresses, and takes velocities and accelerations from
-// the integrator. Stresses stay in the directions of the step's start, which is where its forces are in balance.
+// Adds the increments `d` (6 entries a block) to displacements and stresses, and takes velocities and accelerations
+// from the integrator. Stresses stay in the directions of the step's start, which is where its forces are in balance.
 void advance_blocks(const StepCoefficients& step, const BlockTerms& terms, const Eigen::VectorXd& d, State& state);
 
-// Carries the increments into the blocks' shapes: finite kinematics turn shapes and stresses by a finite rotation, small
-// kinematics add the linear increments.
+// Carries the increments into the blocks' shapes: finite kinematics turn them by a finite rotation, small kinematics
+// add the linear increments.
 void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, State& state);
+
+// Turns stresses with their blocks, from the rotations `turned` (rad, one a block) that they have followed so far.
+void turn_stresses(State& state, std::vector<double>& turned);
 
 }  // namespace dda

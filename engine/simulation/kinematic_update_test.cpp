@@ -24,6 +24,8 @@ Moved move(Kinematics kinematics, const Vec6& d) {
   moved.state.deformation[0] << 1.1, 0.2, -0.1, 0.9;
   advance_blocks(step_coefficients(trapezoidal_integrator(), 0.1), make_block_terms(model, 1), d, moved.state);
   deform_blocks(kinematics, d, moved.state);
+  std::vector<double> turned{0};
+  if (kinematics == Kinematics::finite) turn_stresses(moved.state, turned);
   return moved;
 }
 

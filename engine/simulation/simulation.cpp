@@ -49,6 +49,7 @@ Simulation::Simulation(Model model)
       contact_range_(model_, contacts_.interfaces),
       matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_)) {
   const Eigen::Index unknowns = matrix_.unknowns();
+  turned_.assign(model_.blocks.size(), 0);
   static_out_of_balance_.assign(model_.stages.size(), std::numeric_limits<double>::quiet_NaN());
   for (Eigen::VectorXd* vector :
        {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
@@ -143,7 +144,8 @@ Status Simulation::end_stage() {
   if (!finished()) begin_stage();
   if (balanced) return Status::ok;
   message_ = fmt::format(
-      "static stage \"{}\" ended with forces out of balance by {:.2g} of the largest load, {:.2g} were asked for: give it "
+      "static stage \"{}\" ended with forces out of balance by {:.2g} of the largest load, {:.2g} were asked for: give "
+      "it "
       "more steps or a larger dt",
       ended.name, imbalance, ended.equilibrium);
   return Status::not_in_equilibrium;
@@ -229,6 +231,7 @@ void Simulation::follow_contacts() {
 void Simulation::follow_geometry() {
   if (moved_ <= geometry_tolerance) return;
   moved_ = 0;
+  turn_stresses(state_, turned_);
   update_geometry(model_, state_, terms_);
   follow_contacts();
   update_geometry(model_, state_, supports_);
@@ -238,6 +241,7 @@ void Simulation::follow_geometry() {
     external_.update_geometry(model_, state_);
     external_.loads_at(state_.time, load_old_);
   }
+  refresh_tractions(state_, contacts_);
   sum_internal_forces(internal_old_);
   audit_.geometry_followed(stored_energy(terms_, state_, contacts_, supports_));
   matrix_is_current_ = false;

@@ -142,6 +142,7 @@ class Simulation {
   std::vector<Vec4> matrix_rows_;         // active rows whose stiffness the matrix holds
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
+  std::vector<double> turned_;            // rad, rotation of each block that its stress has followed
   std::vector<SupportElement> supports_;
   BlockTerms terms_;
   BlockDamping damping_;

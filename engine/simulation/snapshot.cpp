@@ -214,6 +214,7 @@ struct SnapshotAccess {
   // What follows the blocks in finite kinematics. It is that of the latest step's start, so not to be had from State.
   template <typename AnySimulation, typename Archive>
   static void moved_geometry(AnySimulation& s, Archive& archive) {
+    for (auto& rotation : s.turned_) archive.number(rotation);
     for (auto& inertia : s.terms_.inertia) matrices(archive, inertia.squares);
     for (auto& area : s.terms_.area) archive.number(area);
     for (auto& [block, matrix] : s.damping_) matrices(archive, matrix);

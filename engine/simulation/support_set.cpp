@@ -36,7 +36,8 @@ void measure_gap(const Model& model, const State& state, std::size_t index, Supp
 
 void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support) {
   const Vec2 prescribed = prescribed_displacement(prescription, time);
-  support.gap += displacement_rows(support.offset) * d.segment<6>(6 * support.block) - (prescribed - support.prescribed);
+  support.gap +=
+      displacement_rows(support.offset) * d.segment<6>(6 * support.block) - (prescribed - support.prescribed);
   support.prescribed = prescribed;
 }
 

@@ -3,7 +3,9 @@
 #include <array>
 
 #include "verification/cases/bar_ends_cases.h"
+#include "verification/cases/bounce_cases.h"
 #include "verification/cases/contact_oscillator_cases.h"
+#include "verification/cases/energy_cases.h"
 #include "verification/cases/p_bar_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
 #include "verification/cases/statics_cases.h"
@@ -15,6 +17,8 @@ namespace {
 constexpr std::array subjects{
     rigid_motion_cases,        // 1-3
     contact_oscillator_cases,  // 4
+    bounce_cases,              // 5
+    energy_cases,              // 8
     statics_cases,             // 24-26
     p_bar_cases,               // 32
     bar_ends_cases,            // 34

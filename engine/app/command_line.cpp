@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -64,6 +65,16 @@ double positive_quantity(const std::string& text, Dimension dimension, const cha
   return value;
 }
 
+// For options that count; the library's own range check prints the limits of its number type.
+const CLI::Validator positive_count(
+    [](const std::string& text) {
+      std::int64_t value = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      const bool good = error == std::errc() && end == text.data() + text.size() && value > 0;
+      return good ? std::string() : "is \"" + text + "\", expected a whole number above 0";
+    },
+    "");
+
 struct Arguments {
   std::string scene;
   std::string folder;
@@ -89,13 +100,13 @@ void add_run(CLI::App& app, Arguments& arguments) {
   CLI::Option* frames =
       run->add_option("--frames", arguments.frames, "number of frames over the run, besides that of the start")
           ->type_name("N")
-          ->check(CLI::PositiveNumber);
+          ->check(positive_count);
   run->add_option("--frame-interval", arguments.frame_interval, "simulated time between frames, e.g. 5ms")
       ->type_name("TIME")
       ->excludes(frames);
   run->add_option("--every", arguments.run.rows_every, "steps between the rows of histories.csv; default 1")
       ->type_name("K")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_count);
   run->add_flag("--resume", arguments.run.resume, "go on from DIR/checkpoint.bin, to the last bit as if never stopped");
   run->add_flag("--quiet", arguments.run.quiet, "no progress bar, and nothing on standard output");
 }
@@ -162,6 +173,9 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   } catch (const InputError& error) {
     errors << "dda: " << error.what() << '\n';
     return exit_bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    errors << "dda: " << error.path1().string() << ": " << error.code().message() << '\n';
+    return exit_failed;
   } catch (const std::bad_alloc&) {
     errors << "dda: out of memory\n";
     return exit_failed;

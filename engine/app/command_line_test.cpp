@@ -67,6 +67,8 @@ TEST_F(CommandLine, MistakesInTheCommandItself) {
   expect_refusal({"solve", "scene.json"}, "the command is \"solve\", expected check, run or schema");
   expect_refusal({"run", path("scene.json")}, "--out is required");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "0"}, "--frames");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "abc"},
+                 "--frames: is \"abc\", expected a whole number above 0");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--every", "-1"}, "--every");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "3", "--frame-interval", "1ms"},
                  "excludes");
@@ -232,7 +234,11 @@ TEST_F(CommandLine, ResumingAFinishedRunChangesNoResult) {
   EXPECT_EQ(call({"run", path("scene.json"), "--out", path("out"), "--frames", "2"}).code, 0);
   const std::string histories = text("out/histories.csv");
   const std::string index = text("out/frames.pvd");
+  const Outcome without_frames = call({"run", path("scene.json"), "--out", path("out"), "--resume"});
+  EXPECT_EQ(without_frames.code, 2);
+  EXPECT_TRUE(contains(without_frames.errors, "--frame-interval again")) << without_frames.errors;
   const Outcome outcome = call({"run", path("scene.json"), "--out", path("out"), "--frames", "2", "--resume"});
+  EXPECT_TRUE(contains(outcome.out, "nothing left to step"));
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_TRUE(contains(outcome.out, "resumed after 20"));
   EXPECT_EQ(text("out/histories.csv"), histories);

@@ -48,6 +48,7 @@ class Run {
         probes_(checked_probes()),
         resumed_(position_to_resume()) {
     check_folder();
+    check_frames_go_on();
     phases_.emplace_back("read and set up", wall_seconds() - began_);
   }
 
@@ -84,6 +85,12 @@ class Run {
       throw InputError("", "--out", options_.folder.string() + ", which is a file", "a folder");
   }
 
+  void check_frames_go_on() const {
+    if (!resumed_ || resumed_->frame_times.empty() || options_.frames || options_.frame_interval) return;
+    throw InputError("", "--resume", "without frames, which the run in " + options_.folder.string() + " began with",
+                     "the same --frames or --frame-interval again");
+  }
+
   [[nodiscard]] FileOptions file_options() const {
     FileOptions files{options_.folder, options_.rows_every, options_.frame_interval};
     if (options_.frames) files.frame_interval = end_time(simulation_.model()) / static_cast<double>(*options_.frames);
@@ -96,6 +103,7 @@ class Run {
                        model.title.empty() ? options_.scene.string() : model.title, model.blocks.size(),
                        simulation_.contacts().interfaces.size(), simulation_.steps_in_all_stages(),
                        resumed_ ? fmt::format(", resumed after {}", simulation_.state().step) : "");
+    if (simulation_.finished()) out << "the run is over, there is nothing left to step\n";
     out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; ")) << std::flush;
   }
 

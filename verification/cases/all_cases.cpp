@@ -6,6 +6,7 @@
 #include "verification/cases/bounce_cases.h"
 #include "verification/cases/contact_oscillator_cases.h"
 #include "verification/cases/energy_cases.h"
+#include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/p_bar_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
 #include "verification/cases/statics_cases.h"
@@ -21,6 +22,7 @@ constexpr std::array subjects{
     energy_cases,              // 8
     statics_cases,             // 24-26
     p_bar_cases,               // 32
+    joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34
 };
 

@@ -1,0 +1,34 @@
+// A bar along x that ends in absorbing edges on both sides and has a few joints of its own: a P wave pushed in along
+// it, or an S wave across it. For S waves the corners of all blocks are held in x, so that the motion is u_y(x) alone.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "dda/core/counters.h"
+#include "dda/model/model.h"
+
+namespace verify {
+
+enum class WaveKind { p, s };
+
+struct JointedBar {
+  WaveKind kind = WaveKind::p;
+  int blocks = 400;
+  double block_length = 0.5;  // m; blocks are 1 m high
+  double dt = 2e-5;
+  int steps = 1000;
+  double initial_pressure = 0;                  // Pa, axial, in equilibrium with the ends
+  std::function<double(double)> incident = {};  // Pa, stress of the wave that enters at the left end at time t (s)
+  dda::JointMaterial special = {};              // of `special_at`; the others are bonded, consistent
+  std::vector<int> special_at = {};             // interface i lies between blocks i and i + 1
+  std::vector<int> probes = {};                 // blocks whose stress is recorded: axial (P) or shear (S)
+
+  [[nodiscard]] double speed() const;      // m/s: bar with free sides, or S
+  [[nodiscard]] double impedance() const;  // Pa s/m
+};
+
+// Stress (Pa) of each probe after every step, the first value at rest. Throws std::runtime_error if a step fails.
+[[nodiscard]] std::vector<std::vector<double>> stress_histories(const JointedBar& bar, dda::Counters& counters);
+
+}  // namespace verify

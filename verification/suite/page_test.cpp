@@ -179,6 +179,12 @@ TEST_F(TablePage, TakesAFolderForEachCase) {
   EXPECT_EQ(table({incline_, rocking_}, true, {{}, {"fast"}}), 0);
 }
 
+TEST_F(TablePage, ALabelWithoutCasesHasNothingToCompare) {
+  measure({incline_});
+  ASSERT_EQ(table({incline_}, false), 0);
+  EXPECT_EQ(table({incline_}, true, {{}, {"slow"}}), 0) << errors_.str();
+}
+
 TEST_F(TablePage, AFailedRowDoesNotGetIn) {
   const Case failing = case_of("incline", {assertion_of(2.5, 2, 0.1)});
   measure({failing});

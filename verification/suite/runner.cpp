@@ -79,7 +79,8 @@ std::vector<Case> select(const std::vector<Case>& cases, const Selection& select
     return (selection.ids.empty() || contains(selection.ids, each.id)) &&
            (selection.labels.empty() || contains(selection.labels, name_of(each.label)));
   });
-  if (chosen.empty()) throw dda::InputError("", "the selection", "empty", "a case that has one of the ids and labels");
+  if (chosen.empty() && !selection.ids.empty())
+    throw dda::InputError("", "the selection", "empty", "a case that has one of the ids and labels");
   return chosen;
 }
 

@@ -22,7 +22,7 @@ struct Selection {
 };
 
 // The cases of one of the ids and one of the labels, in the order of `cases`. Throws dda::InputError for an id or label
-// that is not there, with the nearest that is, and if no case is left.
+// that is not there, with the nearest that is, and if none of the ids has one of the labels.
 [[nodiscard]] std::vector<Case> select(const std::vector<Case>& cases, const Selection& selection);
 
 }  // namespace verify

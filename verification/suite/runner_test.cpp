@@ -115,7 +115,7 @@ TEST_F(Select, NamesTheNearestOfWhatIsNotThere) {
             "--case is \"something else\", expected an id that `dda-verify run --list` shows");
 }
 
-TEST_F(Select, AnEmptySelectionIsAMistake) {
+TEST_F(Select, IdsWithoutTheLabelAreAMistake) {
   EXPECT_NE(complaint({{"rocking"}, {"slow"}}).find("the selection is empty"), std::string::npos);
 }
 

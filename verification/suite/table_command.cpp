@@ -30,7 +30,7 @@ RowsById rows_in(const std::filesystem::path& folder, const std::vector<Case>& c
     if (!together && std::filesystem::exists(file)) add_file(file, found);
     if (found.contains(each.id)) rows[each.id] = found[each.id];
   }
-  if (rows.empty())
+  if (rows.empty() && !chosen.empty())
     throw dda::InputError("", "the folder of results", "\"" + folder.string() + "\"",
                           "one that `dda-verify run --out` has written");
   return rows;

@@ -5,6 +5,7 @@
 #include "verification/cases/bar_ends_cases.h"
 #include "verification/cases/bounce_cases.h"
 #include "verification/cases/contact_oscillator_cases.h"
+#include "verification/cases/direction_cases.h"
 #include "verification/cases/energy_cases.h"
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/p_bar_cases.h"
@@ -24,6 +25,7 @@ constexpr std::array subjects{
     p_bar_cases,               // 32
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34
+    direction_cases,           // 42
 };
 
 std::vector<Case> collect() {

@@ -5,9 +5,7 @@
 namespace exact {
 namespace {
 
-double diagonal_squared(const InclinedBlock& block) {
-  return block.width * block.width + block.height * block.height;
-}
+double diagonal_squared(const InclinedBlock& block) { return block.width * block.width + block.height * block.height; }
 
 // Angular acceleration about a toe that does not slide.
 double turning(const InclinedBlock& block, double gravity) {

@@ -1,5 +1,6 @@
 #include "verification/exact/rocking.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace exact {
@@ -44,5 +45,30 @@ double rocking_amplitude(const RockingBlock& block, double gravity, double speed
 }
 
 double uplift_acceleration(const RockingBlock& block, double gravity) { return gravity * block.width / block.height; }
+
+double tilt_on_moving_floor(const RockingBlock& block, double gravity,
+                            const std::function<double(double)>& acceleration, double time, int steps) {
+  const double alpha = block.slenderness_angle();
+  const double p_squared = std::pow(rocking_frequency(block, gravity), 2);
+  // The foot takes no moment the other way: before uplift the block rests.
+  const auto turning = [&](double t, double theta) {
+    const double angle = alpha - std::max(theta, 0.0);
+    const double a = p_squared * (acceleration(t) / gravity * std::cos(angle) - std::sin(angle));
+    return theta > 0 ? a : std::max(a, 0.0);
+  };
+  const double dt = time / steps;
+  double theta = 0;
+  double speed = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double t = i * dt;
+    const double k1 = turning(t, theta);
+    const double k2 = turning(t + dt / 2, theta + dt / 2 * speed);
+    const double k3 = turning(t + dt / 2, theta + dt / 2 * speed + dt * dt / 4 * k1);
+    const double k4 = turning(t + dt, theta + dt * speed + dt * dt / 2 * k2);
+    theta += dt * speed + dt * dt / 6 * (k1 + k2 + k3);
+    speed += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return theta;
+}
 
 }  // namespace exact

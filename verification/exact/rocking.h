@@ -4,6 +4,8 @@
 // rectangle is upright. Tilted by theta < alpha it turns back by theta'' = -p^2 sin(alpha - theta), p^2 = 3 g/(4 R).
 #pragma once
 
+#include <functional>
+
 namespace exact {
 
 struct RockingBlock {
@@ -37,5 +39,12 @@ struct RockingBlock {
 
 // Horizontal acceleration of the floor at which one corner starts to lift: g width/height.
 [[nodiscard]] double uplift_acceleration(const RockingBlock& block, double gravity);
+
+// Tilt (rad) at `time` of a block at rest on a floor that moves with the acceleration a(t) (m/s2), not decreasing from
+// a(0) = 0: theta'' = p^2 (a/g cos(alpha - theta) - sin(alpha - theta)) from the moment of uplift on. By Runge and
+// Kutta's method with `steps` steps.
+[[nodiscard]] double tilt_on_moving_floor(const RockingBlock& block, double gravity,
+                                          const std::function<double(double)>& acceleration, double time,
+                                          int steps = 4000);
 
 }  // namespace exact

@@ -86,5 +86,19 @@ TEST(Rocking, ImpactKeepsAngularMomentumAboutTheLandingCorner) {
   }
 }
 
+TEST(Rocking, FloorThatMovesTiltsTheBlockFromTheUpliftOn) {
+  const RockingBlock block{0.5, 2};
+  const double limit = uplift_acceleration(block, gravity);
+  EXPECT_EQ(limit, gravity / 4);
+  const auto ramp = [&](double t) { return 2 * limit * t; };  // uplift at t = 0.5
+  EXPECT_EQ(tilt_on_moving_floor(block, gravity, ramp, 0.49), 0);
+  // At first theta'' = p^2 cos(alpha) (a/g - tan alpha), linear in time: a cube.
+  const double p = rocking_frequency(block, gravity);
+  const double cube = p * p * std::cos(block.slenderness_angle()) * 2 * limit / gravity * std::pow(0.02, 3) / 6;
+  EXPECT_NEAR(tilt_on_moving_floor(block, gravity, ramp, 0.52), cube, 1e-3 * cube);
+  const double fine = tilt_on_moving_floor(block, gravity, ramp, 0.8, 8000);
+  EXPECT_NEAR(tilt_on_moving_floor(block, gravity, ramp, 0.8, 4000), fine, 1e-7 * fine);
+}
+
 }  // namespace
 }  // namespace exact

@@ -30,7 +30,7 @@ dda::JointMaterial dry_joint(double friction_angle) {
 
 void hold_corners(dda::Model& model, int block, const dda::Vec2& displacement, const dda::TimeFunction& history) {
   for (const dda::Vec2& corner : model.blocks[static_cast<std::size_t>(block)].shape.outer)
-    model.supports.push_back({block, corner, true, true, 5e13, displacement, history});
+    model.supports.push_back({block, corner, true, true, 5e11, displacement, history});
 }
 
 dda::Stage settling_stage() {

@@ -1,0 +1,57 @@
+#include "verification/cases/limit_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "dda/simulation/simulation.h"
+#include "verification/cases/contact_rig.h"
+
+namespace verify {
+
+void let_stand(dda::Model& model, double step, int steps) {
+  dda::Stage load = moving_stage(dda::static_integrator(), step, 20 * step);
+  load.name = "load";
+  load.unlimited_strength = true;
+  dda::Stage stand = moving_stage(dda::static_integrator(), step, steps * step);
+  stand.name = "stand";
+  stand.equilibrium = 1e-9;
+  model.stages = {load, stand};
+}
+
+bool stands(dda::Model model, double far, Outcome& outcome) {
+  dda::finish_model(model);
+  dda::Simulation simulation(std::move(model));
+  const auto has_moved_far = [&] {
+    return std::any_of(simulation.state().displacement.begin(), simulation.state().displacement.end(),
+                       [far](const dda::Vec6& u) { return u.head<2>().norm() > far; });
+  };
+  dda::Status status = dda::Status::ok;
+  while (!simulation.finished() && status == dda::Status::ok && !has_moved_far()) status = simulation.step();
+  outcome.counters += simulation.counters();
+  if (status != dda::Status::ok && status != dda::Status::not_in_equilibrium)
+    throw std::runtime_error(fmt::format("\"{}\" stopped at t = {:g} s: {}", simulation.model().title,
+                                         simulation.state().time, simulation.message()));
+  return status == dda::Status::ok && !has_moved_far();
+}
+
+Bracket bisect(Bracket bracket, double width, const std::function<bool(double)>& stands_at) {
+  if (stands_at(bracket.falls) || !stands_at(bracket.stands))
+    throw std::runtime_error(fmt::format("{} falls and {} stands: it is not so", bracket.falls, bracket.stands));
+  while (std::abs(bracket.stands - bracket.falls) > width) {
+    const double middle = bracket.middle();
+    (stands_at(middle) ? bracket.stands : bracket.falls) = middle;
+  }
+  return bracket;
+}
+
+double bracket_error(const Bracket& bracket, double reference) {
+  const double a = relative_error(bracket.falls, reference);
+  const double b = relative_error(bracket.stands, reference);
+  return std::abs(a) > std::abs(b) ? a : b;
+}
+
+}  // namespace verify

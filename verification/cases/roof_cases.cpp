@@ -1,0 +1,124 @@
+#include "verification/cases/roof_cases.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <numbers>
+#include <utility>
+
+#include "verification/cases/contact_rig.h"
+#include "verification/cases/limit_search.h"
+#include "verification/exact/roof_prism.h"
+
+namespace verify {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// ---- A symmetric prism between two abutments. Its tip is cut off, so that the abutments do not meet above it.
+
+constexpr double foot = 1;       // m, half of the prism's width below
+constexpr double tip = 0.4;      // m, half of its width above
+constexpr double abutment = 2;   // m, beyond the prism's foot
+constexpr double young = 50e9;   // Pa
+constexpr double ratio = 0.4;    // of shear over normal springs
+constexpr double step = 0.1;     // s, of the static stages
+constexpr double load_time = 2;  // s, of the "load" stage of let_stand
+
+struct PrismScene {
+  exact::RoofPrism prism;
+  double thrust = 0;  // N per m of thickness, horizontal
+  double spring_over_young = 0;
+};
+
+double height_of(const exact::RoofPrism& prism) { return (foot - tip) / std::tan(prism.alpha); }
+
+// The prism is block 0; the left abutment is held. The weight comes on as a force in the second half of the loading
+// stage, when the thrust is there.
+dda::Model prism_and_left_abutment(const PrismScene& scene, double weight) {
+  const double height = height_of(scene.prism);
+  dda::Model model;
+  model.title = "roof prism";
+  model.materials = {
+      {"rock", weight / (standard_gravity * (foot + tip) * height), young, 0.2, dda::PlaneState::stress}};
+  dda::JointMaterial joint = dry_joint(scene.prism.friction);
+  joint.spring_over_young = scene.spring_over_young;
+  joint.shear_to_normal = ratio;
+  model.joints = {joint};
+  model.blocks.emplace_back().shape.outer = {{-foot, 0}, {foot, 0}, {tip, height}, {-tip, height}};
+  model.blocks.emplace_back().shape.outer = {
+      {-foot - abutment, 0}, {-foot, 0}, {-tip, height}, {-foot - abutment, height}};
+  model.blocks.emplace_back().shape.outer = {{foot + abutment, 0}, {foot + abutment, height}, {tip, height}, {foot, 0}};
+  hold_corners(model, 1);
+  const dda::TimeFunction late = dda::PiecewiseLinear{{load_time / 2, 0.75 * load_time}, {0, 1}};
+  model.point_loads = {{0, {0, height / 2}, {0, -weight}, late}};
+  let_stand(model, step, 300);
+  return model;
+}
+
+// The right abutment can only move sideways, and is pushed by the thrust.
+dda::Model prism_at_constant_thrust(const PrismScene& scene, double weight) {
+  dda::Model model = prism_and_left_abutment(scene, weight);
+  const double height = height_of(scene.prism);
+  const double right = foot + abutment;
+  model.edge_loads = {{2, {right, 0}, {right, height}, {-scene.thrust / height, 0}, {}}};
+  for (const double x : {tip + 0.4, right})
+    model.supports.push_back({2, {x, height}, false, true, 1000 * young, dda::Vec2::Zero(), {}});
+  return model;
+}
+
+// The right abutment is pushed in until the thrust is there, and then stays. Under the thrust alone each plane carries
+// H cos(alpha) and H sin(alpha), so it gives way by H (cos^2/k_n + sin^2/k_s).
+dda::Model prism_between_fixed_abutments(const PrismScene& scene, double weight) {
+  dda::Model model = prism_and_left_abutment(scene, weight);
+  const double normal = 2 * scene.spring_over_young * young;
+  const double s = std::sin(scene.prism.alpha);
+  const double c = std::cos(scene.prism.alpha);
+  const double push = 2 * scene.thrust * (c * c / normal + s * s / (ratio * normal));
+  hold_corners(model, 2, {-push, 0}, dda::PiecewiseLinear{{0, load_time / 4}, {0, 1}});
+  return model;
+}
+
+Outcome roof_prism() {
+  Outcome outcome;
+  for (const auto& [alpha, friction] : {std::array{15 * degree, 30 * degree}, std::array{25 * degree, 45 * degree},
+                                        std::array{35 * degree, 55 * degree}}) {
+    const exact::RoofPrism prism{alpha, friction};
+    const std::string angles = fmt::format("alpha = {:.0f}, f = {:.0f} deg", alpha / degree, friction / degree);
+
+    const PrismScene pushed{prism, 1e5, 0.1};
+    const double at_thrust = exact::held_weight_at_constant_thrust(prism, pushed.thrust);
+    const Bracket got = bisect({1.1 * at_thrust, 0.9 * at_thrust}, 1e-4 * at_thrust, [&](double weight) {
+      return stands(prism_at_constant_thrust(pushed, weight), 0.02, outcome);
+    });
+    outcome.assertions.push_back({"weight held at constant thrust, " + angles, "N", got.middle(), at_thrust,
+                                  "2 H tan(f - alpha): limit equilibrium (Brady and Brown 1985)",
+                                  bracket_error(got, at_thrust), 3e-4, "bracket of 1e-4; rock gives way"});
+
+    const PrismScene wedged{prism, 1e4, 1e-4};
+    const double between = exact::held_weight_between_fixed_abutments(prism, wedged.thrust, ratio);
+    const Bracket held = bisect({1.1 * between, 0.9 * between}, 1e-4 * between, [&](double weight) {
+      return stands(prism_between_fixed_abutments(wedged, weight), 0.02, outcome);
+    });
+    outcome.assertions.push_back(
+        {"weight held between fixed abutments, " + angles, "N", held.middle(), between,
+         "2 H (k_s cos^2 a + k_n sin^2 a) sin(f - a)/(k_s cos a cos f + k_n sin a sin f): Brady and Brown 1985",
+         bracket_error(held, between), 4e-4, "bracket of 1e-4; rock gives way, by 1e-4 of the springs: measured 2e-4"});
+  }
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Case> roof_cases() {
+  return {{"roof-prism",
+           "Symmetric prism in a roof: the weight that friction holds, from both sides",
+           {20},
+           CaseLabel::fast,
+           roof_prism}};
+}
+
+}  // namespace verify

@@ -27,8 +27,8 @@ dda::Model arch_of(const exact::Arch& arch) {
   model.gravity = {0, -standard_gravity};
   const double inner = radius * (1 - arch.thickness / 2);
   const double outer = radius * (1 + arch.thickness / 2);
-  hold_corners(model, add_box(model, inner - 1, -1, outer + 1, 0));
-  hold_corners(model, add_box(model, -outer - 1, -1, -inner + 1, 0));
+  hold_firmly(model, add_box(model, inner - 1, -1, outer + 1, 0));
+  hold_firmly(model, add_box(model, -outer - 1, -1, -inner + 1, 0));
   const auto corner = [&](double r, int joint) {
     const double angle = std::numbers::pi * joint / arch.voussoirs;
     const bool at_springing = joint == 0 || joint == arch.voussoirs;

@@ -12,6 +12,12 @@
 
 namespace verify {
 
+void hold_firmly(dda::Model& model, int block, const dda::Vec2& displacement, const dda::TimeFunction& history) {
+  const double stiffness = 1000 * model.materials.front().young;
+  for (const dda::Vec2& corner : model.blocks[static_cast<std::size_t>(block)].shape.outer)
+    model.supports.push_back({block, corner, true, true, stiffness, displacement, history});
+}
+
 void let_stand(dda::Model& model, double step, int steps) {
   dda::Stage load = moving_stage(dda::static_integrator(), step, 20 * step);
   load.name = "load";

@@ -8,6 +8,11 @@
 
 namespace verify {
 
+// Springs of 1000 E at every corner of a block, the default of scenes, that follow displacement * history: abutments whose
+// giving way must not count.
+void hold_firmly(dda::Model& model, int block, const dda::Vec2& displacement = dda::Vec2::Zero(),
+                 const dda::TimeFunction& history = dda::Constant{});
+
 // Two static stages of `step`: weight and loads come on while contacts stick, then joints have their strength and
 // equilibrium to 1e-9 of the largest load is sought in at most `steps` steps.
 void let_stand(dda::Model& model, double step, int steps);

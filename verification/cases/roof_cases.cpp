@@ -52,7 +52,7 @@ dda::Model prism_and_left_abutment(const PrismScene& scene, double weight) {
   model.blocks.emplace_back().shape.outer = {
       {-foot - abutment, 0}, {-foot, 0}, {-tip, height}, {-foot - abutment, height}};
   model.blocks.emplace_back().shape.outer = {{foot + abutment, 0}, {foot + abutment, height}, {tip, height}, {foot, 0}};
-  hold_corners(model, 1);
+  hold_firmly(model, 1);
   const dda::TimeFunction late = dda::PiecewiseLinear{{load_time / 2, 0.75 * load_time}, {0, 1}};
   model.point_loads = {{0, {0, height / 2}, {0, -weight}, late}};
   let_stand(model, step, 300);
@@ -78,7 +78,7 @@ dda::Model prism_between_fixed_abutments(const PrismScene& scene, double weight)
   const double s = std::sin(scene.prism.alpha);
   const double c = std::cos(scene.prism.alpha);
   const double push = 2 * scene.thrust * (c * c / normal + s * s / (ratio * normal));
-  hold_corners(model, 2, {-push, 0}, dda::PiecewiseLinear{{0, load_time / 4}, {0, 1}});
+  hold_firmly(model, 2, {-push, 0}, dda::PiecewiseLinear{{0, load_time / 4}, {0, 1}});
   return model;
 }
 
@@ -89,7 +89,7 @@ Outcome roof_prism() {
     const exact::RoofPrism prism{alpha, friction};
     const std::string angles = fmt::format("alpha = {:.0f}, f = {:.0f} deg", alpha / degree, friction / degree);
 
-    const PrismScene pushed{prism, 1e5, 0.1};
+    const PrismScene pushed{prism, 1e5, 1e-2};
     const double at_thrust = exact::held_weight_at_constant_thrust(prism, pushed.thrust);
     const Bracket got = bisect({1.1 * at_thrust, 0.9 * at_thrust}, 1e-4 * at_thrust, [&](double weight) {
       return stands(prism_at_constant_thrust(pushed, weight), 0.02, outcome);

@@ -36,7 +36,7 @@ dda::Model toppling_slope(const exact::TopplingSlope& slope, double young, doubl
   }
   ground.emplace_back(-40, 0);
   model.blocks.emplace_back().shape.outer = ground;
-  hold_corners(model, 0);
+  hold_firmly(model, 0);
   for (int column = 1; column <= slope.columns; ++column) {
     const double base = (column - 1) * slope.base_step;
     add_box(model, (column - 1) * slope.width, base, column * slope.width, base + slope.height(column));
@@ -101,7 +101,7 @@ dda::Model slice_on_plane(const Slice& slice) {
   model.joints = {joint};
   const dda::Vec2 up(-std::sin(slice.dip), std::cos(slice.dip));
   model.gravity = -standard_gravity * up;
-  hold_corners(model, add_box(model, -10, -2, 20, 0));
+  hold_firmly(model, add_box(model, -10, -2, 20, 0));
   model.blocks.emplace_back().shape.outer = {{0, 0}, {foot, 0}, dda::Vec2(foot, 0) + height * up, height * up};
   let_stand(model, 0.1, 50);
   return model;

@@ -2,14 +2,20 @@
 
 #include <array>
 
+#include "verification/cases/arch_cases.h"
 #include "verification/cases/bar_ends_cases.h"
 #include "verification/cases/bounce_cases.h"
+#include "verification/cases/cantilever_cases.h"
 #include "verification/cases/contact_oscillator_cases.h"
 #include "verification/cases/direction_cases.h"
 #include "verification/cases/energy_cases.h"
+#include "verification/cases/incline_chart_cases.h"
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/p_bar_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
+#include "verification/cases/rocking_cases.h"
+#include "verification/cases/roof_cases.h"
+#include "verification/cases/slope_cases.h"
 #include "verification/cases/statics_cases.h"
 
 namespace verify {
@@ -21,7 +27,13 @@ constexpr std::array subjects{
     contact_oscillator_cases,  // 4
     bounce_cases,              // 5
     energy_cases,              // 8
+    rocking_cases,             // 14-16
+    incline_chart_cases,       // 17
+    slope_cases,               // 18, 19
+    roof_cases,                // 20, 22
+    arch_cases,                // 21
     statics_cases,             // 24-26
+    cantilever_cases,          // 27
     p_bar_cases,               // 32
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34

@@ -8,8 +8,8 @@
 
 namespace verify {
 
-// Springs of 1000 E at every corner of a block, the default of scenes, that follow displacement * history: abutments whose
-// giving way must not count.
+// Springs of 1000 E at every corner of a block, the default of scenes, that follow displacement * history: abutments
+// whose giving way must not count.
 void hold_firmly(dda::Model& model, int block, const dda::Vec2& displacement = dda::Vec2::Zero(),
                  const dda::TimeFunction& history = dda::Constant{});
 

@@ -1,0 +1,118 @@
+#include "verification/cases/lame_mode_cases.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dda/scene/generators.h"
+#include "dda/simulation/simulation.h"
+#include "verification/cases/bar_case.h"
+#include "verification/exact/wave_speeds.h"
+#include "verification/harness/recorded_run.h"
+
+namespace verify {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double side = 10;  // m
+constexpr double density = 2650;
+constexpr double young = 50e9;
+constexpr double poisson = 0.25;
+
+// u = (cos(pi x/a) sin(pi y/a), -sin(pi x/a) cos(pi y/a)): no change of area, and no traction on any side of the
+// square.
+dda::Vec2 shape(const dda::Vec2& at) {
+  const double x = pi * at.x() / side;
+  const double y = pi * at.y() / side;
+  return {std::cos(x) * std::sin(y), -std::sin(x) * std::cos(y)};
+}
+
+double shape_rotation(const dda::Vec2& at) {
+  return -pi / side * std::cos(pi * at.x() / side) * std::cos(pi * at.y() / side);
+}
+
+dda::Model free_square(int blocks_along_side, double dt, double duration) {
+  dda::Model model;
+  model.materials = {{"rock", density, young, poisson, dda::PlaneState::stress}};
+  dda::JointMaterial bond;
+  bond.bonded = true;
+  model.joints = {bond};
+  const double size = side / blocks_along_side;
+  dda::append_grid(
+      model, {.columns = blocks_along_side, .rows = blocks_along_side, .block_width = size, .block_height = size});
+  dda::Stage stage;
+  stage.kinematics = dda::Kinematics::small;
+  stage.dt = dt;
+  stage.duration = duration;
+  model.stages = {stage};
+  dda::finish_model(model);
+  for (dda::Block& block : model.blocks) {
+    block.initial_velocity = shape(block.moments.centroid);
+    block.initial_spin = shape_rotation(block.moments.centroid);
+  }
+  return model;
+}
+
+double amplitude(const dda::Simulation& simulation) {
+  double sum = 0;
+  for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i)
+    sum += simulation.state().displacement[i].head<2>().dot(shape(simulation.model().blocks[i].moments.centroid));
+  return sum;
+}
+
+// Frequency (rad/s) of the blocks alone: from the fourth time that the mode's amplitude passes zero, with the period
+// error of the trapezoidal rule, omega = 2/dt tan(omega' dt/2), taken out.
+double frequency(int blocks_along_side, double expected, Outcome& outcome) {
+  constexpr int steps_in_period = 60;
+  constexpr int zeros = 4;
+  const double dt = 2 * pi / expected / steps_in_period;
+  dda::Simulation simulation(free_square(blocks_along_side, dt, 2.5 * steps_in_period * dt));
+  double before = 0;
+  int passed = 0;
+  while (!simulation.finished()) {
+    advance(simulation, 1);
+    const double now = amplitude(simulation);
+    if (before * now < 0 && ++passed == zeros) {
+      outcome.counters += simulation.counters();
+      const double time = simulation.state().time - dt * now / (now - before);
+      return 2 / dt * std::tan(zeros * pi / time * dt / 2);
+    }
+    before = now;
+  }
+  throw std::runtime_error("the mode did not swing");
+}
+
+Outcome lame_mode() {
+  Outcome outcome;
+  const double expected = std::sqrt(2.0) * pi * exact::s_speed(young, poisson, density) / side;
+  double coarser = 0;
+  for (const int blocks : {8, 16, 32}) {
+    const double omega = frequency(blocks, expected, outcome);
+    const double error = relative_error(omega, expected);
+    Assertion row{fmt::format("frequency of the Lame mode, {0} x {0} blocks", blocks),
+                  "rad/s",
+                  omega,
+                  expected,
+                  "sqrt(2) pi c_S/a",
+                  error,
+                  5e-3 * 64 / (blocks * blocks),
+                  "an independent prototype: 4.1e-3, 1.2e-3 and 3.1e-4 at 8, 16 and 32 blocks, with margin"};
+    if (blocks == 32) row.order = Order{order(coarser, error), 2, 0.15};
+    outcome.assertions.push_back(row);
+    coarser = error;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Case> lame_mode_cases() {
+  return {{"lame-mode", "A free square swings without change of area", {30}, CaseLabel::fast, lame_mode}};
+}
+
+}  // namespace verify

@@ -34,11 +34,8 @@ constexpr std::array subjects{
     roof_cases,                // 20, 22
     arch_cases,                // 21
     statics_cases,             // 24-26
-<<<<<<< HEAD
     cantilever_cases,          // 27
-=======
     lame_mode_cases,           // 30
->>>>>>> 8c96876 (Catalogue 30: Lame mode of a free square)
     p_bar_cases,               // 32
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34

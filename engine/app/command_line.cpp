@@ -11,6 +11,7 @@
 
 #include "dda/app/run_command.h"
 #include "dda/app/scene_report.h"
+#include "dda/app/view_command.h"
 #include "dda/core/error.h"
 #include "dda/core/quantity.h"
 #include "dda/scene/scene.h"
@@ -25,6 +26,7 @@ constexpr auto program_details =
     "Examples:\n"
     "  dda check bar.json                    say what would be run, and how accurate it will be\n"
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
+    "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda run --help                        more on a command\n\n"
     "Exit codes: 0 done, 1 a result could not be written, 2 bad input, 3 the run ended before its time,\n"
     "128 + signal the run was stopped (130 after Ctrl-C).\n";
@@ -48,6 +50,14 @@ constexpr auto run_details =
     "  dda run wall.json --out results --frames 100                     then open results/frames.pvd in ParaView\n"
     "  dda run wall.json --out results --frame-interval 5ms --every 10\n"
     "  dda run wall.json --out results --frames 100 --resume            go on where a run with these options stopped\n";
+
+constexpr auto view_details =
+    "The page needs nothing but a browser: blocks, stresses, contact forces and measurements, played through time.\n"
+    "With --svg, one frame becomes a picture for a document.\n\n"
+    "Examples:\n"
+    "  dda run arch.json --out results --frames 200 && dda view results     then open results/view.html\n"
+    "  dda view results --svg last --out arch.svg --quantity stress_2\n"
+    "  dda view results --svg 40 --out arch.svg --forces contacts --window -6,-1,6,6\n";
 
 constexpr auto schema_details =
     "Name the file in \"$schema\" of a scene, and editors complete keys and underline mistakes.\n\n"
@@ -82,6 +92,7 @@ struct Arguments {
   std::string frame_interval;
   std::int64_t frames = 0;
   RunOptions run;
+  ViewOptions view;
 };
 
 void add_check(CLI::App& app, Arguments& arguments) {
@@ -111,6 +122,33 @@ void add_run(CLI::App& app, Arguments& arguments) {
   run->add_flag("--quiet", arguments.run.quiet, "no progress bar, and nothing on standard output");
 }
 
+void add_view(CLI::App& app, Arguments& arguments) {
+  ViewOptions& options = arguments.view;
+  CLI::App* view = app.add_subcommand("view", "Show a run that has frames: a page, or a picture")->footer(view_details);
+  view->add_option("folder", options.folder, "what dda run --frames wrote")->required()->type_name("DIR");
+  view->add_option("--out", options.file, "the file to write; default DIR/view.html")->type_name("FILE");
+  view->add_option("--quantity", options.quantity,
+                   "what blocks are coloured by: mean_stress (default), stress_1, stress_2, max_shear, stress_xx, "
+                   "stress_yy, stress_xy, speed, displacement")
+      ->type_name("NAME");
+  view->add_option("--max-size", options.most_megabytes, "largest page in MB; default 50; longer runs are thinned")
+      ->type_name("MB")
+      ->check(CLI::PositiveNumber);
+  CLI::Option* svg = view->add_option("--svg", options.svg_frame, "a picture (SVG) of this frame, from 0, or last")
+                         ->type_name("FRAME");
+  view->add_option("--forces", options.forces, "contact forces in the picture: joints (default), contacts, none")
+      ->type_name("KIND")
+      ->needs(svg);
+  view->add_flag("--crosses", options.crosses, "principal stresses in the picture")->needs(svg);
+  view->add_option("--deformation-scale", options.deformation_scale, "factor on all motion in the picture; default 1")
+      ->type_name("FACTOR")
+      ->needs(svg);
+  view->add_option("--window", options.window, "part of the plane in the picture, m; default: all blocks")
+      ->type_name("LEFT,BOTTOM,RIGHT,TOP")
+      ->delimiter(',')
+      ->needs(svg);
+}
+
 void check_scene(const Arguments& arguments, std::ostream& out) {
   std::optional<double> frequency;
   if (!arguments.frequency.empty())
@@ -136,7 +174,7 @@ int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
 // What is wrong with the command line. The library says of an unknown command only that one is required.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
-  if (unknown_command) return "the command is \"" + std::string(argv[1]) + "\", expected check, run or schema";
+  if (unknown_command) return "the command is \"" + std::string(argv[1]) + "\", expected check, run, view or schema";
   return error.what();
 }
 
@@ -146,6 +184,10 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
     return 0;
   }
   if (app.got_subcommand("run")) return run(arguments, out, errors);
+  if (app.got_subcommand("view")) {
+    view_run(arguments.view, out);
+    return 0;
+  }
   out << scene_schema();
   return 0;
 }
@@ -161,6 +203,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   app.get_formatter()->column_width(32);
   add_check(app, arguments);
   add_run(app, arguments);
+  add_view(app, arguments);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,141 @@
+"use strict";
+// The measurements against time, a panel for each unit, with a line at the time of the frame shown.
+
+const SERIES = ["#0072b2", "#d55e00", "#009e73", "#b8669a", "#b58900", "#4aa3d8", "#7b5ea7", "#8a8a8a"];
+
+class HistoryPanel {
+  constructor(times, unit, columns, seek) {
+    Object.assign(this, { times, columns });
+    const finite = columns.flatMap((column) => column.values).filter((value) => value !== null && isFinite(value));
+    [this.low, this.high] = finite.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)],
+                                          [Infinity, -Infinity]);
+    if (!(this.low < this.high)) [this.low, this.high] = [(this.low || 0) - 1, (this.high || 0) + 1];
+    this.unit = scaledUnit(unit, Math.max(Math.abs(this.low), Math.abs(this.high)));
+    this.element = document.createElement("div");
+    this.canvas = this.element.appendChild(document.createElement("canvas"));
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", `${columns.map((column) => column.name).join(", ")} against time`);
+    this.names = this.element.appendChild(Object.assign(document.createElement("div"), { className: "names" }));
+    this.values = columns.map((column, i) => {
+      const name = this.names.appendChild(document.createElement("span"));
+      name.style.setProperty("--series", SERIES[i % SERIES.length]);
+      name.append(`${column.name} `);
+      return name.appendChild(document.createElement("b"));
+    });
+    const follow = (event) => event.buttons && seek(this.timeAt(event.offsetX));
+    this.canvas.addEventListener("pointerdown", follow);
+    this.canvas.addEventListener("pointermove", follow);
+  }
+
+  get plot() {
+    return { left: 62, right: this.canvas.clientWidth - 14, top: 10, bottom: this.canvas.clientHeight - 20 };
+  }
+
+  get span() {
+    return this.times.at(-1) - this.times[0] || 1;
+  }
+
+  x(time) {
+    const { left, right } = this.plot;
+    return left + ((right - left) * (time - this.times[0])) / this.span;
+  }
+
+  y(value) {
+    const { top, bottom } = this.plot;
+    return bottom - ((bottom - top) * (value - this.low)) / (this.high - this.low);
+  }
+
+  timeAt(x) {
+    const { left, right } = this.plot;
+    return this.times[0] + (this.span * (x - left)) / (right - left);
+  }
+
+  valueAt(column, time) {
+    const after = this.times.findIndex((at) => at >= time - 1e-9 * this.span);
+    return column.values[after < 0 ? column.values.length - 1 : after];
+  }
+
+  draw(time) {
+    const { canvas } = this;
+    const ratio = window.devicePixelRatio || 1;
+    canvas.width = Math.round(canvas.clientWidth * ratio);
+    canvas.height = Math.round(canvas.clientHeight * ratio);
+    const context = canvas.getContext("2d");
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const style = getComputedStyle(document.documentElement);
+    const ink = (name) => style.getPropertyValue(`--${name}`).trim();
+    this.drawAxes(context, ink);
+    this.columns.forEach((column, i) => this.drawSeries(context, column, SERIES[i % SERIES.length]));
+    context.strokeStyle = ink("ink");
+    context.lineWidth = 1.2;
+    context.beginPath();
+    context.moveTo(this.x(time), this.plot.top - 6);
+    context.lineTo(this.x(time), this.plot.bottom);
+    context.stroke();
+    this.columns.forEach((column, i) => {
+      const value = this.valueAt(column, time);
+      this.values[i].textContent = value === null ? "" : withUnit(value, column.unit);
+    });
+  }
+
+  drawAxes(context, ink) {
+    const { left, right, top, bottom } = this.plot;
+    context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+    context.fillStyle = ink("quiet");
+    context.strokeStyle = ink("line");
+    context.lineWidth = 1;
+    const { factor, name } = this.unit;
+    const vertical = ticksBetween(this.low / factor, this.high / factor, 3);
+    const line = (x0, y0, x1, y1) => {
+      context.beginPath();
+      context.moveTo(x0, y0);
+      context.lineTo(x1, y1);
+      context.stroke();
+    };
+    context.textAlign = "right";
+    context.textBaseline = "middle";
+    vertical.values.forEach((value, i) => {
+      const y = this.y(value * factor);
+      line(left, y, right, y);
+      context.fillText(label(value, vertical.step) + (i === vertical.values.length - 1 ? ` ${name}` : ""), left - 6, y);
+    });
+    context.textAlign = "center";
+    context.textBaseline = "top";
+    const span = scaledUnit("s", this.times.at(-1));
+    const horizontal = ticksBetween(this.times[0] / span.factor, this.times.at(-1) / span.factor, Math.max(2, (right - left) / 90));
+    for (const value of horizontal.values) {
+      const x = this.x(value * span.factor);
+      line(x, top, x, bottom);
+      context.fillText(`${label(value, horizontal.step)} ${span.name}`, Math.min(x, right - 8), bottom + 4);
+    }
+  }
+
+  drawSeries(context, column, colour) {
+    context.strokeStyle = colour;
+    context.lineWidth = 1.6;
+    context.lineJoin = "round";
+    context.beginPath();
+    let pen = false;
+    column.values.forEach((value, i) => {
+      if (value === null) {
+        pen = false;
+        return;
+      }
+      pen ? context.lineTo(this.x(this.times[i]), this.y(value)) : context.moveTo(this.x(this.times[i]), this.y(value));
+      pen = true;
+    });
+    context.stroke();
+  }
+}
+
+// One panel for each unit, in the order of the measurements; none hides the section.
+function historyPanels(histories, seek) {
+  const section = document.getElementById("histories");
+  section.hidden = !histories || histories.columns.length === 0 || histories.times.length < 2;
+  if (section.hidden) return [];
+  const byUnit = new Map();
+  for (const column of histories.columns) byUnit.set(column.unit, [...(byUnit.get(column.unit) || []), column]);
+  const panels = [...byUnit].map(([unit, columns]) => new HistoryPanel(histories.times, unit, columns, seek));
+  document.getElementById("panels").replaceChildren(...panels.map((panel) => panel.element));
+  return panels;
+}

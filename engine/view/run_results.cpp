@@ -1,0 +1,130 @@
+#include "dda/view/run_results.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "dda/core/error.h"
+
+namespace dda {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& value) {
+  throw InputError(path.string(), "the file", value, "a frame that dda run --frames writes; run the scene again");
+}
+
+std::vector<SeriesEntry> frames_in(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  const auto need = [&](const std::string& value) {
+    throw InputError("", "the folder " + folder.string(), value,
+                     "results with frames: dda run SCENE.json --out " + folder.string() + " --frames 100");
+  };
+  if (!std::filesystem::is_directory(folder, ignored)) need("missing");
+  if (!std::filesystem::exists(folder / "frames.pvd", ignored)) need("without frames.pvd");
+  auto entries = read_series(folder / "frames.pvd");
+  if (entries.empty()) need("without frames");
+  return entries;
+}
+
+template <typename Number>
+const std::vector<Number>& need_array(const std::filesystem::path& path, const std::vector<VtkArray>& arrays,
+                                      std::string_view name, int components) {
+  const auto* values = find_array<Number>(arrays, name, components);
+  if (values == nullptr) refuse(path, "without \"" + std::string(name) + "\"");
+  return *values;
+}
+
+// The plane part of a vector, or of a point.
+Vec2 plane(const std::vector<double>& values, std::size_t index) { return {values[3 * index], values[3 * index + 1]}; }
+
+std::vector<DrawnContact> read_contacts(const std::filesystem::path& path, std::size_t blocks) {
+  const PolyData data = read_vtp(path);
+  const auto& block_a = need_array<std::int32_t>(path, data.point_data, "block_a", 1);
+  const auto& block_b = need_array<std::int32_t>(path, data.point_data, "block_b", 1);
+  const auto& status = need_array<std::int32_t>(path, data.point_data, "status", 1);
+  const auto& force = need_array<double>(path, data.point_data, "force [N/m]", 3);
+  const auto& normal_force = need_array<double>(path, data.point_data, "normal_force [N/m]", 1);
+  const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
+  std::vector<DrawnContact> contacts(block_a.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (const std::int32_t block : {block_a[i], block_b[i]})
+      if (block < 0 || static_cast<std::size_t>(block) >= blocks) refuse(path, "of other blocks than the first frame");
+    if (status[i] < 0 || status[i] > 2) refuse(path, "with the unknown status " + std::to_string(status[i]));
+    const Vec2 moved = plane(displacement, i);
+    contacts[i] = {block_a[i],      block_b[i],          plane(data.points, i) - moved,      moved,
+                   plane(force, i), normal_force[i] > 0, static_cast<DrawnStatus>(status[i])};
+  }
+  return contacts;
+}
+
+}  // namespace
+
+RunResults::RunResults(const std::filesystem::path& folder) : frames_(frames_in(folder)) {
+  for (const SeriesEntry& entry : frames_) times_.push_back(entry.time);
+  const std::filesystem::path index = folder / "contacts.pvd";
+  if (std::filesystem::exists(index)) contacts_ = read_series(index);
+  if (!contacts_.empty() && contacts_.size() < frames_.size()) refuse(index, "shorter than frames.pvd");
+  read_outlines(frames_[0].file, read_vtp(frames_[0].file));
+}
+
+// A block is one polygon, or triangles with rings as closed lines; see FrameWriter.
+void RunResults::read_outlines(const std::filesystem::path& path, const PolyData& first) {
+  const auto& block_of = need_array<std::int32_t>(path, first.cell_data, "block", 1);
+  const std::size_t lines = first.lines.size();
+  if (first.vertices.size() != 0 || block_of.empty()) refuse(path, "without blocks");
+  points_in_file_ = first.points.size() / 3;
+  cells_in_file_ = block_of.size();
+
+  const auto last = *std::ranges::max_element(block_of);
+  std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(std::max(last, -1) + 1));
+  for (std::size_t i = 0; i < block_of.size(); ++i) {
+    if (block_of[i] < 0) refuse(path, "damaged (block)");
+    cells[static_cast<std::size_t>(block_of[i])].push_back(i);
+  }
+  drawing_.ring_begin = {0};
+  drawing_.block_begin = {0};
+  for (const auto& own : cells) {
+    if (own.empty()) refuse(path, "damaged (a block is missing)");
+    cell_.push_back(own[0]);
+    if (own[0] >= lines) add_ring(path, first, first.polygons.cell(own[0] - lines));
+    for (const std::size_t cell : own)
+      if (cell < lines) add_ring(path, first, first.lines.cell(cell).subspan(1));
+    drawing_.block_begin.push_back(static_cast<std::uint32_t>(drawing_.rings()));
+  }
+}
+
+void RunResults::add_ring(const std::filesystem::path& path, const PolyData& first,
+                          std::span<const std::int64_t> points) {
+  const auto& displacement = need_array<double>(path, first.point_data, "displacement [m]", 3);
+  for (const std::int64_t point : points) {
+    const auto i = static_cast<std::size_t>(point);
+    point_.push_back(i);
+    drawing_.reference.push_back(plane(first.points, i) - plane(displacement, i));
+  }
+  drawing_.ring_begin.push_back(static_cast<std::uint32_t>(point_.size()));
+}
+
+Frame RunResults::frame(std::size_t index) const {
+  const std::filesystem::path& path = frames_.at(index).file;
+  const PolyData data = read_vtp(path);
+  const std::size_t cells = data.lines.size() + data.polygons.size();
+  if (data.points.size() / 3 != points_in_file_ || cells != cells_in_file_)
+    refuse(path, "of other blocks than the first frame");
+  const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
+  const auto& xx = need_array<double>(path, data.cell_data, "stress_xx [Pa]", 1);
+  const auto& yy = need_array<double>(path, data.cell_data, "stress_yy [Pa]", 1);
+  const auto& xy = need_array<double>(path, data.cell_data, "stress_xy [Pa]", 1);
+  const auto& velocity = need_array<double>(path, data.cell_data, "velocity [m/s]", 3);
+  const auto& moved = need_array<double>(path, data.cell_data, "displacement [m]", 3);
+  Frame frame;
+  frame.time = data.time;
+  for (const std::size_t point : point_) frame.displacement.push_back(plane(displacement, point));
+  for (const std::size_t cell : cell_) {
+    frame.stress.emplace_back(xx[cell], yy[cell], xy[cell]);
+    frame.velocity.push_back(plane(velocity, cell));
+    frame.moved.push_back(plane(moved, cell));
+  }
+  if (has_contacts()) frame.contacts = read_contacts(contacts_[index].file, drawing_.blocks());
+  return frame;
+}
+
+}  // namespace dda

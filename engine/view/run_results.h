@@ -1,0 +1,75 @@
+// What `dda run --frames` left in a folder, read back for pictures.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dda/core/types.h"
+#include "dda/record/vtp_reader.h"
+
+namespace dda {
+
+// What stays from frame to frame: the true outlines of the blocks, holes included.
+struct Drawing {
+  std::vector<Vec2> reference;            // m, all vertices as drawn at the start, those of a ring one after the other
+  std::vector<std::uint32_t> ring_begin;  // ring r has the vertices ring_begin[r] to ring_begin[r + 1]
+  std::vector<std::uint32_t>
+      block_begin;  // block b has the rings block_begin[b] to block_begin[b + 1], outer one first
+
+  [[nodiscard]] std::size_t blocks() const { return block_begin.size() - 1; }
+  [[nodiscard]] std::size_t rings() const { return ring_begin.size() - 1; }
+};
+
+enum class DrawnStatus : std::uint8_t { locked, sliding, open };
+
+struct DrawnContact {
+  int block_a = 0;
+  int block_b = 0;
+  Vec2 reference;        // m, the material point of block b
+  Vec2 displacement;     // m, of that point
+  Vec2 force;            // N per m of thickness, on block b
+  bool tension = false;  // it pulls the blocks together
+  DrawnStatus status = DrawnStatus::open;
+};
+
+struct Frame {
+  double time = 0;                 // s
+  std::vector<Vec2> displacement;  // m, of every vertex of the Drawing
+  std::vector<Vec3> stress;        // Pa, of every block: xx, yy, xy, tension positive
+  std::vector<Vec2> velocity;      // m/s, of every block's centroid
+  std::vector<Vec2> moved;         // m, displacement of every block's centroid
+  std::vector<DrawnContact> contacts;
+};
+
+class RunResults {
+ public:
+  // Reads the list of frames and the first of them. InputError naming the file, and what to do, when there is none or
+  // one is broken.
+  explicit RunResults(const std::filesystem::path& folder);
+
+  [[nodiscard]] const Drawing& drawing() const { return drawing_; }
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }
+
+  // False for runs of a program that did not write contacts yet.
+  [[nodiscard]] bool has_contacts() const { return !contacts_.empty(); }
+
+  // Reads a frame; InputError naming the file when it is broken or not of the same blocks.
+  [[nodiscard]] Frame frame(std::size_t index) const;
+
+ private:
+  void read_outlines(const std::filesystem::path& path, const PolyData& first);
+  void add_ring(const std::filesystem::path& path, const PolyData& first, std::span<const std::int64_t> points);
+
+  std::vector<SeriesEntry> frames_;
+  std::vector<SeriesEntry> contacts_;
+  std::vector<double> times_;
+  Drawing drawing_;
+  std::vector<std::size_t> point_;  // in the file, of every vertex
+  std::vector<std::size_t> cell_;   // in the file, of every block: the first that has its values
+  std::size_t points_in_file_ = 0;
+  std::size_t cells_in_file_ = 0;
+};
+
+}  // namespace dda

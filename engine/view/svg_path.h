@@ -1,0 +1,43 @@
+// Path data of SVG, short: relative steps in tenths of a pixel, rounded so that errors do not add up.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "dda/core/types.h"
+
+namespace dda {
+
+class SvgPath {
+ public:
+  void move_to(const Vec2& point) { append(point, 'M', false); }
+  void line_to(const Vec2& point) { append(point, 'l', true); }
+  void close() { text_ += 'Z'; }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] bool empty() const { return text_.empty(); }
+
+ private:
+  void append(const Vec2& point, char command, bool relative) {
+    const long x = std::lround(10 * point.x());
+    const long y = std::lround(10 * point.y());
+    text_ += command;
+    append_number(relative ? x - x_ : x);
+    text_ += ' ';
+    append_number(relative ? y - y_ : y);
+    x_ = x;
+    y_ = y;
+  }
+
+  void append_number(long tenths) {
+    if (tenths < 0) text_ += '-';
+    text_ += std::to_string(std::labs(tenths) / 10);
+    if (tenths % 10 != 0) text_ += '.' + std::to_string(std::labs(tenths) % 10);
+  }
+
+  std::string text_;
+  long x_ = 0, y_ = 0;  // tenths of a pixel, the last point
+};
+
+}  // namespace dda

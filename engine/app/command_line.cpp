@@ -54,6 +54,8 @@ constexpr auto run_details =
 constexpr auto view_details =
     "The page needs nothing but a browser: blocks, stresses, contact forces and measurements, played through time.\n"
     "With --svg, one frame becomes a picture for a document.\n\n"
+    "Quantities: mean_stress, stress_1, stress_2 (principal, the first the larger), max_shear, stress_xx, stress_yy,\n"
+    "stress_xy, speed, displacement.\n\n"
     "Examples:\n"
     "  dda run arch.json --out results --frames 200 && dda view results     then open results/view.html\n"
     "  dda view results --svg last --out arch.svg --quantity stress_2\n"
@@ -127,9 +129,7 @@ void add_view(CLI::App& app, Arguments& arguments) {
   CLI::App* view = app.add_subcommand("view", "Show a run that has frames: a page, or a picture")->footer(view_details);
   view->add_option("folder", options.folder, "what dda run --frames wrote")->required()->type_name("DIR");
   view->add_option("--out", options.file, "the file to write; default DIR/view.html")->type_name("FILE");
-  view->add_option("--quantity", options.quantity,
-                   "what blocks are coloured by: mean_stress (default), stress_1, stress_2, max_shear, stress_xx, "
-                   "stress_yy, stress_xy, speed, displacement")
+  view->add_option("--quantity", options.quantity, "what blocks are coloured by; default mean_stress")
       ->type_name("NAME");
   view->add_option("--max-size", options.most_megabytes, "largest page in MB; default 50; longer runs are thinned")
       ->type_name("MB")

@@ -245,6 +245,45 @@ TEST_F(CommandLine, ResumingAFinishedRunChangesNoResult) {
   EXPECT_EQ(text("out/frames.pvd"), index);
 }
 
+TEST_F(CommandLine, ViewMakesAPageOrAPicture) {
+  write("scene.json", bar_scene(3, 100));
+  ASSERT_EQ(call({"run", path("scene.json"), "--out", path("out"), "--frames", "4", "--quiet"}).code, 0);
+  const Outcome page = call({"view", path("out"), "--quantity", "stress_xx"});
+  EXPECT_EQ(page.code, 0) << page.errors;
+  EXPECT_TRUE(contains(page.out, "out/view.html: 3 blocks, 5 frames, ")) << page.out;
+  EXPECT_TRUE(text("out/view.html").starts_with("<!doctype html>"));
+  EXPECT_EQ(call({"view", path("out"), "--out", path("other.html")}).code, 0);
+  EXPECT_TRUE(exists("other.html"));
+
+  const Outcome picture = call({"view", path("out"), "--svg", "last", "--out", path("bar.svg"), "--crosses", "--forces",
+                                "contacts", "--deformation-scale", "1000", "--window", "-1,-1,4,2"});
+  EXPECT_EQ(picture.code, 0) << picture.errors;
+  EXPECT_TRUE(contains(picture.out, "bar.svg: frame 4 of 0 to 4, t = 0.001 s")) << picture.out;
+  EXPECT_TRUE(contains(text("bar.svg"), "deformation \u00d7 1000"));
+  const std::string last = text("bar.svg");
+  EXPECT_EQ(call({"view", path("out"), "--svg", "2", "--out", path("bar.svg")}).code, 0);
+  EXPECT_NE(text("bar.svg"), last);
+}
+
+TEST_F(CommandLine, ViewRefusesInOneSentence) {
+  expect_refusal({"view", path("out")}, "out is missing, expected results with frames: dda run SCENE.json --out");
+  write("scene.json", bar_scene(3, 10));
+  ASSERT_EQ(call({"run", path("scene.json"), "--out", path("run"), "--frames", "2", "--quiet"}).code, 0);
+  const std::string run = path("run");
+  expect_refusal({"view", run, "--quantity", "colour"}, "--quantity is \"colour\", expected one of mean_stress, ");
+  expect_refusal({"view", run, "--svg", "3", "--out", path("a.svg")}, "--svg is \"3\", expected a frame from 0 to 2");
+  expect_refusal({"view", run, "--svg", "-1", "--out", path("a.svg")}, "--svg is \"-1\", expected a frame");
+  expect_refusal({"view", run, "--svg", "1"}, "--out is missing");
+  expect_refusal({"view", run, "--svg", "1", "--out", path("a.svg"), "--forces", "all"}, "joints, contacts or none");
+  expect_refusal({"view", run, "--svg", "1", "--out", path("a.svg"), "--window", "1,1,0,2"}, "LEFT,BOTTOM,RIGHT,TOP");
+  expect_refusal({"view", run, "--crosses"}, "--svg");
+  expect_refusal({"view", run, "--max-size", "0"}, "--max-size");
+  write("run/frames/000001.vtp", "no frame");
+  expect_refusal({"view", run}, "frames/000001.vtp: the file is ");
+  EXPECT_FALSE(exists("run/view.html"));
+  EXPECT_FALSE(exists("a.svg"));
+}
+
 // Every published example can be checked and run.
 class Example : public CommandLine, public testing::WithParamInterface<std::string> {};
 

@@ -86,8 +86,12 @@ void RunResults::read_outlines(const std::filesystem::path& path, const PolyData
     if (own.empty()) refuse(path, "damaged (a block is missing)");
     cell_.push_back(own[0]);
     if (own[0] >= lines) add_ring(path, first, first.polygons.cell(own[0] - lines));
-    for (const std::size_t cell : own)
-      if (cell < lines) add_ring(path, first, first.lines.cell(cell).subspan(1));
+    for (const std::size_t cell : own) {
+      if (cell >= lines) break;
+      const auto closed = first.lines.cell(cell);
+      if (closed.size() < 4) refuse(path, "damaged (a ring is too short)");
+      add_ring(path, first, closed.first(closed.size() - 1));
+    }
     drawing_.block_begin.push_back(static_cast<std::uint32_t>(drawing_.rings()));
   }
 }

@@ -47,7 +47,8 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
 }
 
 std::string two_digits(double value) {
-  return label(value, std::pow(10, std::floor(std::log10(std::max(std::abs(value), 1e-9))) - 1));
+  const double step = std::pow(10, std::floor(std::log10(std::max(std::abs(value), 1e-9))) - 1);
+  return label(step * std::round(value / step), step);
 }
 
 class Picture {
@@ -194,7 +195,7 @@ class Picture {
 
   // The thickest line fills a quarter of a block, within what looks like a line.
   [[nodiscard]] double width_of(double force) const {
-    return std::max(std::clamp(0.25 * typical_, 3.0, 10.0) * force / largest_, 0.3);
+    return std::max(std::clamp(0.25 * typical_, 1.5, 10.0) * force / largest_, 0.3);
   }
 
   // Lines of nearly the same width are one path.
@@ -211,7 +212,7 @@ class Picture {
     add_strokes(strokes);
   }
 
-  // The largest principal stress of all fills its block with its arms.
+  // The arms of the largest principal stress fill its block, as far as that is not much larger than the others.
   void draw_crosses() {
     double most = 0;
     for (const Vec3& stress : frame_.stress) {
@@ -226,7 +227,8 @@ class Picture {
       const Vec2 across(-principal.direction.y(), principal.direction.x());
       for (const auto& [stress, direction] :
            {std::pair(principal.first, principal.direction), std::pair(principal.second, across)}) {
-        const Vec2 arm = 0.45 * std::sqrt(area) * std::abs(stress) / most * direction;
+        const double size = std::min(std::sqrt(area), 1.5 * typical_ / scale_);
+        const Vec2 arm = 0.45 * size * std::abs(stress) / most * direction;
         if (arm.norm() * scale_ > 0.5) add_segment(centroid - arm, centroid + arm, strokes[stress > 0 ? 1 : 0].path);
       }
     }

@@ -55,6 +55,7 @@ class Chromium:
         self._profile.cleanup()
 
     def size(self, width, height, dark=False):
+        self._window = (width, height)
         self._call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 600)
         scheme = "dark" if dark else "light"
         self._call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
@@ -92,9 +93,11 @@ class Chromium:
         self._call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
         self.settle()
 
-    def screenshot(self):
-        """PNG as bytes."""
-        return base64.b64decode(self._call("Page.captureScreenshot", format="png")["data"])
+    def screenshot(self, scale=1):
+        """PNG as bytes, of the window, smaller by `scale`: decoding takes its time."""
+        width, height = self._window
+        clip = {"x": 0, "y": 0, "width": width, "height": height, "scale": scale}
+        return base64.b64decode(self._call("Page.captureScreenshot", format="png", clip=clip)["data"])
 
     def _call(self, method, **parameters):
         self._number += 1

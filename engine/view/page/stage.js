@@ -23,7 +23,7 @@ class Stage {
 
   // Width of the line of a force, in pixels; the largest fill a quarter of a block, within what looks like a line.
   widthOf(force) {
-    const most = Math.min(Math.max(0.25 * this.typicalBlock * this.camera.scale, 3), 10) * this.show.thickness;
+    const most = Math.min(Math.max(0.25 * this.typicalBlock * this.camera.scale, 1), 10) * this.show.thickness;
     return Math.min(Math.max(most * force / (this.run.header.thickest_force || 1), 0.3), 1.5 * most);
   }
 
@@ -138,7 +138,8 @@ class Stage {
       const angle = Math.atan2(2 * t, sx - sy) / 2;
       const mean = (sx + sy) / 2, shear = Math.hypot((sx - sy) / 2, t);
       for (const [stress, turn] of [[mean + shear, angle], [mean - shear, angle + Math.PI / 2]]) {
-        const half = 0.45 * this.run.blockSize[block] * Math.min(Math.abs(stress) / most, 1.2);
+        const size = Math.min(run.blockSize[block], 1.5 * this.typicalBlock);
+        const half = 0.45 * size * Math.min(Math.abs(stress) / most, 1.2);
         for (const halo of [true, false]) {
           context.lineWidth = halo ? 3.4 : 1.8;
           context.strokeStyle = halo ? ink.halo : stress > 0 ? ink.force : ink.outline;

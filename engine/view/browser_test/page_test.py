@@ -1,0 +1,291 @@
+#!/usr/bin/env python3
+"""Opens the page that `dda view` makes of a small run in headless Chromium and checks what it shows.
+
+page_test.py DDA WORK: runs scene.json with the program DDA into the folder WORK, and compares the page with the frames.
+Fails, and does not skip, where Chromium is missing.
+"""
+
+import json
+import math
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+
+from chromium import Chromium, pixels
+
+FRAMES = 8
+SMALLER = 0.5    # screenshots
+FRAME_BLOCK = 1  # of the scene: a square with a square hole
+
+
+def make_run(program, scene, work):
+    subprocess.run([program, "run", scene, "--out", work, "--frames", str(FRAMES), "--quiet"], check=True)
+    page = pathlib.Path(work, "view.html")
+    page.unlink(missing_ok=True)
+    subprocess.run([program, "view", work, "--quantity", "stress_yy"], check=True, stdout=subprocess.DEVNULL)
+    return page.resolve().as_uri()
+
+
+class VtpFrame:
+    """The arrays of a .vtp file, read here once more so that the page is judged by what lies on disk."""
+
+    TYPES = {"Float64": "d", "Int32": "i", "Int64": "q"}
+
+    def __init__(self, path):
+        content = pathlib.Path(path).read_bytes()
+        head, data = content.split(b'<AppendedData encoding="raw">\n_', 1)
+        self.arrays, section = {}, None
+        for tag in re.findall(r"<(/?\w+)([^>]*)>", head.decode()):
+            if tag[0] != "DataArray":
+                section = tag[0]
+                continue
+            attribute = dict(re.findall(r'(\w+)="([^"]*)"', tag[1]))
+            offset = int(attribute["offset"])
+            size = struct.unpack_from("<Q", data, offset)[0]
+            letter = self.TYPES[attribute["type"]]
+            count = size // struct.calcsize(letter)
+            self.arrays[f"{section}/{attribute['Name']}"] = struct.unpack_from(f"<{count}{letter}", data, offset + 8)
+
+    def cell_of(self, block):
+        return self.arrays["CellData/block"].index(block)
+
+    def stress_yy(self, block):
+        return self.arrays["CellData/stress_yy [Pa]"][self.cell_of(block)]
+
+    def cells(self, kind):
+        offsets = (0,) + self.arrays[f"{kind}/offsets"]
+        return [self.arrays[f"{kind}/connectivity"][a:b] for a, b in zip(offsets, offsets[1:])]
+
+    def outline(self, block):
+        """All vertices of a block: of its rings, which are closed lines, or of its one polygon."""
+        cells = [cell[:-1] for cell in self.cells("Lines")]
+        rings = [cell for cell, own in zip(cells, self.arrays["CellData/block"]) if own == block]
+        if not rings:
+            rings = [self.cells("Polys")[self.cell_of(block) - len(cells)]]
+        points = self.arrays["Points/Points"]
+        return [(points[3 * i], points[3 * i + 1]) for ring in rings for i in ring]
+
+
+def near(found, expected, tolerance, what):
+    assert abs(found - expected) <= tolerance, f"{what}: {found}, expected {expected} within {tolerance}"
+
+
+def outline_on_page(page, block):
+    return page.evaluate(
+        f"dda.run.ringsOf({block}).flatMap(([begin, end]) => Array.from({{length: end - begin}}, (_, i) => ["
+        "dda.stage.points[2 * (begin + i)] + dda.run.header.origin[0],"
+        "dda.stage.points[2 * (begin + i) + 1] + dda.run.header.origin[1]]))")
+
+
+def check_frame(page, work, frame, blocks):
+    """Every block is where its frame says, and has the value of its frame, to half a step of 16 bits and a float."""
+    disk = VtpFrame(f"{work}/frames/{frame:06}.vtp")
+    page.evaluate(f"dda.player.go({frame})")
+    page.settle()
+    extent = max(abs(value) for value in disk.arrays["Points/Points"])
+    moved = disk.arrays["PointData/displacement [m]"]
+    step = (max(moved) - min(moved)) / 65534
+    stresses = [disk.stress_yy(block) for block in range(blocks)]
+    for block in range(blocks):
+        found = outline_on_page(page, block)
+        expected = disk.outline(block)
+        assert len(found) == len(expected), f"block {block} has {len(found)} vertices"
+        for point, wanted in zip(found, expected):
+            for axis in (0, 1):
+                near(point[axis], wanted[axis], step + extent * 2**-22, f"frame {frame}, block {block}")
+        value = page.evaluate(f"dda.run.value(dda.run.quantityIndex('stress_yy'), {frame}, {block})")
+        near(value, stresses[block], (max(stresses) - min(stresses)) / 65534, f"stress of block {block}")
+
+
+def colour_at(image, x, y):
+    width, height, rows = image
+    assert 0 <= x < width and 0 <= y < height, f"({x}, {y}) is outside the picture"
+    return tuple(rows[int(y)][3 * int(x):3 * int(x) + 3])
+
+
+def on_screen(page, x, y):
+    return page.evaluate(
+        f"(() => {{ const [x0, y0] = dda.run.header.origin; const box = dda.stage.canvas.getBoundingClientRect();"
+        f"const [px, py] = dda.stage.camera.toScreen({x} - x0, {y} - y0); return [px + box.left, py + box.top]; }})()")
+
+
+def inside(outline):
+    """A point 0.15 m inside the first edge; material lies on the left of every edge."""
+    (ax, ay), (bx, by) = outline[:2]
+    length = math.hypot(bx - ax, by - ay)
+    return (ax + bx) / 2 - 0.15 * (by - ay) / length, (ay + by) / 2 + 0.15 * (bx - ax) / length
+
+
+def expected_colour(page, value):
+    """By the map of the page, but by a calculation of our own."""
+    scale = page.evaluate("dda.run.quantities[dda.run.quantityIndex('stress_yy')].scale")
+    share = min(max((value - scale["low"]) / (scale["high"] - scale["low"]), 0), 1)
+    share = 1 - share if scale["dark_low"] and not scale["diverging"] else share
+    name = "diverging" if scale["diverging"] else "sequential"
+    colour = page.evaluate(f"dda.run.header.maps.{name}[{math.floor(255 * share + 0.5)}]")
+    return tuple(int(colour[i:i + 2], 16) for i in (1, 3, 5))
+
+
+def check_colours(page, work, frame, blocks):
+    """What is on the screen inside each block is the colour of its stress, and in a hole nothing."""
+    page.evaluate("document.getElementById('forces').value = 'none';"
+                  "document.getElementById('forces').dispatchEvent(new Event('input'))")
+    page.evaluate(f"dda.player.go({frame})")
+    page.settle()
+    image = pixels(page.screenshot(SMALLER))
+    disk = VtpFrame(f"{work}/frames/{frame:06}.vtp")
+    colours = set()
+    for block in range(blocks):
+        found = colour_at(image, *(SMALLER * place for place in on_screen(page, *inside(disk.outline(block)))))
+        wanted = expected_colour(page, disk.stress_yy(block))
+        # One step of the map, where rounding may fall on the other side.
+        assert max(abs(a - b) for a, b in zip(found, wanted)) <= 3, f"block {block} is {found}, expected {wanted}"
+        colours.add(found)
+    assert len(colours) >= 5, f"only {len(colours)} colours: the stresses of the courses differ"
+    in_the_hole = disk.outline(FRAME_BLOCK)[4:]
+    middle = [sum(point[axis] for point in in_the_hole) / 4 for axis in (0, 1)]
+    found = colour_at(image, *(SMALLER * place for place in on_screen(page, *middle)))
+    assert found == (255, 255, 255), f"the hole is {found}"
+
+
+def check_forces(page, work, frame):
+    """Contacts, forces and status are those of the frame; forces are drawn in their colour."""
+    page.evaluate(f"dda.player.go({frame})")
+    contacts = page.evaluate("dda.stage.contacts")
+    disk = VtpFrame(f"{work}/contacts/{frame:06}.vtp").arrays
+    statuses = disk["PointData/status"]
+    assert len(contacts) == len(statuses) > 10
+    for number, name in enumerate(("locked", "sliding", "open")):
+        assert sum(contact["status"] == name for contact in contacts) == statuses.count(number) > 0, name
+    force = disk["PointData/force [N/m]"]
+    for axis, name in ((0, "fx"), (1, "fy")):
+        near(sum(contact[name] for contact in contacts), sum(force[axis::3]),
+             len(contacts) * max(map(abs, force)) / 32767 / 2, f"sum of {name}")
+    places = sorted((force[3 * i + 1], disk["Points/Points"][3 * i]) for i in range(len(statuses)))
+    largest = max(contacts, key=lambda contact: contact["fy"])
+    tied = [x for fy, x in places if fy >= places[-1][0] * (1 - 1e-3)]
+    x = largest["x"] + page.evaluate("dda.run.header.origin[0]")
+    assert min(abs(x - other) for other in tied) < 1e-3, "the largest force is elsewhere"
+
+    def red_pixels():
+        page.settle()
+        _, _, rows = pixels(page.screenshot(SMALLER))
+        return sum(row[i] > 180 and row[i + 1] < 60 and row[i + 2] < 90 for row in rows for i in range(0, len(row), 3))
+
+    assert red_pixels() < 10
+    page.press("f")  # none -> joints
+    joints = red_pixels()
+    assert joints > 60, f"{joints} pixels of forces"
+    assert page.evaluate("dda.stage.show.forces") == "joints"
+    assert page.evaluate("dda.stage.lines.length") > 10
+    assert "kN/m" in page.evaluate("document.getElementById('keys').textContent")
+
+
+def check_controls(page):
+    state = lambda: page.evaluate("[dda.player.frame, dda.player.playing, dda.stage.show.quantity]")
+    page.press("Home")
+    assert state()[0] == 0
+    page.press("ArrowRight")
+    assert state()[0] == 1
+    page.press("End")
+    assert state()[0] == FRAMES
+    page.press("q")
+    assert state()[2] == page.evaluate("dda.run.quantityIndex('stress_yy')") + 1
+    assert "\u03c3xy" in page.evaluate("document.getElementById('bar-title').textContent")
+    page.press("Q")
+    page.evaluate("document.getElementById('speed').value = 60;"
+                  "document.getElementById('speed').dispatchEvent(new Event('input'))")
+    page.press(" ")
+    assert state()[1] or state()[0] == FRAMES
+    page.evaluate("new Promise(done => { const wait = () => dda.player.playing ? setTimeout(wait, 20) : done(); wait(); })")
+    assert state()[:2] == [FRAMES, False], "play stops at the last frame"
+    page.evaluate("document.getElementById('slider').value = 3;"
+                  "document.getElementById('slider').dispatchEvent(new Event('input'))")
+    assert state()[0] == 3
+    for key, box in (("x", "crosses"), ("c", "status"), ("o", "outlines")):
+        before = page.evaluate(f"dda.stage.show.{box}")
+        page.press(key)
+        assert page.evaluate(f"dda.stage.show.{box}") != before, key
+        page.press(key)
+
+    scale = page.evaluate("dda.stage.camera.scale")
+    page.press("+")
+    near(page.evaluate("dda.stage.camera.scale"), 1.25 * scale, 1e-9 * scale, "zoom")
+    before = on_screen(page, 5, 0.3)
+    page.drag(before, (before[0] + 40, before[1] + 25))
+    after = on_screen(page, 5, 0.3)
+    near(after[0] - before[0], 40, 0.01, "drag")
+    near(after[1] - before[1], 25, 0.01, "drag")
+    page.press("0")
+    near(page.evaluate("dda.stage.camera.scale"), scale, 1e-9 * scale, "fit")
+    page.move(*on_screen(page, 5, 0.3))
+    assert page.evaluate("document.getElementById('readout').textContent").startswith("Block 1: stress")
+    page.move(*on_screen(page, 5, 1))  # in the hole of block 1
+    assert page.evaluate("document.getElementById('readout').textContent") == ""
+
+
+def check_deformation_scale(page, work):
+    disk = VtpFrame(f"{work}/frames/{FRAMES:06}.vtp")
+    moved = disk.arrays["PointData/displacement [m]"]
+    page.evaluate(f"dda.player.go({FRAMES}); document.getElementById('deformation').value = 3;"
+                  "document.getElementById('deformation').dispatchEvent(new Event('input'))")
+    assert page.evaluate("dda.stage.show.deformationScale") == 1000
+    points = page.evaluate("Array.from(dda.stage.points)")
+    reference = page.evaluate("Array.from(dda.run.reference)")
+    farthest = max(range(len(points)), key=lambda i: abs(points[i] - reference[i]))
+    largest = max(abs(value) for value in moved)
+    near(abs(points[farthest] - reference[farthest]), 1000 * largest, 1000 * largest / 65534 + 1e-5, "deformation x 1000")
+
+
+def check_summary(page, work):
+    summary = json.loads(pathlib.Path(work, "summary.json").read_text())
+    assert page.evaluate("document.getElementById('title').textContent") == summary["title"]
+    table = page.evaluate("document.getElementById('summary').textContent")
+    for text in (f"Steps{summary['steps']}", f"Blocks{summary['blocks']}", "Statusok", "Energy residual"):
+        assert text in table, f"{text} not in {table}"
+    names = page.evaluate("document.getElementById('panels').textContent")
+    for column in summary["histories"][0]["columns"][1:]:
+        assert column["name"] in names, column["name"]
+
+
+def check_sizes(page):
+    """From a phone to a desktop, light and dark: nothing wider than the window, and no blank picture."""
+    for width, height, dark in ((360, 740, False), (768, 900, True), (1440, 900, False)):
+        page.size(width, height, dark)
+        page.settle()
+        page.settle()
+        assert page.evaluate("document.documentElement.scrollWidth") <= width, f"wider than {width}"
+        seen, tall, rows = pixels(page.screenshot(SMALLER))
+        assert (seen, tall) == (width * SMALLER, height * SMALLER)
+        colours = {bytes(row[i:i + 3]) for row in rows for i in range(0, len(row), 3)}
+        assert len(colours) > 30, f"{len(colours)} colours at {width} px: the page is blank"
+        background = rows[2][0]
+        assert (background < 60) == dark, "light and dark"
+
+
+def main():
+    program, work = sys.argv[1:]
+    url = make_run(program, pathlib.Path(__file__).with_name("scene.json"), work)
+    with Chromium() as page:
+        page.size(1000, 700)
+        page.open(url)
+        page.settle()
+        blocks = json.loads(pathlib.Path(work, "summary.json").read_text())["blocks"]
+        assert page.evaluate("dda.run.blocks") == blocks
+        assert page.evaluate("dda.run.frames") == FRAMES + 1
+        check_summary(page, work)
+        for frame in (0, 3, FRAMES):
+            check_frame(page, work, frame, blocks)
+        check_colours(page, work, FRAMES, blocks)
+        check_forces(page, work, FRAMES)
+        check_controls(page)
+        check_deformation_scale(page, work)
+        check_sizes(page)
+        assert not page.problems, page.problems
+    print(f"{blocks} blocks, {FRAMES + 1} frames: the page shows what the frames hold")
+
+
+if __name__ == "__main__":
+    main()

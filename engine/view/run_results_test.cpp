@@ -1,0 +1,121 @@
+#include "dda/view/run_results.h"
+
+#include <gtest/gtest.h>
+
+#include "dda/core/error.h"
+#include "dda/view/view_test_support.h"
+
+namespace dda {
+namespace {
+
+constexpr double round_off = 1e-14 * 10;  // a few 2^-53 of coordinates up to 10 m
+
+class RunResultsTest : public testing::Test {
+ protected:
+  RunResultsTest() { write_run(folder_.path(), model_, {0, 0.5, 1}); }
+
+  [[nodiscard]] std::string refusal() const {
+    return message_of<InputError>([&] {
+      const RunResults results(folder_.path());
+      for (std::size_t i = 0; i < results.times().size(); ++i) (void)results.frame(i);
+    });
+  }
+
+  ViewFolder folder_;
+  Model model_ = model_to_view();
+};
+
+TEST_F(RunResultsTest, OutlinesAreThoseOfTheModel) {
+  const RunResults results(folder_.path());
+  const Drawing& drawing = results.drawing();
+  EXPECT_EQ(results.times(), (std::vector<double>{0, 0.5, 1}));
+  ASSERT_EQ(drawing.blocks(), 3U);
+  EXPECT_EQ(drawing.block_begin, (std::vector<std::uint32_t>{0, 1, 2, 4}));
+  ASSERT_EQ(drawing.rings(), 4U);
+  const Polygon& frame = model_.blocks[2].shape;
+  const std::vector<Ring> rings = {model_.blocks[0].shape.outer, model_.blocks[1].shape.outer, frame.outer,
+                                   frame.holes[0]};
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    ASSERT_EQ(drawing.ring_begin[ring + 1] - drawing.ring_begin[ring], rings[ring].size());
+    for (std::size_t i = 0; i < rings[ring].size(); ++i)
+      EXPECT_LE((drawing.reference[drawing.ring_begin[ring] + i] - rings[ring][i]).norm(), round_off);
+  }
+}
+
+TEST_F(RunResultsTest, FramesAreTheStates) {
+  const RunResults results(folder_.path());
+  const Frame frame = results.frame(1);
+  const State state = state_at(model_, 0.5);
+  EXPECT_EQ(frame.time, 0.5);
+  for (std::size_t block = 0; block < 3; ++block) {
+    EXPECT_EQ(frame.stress[block], state.stress[block]);
+    EXPECT_EQ(frame.velocity[block], state.velocity[block].head<2>());
+    EXPECT_EQ(frame.moved[block], state.displacement[block].head<2>());
+    for (std::uint32_t ring = results.drawing().block_begin[block]; ring < results.drawing().block_begin[block + 1];
+         ++ring)
+      for (std::uint32_t i = results.drawing().ring_begin[ring]; i < results.drawing().ring_begin[ring + 1]; ++i)
+        EXPECT_LE((frame.displacement[i] - state.displacement[block].head<2>()).norm(), round_off);
+  }
+}
+
+TEST_F(RunResultsTest, ContactsAreThoseWritten) {
+  const RunResults results(folder_.path());
+  EXPECT_TRUE(results.has_contacts());
+  const auto contacts = results.frame(2).contacts;
+  const auto written = contacts_at(model_, state_at(model_, 1));
+  ASSERT_EQ(contacts.size(), written.size());
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    EXPECT_EQ(contacts[i].block_a, written[i].block_a);
+    EXPECT_EQ(contacts[i].block_b, written[i].block_b);
+    EXPECT_EQ(contacts[i].force, written[i].force());
+    EXPECT_FALSE(contacts[i].tension);
+    EXPECT_LE((contacts[i].reference - written[i].reference).norm(), round_off);
+    EXPECT_LE((contacts[i].displacement - (written[i].point - written[i].reference)).norm(), round_off);
+  }
+  EXPECT_EQ(contacts[0].status, DrawnStatus::locked);
+  EXPECT_EQ(contacts[1].status, DrawnStatus::sliding);
+  EXPECT_EQ(contacts[2].status, DrawnStatus::open);
+}
+
+TEST_F(RunResultsTest, ContactsMayBeMissing) {
+  std::filesystem::remove(folder_ / "contacts.pvd");
+  const RunResults results(folder_.path());
+  EXPECT_FALSE(results.has_contacts());
+  EXPECT_TRUE(results.frame(2).contacts.empty());
+}
+
+TEST_F(RunResultsTest, SaysWhatToDoWhereThereAreNoFrames) {
+  const std::string folder = (folder_ / "none").string();
+  EXPECT_EQ(message_of<InputError>([&] { RunResults{folder}; }),
+            "the folder " + folder + " is missing, expected results with frames: dda run SCENE.json --out " + folder +
+                " --frames 100");
+  std::filesystem::create_directory(folder);
+  EXPECT_NE(message_of<InputError>([&] { RunResults{folder}; }).find("is without frames.pvd, expected"),
+            std::string::npos);
+}
+
+TEST_F(RunResultsTest, BrokenFilesAreNamed) {
+  const std::string whole = read_file(folder_ / "frames/000001.vtp");
+  write_file(folder_ / "frames/000001.vtp", whole.substr(0, whole.size() / 2));
+  EXPECT_NE(refusal().find("000001.vtp: the file is cut off"), std::string::npos) << refusal();
+  std::filesystem::remove(folder_ / "frames/000001.vtp");
+  EXPECT_NE(refusal().find("000001.vtp: the file is missing"), std::string::npos) << refusal();
+  write_file(folder_ / "frames/000001.vtp", whole);
+  EXPECT_EQ(refusal(), "");
+  std::filesystem::remove(folder_ / "contacts/000002.vtp");
+  EXPECT_NE(refusal().find("contacts/000002.vtp: the file is missing"), std::string::npos) << refusal();
+}
+
+TEST_F(RunResultsTest, FramesOfOtherBlocksAreRefused) {
+  const ViewFolder other;
+  Model smaller = model_to_view();
+  smaller.blocks.pop_back();
+  finish_model(smaller);
+  FrameWriter(smaller, other / "frames.pvd").write(state_at(smaller, 0.5));
+  std::filesystem::copy_file(other / "frames/000000.vtp", folder_ / "frames/000001.vtp",
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_NE(refusal().find("of other blocks than the first frame"), std::string::npos) << refusal();
+}
+
+}  // namespace
+}  // namespace dda

@@ -239,14 +239,17 @@ class Picture {
     const double x = width_ - side;
     const ScaledUnit unit = scaled_unit(quantity_.unit, std::max(std::abs(colours_.low), std::abs(colours_.high)));
     const bool is_signed = quantity_.unit == "Pa" && quantity_.id != "max_shear";
-    add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">{}</text>\n", x, top_ + 0.8 * text_size, short_title());
-    add("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}{}</text>\n", x, top_ + 2.1 * text_size, quiet, unit.name,
-        is_signed ? ", tension +" : "");
-    const bool clipped = colours_.least < colours_.low || colours_.most > colours_.high;
-    if (clipped)
-      add("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{} to {}</text>\n", x, top_ + 3.4 * text_size, quiet,
-          two_digits(colours_.least / unit.factor), two_digits(colours_.most / unit.factor));
-    const double y = top_ + (clipped ? 4.7 : 3.4) * text_size;
+    double y = top_ + 0.8 * text_size;
+    const auto add_line = [&](std::string_view style, const std::string& line) {
+      add("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, style, line);
+      y += 1.3 * text_size;
+    };
+    for (const std::string& line : wrapped(quantity_.title, 18)) add_line("font-weight=\"600\"", line);
+    const std::string plain = fmt::format("fill=\"{}\"", quiet);
+    add_line(plain, unit.name + (is_signed ? ", tension +" : ""));
+    if (colours_.least < colours_.low || colours_.most > colours_.high)
+      add_line(plain, fmt::format("{} to {}", two_digits(colours_.least / unit.factor),
+                                  two_digits(colours_.most / unit.factor)));
     const double size = std::min(std::max(plot_height_, 300.0) - 170, 300.0);
     add("<linearGradient id=\"scale\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">");
     for (int i = 0; i <= 32; ++i)
@@ -262,11 +265,6 @@ class Picture {
           quiet, x + 30, height + 0.35 * text_size, label(value, step));
     }
     draw_key(x, y + size + 2.4 * text_size);
-  }
-
-  [[nodiscard]] std::string short_title() const {
-    const std::string title(quantity_.title);
-    return title.size() > 20 ? title.substr(0, title.find(" stress")) : title;
   }
 
   void draw_key(double x, double y) {

@@ -31,8 +31,12 @@ function jointLines(run, points, contacts) {
   const loaded = [...joints.values()].map((joint) => ({ ...joint, ...resultant(run, joint) }))
     .filter(({ force }) => force > DRAWN_LEAST * run.header.thickest_force);
   const jointsOf = new Map();
-  for (const joint of loaded)
-    for (const block of joint.blocks) jointsOf.set(block, [...(jointsOf.get(block) || []), joint]);
+  for (const joint of loaded) {
+    for (const block of joint.blocks) {
+      if (!jointsOf.has(block)) jointsOf.set(block, []);
+      jointsOf.get(block).push(joint);
+    }
+  }
   return loaded.flatMap((joint) => joint.blocks.map((block) => {
     return { ...joint, ...armInto(run, points, joint, block, jointsOf.get(block)) };
   }));

@@ -77,14 +77,18 @@ std::string bound_of(double number, double tolerance) {
   return "< " + digits_of(std::min(power, tolerance), 2);
 }
 
+// Counts, which are right or not.
+bool is_exact(const Assertion& asserted) { return asserted.error == 0 && asserted.tolerance == 0; }
+
 std::string error_cell(const Assertion& asserted) {
+  if (is_exact(asserted)) return "0";
   if (std::abs(asserted.error) < smallest_digits) return bound_of(asserted.error, asserted.tolerance);
   return digits_of(asserted.error, 2);
 }
 
 std::string value_cell(const Assertion& asserted) {
   const bool nothing = asserted.reference == 0 && std::abs(asserted.value) < smallest_digits;
-  return nothing ? bound_of(asserted.value, asserted.tolerance) : digits_of(asserted.value, 6);
+  return nothing && !is_exact(asserted) ? bound_of(asserted.value, asserted.tolerance) : digits_of(asserted.value, 6);
 }
 
 std::string order_cell(const Assertion& asserted) {

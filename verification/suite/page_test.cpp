@@ -48,6 +48,11 @@ TEST(PageTable, ErrorsOfRoundOffAreBounds) {
   EXPECT_EQ(row_of(creep), "| creep [m] | < 1e-11 | 0 (a) | < 1e-11 | 1e-9 (b) |");
 }
 
+TEST(PageTable, CountsAreExact) {
+  const Assertion cells = {"cells misjudged", "-", 0, 0, "none", 0, 0, "all of them"};
+  EXPECT_EQ(row_of(cells), "| cells misjudged [-] | 0 | 0 (a) | 0 | 0 (b) |");
+}
+
 TEST(PageTable, TextsDoNotBreakCells) {
   Assertion assertion = assertion_of(2, 2, 1);
   assertion.quantity = "|R|, a*b*c";

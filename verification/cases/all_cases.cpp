@@ -17,6 +17,7 @@
 #include "verification/cases/rocking_cases.h"
 #include "verification/cases/roof_cases.h"
 #include "verification/cases/slope_cases.h"
+#include "verification/cases/soil_column_cases.h"
 #include "verification/cases/statics_cases.h"
 
 namespace verify {
@@ -39,6 +40,7 @@ constexpr std::array subjects{
     p_bar_cases,               // 32
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34
+    soil_column_cases,         // 39
     direction_cases,           // 42
 };
 

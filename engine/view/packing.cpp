@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <map>
 
 #include "dda/view/colour_scale.h"
 
@@ -15,7 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::uint16_t no_number = 65535;
 constexpr double greatest_code = 65534;
 constexpr double greatest_force = 32767;
-constexpr double drawn_share = 0.98;  // of the forces are drawn no thicker than the thickest line
+constexpr double drawn_share = 0.99;  // of the forces are drawn no thicker than the thickest line
 
 // In little-endian order, whatever this machine has.
 template <typename Integer>
@@ -106,10 +107,9 @@ void PackedRun::add(const Frame& frame) {
 void PackedRun::add_contacts(const std::vector<DrawnContact>& contacts) {
   double most = 0;
   for (const DrawnContact& contact : contacts) {
-    if (!contact.force.allFinite()) continue;
-    most = std::max(most, contact.force.lpNorm<Eigen::Infinity>());
-    if (contact.force.norm() > 0) forces_.push_back(contact.force.norm());
+    if (contact.force.allFinite()) most = std::max(most, contact.force.lpNorm<Eigen::Infinity>());
   }
+  note_sizes(contacts);
   const double unit = most > 0 ? most / greatest_force : 1;
   force_units_.push_back(unit);
   std::array<std::uint32_t, 4> counts{};
@@ -125,6 +125,17 @@ void PackedRun::add_contacts(const std::vector<DrawnContact>& contacts) {
     }
   }
   contact_counts_.push_back(counts);
+}
+
+void PackedRun::note_sizes(const std::vector<DrawnContact>& contacts) {
+  std::map<std::pair<int, int>, Vec2> joints;
+  for (const DrawnContact& contact : contacts) {
+    if (!contact.force.allFinite() || contact.force.norm() == 0) continue;
+    contact_sizes_.push_back(contact.force.norm());
+    const auto [joint, is_new] = joints.try_emplace(std::minmax(contact.block_a, contact.block_b), Vec2(0, 0));
+    joint->second += contact.block_a < contact.block_b ? contact.force : Vec2(-contact.force);
+  }
+  for (const auto& [blocks, force] : joints) joint_sizes_.push_back(force.norm());
 }
 
 std::size_t PackedRun::size() const {
@@ -160,7 +171,10 @@ Json PackedRun::header() const {
           {"quantities", std::move(quantities)},
           {"contact_counts", std::move(contact_counts)},
           {"force_units", force_units_},
-          {"thickest_force", quantile(forces_, drawn_share)},
+          {"thickest_force",
+           {{"none", 0},
+            {"contacts", quantile(contact_sizes_, drawn_share)},
+            {"joints", quantile(joint_sizes_, drawn_share)}}},
           {"wide_sites", wide_sites()}};
 }
 

@@ -51,6 +51,7 @@ class PackedRun {
 
  private:
   void add_contacts(const std::vector<DrawnContact>& contacts);
+  void note_sizes(const std::vector<DrawnContact>& contacts);
   [[nodiscard]] bool wide_sites() const { return sites_.sites().size() > std::numeric_limits<std::uint16_t>::max(); }
 
   const Drawing& drawing_;
@@ -62,8 +63,8 @@ class PackedRun {
   std::vector<std::array<std::uint32_t, 4>> contact_counts_;  // locked, locked in tension, sliding, open
   std::vector<std::uint32_t> contact_sites_;
   std::string contact_forces_;
-  std::vector<double> force_units_;  // N/m, of each frame
-  std::vector<double> forces_;       // N/m, sizes of all
+  std::vector<double> force_units_;                  // N/m, of each frame
+  std::vector<double> contact_sizes_, joint_sizes_;  // N/m, sizes of all forces and of all resultants
 };
 
 }  // namespace dda

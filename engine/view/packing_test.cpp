@@ -116,6 +116,22 @@ TEST_F(PackedRunTest, HoldsContactsInTheOrderOfTheirStatus) {
   EXPECT_EQ(sites[5U * numbers[7] + 1], 2U);
 }
 
+// Of 4, 2 and 0 kN/m and of 1, 0.5 and 0 kN/m the 99 % quantile takes the second largest of few.
+TEST_F(PackedRunTest, SaysWhichForceIsDrawnThickest) {
+  EXPECT_NEAR(header_["thickest_force"]["contacts"].get<double>(), 2000, 1e-9);
+  EXPECT_NEAR(header_["thickest_force"]["joints"].get<double>(), 2000, 1e-9);
+
+  PackedRun pairs(results_.drawing());
+  Frame frame = results_.frame(2);
+  frame.contacts = {frame.contacts[0], frame.contacts[0]};
+  frame.contacts[1].force *= 2;
+  std::swap(frame.contacts[1].block_a, frame.contacts[1].block_b);  // the other block: it pushes the other way
+  frame.contacts[1].force *= -1;
+  pairs.add(frame);
+  EXPECT_NEAR(pairs.header()["thickest_force"]["contacts"].get<double>(), 4000, 1e-9);
+  EXPECT_NEAR(pairs.header()["thickest_force"]["joints"].get<double>(), 12000, 1e-9);
+}
+
 TEST_F(PackedRunTest, SaysItsSize) {
   std::size_t bytes = 0;
   for (const auto& [name, section] : sections_) bytes += section.size();

@@ -93,7 +93,7 @@ function connectKeys(stage, player, redraw, fit) {
     d: ["", "", view(() => camera.pan(-60, 0))],
     q: ["q", "next colour", next("quantity", 1)],
     Q: ["Q", "previous colour", next("quantity", -1)],
-    r: ["r", "colour range", next("range", 1)],
+    r: ["r", "scale to run or frame", next("range", 1)],
     f: ["f", "contact forces", next("forces", 1)],
     c: ["c", "contact status", click("status")],
     x: ["x", "principal stresses", click("crosses")],

@@ -1,11 +1,16 @@
 "use strict";
 // Contact forces as lines: where, in which direction, how long to either side (m), how large (N/m).
 
-const DRAWN_LEAST = 0.01; // of the thickest force; what is smaller is not drawn
+const DRAWN_LEAST = 0.01; // of the largest of the frame; what is smaller is not drawn
 
-function forceLines(run, frame, points, contacts, mode) {
-  const lines = mode === "contacts" ? contactLines(run, contacts) : mode === "joints" ? jointLines(run, points, contacts) : [];
-  return lines.filter((line) => line.force > DRAWN_LEAST * run.header.thickest_force);
+function forceLines(run, points, contacts, mode) {
+  if (mode === "none") return [];
+  return mode === "joints" ? jointLines(run, points, contacts) : worthDrawing(contactLines(run, contacts));
+}
+
+function worthDrawing(lines) {
+  const most = lines.reduce((largest, { force }) => Math.max(largest, force), 0);
+  return lines.filter(({ force }) => force > DRAWN_LEAST * most);
 }
 
 function contactLines(run, contacts) {
@@ -28,8 +33,7 @@ function jointLines(run, points, contacts) {
     const sign = contact.b === second ? 1 : -1;
     joints.get(key).parts.push({ ...contact, fx: sign * contact.fx, fy: sign * contact.fy });
   }
-  const loaded = [...joints.values()].map((joint) => ({ ...joint, ...resultant(run, joint) }))
-    .filter(({ force }) => force > DRAWN_LEAST * run.header.thickest_force);
+  const loaded = worthDrawing([...joints.values()].map((joint) => ({ ...joint, ...resultant(run, joint) })));
   const jointsOf = new Map();
   for (const joint of loaded) {
     for (const block of joint.blocks) {

@@ -24,7 +24,13 @@ class Stage {
   // Width of the line of a force, in pixels; the largest fill a quarter of a block, within what looks like a line.
   widthOf(force) {
     const most = Math.min(Math.max(0.25 * this.typicalBlock * this.camera.scale, 1), 10) * this.show.thickness;
-    return Math.min(Math.max(most * force / (this.run.header.thickest_force || 1), 0.3), 1.5 * most);
+    return Math.min(Math.max(most * force / (this.thickestForce() || 1), 0.3), 1.5 * most);
+  }
+
+  // What the widest line stands for: nearly the largest force of the run, or the largest of this frame.
+  thickestForce() {
+    return this.show.range === "run" ? this.run.header.thickest_force[this.show.forces]
+                                     : this.lines.reduce((most, { force }) => Math.max(most, force), 0);
   }
 
   resize() {
@@ -55,7 +61,7 @@ class Stage {
     this.points = run.positions(show.frame, show.deformationScale);
     this.colours = this.scaleOfColours();
     this.contacts = run.contacts(show.frame, this.points);
-    this.lines = forceLines(run, show.frame, this.points, this.contacts, show.forces);
+    this.lines = forceLines(run, this.points, this.contacts, show.forces);
   }
 
   draw() {

@@ -47,13 +47,13 @@ const svg = (content, height = 16) => `<svg width="34" height="${height}" aria-h
 
 // The thickest line of a force, two thinner ones, and the marks that are shown.
 function showKeys(stage) {
-  const { run, show } = stage;
+  const { show } = stage;
   const rows = [];
   const colour = (name) => `var(--${name})`;
   const line = (width, name) =>
     svg(`<line x1="4" y1="8" x2="30" y2="8" stroke="${colour(name)}" stroke-width="${width}" stroke-linecap="round"/>`);
-  const most = run.header.thickest_force;
-  if (show.forces !== "none" && most > 0) {
+  const most = stage.thickestForce();
+  if (most > 0) {
     rows.push("<b>Force</b>");
     const { factor, name } = scaledUnit("N/m", most);
     const { step } = ticksBetween(0, most / factor, 3);

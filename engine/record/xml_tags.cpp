@@ -44,7 +44,7 @@ std::optional<XmlTag> XmlTags::next() {
 
   XmlTag tag;
   tag.name = until(content.substr(0, 1) == "/" ? content : until(content, "/"), " ");
-  for (std::size_t equals; (equals = content.find("=\"")) != std::string_view::npos;) {
+  for (std::size_t equals = 0; (equals = content.find("=\"")) != std::string_view::npos;) {
     const std::size_t name = content.rfind(' ', equals) + 1;
     const std::size_t value = equals + 2;
     const std::size_t quote = content.find('"', value);

@@ -80,7 +80,7 @@ std::vector<Resultant> resultants_of(const Drawing& drawing, const std::vector<D
 Vec2 end_in(const Drawing& drawing, const std::vector<Vec2>& points, const Resultant& joint, int block,
             const std::vector<const Resultant*>& joints) {
   if (joints.size() == 2) {
-    const Vec2 half_way = (joints[0]->point + joints[1]->point) / 2;
+    Vec2 half_way = (joints[0]->point + joints[1]->point) / 2;
     if ((half_way - joint.point).norm() <= joint.size) return half_way;
   }
   const Vec2 along = joint.force.normalized();
@@ -92,7 +92,7 @@ Vec2 end_in(const Drawing& drawing, const std::vector<Vec2>& points, const Resul
 }  // namespace
 
 std::pair<double, Vec2> area_and_centroid(const Drawing& drawing, const std::vector<Vec2>& points, std::size_t block) {
-  const Vec2 origin = points[drawing.ring_begin[drawing.block_begin[block]]];
+  const Vec2& origin = points[drawing.ring_begin[drawing.block_begin[block]]];
   double area = 0;
   Vec2 moment = Vec2::Zero();
   for (std::uint32_t ring = drawing.block_begin[block]; ring < drawing.block_begin[block + 1]; ++ring) {

@@ -102,7 +102,7 @@ void RunResults::add_ring(const std::filesystem::path& path, const PolyData& fir
   for (const std::int64_t point : points) {
     const auto i = static_cast<std::size_t>(point);
     point_.push_back(i);
-    drawing_.reference.push_back(plane(first.points, i) - plane(displacement, i));
+    drawing_.reference.emplace_back(plane(first.points, i) - plane(displacement, i));
   }
   drawing_.ring_begin.push_back(static_cast<std::uint32_t>(point_.size()));
 }

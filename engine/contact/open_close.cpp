@@ -207,9 +207,9 @@ InterfaceState finish_trial(const InterfaceElement& element, const InterfaceStat
   return state;
 }
 
-bool beyond_strength(const EndStrength& strength, const Vec4& force) {
-  return exceeds(strength, (force(0) - force(2)) / 2, force(1) / 2) ||
-         exceeds(strength, (force(0) + force(2)) / 2, force(1) / 2);
+std::array<bool, 2> ends_beyond_strength(const EndStrength& strength, const Vec4& force) {
+  return {exceeds(strength, (force(0) - force(2)) / 2, force(1) / 2),
+          exceeds(strength, (force(0) + force(2)) / 2, force(1) / 2)};
 }
 
 }  // namespace dda

@@ -72,8 +72,9 @@ bool release_shear(const InterfaceElement& element, const EndStrength& strength,
 // The state that a converged trial leaves: forces of the springs alone.
 InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial);
 
-// True when an interface with stress rows is loaded beyond the strength of its joint and must go on as a classical one:
-// when either end, with its share of the normal force and of the moment, and half the shear force, is.
-bool beyond_strength(const EndStrength& strength, const Vec4& force);
+// Which ends of an interface with stress rows are loaded beyond the strength of their joint, each with its share of the
+// normal force and of the moment, and half the shear force. When one is, it breaks, and the interface must go on as a
+// classical one.
+std::array<bool, 2> ends_beyond_strength(const EndStrength& strength, const Vec4& force);
 
 }  // namespace dda

@@ -361,14 +361,15 @@ TEST(AsClassical, FiniteWithoutShearStiffness) {
 }
 
 TEST(BeyondStrength, MeanForceAndEitherEnd) {
-  EXPECT_FALSE(beyond_strength(joint, Vec4(9.9, 0, 0, 0)));
-  EXPECT_TRUE(beyond_strength(joint, Vec4(10.1, 0, 0, 0)));
-  EXPECT_FALSE(beyond_strength(joint, Vec4(0, 5.9, 0, 0)));
-  EXPECT_TRUE(beyond_strength(joint, Vec4(0, -6.1, 0, 0)));
+  using Ends = std::array<bool, 2>;
+  EXPECT_EQ(ends_beyond_strength(joint, Vec4(9.9, 0, 0, 0)), (Ends{false, false}));
+  EXPECT_EQ(ends_beyond_strength(joint, Vec4(10.1, 0, 0, 0)), (Ends{true, true}));
+  EXPECT_EQ(ends_beyond_strength(joint, Vec4(0, 5.9, 0, 0)), (Ends{false, false}));
+  EXPECT_EQ(ends_beyond_strength(joint, Vec4(0, -6.1, 0, 0)), (Ends{true, true}));
   // Pressed as a whole but bent open at one end, whichever.
-  EXPECT_FALSE(beyond_strength(no_strength, Vec4(-10, 0, 9.9, 0)));
-  EXPECT_TRUE(beyond_strength(no_strength, Vec4(-10, 0, 10.1, 0)));
-  EXPECT_TRUE(beyond_strength(no_strength, Vec4(-10, 0, -10.1, 0)));
+  EXPECT_EQ(ends_beyond_strength(no_strength, Vec4(-10, 0, 9.9, 0)), (Ends{false, false}));
+  EXPECT_EQ(ends_beyond_strength(no_strength, Vec4(-10, 0, 10.1, 0)), (Ends{false, true}));
+  EXPECT_EQ(ends_beyond_strength(no_strength, Vec4(-10, 0, -10.1, 0)), (Ends{true, false}));
 }
 
 TEST(Trial, ConsistentInterfaceIsNeverJudgedByEnds) {

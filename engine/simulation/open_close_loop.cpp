@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -264,10 +265,13 @@ bool Simulation::break_interfaces() {
   return broke || weakened;
 }
 
-// An interface beyond its strength goes on under the classical law, with the same forces at the start of the step, and
-// is judged end by end from the next pass on.
+// An interface with an end beyond its strength goes on under the classical law, with the same forces at the start of
+// the step and that end broken: blocks lose with the law the forces that it makes of their strains, and what that
+// leaves may be within the strength again. Its other end is judged from the next pass on.
 bool Simulation::weaken_consistent(std::size_t i) {
-  if (contact_rule_.sticks || !beyond_strength(contacts_.strengths[i], trial_[i].force)) return false;
+  if (contact_rule_.sticks) return false;
+  const std::array<bool, 2> broken = ends_beyond_strength(contacts_.strengths[i], trial_[i].force);
+  if (!broken[0] && !broken[1]) return false;
   InterfaceElement& element = contacts_.elements[i];
   const double energy_before = interface_energy(element, contacts_.states[i]);
   element = make_element(model_, contacts_.interfaces[i], InterfaceLaw::classical);
@@ -278,6 +282,7 @@ bool Simulation::weaken_consistent(std::size_t i) {
   contacts_.states[i] = as_classical(contacts_.states[i], element.stiffness);
   trial_[i] = start_trial(element, contacts_.strengths[i], contacts_.states[i], contact_rule_);
   trial_[i].gap += gap_increment(element, increment_);
+  trial_[i].broken = broken;
   respond(element, trial_[i]);
   matrix_rows_[i].setConstant(-1);
   audit_.interface_replaced(energy_before - interface_energy(element, contacts_.states[i]));

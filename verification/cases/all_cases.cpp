@@ -6,19 +6,24 @@
 #include "verification/cases/bar_ends_cases.h"
 #include "verification/cases/bounce_cases.h"
 #include "verification/cases/cantilever_cases.h"
+#include "verification/cases/collision_cases.h"
 #include "verification/cases/contact_oscillator_cases.h"
 #include "verification/cases/direction_cases.h"
 #include "verification/cases/energy_cases.h"
 #include "verification/cases/incline_chart_cases.h"
+#include "verification/cases/joint_strength_cases.h"
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/lame_mode_cases.h"
 #include "verification/cases/p_bar_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
 #include "verification/cases/rocking_cases.h"
 #include "verification/cases/roof_cases.h"
+#include "verification/cases/shaken_block_cases.h"
+#include "verification/cases/sliding_cases.h"
 #include "verification/cases/slope_cases.h"
 #include "verification/cases/soil_column_cases.h"
 #include "verification/cases/statics_cases.h"
+#include "verification/cases/stick_slip_cases.h"
 
 namespace verify {
 namespace {
@@ -28,12 +33,17 @@ constexpr std::array subjects{
     rigid_motion_cases,        // 1-3
     contact_oscillator_cases,  // 4
     bounce_cases,              // 5
+    collision_cases,           // 6, 7
     energy_cases,              // 8
+    sliding_cases,             // 9, 12
+    shaken_block_cases,        // 10, 11
+    stick_slip_cases,          // 13
     rocking_cases,             // 14-16
     incline_chart_cases,       // 17
     slope_cases,               // 18, 19
     roof_cases,                // 20, 22
     arch_cases,                // 21
+    joint_strength_cases,      // 23
     statics_cases,             // 24-26
     cantilever_cases,          // 27
     lame_mode_cases,           // 30

@@ -1,0 +1,160 @@
+#include "verification/cases/joint_strength_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "verification/cases/contact_rig.h"
+#include "verification/exact/joint_strength.h"
+#include "verification/exact/wave_speeds.h"
+
+namespace verify {
+namespace {
+
+const dda::Material rock{"rock", 2600, 50e9, 0.2, dda::PlaneState::stress};
+
+constexpr std::array laws{dda::InterfaceLaw::classical, dda::InterfaceLaw::consistent};
+
+std::string name_of(dda::InterfaceLaw law) { return law == dda::InterfaceLaw::classical ? "classical" : "consistent"; }
+
+// ---- A block of 1 m x 2 m hung from one that is held.
+
+constexpr double block_height = 2;
+constexpr double hanging_time = 0.5;
+
+struct Hung {
+  double motion = 0;  // m, downwards from where its weight has put it, at the end
+  double residual = 0;
+};
+
+Hung hang(dda::InterfaceLaw law, double tensile_strength, Outcome& outcome) {
+  dda::Model model;
+  model.materials = {rock};
+  model.joints.resize(1);
+  model.joints[0].law = law;
+  model.joints[0].tensile_strength = tensile_strength;
+  model.joints[0].cohesion = 1e6;
+  hold_corners(model, add_box(model, 0, 0, 1, 1));
+  add_box(model, 0, -block_height, 1, 0);
+  model.gravity = {0, -standard_gravity};
+  model.stages = {settling_stage(), moving_stage(dda::thesis_integrator(), 1e-3, hanging_time)};
+  WatchedRun run(std::move(model));
+  run.run_to(settling_time);
+  const double start = run.state().displacement[1](1);
+  run.run_to_end();
+  outcome.counters += run.simulation().counters();
+  return {start - run.state().displacement[1](1), run.energy_residual()};
+}
+
+Outcome hanging_block() {
+  const double needed = exact::hanging_strength(rock.density, standard_gravity, block_height);
+  const double expected = exact::free_fall(standard_gravity, hanging_time);
+  Outcome outcome;
+  for (const dda::InterfaceLaw law : laws) {
+    const Hung holds = hang(law, 1.001 * needed, outcome);
+    outcome.assertions.push_back({"motion of the block, strength 0.1 % above its weight, " + name_of(law), "m",
+                                  holds.motion, 0, "hangs while T > rho g H (error absolute)", holds.motion, 1e-12,
+                                  "theory: none; round-off of forces over stiffness"});
+    outcome.assertions.push_back(energy_assertion("hanging, " + name_of(law), holds.residual));
+    const Hung falls = hang(law, 0.999 * needed, outcome);
+    outcome.assertions.push_back({"fall in 0.5 s, strength 0.1 % below the weight, " + name_of(law), "m", falls.motion,
+                                  expected, "g t^2/2, for T < rho g H", relative_error(falls.motion, expected), 1e-12,
+                                  "one rounding a step: Eq. 5 falls exactly, from the step in which the joint breaks"});
+    outcome.assertions.push_back(energy_assertion("falling, " + name_of(law), falls.residual));
+  }
+  return outcome;
+}
+
+// ---- Direct shear: a block of 1 m x 0.5 m on a base, pulled along the joint's own line so that nothing tilts.
+
+// Without Poisson's ratio: a block that widens under its load shears the ends of its joint against each other.
+const dda::Material stiff_sideways{"rock", 2600, 50e9, 0, dda::PlaneState::stress};
+constexpr double width = 1;
+constexpr int shear_steps = 20000;
+constexpr double over_peak = 1.5;  // how far the pull goes on
+
+dda::Model shear_box(const dda::JointMaterial& joint, double normal_stress, double peak) {
+  constexpr double spring = 1e9;  // N/m, of each of two: soft, so that the pull hardly drops when the joint breaks
+  dda::Model model;
+  model.materials = {stiff_sideways};
+  model.joints = {joint};
+  hold_corners(model, add_box(model, -0.5, -1, 1.5, 0));
+  add_box(model, 0, 0, width, 0.5);
+  model.edge_loads = {{1, {width, 0.5}, {0, 0.5}, {0, -normal_stress}, {}}};
+  const double travel = over_peak * peak * width / (2 * spring);
+  const dda::PiecewiseLinear ramp{{settling_time, settling_time + shear_steps}, {0, 1}};
+  for (const double x : {0.0, width}) model.supports.push_back({1, {x, 0}, true, false, spring, {travel, 0}, ramp});
+  model.stages = {settling_stage(), moving_stage(dda::static_integrator(), 1, shear_steps)};
+  return model;
+}
+
+// Shear force that the joint carries, N, whatever its law.
+double shear_force(const dda::Simulation& simulation) {
+  double force = 0;
+  const dda::ContactSet& contacts = simulation.contacts();
+  for (std::size_t i = 0; i < contacts.states.size(); ++i) {
+    force += contacts.states[i].force(1);
+    if (contacts.elements[i].law == dda::InterfaceLaw::classical) force += contacts.states[i].force(3);
+  }
+  return std::abs(force);
+}
+
+struct Sheared {
+  double peak = 0;      // Pa
+  double residual = 0;  // Pa
+  double energy_residual = 0;
+};
+
+Sheared shear(const dda::JointMaterial& joint, double normal_stress, double peak, Outcome& outcome) {
+  WatchedRun run(shear_box(joint, normal_stress, peak));
+  Sheared sheared;
+  while (!run.simulation().finished()) {
+    run.step();
+    sheared.residual = shear_force(run.simulation()) / width;
+    sheared.peak = std::max(sheared.peak, sheared.residual);
+  }
+  sheared.energy_residual = run.energy_residual();
+  outcome.counters += run.simulation().counters();
+  return sheared;
+}
+
+Outcome direct_shear() {
+  dda::JointMaterial joint;
+  joint.cohesion = 0.4e6;
+  joint.friction_angle = 31 * std::numbers::pi / 180;
+  joint.tensile_strength = 1e5;
+  Outcome outcome;
+  for (const dda::InterfaceLaw law : laws) {
+    joint.law = law;
+    double energy_residual = 0;
+    for (const double normal_stress : {0.0, 0.2e6, 0.5e6, 1e6, 2e6}) {
+      const std::string name = fmt::format("normal stress {} MPa, {}", normal_stress / 1e6, name_of(law));
+      const double peak = exact::shear_strength(joint.cohesion, joint.friction_angle, normal_stress);
+      const double residual = exact::shear_strength(0, joint.friction_angle, normal_stress);
+      const Sheared sheared = shear(joint, normal_stress, peak, outcome);
+      outcome.assertions.push_back({"peak shear strength, " + name, "Pa", sheared.peak, peak, "c + sigma tan f",
+                                    relative_error(sheared.peak, peak), over_peak / shear_steps,
+                                    "theory: the pull grows by this share of the peak a step"});
+      outcome.assertions.push_back({"shear strength after the peak, " + name, "Pa", sheared.residual, residual,
+                                    "sigma tan f (error over the peak)", (sheared.residual - residual) / peak, 1e-7,
+                                    "measured 1.2e-8 at 2 MPa, in proportion to the stress over Young's modulus"});
+      energy_residual = std::max(energy_residual, sheared.energy_residual);
+    }
+    outcome.assertions.push_back(energy_assertion("worst normal stress, " + name_of(law), energy_residual));
+  }
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Case> joint_strength_cases() {
+  return {{"hanging-block", "Block hung by the tensile strength of its joint", {23}, CaseLabel::fast, hanging_block},
+          {"direct-shear", "Joint in direct shear under several normal stresses", {23}, CaseLabel::fast, direct_shear}};
+}
+
+}  // namespace verify

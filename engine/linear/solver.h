@@ -40,6 +40,10 @@ class LinearSolver {
   // `rhs` and `x` are different vectors. not_converged: x holds the last iterate; not_finite: x is of no use.
   [[nodiscard]] Status solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
 
+  // z = P^-1 r and returns r . z, P being what the solver knows of the inverse: all of it where it factors, else its
+  // preconditioner, symmetric positive definite.
+  double precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z);
+
   [[nodiscard]] const SolverCounts& counts() const { return counts_; }
 
  protected:
@@ -49,6 +53,9 @@ class LinearSolver {
   virtual void do_analyze(const BlockMatrix& matrix) = 0;
   virtual Status do_factorize(const BlockMatrix& matrix) = 0;
   virtual Status do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) = 0;
+  virtual double do_precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z);
+
+  void check_vectors(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) const;
 
   SolverCounts counts_;
   Eigen::Index unknowns_ = -1;  // -1: not analyzed

@@ -1,0 +1,202 @@
+#include "dda/linear/incomplete_cholesky.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "dda/linear/block_order.h"
+#include "dda/linear/block_product.h"
+#include "dda/linear/small_cholesky.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+struct Fill {
+  int column;
+  int level;
+};
+
+// The inverse of a symmetric positive definite block; false where it is not. W^T W is symmetric to the last bit.
+bool invert(const Mat6& block, Mat6& inverse) {
+  Mat6 lower;
+  if (!factor_block(block, lower)) return false;
+  const Mat6 lower_inverse = inverse_of_lower(lower);
+  inverse = lower_inverse.transpose().lazyProduct(lower_inverse);
+  return true;
+}
+
+// Row `row` of the pattern of M: that of A in `levels` (level 0, by column, ascending) grows by what the columns
+// before it fill in. `columns` holds for each column the rows found so far, with their levels.
+void fill_row(int most, const std::vector<std::vector<Fill>>& columns, std::vector<Fill>& levels) {
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const Fill through = levels[k];
+    for (const auto& [middle, level] : columns[at(through.column)]) {  // `middle` rows between the column and the row
+      const int filled = through.level + level + 1;
+      if (filled > most) continue;
+      const auto place = std::lower_bound(levels.begin(), levels.end(), middle,
+                                          [](const Fill& fill, int column) { return fill.column < column; });
+      if (place != levels.end() && place->column == middle) {
+        place->level = std::min(place->level, filled);
+      } else {
+        levels.insert(place, {middle, filled});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void IncompleteCholesky::analyze(const BlockMatrix& matrix, int level) {
+  order_ = cuthill_mckee_order(matrix);
+  lay_out(matrix, level);
+  find_sources(matrix);
+  find_targets();
+  blocks_.resize(rows_.size());
+  diagonal_.resize(order_.size());
+  work_.resize(matrix.unknowns());
+}
+
+void IncompleteCholesky::lay_out(const BlockMatrix& matrix, int level) {
+  const std::size_t n = order_.size();
+  std::vector<int> position(n);
+  for (std::size_t k = 0; k < n; ++k) position[at(order_[k])] = static_cast<int>(k);
+  std::vector<std::vector<Fill>> rows(n);
+  for (int j = 0; j < (level == diagonal ? 0 : matrix.size()); ++j) {
+    for (int k = matrix.column_starts()[at(j)] + 1; k < matrix.column_starts()[at(j) + 1]; ++k) {
+      const auto [low, high] = std::minmax(position[at(matrix.block_rows()[at(k)])], position[at(j)]);
+      rows[at(high)].push_back({low, 0});
+    }
+  }
+  std::vector<std::vector<Fill>> columns(n);  // .column holds the row
+  for (std::size_t row = 0; row < n; ++row) {
+    std::sort(rows[row].begin(), rows[row].end(), [](const Fill& a, const Fill& b) { return a.column < b.column; });
+    fill_row(level, columns, rows[row]);
+    for (const Fill& each : rows[row]) columns[at(each.column)].push_back({static_cast<int>(row), each.level});
+  }
+  column_starts_ = {0};
+  rows_.clear();
+  for (const auto& column : columns) {
+    for (const Fill& each : column) rows_.push_back(each.column);
+    column_starts_.push_back(static_cast<int>(rows_.size()));
+  }
+}
+
+int IncompleteCholesky::entry(int row, int column) const {
+  const auto first = rows_.begin() + column_starts_[at(column)];
+  const auto last = rows_.begin() + column_starts_[at(column) + 1];
+  const auto found = std::lower_bound(first, last, row);
+  return found != last && *found == row ? static_cast<int>(found - rows_.begin()) : -1;
+}
+
+void IncompleteCholesky::find_sources(const BlockMatrix& matrix) {
+  std::vector<int> position(order_.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) position[at(order_[k])] = static_cast<int>(k);
+  sources_.clear();
+  for (int j = 0; j < (rows_.empty() ? 0 : matrix.size()); ++j) {
+    for (int k = matrix.column_starts()[at(j)] + 1; k < matrix.column_starts()[at(j) + 1]; ++k) {
+      const int row = position[at(matrix.block_rows()[at(k)])];
+      const int column = position[at(j)];
+      sources_.push_back({k, entry(std::max(row, column), std::min(row, column)), row < column});
+    }
+  }
+}
+
+void IncompleteCholesky::find_targets() {
+  targets_.clear();
+  target_starts_.assign(1, 0);
+  std::size_t most = 0;
+  for (std::size_t column = 0; column < order_.size(); ++column) {
+    const int first = column_starts_[column];
+    const int last = column_starts_[column + 1];
+    most = std::max(most, at(last - first));
+    for (int i = first; i < last; ++i)
+      for (int j = first; j < i; ++j) targets_.push_back(entry(rows_[at(i)], rows_[at(j)]));
+    target_starts_.push_back(static_cast<int>(targets_.size()));
+  }
+  unscaled_.resize(most);
+}
+
+void IncompleteCholesky::load(const BlockMatrix& matrix, double shift) {
+  for (Mat6& block : blocks_) block.setZero();
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    diagonal_[k] = matrix.diagonal(order_[k]);
+    diagonal_[k].diagonal() *= 1 + shift;
+  }
+  for (const Source& source : sources_) {
+    if (source.transposed) {
+      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot).transpose();
+    } else {
+      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot);
+    }
+  }
+}
+
+bool IncompleteCholesky::factorize(const BlockMatrix& matrix) {
+  for (const double shift : {0.0, 1e-2, 1e-1}) {
+    shift_ = shift;
+    load(matrix, shift);
+    if (eliminate_all()) return true;
+    if (rows_.empty()) return false;
+  }
+  return take_diagonal_only(matrix);
+}
+
+bool IncompleteCholesky::eliminate_all() {
+  for (int column = 0; column < static_cast<int>(order_.size()); ++column) {
+    Mat6 inverse;
+    if (!invert(diagonal_[at(column)], inverse)) return false;
+    diagonal_[at(column)] = inverse;
+    eliminate(column);
+  }
+  return true;
+}
+
+bool IncompleteCholesky::take_diagonal_only(const BlockMatrix& matrix) {
+  shift_ = 0;
+  for (Mat6& block : blocks_) block.setZero();
+  for (std::size_t k = 0; k < order_.size(); ++k)
+    if (!invert(matrix.diagonal(order_[k]), diagonal_[k])) return false;
+  return true;
+}
+
+// Takes what the column at hand adds off the columns after it: A_ij -= M_ik D_k M_jk^T.
+void IncompleteCholesky::eliminate(int column) {
+  const int first = column_starts_[at(column)];
+  const int count = column_starts_[at(column) + 1] - first;
+  const int* target = targets_.data() + target_starts_[at(column)];
+  for (int i = 0; i < count; ++i) {
+    Mat6& block = blocks_[at(first + i)];
+    unscaled_[at(i)] = block;
+    block.setZero();
+    add_product(unscaled_[at(i)], diagonal_[at(column)], block);
+    for (int j = 0; j < i; ++j, ++target)
+      if (*target >= 0) subtract_product_transposed(unscaled_[at(i)], blocks_[at(first + j)], blocks_[at(*target)]);
+    subtract_product_transposed(unscaled_[at(i)], block, diagonal_[at(rows_[at(first + i)])]);
+  }
+}
+
+double IncompleteCholesky::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+  const int n = static_cast<int>(order_.size());
+  for (int j = 0; j < n; ++j) work_.segment<6>(6 * j) = r.segment<6>(6 * order_[at(j)]);
+  double product = 0;
+  for (int j = 0; j < n; ++j) {
+    const Vec6 known = work_.segment<6>(6 * j);
+    for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
+      work_.segment<6>(6 * rows_[at(k)]) -= blocks_[at(k)] * known;
+    const Vec6 scaled = diagonal_[at(j)] * known;
+    product += known.dot(scaled);
+    work_.segment<6>(6 * j) = scaled;
+  }
+  for (int j = n - 1; j >= 0; --j) {
+    Vec6 result = work_.segment<6>(6 * j);
+    for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
+      result -= blocks_[at(k)].transpose() * work_.segment<6>(6 * rows_[at(k)]);
+    work_.segment<6>(6 * j) = result;
+    z.segment<6>(6 * order_[at(j)]) = result;
+  }
+  return product;
+}
+
+}  // namespace dda

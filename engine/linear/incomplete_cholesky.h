@@ -1,0 +1,66 @@
+// Incomplete Cholesky factorization by blocks: the preconditioner for contact systems, where inertia reaches over a few
+// blocks only and a complete factor computes mostly what has no effect.
+#pragma once
+
+#include <vector>
+
+#include "dda/linear/block_matrix.h"
+
+namespace dda {
+
+// A ~ M D M^T in an order of elimination, M unit lower triangular by 6x6 blocks, D block diagonal. M has the pattern of
+// A and the fill of the first `level` generations (level of fill, Saad, Iterative methods for sparse linear systems,
+// 2003, 10.3.3); what would fall elsewhere is dropped. Where dropping makes a diagonal block of D indefinite, which it
+// may when blocks hardly resist strain, the factor of A + shift diag(A) takes its place (Manteuffel 1980), and as a
+// last resort the diagonal blocks alone: M D M^T is always positive definite.
+class IncompleteCholesky {
+ public:
+  static constexpr int diagonal = -1;  // a level: no fill and no coupling either
+
+  // Orders the blocks (reverse Cuthill-McKee, blocks with many neighbours last) and lays out M.
+  void analyze(const BlockMatrix& matrix, int level);
+
+  // Takes the values of a matrix of the analyzed pattern. False where a diagonal block of it is not positive definite.
+  // Allocates nothing.
+  [[nodiscard]] bool factorize(const BlockMatrix& matrix);
+
+  // z = (M D M^T)^-1 r; returns r . z. Allocates nothing.
+  double apply(const Eigen::VectorXd& r, Eigen::VectorXd& z);
+
+  // Off-diagonal blocks of M.
+  [[nodiscard]] int entries() const { return static_cast<int>(rows_.size()); }
+  // That of the last factorization.
+  [[nodiscard]] double shift() const { return shift_; }
+
+ private:
+  // Where a block of A goes: its handle (BlockMatrix::slot), and the entry of M.
+  struct Source {
+    int slot;
+    int entry;
+    bool transposed;
+  };
+
+  void lay_out(const BlockMatrix& matrix, int level);
+  void find_sources(const BlockMatrix& matrix);
+  void find_targets();
+  [[nodiscard]] int entry(int row, int column) const;
+  void load(const BlockMatrix& matrix, double shift);
+  [[nodiscard]] bool eliminate_all();
+  void eliminate(int column);
+  [[nodiscard]] bool take_diagonal_only(const BlockMatrix& matrix);
+
+  std::vector<int> order_;          // order_[k]: the block eliminated as the k-th
+  std::vector<int> column_starts_;  // n + 1, into rows_
+  std::vector<int> rows_;           // by column, ascending
+  std::vector<Mat6> blocks_;        // M, as in rows_
+  std::vector<Mat6> diagonal_;      // of A, then of D^-1
+  std::vector<Source> sources_;
+  // For each column with rows a_0 < a_1 < ...: entry (a_i, a_j) for all j < i, row by row; -1 where it is dropped.
+  std::vector<int> targets_;
+  std::vector<int> target_starts_;
+  std::vector<Mat6> unscaled_;  // M_ij D_j of the column in elimination
+  Eigen::VectorXd work_;
+  double shift_ = 0;
+};
+
+}  // namespace dda

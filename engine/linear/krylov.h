@@ -1,0 +1,132 @@
+// Krylov iterations with the operator and the preconditioner as functions. Both measure residuals in the norm
+// sqrt(r . P^-1 r), which has no units to mix and comes free.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "dda/core/status.h"
+
+namespace dda {
+
+struct KrylovResult {
+  Status status = Status::ok;  // not_converged: too many iterations; singular: not positive definite; not_finite
+  int iterations = 0;
+};
+
+// Hestenes & Stiefel (1952), for a symmetric positive definite operator and preconditioner.
+class ConjugateGradients {
+ public:
+  void resize(Eigen::Index unknowns) {
+    for (Eigen::VectorXd* vector : {&residual_, &preconditioned_, &direction_, &image_}) vector->resize(unknowns);
+  }
+
+  // Solves A x = b from the x given to |r| <= relative |b|. multiply(v, w): w = A v; precondition(r, z): z = P^-1 r,
+  // returns r . z. Allocates nothing.
+  template <typename Multiply, typename Precondition>
+  KrylovResult solve(const Multiply& multiply, const Precondition& precondition, const Eigen::VectorXd& b,
+                     double relative, int most, Eigen::VectorXd& x) {
+    const double rhs_norm = precondition(b, preconditioned_);
+    if (!std::isfinite(rhs_norm)) return {Status::not_finite, 0};
+    if (rhs_norm == 0) {
+      x.setZero();
+      return {};
+    }
+    multiply(x, image_);
+    residual_ = b - image_;
+    const double norm = precondition(residual_, preconditioned_);
+    return iterate(multiply, precondition, norm, relative * relative * rhs_norm, most, x);
+  }
+
+ private:
+  template <typename Multiply, typename Precondition>
+  KrylovResult iterate(const Multiply& multiply, const Precondition& precondition, double norm, double target, int most,
+                       Eigen::VectorXd& x) {
+    KrylovResult result;
+    direction_ = preconditioned_;
+    while (!(norm <= target)) {
+      if (!std::isfinite(norm)) result.status = Status::not_finite;
+      if (result.iterations == most) result.status = Status::not_converged;
+      if (result.status != Status::ok) break;
+      multiply(direction_, image_);
+      const double curvature = direction_.dot(image_);
+      if (curvature <= 0) {
+        result.status = Status::singular;
+        break;
+      }
+      const double step = norm / curvature;
+      x += step * direction_;
+      residual_ -= step * image_;
+      const double previous = norm;
+      norm = precondition(residual_, preconditioned_);
+      direction_ = preconditioned_ + (norm / previous) * direction_;
+      ++result.iterations;
+    }
+    return result;
+  }
+
+  Eigen::VectorXd residual_, preconditioned_, direction_, image_;
+};
+
+// Generalized minimal residuals (Saad & Schultz 1986), for an operator that is not symmetric and a preconditioner that
+// is symmetric positive definite: Arnoldi's method in the inner product of the preconditioner. Keeps u = P v beside
+// each basis vector v, so that every product with P is at hand.
+class Gmres {
+ public:
+  explicit Gmres(int basis) : basis_(basis) {}
+
+  // As ConjugateGradients::solve, but from x = 0; for `most` iterations at most, and not more than the basis holds:
+  // not_converged then leaves the best x found.
+  template <typename Multiply, typename Precondition>
+  KrylovResult solve(const Multiply& multiply, const Precondition& precondition, const Eigen::VectorXd& b,
+                     double relative, int most, Eigen::VectorXd& x) {
+    reserve(b.size());
+    x.setZero();
+    work_ = b;
+    const double norm = std::sqrt(precondition(work_, v_[0]));
+    if (!std::isfinite(norm)) return {Status::not_finite, 0};
+    if (norm == 0) return {};
+    u_[0] = work_ / norm;
+    v_[0] /= norm;
+    rhs_[0] = norm;
+    KrylovResult result{Status::not_converged, 0};
+    while (result.status == Status::not_converged && result.iterations < std::min(most, basis_)) {
+      const double residual = add_direction(multiply, precondition, result.iterations++);
+      if (!std::isfinite(residual)) return {Status::not_finite, result.iterations};
+      if (residual <= relative * norm) result.status = Status::ok;
+    }
+    combine(result.iterations, x);
+    return result;
+  }
+
+ private:
+  void reserve(Eigen::Index unknowns);
+  double rotate(int k);
+  void combine(int k, Eigen::VectorXd& x);
+  double& h(int row, int column) { return hessenberg_[static_cast<std::size_t>(column * (basis_ + 1) + row)]; }
+
+  // One more basis vector; returns the norm of the residual.
+  template <typename Multiply, typename Precondition>
+  double add_direction(const Multiply& multiply, const Precondition& precondition, int k) {
+    const auto at = static_cast<std::size_t>(k);
+    multiply(v_[at], work_);
+    for (int j = 0; j <= k; ++j) {
+      h(j, k) = v_[static_cast<std::size_t>(j)].dot(work_);
+      work_ -= h(j, k) * u_[static_cast<std::size_t>(j)];
+    }
+    const double norm = std::sqrt(std::max(0.0, precondition(work_, v_[at + 1])));
+    h(k + 1, k) = norm;
+    const double scale = norm > 0 ? 1 / norm : 0;
+    u_[at + 1] = scale * work_;
+    v_[at + 1] *= scale;
+    return rotate(k);
+  }
+
+  int basis_;
+  std::vector<Eigen::VectorXd> u_, v_;
+  Eigen::VectorXd work_;
+  std::vector<double> hessenberg_, cosine_, sine_, rhs_;
+};
+
+}  // namespace dda

@@ -189,7 +189,8 @@ Outcome laminated_roof() {
     return roof_stands({5, 0.5}, friction, outcome);
   });
   outcome.assertions.push_back({"coefficient of friction with which five beds of 0.5 m just stand", "-", got.middle(),
-                                alone, "4 z/S of one bed, z = t (exact/voussoir_beam)", bracket_error(got, alone), 0.025,
+                                alone, "4 z/S of one bed, z = t (exact/voussoir_beam)", bracket_error(got, alone),
+                                0.025,
                                 "bracket of 1.3 %; beds that still hold each other lose thrust: measured 1.2 %"});
   return outcome;
 }

@@ -57,14 +57,14 @@ Outcome toppling() {
   struct Rock {
     double young, tolerance;
   };
-  for (const auto& [young, tolerance] : {Rock{100e9, 2e-3}, Rock{10e9, 7e-3}}) {
+  for (const Rock& rock : {Rock{100e9, 2e-3}, Rock{10e9, 7e-3}}) {
     const Bracket got = bisect({0.95 * expected, 1.05 * expected}, 2e-4 * expected,
-                               [&](double friction) { return slope_stands(young, friction, outcome); });
+                               [&](double friction) { return slope_stands(rock.young, friction, outcome); });
     outcome.assertions.push_back(
-        {fmt::format("coefficient of friction with which the slope just stands, {:.0f} GPa", young / 1e9), "-",
+        {fmt::format("coefficient of friction with which the slope just stands, {:.0f} GPa", rock.young / 1e9), "-",
          got.middle(), expected,
          "limit equilibrium column by column, 0.7855 (Goodman and Bray 1976; exact/toppling_slope)",
-         bracket_error(got, expected), tolerance,
+         bracket_error(got, expected), rock.tolerance,
          "columns that give way need more friction than rigid ones: measured +0.1 % (100 GPa), +0.5 % (10 GPa)"});
   }
   return outcome;

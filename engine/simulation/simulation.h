@@ -28,6 +28,7 @@
 #include "dda/simulation/energy_audit.h"
 #include "dda/simulation/external_forces.h"
 #include "dda/simulation/linear_operators.h"
+#include "dda/simulation/penetration.h"
 #include "dda/simulation/step_coefficients.h"
 #include "dda/simulation/step_plan.h"
 #include "dda/simulation/support_set.h"
@@ -54,6 +55,8 @@ class Simulation {
   [[nodiscard]] const StepPlan& plan() const { return plan_; }
   [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }
   [[nodiscard]] Counters counters() const;
+  // Of all steps with contacts that can change.
+  [[nodiscard]] const Penetration& deepest_penetration() const { return deepest_; }
 
   // Largest unbalanced force of any unknown in the last step, internal against external without inertia, divided by the
   // largest load or weight: what is left on the way to static equilibrium.
@@ -95,6 +98,7 @@ class Simulation {
   void start_trials();
   [[nodiscard]] Status settle_contacts();
   [[nodiscard]] bool capacities_stand_still();
+  [[nodiscard]] bool dilations_stand_still();
   [[nodiscard]] Status solve_pass();
   [[nodiscard]] bool active_rows_changed();
   void add_contact_rhs();
@@ -162,6 +166,7 @@ class Simulation {
   bool matrix_is_current_ = false;
   std::optional<LinearOperators> linear_;  // only in a linear stage
   Counters counters_;
+  Penetration deepest_;
   std::string message_;
 
   // 6 entries a block.

@@ -41,8 +41,8 @@ struct EndStrength {
   double cohesion = 0;
   double friction = 0;  // tangent of the friction angle
   double residual_cohesion = 0;
-  double friction_drop = 0;  // friction less residual friction
-  double dilation = 0;       // tangent of the dilation angle
+  double friction_drop = 0;                                        // friction less residual friction
+  double dilation = 0;                                             // tangent of the dilation angle
   double dilation_slip = std::numeric_limits<double>::infinity();  // m
 
   [[nodiscard]] bool is_dry() const { return cohesion == 0 && tension == 0; }

@@ -23,11 +23,6 @@ bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
 }
 
-bool is_dry(const Model& model, const Interface& interface) {
-  const JointMaterial& joint = joint_of(model, interface);
-  return !joint.bonded && joint.cohesion == 0 && joint.tensile_strength == 0;
-}
-
 // Both blocks feel the contact at the vertex, so its forces have no moment between them.
 InterfaceFrame frame_of(const Model& model, const State& state, const Outlines& outlines,
                         const VertexContact& contact) {
@@ -76,9 +71,11 @@ class Succession {
 
   std::ptrdiff_t over_a_joint(const VertexContact& contact) {
     if (by_vertex_.size() != known_.size()) list_by_vertex();
-    const auto first = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair{contact.vertex, std::size_t{0}});
+    const auto first =
+        std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair{contact.vertex, std::size_t{0}});
     for (auto known = first; known != by_vertex_.end() && known->first == contact.vertex; ++known)
-      if (const auto index = take(known_.begin() + static_cast<std::ptrdiff_t>(known->second), contact.normal); index >= 0)
+      if (const auto index = take(known_.begin() + static_cast<std::ptrdiff_t>(known->second), contact.normal);
+          index >= 0)
         return index;
     return -1;
   }
@@ -144,7 +141,8 @@ bool MovingContacts::follow(const Model& model, const State& state, ContactSet& 
   return new_pairs;
 }
 
-// Shear, slip and dilation of stretches that are broken at both ends go on in the vertex contacts that take their place.
+// Shear, slip and dilation of stretches that are broken at both ends go on in the vertex contacts that take their
+// place.
 void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts) {
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
@@ -173,7 +171,7 @@ InterfaceState MovingContacts::first_state(const Model& model, const Interface& 
     if ((!same_way && !other_way) || (end.place - interface.from).norm() > point_tolerance(model)) continue;
     if ((same_way ? 1 : -1) * end.normal.dot(interface.normal) >= same_direction) return end.state;
   }
-  const bool failed = !is_dry(model, interface);
+  const bool failed = !is_dry(joint_of(model, interface));
   InterfaceState state;
   state.broken = {true, true};
   state.residual = {failed, failed};
@@ -201,8 +199,8 @@ void MovingContacts::drop_stretches(const Model& model, ContactSet& contacts, bo
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const auto& broken = contacts.states[i].broken;
-    const bool drop =
-        dry_ones ? is_dry(model, contacts.interfaces[i]) || contacts.interfaces[i].length == 0 : broken[0] && broken[1];
+    const bool drop = dry_ones ? is_dry(joint_of(model, contacts.interfaces[i])) || contacts.interfaces[i].length == 0
+                               : broken[0] && broken[1];
     if (drop) continue;
     contacts.interfaces[kept] = contacts.interfaces[i];
     contacts.elements[kept] = contacts.elements[i];

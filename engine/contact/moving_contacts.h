@@ -49,8 +49,8 @@ class MovingContacts {
   ContactSearch search_;
   SurfaceJoints surfaces_;
   std::vector<BrokenEnd> broken_ends_;  // between the loss of a stretch and the next search
-  std::size_t stretches_ = 0;         // leading entries of the ContactSet that are joints with strength
-  std::vector<VertexContact> known_;  // the others, in the same order
+  std::size_t stretches_ = 0;           // leading entries of the ContactSet that are joints with strength
+  std::vector<VertexContact> known_;    // the others, in the same order
 };
 
 }  // namespace dda

@@ -175,8 +175,7 @@ void respond(const InterfaceElement& element, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(element); ++end) {
     const Eigen::Index n = normal_row(end);
     const Answer normal = press(trial.rule, row_of(element, trial, n), trial.normal_gap(end));
-    const Answer tangent =
-        shear(row_of(element, trial, n + 1), trial.gap(n + 1), trial, static_cast<std::size_t>(end));
+    const Answer tangent = shear(row_of(element, trial, n + 1), trial.gap(n + 1), trial, static_cast<std::size_t>(end));
     trial.force.segment<2>(n) << normal.force, tangent.force;
     trial.active.segment<2>(n) << normal.slope, tangent.slope;
   }
@@ -189,7 +188,8 @@ double force_along(const InterfaceElement& element, const InterfaceTrial& trial,
     const double gap = trial.normal_gap(end) + t * trial.direction(n);
     const double slide = trial.gap(n + 1) + t * trial.direction(n + 1);
     along += trial.direction(n) * press(trial.rule, row_of(element, trial, n), gap).force;
-    along += trial.direction(n + 1) * shear(row_of(element, trial, n + 1), slide, trial, static_cast<std::size_t>(end)).force;
+    along += trial.direction(n + 1) *
+             shear(row_of(element, trial, n + 1), slide, trial, static_cast<std::size_t>(end)).force;
   }
   return along;
 }
@@ -242,7 +242,7 @@ Vec4 dashpot_force(const InterfaceElement& element, const InterfaceTrial& trial)
     const Row tangent = row_of(element, trial, n + 1);
     if (!normal.broken) continue;
     force(n) = trial.force(n) - spring(trial.rule, normal.stiffness, normal.start, trial.normal_gap(end)).force;
-    if (!slides(trial, end)) force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
+    if (trial.active(n + 1) >= 1) force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
   }
   return force;
 }

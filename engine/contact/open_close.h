@@ -2,9 +2,9 @@
 //
 // An end that is whole is linear in both directions. A broken (or dry) end presses only, and resists shear up to its
 // `capacity`. For given capacities and dilations the answer is the gradient of a convex potential (a half parabola and
-// Huber's function), so a step has exactly one solution and Newton's method with a line search finds it in finitely many
-// passes; capacities then follow the normal forces (Coulomb as a fixed point of Tresca), dilations the slips, and ends
-// beyond their strength break.
+// Huber's function), so a step has exactly one solution and Newton's method with a line search finds it in finitely
+// many passes; capacities then follow the normal forces (Coulomb as a fixed point of Tresca), dilations the slips, and
+// ends beyond their strength break.
 //
 // Dilation presses an end that slides on against what lies above it, by up to its normal stiffness times the rise. Left
 // to the outer fixed point alone, which first lets the end slide as if nothing rose, that would be overshot without
@@ -31,7 +31,8 @@ struct ContactRule {
 };
 
 // An interface in the course of a step. What broken ends answer, for the change of the gap from g0 to g1:
-//   spring              k min(0, g1) above the dilation of the step; conserving: 2 (V1 - V0)/(g1 - g0) - k min(0, g0) with V = k min(0, g)^2/2, which
+//   spring              k min(0, g1) above the dilation of the step; conserving: 2 (V1 - V0)/(g1 - g0) - k min(0, g0)
+//   with V = k min(0, g)^2/2, which
 //   a
 //                       balance of means (alpha_f = 1/2) turns into the discrete gradient of V (Gonzalez 1996)
 //   dashpot             C (min(0, g1) - min(0, g0)), C = dashpot * dashpot_rate, and no pull of both together

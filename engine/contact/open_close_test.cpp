@@ -73,7 +73,8 @@ const EndStrength joint{5, 3, 0.5};
 const EndStrength no_strength{0, 0, 0.5};
 const EndStrength smooth{0, 0, 0};
 // Peak friction 0.5, residual 0.3; the bond leaves a cohesion of 0.6.
-const EndStrength weakening{.tension = 5, .cohesion = 3, .friction = 0.5, .residual_cohesion = 0.6, .friction_drop = 0.2};
+const EndStrength weakening{
+    .tension = 5, .cohesion = 3, .friction = 0.5, .residual_cohesion = 0.6, .friction_drop = 0.2};
 const EndStrength dry_weakening{.friction = 0.5, .friction_drop = 0.2};
 
 INSTANTIATE_TEST_SUITE_P(

@@ -52,8 +52,8 @@ SurfaceJoints::SurfaceJoints(const Model& model, const Outlines& outlines) {
 }
 
 int SurfaceJoints::joint_at(int edge, double place) const {
-  const auto after =
-      std::upper_bound(parts_.begin(), parts_.end(), edge, [](int wanted, const Part& part) { return wanted < part.edge; });
+  const auto after = std::upper_bound(parts_.begin(), parts_.end(), edge,
+                                      [](int wanted, const Part& part) { return wanted < part.edge; });
   for (auto part = after; part != parts_.begin() && (--part)->edge == edge;)
     if (part->from <= place && place <= part->to) return part->joint;
   return -1;

@@ -1,9 +1,9 @@
 // Which joint lies where two blocks touch: that of a joint line, else that of the pair of blocks.
 //
-// Lines belong to the drawing. What stays where it was found (stretches, lone vertices) has the joint of the line it lies
-// on. Blocks that move take with them the parts of their edges that were drawn along a line: a contact has the joint of
-// the surface that has one, whichever of the two; where two such surfaces with different joints meet, it has that of the
-// pair of blocks, as if there were no lines.
+// Lines belong to the drawing. What stays where it was found (stretches, lone vertices) has the joint of the line it
+// lies on. Blocks that move take with them the parts of their edges that were drawn along a line: a contact has the
+// joint of the surface that has one, whichever of the two; where two such surfaces with different joints meet, it has
+// that of the pair of blocks, as if there were no lines.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,7 @@ class SurfaceJoints {
 
  private:
   struct Part {
-    int edge = 0;              // number of its first vertex in Outlines
+    int edge = 0;             // number of its first vertex in Outlines
     double from = 0, to = 1;  // shares of its length
     int joint = 0;
   };

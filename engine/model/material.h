@@ -42,14 +42,14 @@ struct JointMaterial {
   double cohesion = 0;          // Pa
   double tensile_strength = 0;  // Pa
 
-  // After failure in shear or tension; a joint without cohesion and tensile strength fails when it first slides. Neither
-  // above the values before, and no tension any more.
+  // After failure in shear or tension; a joint without cohesion and tensile strength fails when it first slides.
+  // Neither above the values before, and no tension any more.
   std::optional<double> residual_friction_angle = {};  // rad; none: friction_angle
   double residual_cohesion = 0;                        // Pa, where closed
 
   // Opening by tan(dilation_angle) for each metre slid away from where the joint began to slide, and closing on the way
   // back. Not above the residual friction angle: sliding would create energy.
-  double dilation_angle = 0;                                             // rad
+  double dilation_angle = 0;                                            // rad
   double zero_dilation_slip = std::numeric_limits<double>::infinity();  // m, slip beyond which it opens no further
 
   // Classical law: normal stiffness of one spring in N/m (per m of thickness); 0 means spring_over_young * E of the
@@ -74,5 +74,10 @@ struct JointMaterial {
   double penalty = 4;          // must exceed 1 for stability
   double stabilisation = 0.1;  // of the end-to-end difference of the gap, which mid-edge alone leaves free
 };
+
+// Held by friction alone, from the start.
+inline bool is_dry(const JointMaterial& joint) {
+  return !joint.bonded && joint.cohesion == 0 && joint.tensile_strength == 0;
+}
 
 }  // namespace dda

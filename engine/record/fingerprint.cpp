@@ -28,16 +28,15 @@ void add(FnvHash& hash, const Material& material) {
 
 void add(FnvHash& hash, const JointMaterial& joint) {
   const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, residual_friction_angle,
-               residual_cohesion, dilation_angle, zero_dilation_slip, normal_spring, spring_over_young,
-               shear_to_normal, normal_stiffness, shear_stiffness, automatic_stiffness, contact_damping, penalty,
-               stabilisation] = joint;
+               residual_cohesion, dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal,
+               normal_stiffness, shear_stiffness, automatic_stiffness, contact_damping, penalty, stabilisation] = joint;
   hash.add_number(law);
   hash.add_number(bonded);
   hash.add_number(automatic_stiffness);
   for (const double value :
        {friction_angle, cohesion, tensile_strength, residual_friction_angle.value_or(friction_angle), residual_cohesion,
-        dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal,
-        normal_stiffness, shear_stiffness, contact_damping, penalty, stabilisation}) {
+        dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal, normal_stiffness,
+        shear_stiffness, contact_damping, penalty, stabilisation}) {
     hash.add_number(value);
   }
 }

@@ -149,7 +149,8 @@ void refuse_unused_joints(const Field& scene, const Field& joints) {
     for (const Field& entry : entries->items()) used.insert(entry.at("joint").text());
   }
   for (const auto& [name, field] : joints.members()) {
-    if (!used.contains(name)) field.fail("in no entry of joint_pairs or joint_lines", "\"default\" or a name that they use");
+    if (!used.contains(name))
+      field.fail("in no entry of joint_pairs or joint_lines", "\"default\" or a name that they use");
   }
 }
 

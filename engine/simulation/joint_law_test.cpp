@@ -93,8 +93,8 @@ TEST_P(ShearBox, RisesToItsPeakAndFallsToItsResidual) {
   EXPECT_LE(largest, peak * (1 + 1e-9));
   EXPECT_GT(largest, peak - 1.01 * largest_rise);
   EXPECT_LT(largest_rise, 0.05 * peak);
-  // Capacities follow normal forces to 1e-10. What remains is the length of the joint, which grows with the strains, and
-  // in finite kinematics its direction: 1e-3 at most.
+  // Capacities follow normal forces to 1e-10. What remains is the length of the joint, which grows with the strains,
+  // and in finite kinematics its direction: 1e-3 at most.
   EXPECT_NEAR(before, residual, 1e-3 * residual);
   EXPECT_GT(mean_slip(simulation), 1e-4);
 }
@@ -147,9 +147,9 @@ TEST_P(ShearBox, DilationLiftsTheBoxBySlipTimesItsTangent) {
   while (!simulation.finished()) {
     ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
     slip = mean_slip(simulation);
-    // The load stays, so all springs keep their lengths but for the box' inertia, which lifting it by 4e-6 m in the step of
-    // 1 s adds: 1300 kg * 4e-6 m/s2 over springs of 2e10 N/m. In finite kinematics the box turns with the shear of the base,
-    // by less than 1e-3 of what it slides.
+    // The load stays, so all springs keep their lengths but for the box' inertia, which lifting it by 4e-6 m in the
+    // step of 1 s adds: 1300 kg * 4e-6 m/s2 over springs of 2e10 N/m. In finite kinematics the box turns with the shear
+    // of the base, by less than 1e-3 of what it slides.
     const double tolerance = GetParam() == Kinematics::small ? 1e-11 : 1e-3 * slip;
     ASSERT_NEAR(height(simulation) - ground, slip * std::tan(10 * degree), tolerance);
     ASSERT_NEAR(joint_force(simulation)(0), pressure, 1e-6 * pressure);
@@ -164,7 +164,8 @@ TEST_P(ShearBox, DilationEndsAtItsSlip) {
   const double ground = height(simulation) - mean_slip(simulation) * std::tan(10 * degree);
   run(simulation, 200 - static_cast<int>(simulation.state().step));
   EXPECT_GT(mean_slip(simulation), 3e-3);
-  EXPECT_NEAR(height(simulation) - ground, 1e-3 * std::tan(10 * degree), GetParam() == Kinematics::small ? 1e-12 : 1e-6);
+  EXPECT_NEAR(height(simulation) - ground, 1e-3 * std::tan(10 * degree),
+              GetParam() == Kinematics::small ? 1e-12 : 1e-6);
 }
 
 // Of the work against friction, lifting the load is no loss.

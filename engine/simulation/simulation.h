@@ -50,6 +50,8 @@ class Simulation {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const ContactSet& contacts() const { return contacts_; }
+  // Contacts are looked for anew as blocks move: their list changes from step to step.
+  [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
   // The state of one interface now. (In a linear scene it is not kept from step to step but computed here.)
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
   [[nodiscard]] const StepPlan& plan() const { return plan_; }

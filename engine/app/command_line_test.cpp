@@ -211,6 +211,48 @@ TEST_F(CommandLine, ARunThatGainsEnergySaysSo) {
   EXPECT_EQ(call({"run", path("scene.json"), "--out", path("damped")}).errors, "");
 }
 
+// A box of 1 m that its joint of 1 MPa/m lets sink in by 2.6 cm and more.
+TEST_F(CommandLine, ARunWithDeepPenetrationNamesTheBlocks) {
+  const auto scene_with = [](const std::string& stiffness) {
+    return R"({"dda": 1, "materials": {"rock": {"density": 2650, "young": "1 GPa", "poisson": 0.25}},
+      "joints": {"default": {"friction_angle": "30 deg", "normal_stiffness": )" +
+           stiffness + R"(}}, "gravity": 9.81,
+      "blocks": [{"polygon": {"name": "floor", "vertices": [[-1, -1], [2, -1], [2, 0], [-1, 0]]}},
+                 {"polygon": {"name": "box", "vertices": [[0, 0], [1, 0], [1, 1], [0, 1]]}}],
+      "supports": [{"edge": "bottom"}], "steps": {"dt": "1 ms", "duration": "0.5 s", "integrator": "thesis"}})";
+  };
+  write("scene.json", scene_with(R"("1 MPa/m")"));
+  const Outcome soft = call({"run", path("scene.json"), "--out", path("out")});
+  EXPECT_EQ(soft.code, 0);
+  EXPECT_TRUE(contains(soft.errors, "warning: blocks \"floor\" and \"box\" were 0.0")) << soft.errors;
+  const auto deepest = nlohmann::json::parse(text("out/summary.json"))["deepest_penetration"];
+  // Dropped onto its springs, it sinks twice as deep as it would rest.
+  EXPECT_NEAR(deepest["depth_m"].get<double>(), 2 * 2650 * 9.81 / 1e6, 2e-3);
+  EXPECT_NEAR(deepest["of_smaller_block"].get<double>(), deepest["depth_m"].get<double>(), 1e-4) << "of 1 m";
+  EXPECT_EQ(deepest["blocks"], nlohmann::json({"floor", "box"}));
+  write("scene.json", scene_with(R"("auto")"));
+  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("stiff")}).errors, "");
+  EXPECT_LT(nlohmann::json::parse(text("stiff/summary.json"))["deepest_penetration"]["of_smaller_block"], 1e-5);
+}
+
+TEST_F(CommandLine, CheckSaysWhatSpringsDo) {
+  write("scene.json", R"({"dda": 1, "materials": {"rock": {"density": 2000, "young": "1 GPa", "poisson": 0.25}},
+    "joints": {"default": {"normal_stiffness": "50 GPa/m"}, "chosen": {"normal_stiffness": "auto", "law": "classical"},
+               "glue": {"bonded": true}},
+    "joint_pairs": [{"between": ["grid 2.1", "grid 3.1"], "joint": "chosen"},
+                    {"between": ["grid 3.1", "grid 4.1"], "joint": "glue"}],
+    "blocks": {"grid": {"columns": 1, "rows": 4, "block_width": 1, "block_height": 1}}, "gravity": 10,
+    "supports": [{"edge": "bottom"}], "steps": {"dt": "1 ms", "duration": 1}})");
+  const std::string check = call({"check", path("scene.json")}).out;
+  EXPECT_TRUE(contains(check,
+                       "\"default\": 50 to 50 GPa/m; adds at most 2 % to the compliance of the blocks; blocks "
+                       "pressed in by at most 1.6e-06 of their size under 0.08 MPa"))
+      << check;
+  // The diameter of a square is sqrt(2) of its side.
+  EXPECT_TRUE(contains(check, "\"chosen\": 141 to 141 GPa/m, chosen; adds at most 0.707 %")) << check;
+  EXPECT_FALSE(contains(check, "springs      \"glue\"")) << check;
+}
+
 TEST_F(CommandLine, ResumeNeedsACheckpointOfThisScene) {
   write("scene.json", bar_scene(3, 20));
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--resume"}, "checkpoint is unreadable");

@@ -132,7 +132,7 @@ class Run {
   }
 
   [[nodiscard]] std::string reason(Status status) const {
-    if (status == Status::ok) return energy_warning();
+    if (status == Status::ok) return warnings();
     if (status == Status::stopped) return "stopped by the user; --resume goes on";
     return fmt::format("{} after step {} at {:.6g} s: {}", to_string(status), simulation_.state().step,
                        simulation_.state().time, simulation_.message());
@@ -147,6 +147,24 @@ class Run {
         "thesis, "
         "or a smaller dt",
         -energy.numerical, -100 * energy.numerical / energy.scale());
+  }
+
+  // Contacts that are pressed in so deep carry the right forces in the wrong place.
+  [[nodiscard]] std::string penetration_warning() const {
+    const Penetration& deepest = simulation_.deepest_penetration();
+    if (deepest.share <= tolerated_penetration) return "";
+    const auto name = [&](int block) { return simulation_.model().blocks[static_cast<std::size_t>(block)].name; };
+    return fmt::format(
+        "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller one; "
+        "take "
+        "stiffer joints or a smaller dt",
+        name(deepest.block_a), name(deepest.block_b), deepest.depth, deepest.time, 100 * deepest.share);
+  }
+
+  [[nodiscard]] std::string warnings() const {
+    const std::string energy = energy_warning();
+    const std::string penetration = penetration_warning();
+    return energy + (energy.empty() || penetration.empty() ? "" : "; ") + penetration;
   }
 
   void finish(RunFiles& files, Status status, const std::string& message) {
@@ -173,7 +191,16 @@ class Run {
     summary.solver = to_string(simulation_.plan().solver);
     summary.blocks = static_cast<std::int64_t>(simulation_.model().blocks.size());
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
+    summary.penetration = penetration();
     return summary;
+  }
+
+  [[nodiscard]] std::optional<DeepestPenetration> penetration() const {
+    const Penetration& deepest = simulation_.deepest_penetration();
+    if (deepest.block_a < 0) return std::nullopt;
+    const auto name = [&](int block) { return simulation_.model().blocks[static_cast<std::size_t>(block)].name; };
+    return DeepestPenetration{
+        deepest.depth, deepest.share, {name(deepest.block_a), name(deepest.block_b)}, deepest.time};
   }
 
   // Static stages that are over, and how far from equilibrium they left the blocks.

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <vector>
 
+#include "dda/app/stiffness_report.h"
 #include "dda/app/wave_survey.h"
 #include "dda/contact/contact_set.h"
 #include "dda/geometry/box.h"
@@ -76,11 +77,22 @@ void add_blocks(const Model& model, Text& text) {
   }
 }
 
+std::string after_failure(const JointMaterial& joint) {
+  constexpr double degrees = 57.29577951308232;
+  std::string text;
+  if (joint.residual_friction_angle || joint.residual_cohesion > 0)
+    text += fmt::format("; residual {:.6g} deg, {:.6g} MPa",
+                        joint.residual_friction_angle.value_or(joint.friction_angle) * degrees,
+                        joint.residual_cohesion / 1e6);
+  if (joint.dilation_angle > 0) text += fmt::format("; dilation {:.6g} deg", joint.dilation_angle * degrees);
+  return text;
+}
+
 std::string strength_of(const JointMaterial& joint) {
   if (joint.bonded) return "bonded: never opens or slides";
   constexpr double degrees = 57.29577951308232;
-  return fmt::format("friction {:.6g} deg, cohesion {:.6g} MPa, tension {:.6g} MPa", joint.friction_angle * degrees,
-                     joint.cohesion / 1e6, joint.tensile_strength / 1e6);
+  return fmt::format("friction {:.6g} deg, cohesion {:.6g} MPa, tension {:.6g} MPa{}", joint.friction_angle * degrees,
+                     joint.cohesion / 1e6, joint.tensile_strength / 1e6, after_failure(joint));
 }
 
 // Interfaces by joint and law: a joint's law may not be usable everywhere, e.g. where blocks touch in a point.
@@ -96,6 +108,21 @@ void add_contacts(const Model& model, const ContactSet& contacts, Text& text) {
   for (const auto& [group, number] : groups) {
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(group.first)];
     text.line("joint", "\"{}\": {} {}, {}", joint.name, number, to_text(group.second), strength_of(joint));
+  }
+}
+
+// Springs take part in the result: how much, joint by joint.
+void add_stiffness(const Model& model, Text& text) {
+  const std::vector<std::optional<JointSurvey>> joints = survey_joints(model);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (!joints[i]) continue;
+    const JointSurvey& survey = *joints[i];
+    text.line("springs",
+              "\"{}\": {:.3g} to {:.3g} GPa/m{}; adds at most {:.3g} % to the compliance of the blocks; blocks "
+              "pressed in by at most {:.2g} of their size under {:.3g} MPa",
+              model.joints[i].name, survey.softest / 1e9, survey.stiffest / 1e9,
+              model.joints[i].automatic_stiffness ? ", chosen" : "", 100 * survey.worst.compliance,
+              survey.worst.penetration, model.expected_pressure / 1e6);
   }
 }
 
@@ -184,6 +211,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   if (!model.title.empty()) text.plain(model.title + '\n');
   add_blocks(model, text);
   add_contacts(model, contacts, text);
+  add_stiffness(model, text);
   add_what_acts(model, text);
   add_size(model, contacts, matrix, text);
   for (const Stage& stage : model.stages) add_stage(model, stage, contacts, matrix, text);

@@ -26,14 +26,15 @@ ContactSearch::ContactSearch(const Model& model, const State& state) : outlines_
 
 void ContactSearch::list_pairs() {
   grown_.resize(outlines_.boxes.size());
-  for (std::size_t i = 0; i < grown_.size(); ++i) grown_[i] = expanded(outlines_.boxes[i], growth * sizes_[i]);
+  for (std::size_t i = 0; i < grown_.size(); ++i) grown_[i] = expanded(outlines_.boxes[i], growth * sizes_[i] + lift_);
   pairs_ = overlapping_pairs(grown_);
 }
 
-bool ContactSearch::update(const Model& model, const State& state) {
+bool ContactSearch::update(const Model& model, const State& state, double lift) {
+  lift_ = lift;
   update_outlines(model, state, outlines_);
   for (std::size_t i = 0; i < grown_.size(); ++i) {
-    if (contains(grown_[i], expanded(outlines_.boxes[i], reach * sizes_[i]))) continue;
+    if (contains(grown_[i], expanded(outlines_.boxes[i], reach * sizes_[i] + lift_))) continue;
     list_pairs();
     return true;
   }
@@ -45,7 +46,7 @@ std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, 
   for (const auto& pair : pairs_) {
     if (std::binary_search(bonded.begin(), bonded.end(), pair)) continue;
     const double smaller = std::min(size_of(pair.first), size_of(pair.second));
-    find_vertex_contacts(outlines_, pair.first, pair.second, reach * smaller, deepest * smaller,
+    find_vertex_contacts(outlines_, pair.first, pair.second, reach * smaller + lift_, deepest * smaller,
                          corner_distance * smaller, found);
   }
   std::sort(found.begin(), found.end());

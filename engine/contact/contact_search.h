@@ -18,8 +18,9 @@ class ContactSearch {
  public:
   ContactSearch(const Model& model, const State& state);
 
-  // Follows the blocks. Returns true when the list of pairs was made anew.
-  bool update(const Model& model, const State& state);
+  // Follows the blocks. Contacts are found from further away by `lift` (m), the most by which dilation holds some open.
+  // Returns true when the list of pairs was made anew.
+  bool update(const Model& model, const State& state, double lift = 0);
 
   // Contacts now, sorted by edge and vertex. `bonded` (sorted pairs) are left out.
   [[nodiscard]] std::vector<VertexContact> find(const std::vector<std::pair<int, int>>& bonded) const;
@@ -41,6 +42,7 @@ class ContactSearch {
 
   Outlines outlines_;
   std::vector<double> sizes_;
+  double lift_ = 0;
   std::vector<Box> grown_;  // boxes of the broad phase
   std::vector<std::pair<int, int>> pairs_;
 };

@@ -1,10 +1,12 @@
 #include "dda/contact/interface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
+#include "dda/contact/surface_joints.h"
 #include "dda/geometry/box.h"
 #include "dda/geometry/box_pairs.h"
 #include "dda/geometry/segment.h"
@@ -56,7 +58,14 @@ class PairSearch {
 
  private:
   void add(int owner, int other, const Vec2& from, const Vec2& to, const Vec2& normal) {
-    found_.push_back({owner, other, from, to, normal, (to - from).norm(), model_.joint_index(a_, b_)});
+    const double length = (to - from).norm();
+    found_.push_back({owner, other, from, to, normal, length, joint_of_stretch(model_, a_, b_, {from, to}),
+                      length > 0 ? length / 2 : share_of_point()});
+  }
+
+  [[nodiscard]] double share_of_point() const {
+    const auto area = [&](int block) { return model_.blocks[static_cast<std::size_t>(block)].moments.area; };
+    return point_share * std::sqrt(std::min(area(a_), area(b_)));
   }
 
   void find_stretches() {

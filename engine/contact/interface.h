@@ -17,7 +17,11 @@ struct Interface {
   Vec2 normal;        // unit, from block a into block b
   double length = 0;  // m
   int joint = 0;      // index into Model::joints
+  double share = 0;   // m, length of the joint for which each of its springs stands: half of a stretch
 };
+
+// What a contact in a point stands for, of the smaller block's size (the side of the square with its area).
+inline constexpr double point_share = 0.05;
 
 // All interfaces of the model, sorted by (block_a, block_b), with block_a < block_b for stretches. A vertex that meets
 // only another vertex makes none: bonded corners are held by the edges that meet there.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 #include "dda/contact/cubic_law.h"
+#include "dda/contact/joint_stiffness.h"
 
 namespace dda {
 namespace {
@@ -17,26 +17,13 @@ Mat2 local_axes(const Vec2& normal) { return (Mat2() << normal.x(), normal.y(), 
 // Width of a block across an interface with this normal. The sum of length * width over the sides of any convex block
 // is about four times its area (six for a triangle), which is what bounds Nitsche's penalty from below.
 double width(const Model& model, int block, const Vec2& normal) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (const Vec2& vertex : block_of(model, block).shape.outer) {
-    least = std::min(least, normal.dot(vertex));
-    most = std::max(most, normal.dot(vertex));
-  }
-  return most - least;
-}
-
-double softer_young(const Model& model, const Interface& interface) {
-  return std::min(model.material_of(interface.block_a).young, model.material_of(interface.block_b).young);
+  return extent_along(block_of(model, block).shape.outer, normal);
 }
 
 Vec4 classical_stiffness(const Model& model, const Interface& interface) {
-  const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
-  const double normal =
-      joint.normal_spring > 0 ? joint.normal_spring : joint.spring_over_young * softer_young(model, interface);
-  const double shear = joint.shear_to_normal * normal;
+  const Springs springs = springs_of(model, interface);
   const double second_point = interface.length > 0 ? 1 : 0;
-  return {normal, shear, second_point * normal, second_point * shear};
+  return {springs.normal, springs.shear, second_point * springs.normal, second_point * springs.shear};
 }
 
 // Nitsche's penalty: the stiffer modulus over the smaller width, so that the bound on `penalty` holds for both blocks.

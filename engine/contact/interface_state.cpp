@@ -8,7 +8,19 @@ namespace dda {
 EndStrength end_strength(const JointMaterial& joint, double length) {
   const double unlimited = std::numeric_limits<double>::infinity();
   if (joint.bonded) return {unlimited, unlimited, 0};
-  return {joint.tensile_strength * length / 2, joint.cohesion * length / 2, std::tan(joint.friction_angle)};
+  EndStrength strength = unbonded_strength(joint, length / 2);
+  strength.tension = joint.tensile_strength * length / 2;
+  strength.cohesion = joint.cohesion * length / 2;
+  return strength;
+}
+
+EndStrength unbonded_strength(const JointMaterial& joint, double length) {
+  const double friction = std::tan(joint.friction_angle);
+  return {.friction = friction,
+          .residual_cohesion = joint.residual_cohesion * length,
+          .friction_drop = friction - std::tan(joint.residual_friction_angle.value_or(joint.friction_angle)),
+          .dilation = std::tan(joint.dilation_angle),
+          .dilation_slip = joint.zero_dilation_slip};
 }
 
 bool exceeds(const EndStrength& strength, double normal_force, double shear_force) {

@@ -2,11 +2,19 @@
 //
 // The two ends of a classical interface open, slide and stick separately. Strength (Mohr-Coulomb, tension positive):
 // an unbroken end carries normal force up to `tension` and shear up to cohesion - friction * normal force; when it
-// exceeds either it breaks for good, and from then on carries no tension and shear up to -friction * normal force.
+// exceeds either it breaks for good. From then on it carries no tension, and while closed shear up to
+// residual_cohesion - residual friction * normal force. An end without cohesion and tension has nothing to break: it
+// keeps its friction until it slides.
+//
+// Dilation: an end that has slipped by s rides up by dilation * min(|s|, dilation_slip), which shifts the gap at which
+// it closes.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "dda/contact/interface_element.h"
@@ -18,11 +26,13 @@ namespace dda {
 enum class ContactStatus : std::uint8_t { locked, sliding, open };
 
 struct InterfaceState {
-  Vec4 gap = Vec4::Zero();    // m, elastic: the tangential part excludes slip
+  Vec4 gap = Vec4::Zero();    // m, elastic: the tangential part excludes slip, the normal part dilation
   Vec4 force = Vec4::Zero();  // N per m of thickness, conjugate to the gap
   std::array<ContactStatus, 2> status{ContactStatus::locked, ContactStatus::locked};
   std::array<bool, 2> broken{false, false};
   std::array<double, 2> slip{0, 0};  // m, along the tangent, since the start
+  std::array<bool, 2> residual{false, false};
+  std::array<double, 2> dilation{0, 0};  // m, normal, by the slip
 };
 
 // Strength of one end of an interface, in forces per m of thickness.
@@ -30,10 +40,26 @@ struct EndStrength {
   double tension = 0;
   double cohesion = 0;
   double friction = 0;  // tangent of the friction angle
+  double residual_cohesion = 0;
+  double friction_drop = 0;                                        // friction less residual friction
+  double dilation = 0;                                             // tangent of the dilation angle
+  double dilation_slip = std::numeric_limits<double>::infinity();  // m
+
+  [[nodiscard]] bool is_dry() const { return cohesion == 0 && tension == 0; }
+  // Largest shear force of a broken end that carries `normal_force`.
+  [[nodiscard]] double capacity(double normal_force, bool residual) const {
+    if (normal_force >= 0) return 0;
+    return residual ? residual_cohesion - (friction - friction_drop) * normal_force : -friction * normal_force;
+  }
+  // By how much the end has ridden up, m.
+  [[nodiscard]] double lift(double slip) const { return dilation * std::min(std::abs(slip), dilation_slip); }
 };
 
 // Each end carries half of the length. Infinite strength for a bonded joint.
 EndStrength end_strength(const JointMaterial& joint, double length);
+
+// Of a contact that carries no tension: what is dry from the start or has failed. `length`: its share of the joint, m.
+EndStrength unbonded_strength(const JointMaterial& joint, double length);
 
 bool exceeds(const EndStrength& strength, double normal_force, double shear_force);
 

@@ -5,25 +5,22 @@
 #include <cstddef>
 #include <utility>
 
+#include "dda/model/tolerance.h"
+
 namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool is_dry(const Model& model, const Interface& interface) {
-  const JointMaterial& joint = model.joints[at(interface.joint)];
-  return !joint.bonded && joint.cohesion == 0 && joint.tensile_strength == 0;
+constexpr double same_direction = 0.99;  // cosine; far more than a step turns a block
+
+const JointMaterial& joint_of(const Model& model, const Interface& interface) {
+  return model.joints[at(interface.joint)];
 }
 
-Interface interface_of(const Model& model, const Outlines& outlines, const VertexContact& contact) {
-  Interface interface;
-  interface.block_a = contact.edge_block;
-  interface.block_b = contact.vertex_block;
-  interface.from = interface.to =
-      model.blocks[at(contact.vertex_block)].moments.centroid + outlines.reference[at(contact.vertex)];
-  interface.normal = contact.normal;
-  interface.joint = model.joint_index(contact.edge_block, contact.vertex_block);
-  return interface;
+// Properties per area, for which a contact must know its share of the joint.
+bool depends_on_length(const JointMaterial& joint) {
+  return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
 }
 
 // Both blocks feel the contact at the vertex, so its forces have no moment between them.
@@ -39,14 +36,6 @@ InterfaceFrame frame_of(const Model& model, const State& state, const Outlines& 
           current_centroid(model, state, contact.vertex_block)};
 }
 
-// A dry contact is broken from the start: friction is all that it has.
-InterfaceState fresh_state() {
-  InterfaceState state;
-  state.broken = {true, true};
-  state.status = {ContactStatus::open, ContactStatus::open};
-  return state;
-}
-
 // Says for every contact found which known one it continues, if any; each is continued once. A contact that is not
 // known by its name may be so under another: a vertex went over to the next edge in line, or of two corners above each
 // other the other one now is the vertex. (Exchanging the blocks turns normal and gap both, so the state stays as it
@@ -55,7 +44,8 @@ class Succession {
  public:
   Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found, const Outlines& outlines)
       : known_(known), outlines_(outlines), taken_(known.size(), false), earlier_(found.size(), -1) {
-    for (const auto& rule : {&Succession::same, &Succession::next_edge, &Succession::exchanged})
+    for (const auto& rule :
+         {&Succession::same, &Succession::next_edge, &Succession::exchanged, &Succession::over_a_joint})
       for (std::size_t i = 0; i < found.size(); ++i)
         if (earlier_[i] < 0) earlier_[i] = (this->*rule)(found[i]);
   }
@@ -79,13 +69,32 @@ class Succession {
     return -1;
   }
 
+  std::ptrdiff_t over_a_joint(const VertexContact& contact) {
+    if (by_vertex_.size() != known_.size()) list_by_vertex();
+    const auto first =
+        std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair{contact.vertex, std::size_t{0}});
+    for (auto known = first; known != by_vertex_.end() && known->first == contact.vertex; ++known)
+      if (const auto index = take(known_.begin() + static_cast<std::ptrdiff_t>(known->second), contact.normal);
+          index >= 0)
+        return index;
+    return -1;
+  }
+
+  void list_by_vertex() {
+    for (std::size_t i = 0; i < known_.size(); ++i) by_vertex_.emplace_back(known_[i].vertex, i);
+    std::sort(by_vertex_.begin(), by_vertex_.end());
+  }
+
   std::ptrdiff_t take(int edge, int vertex, const Vec2& normal) {
-    constexpr double same_direction = 0.99;  // cosine; far more than a step turns a block
     VertexContact wanted;
     wanted.edge = edge;
     wanted.vertex = vertex;
     const auto place = std::lower_bound(known_.begin(), known_.end(), wanted);
-    if (place == known_.end() || wanted < *place || place->normal.dot(normal) < same_direction) return -1;
+    return place == known_.end() || wanted < *place ? -1 : take(place, normal);
+  }
+
+  std::ptrdiff_t take(std::vector<VertexContact>::const_iterator place, const Vec2& normal) {
+    if (place->normal.dot(normal) < same_direction) return -1;
     const std::ptrdiff_t index = place - known_.begin();
     if (taken_[static_cast<std::size_t>(index)]) return -1;
     taken_[static_cast<std::size_t>(index)] = true;
@@ -96,9 +105,11 @@ class Succession {
   const Outlines& outlines_;
   std::vector<bool> taken_;
   std::vector<std::ptrdiff_t> earlier_;
+  std::vector<std::pair<int, std::size_t>> by_vertex_;  // vertex and index of the known contacts, when asked for
 };
 
-void measure(const InterfaceElement& element, double gap, InterfaceState& state) {
+void measure(const InterfaceElement& element, double distance, InterfaceState& state) {
+  const double gap = distance - state.dilation[0];
   state.gap(0) = gap;
   if (gap > 0) {
     state.status[0] = ContactStatus::open;
@@ -112,17 +123,75 @@ void measure(const InterfaceElement& element, double gap, InterfaceState& state)
 
 }  // namespace
 
-MovingContacts::MovingContacts(const Model& model, const State& state, ContactSet& contacts) : search_(model, state) {
+MovingContacts::MovingContacts(const Model& model, const State& state, ContactSet& contacts)
+    : search_(model, state), surfaces_(model, search_.outlines()) {
   stretches_ = contacts.interfaces.size();
   drop_stretches(model, contacts, true);
   refresh(model, state, contacts);
 }
 
 bool MovingContacts::follow(const Model& model, const State& state, ContactSet& contacts) {
-  const bool new_pairs = search_.update(model, state);
+  double lift = 0;
+  for (const InterfaceState& each : contacts.states) lift = std::max({lift, each.dilation[0], each.dilation[1]});
+  const bool new_pairs = search_.update(model, state, lift);
+  keep_ends(model, state, contacts);
   drop_stretches(model, contacts, false);
   refresh(model, state, contacts);
+  broken_ends_.clear();
   return new_pairs;
+}
+
+// Shear, slip and dilation of stretches that are broken at both ends go on in the vertex contacts that take their
+// place.
+void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts) {
+  for (std::size_t i = 0; i < stretches_; ++i) {
+    const Interface& interface = contacts.interfaces[i];
+    const InterfaceState& whole = contacts.states[i];
+    if (!whole.broken[0] || !whole.broken[1]) continue;
+    const Vec2 normal = current_frame(model, state, interface).normal;
+    for (std::size_t end = 0; end < 2; ++end) {
+      InterfaceState own;
+      own.gap.head<2>() = whole.gap.segment<2>(static_cast<Eigen::Index>(2 * end));
+      own.status = {whole.status[end], ContactStatus::open};
+      own.broken = {true, true};
+      own.residual = {true, true};
+      own.slip[0] = whole.slip[end];
+      own.dilation[0] = whole.dilation[end];
+      broken_ends_.push_back(
+          {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own});
+    }
+  }
+}
+
+// Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
+InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) const {
+  for (const BrokenEnd& end : broken_ends_) {
+    const bool same_way = end.block_a == interface.block_a && end.block_b == interface.block_b;
+    const bool other_way = end.block_a == interface.block_b && end.block_b == interface.block_a;
+    if ((!same_way && !other_way) || (end.place - interface.from).norm() > point_tolerance(model)) continue;
+    if ((same_way ? 1 : -1) * end.normal.dot(interface.normal) >= same_direction) return end.state;
+  }
+  const bool failed = !is_dry(joint_of(model, interface));
+  InterfaceState state;
+  state.broken = {true, true};
+  state.residual = {failed, failed};
+  state.status = {ContactStatus::open, ContactStatus::open};
+  return state;
+}
+
+Interface MovingContacts::interface_of(const Model& model, const VertexContact& contact) const {
+  const Outlines& outlines = search_.outlines();
+  Interface interface;
+  interface.block_a = contact.edge_block;
+  interface.block_b = contact.vertex_block;
+  interface.from = interface.to =
+      model.blocks[at(contact.vertex_block)].moments.centroid + outlines.reference[at(contact.vertex)];
+  interface.normal = contact.normal;
+  interface.joint = surfaces_.joint_of(model, outlines, contact);
+  if (!depends_on_length(joint_of(model, interface))) return interface;
+  const double smaller = std::min(size_of(contact.edge_block), size_of(contact.vertex_block));
+  interface.share = std::max(common_length(outlines, contact) / 2, point_share * smaller);
+  return interface;
 }
 
 // Removes stretches that are dry (at the start) or broken at both ends (later); vertex contacts take their place.
@@ -130,8 +199,8 @@ void MovingContacts::drop_stretches(const Model& model, ContactSet& contacts, bo
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const auto& broken = contacts.states[i].broken;
-    const bool drop =
-        dry_ones ? is_dry(model, contacts.interfaces[i]) || contacts.interfaces[i].length == 0 : broken[0] && broken[1];
+    const bool drop = dry_ones ? is_dry(joint_of(model, contacts.interfaces[i])) || contacts.interfaces[i].length == 0
+                               : broken[0] && broken[1];
     if (drop) continue;
     contacts.interfaces[kept] = contacts.interfaces[i];
     contacts.elements[kept] = contacts.elements[i];
@@ -164,20 +233,21 @@ void MovingContacts::refresh(const Model& model, const State& state, ContactSet&
   std::vector<InterfaceState> states(contacts.states.begin(),
                                      contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_));
   const Succession succession(known_, found, search_.outlines());
-  for (const std::ptrdiff_t earlier : succession.earlier())
-    states.push_back(earlier >= 0 ? contacts.states[stretches_ + static_cast<std::size_t>(earlier)] : fresh_state());
   const std::size_t total = stretches_ + found.size();
   contacts.interfaces.resize(total);
   contacts.elements.resize(total);
   contacts.strengths.resize(total);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t entry = stretches_ + i;
-    const Interface interface = interface_of(model, search_.outlines(), found[i]);
+    const Interface interface = interface_of(model, found[i]);
     contacts.interfaces[entry] = interface;
     contacts.elements[entry] = make_element(model, interface, InterfaceLaw::classical);
     set_geometry(model, frame_of(model, state, search_.outlines(), found[i]), contacts.elements[entry]);
-    contacts.strengths[entry] = {0, 0, std::tan(model.joints[at(interface.joint)].friction_angle)};
-    measure(contacts.elements[entry], found[i].gap, states[entry]);
+    contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
+    const std::ptrdiff_t earlier = succession.earlier()[i];
+    states.push_back(earlier >= 0 ? contacts.states[stretches_ + static_cast<std::size_t>(earlier)]
+                                  : first_state(model, interface));
+    measure(contacts.elements[entry], found[i].gap, states.back());
   }
   contacts.states = std::move(states);
   known_ = found;

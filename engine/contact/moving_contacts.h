@@ -8,6 +8,7 @@
 
 #include "dda/contact/contact_search.h"
 #include "dda/contact/contact_set.h"
+#include "dda/contact/surface_joints.h"
 #include "dda/contact/vertex_contact.h"
 #include "dda/model/model.h"
 #include "dda/model/state.h"
@@ -31,12 +32,25 @@ class MovingContacts {
  private:
   friend struct SnapshotAccess;  // engine/simulation/snapshot.h
 
+  // An end of a broken stretch, in place of which there is now a vertex contact.
+  struct BrokenEnd {
+    int block_a = 0, block_b = 0;
+    Vec2 place;   // m, as drawn
+    Vec2 normal;  // unit, now, from a into b
+    InterfaceState state;
+  };
+
   void drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones);
+  void keep_ends(const Model& model, const State& state, const ContactSet& contacts);
   void refresh(const Model& model, const State& state, ContactSet& contacts);
+  [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact) const;
+  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface) const;
 
   ContactSearch search_;
-  std::size_t stretches_ = 0;         // leading entries of the ContactSet that are joints with strength
-  std::vector<VertexContact> known_;  // the others, in the same order
+  SurfaceJoints surfaces_;
+  std::vector<BrokenEnd> broken_ends_;  // between the loss of a stretch and the next search
+  std::size_t stretches_ = 0;           // leading entries of the ContactSet that are joints with strength
+  std::vector<VertexContact> known_;    // the others, in the same order
 };
 
 }  // namespace dda

@@ -163,5 +163,91 @@ TEST(MovingContacts, StretchesWithStrengthStayUntilBothEndsAreBroken) {
   }
 }
 
+// What the ends of a broken stretch have become goes on in the vertex contacts that take their place.
+TEST(MovingContacts, BrokenStretchesHandOverTheirHistory) {
+  Scene scene(3, 1e6);
+  MovingContacts moving(scene.model, scene.state, scene.contacts);
+  InterfaceState& whole = scene.contacts.states.at(0);
+  whole.broken = whole.residual = {true, true};
+  whole.status = {ContactStatus::sliding, ContactStatus::locked};
+  whole.gap << 0, 1e-7, 0, 2e-7;
+  whole.slip = {1e-3, 2e-3};
+  whole.dilation = {1e-5, 2e-5};
+  const Vec2 from = scene.contacts.interfaces[0].from;
+  moving.follow(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.states.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double number = scene.contacts.interfaces[i].from == from ? 1 : 2;
+    const InterfaceState& state = scene.contacts.states[i];
+    EXPECT_EQ(state.gap(1), 1e-7 * number);
+    EXPECT_EQ(state.slip[0], 1e-3 * number);
+    EXPECT_EQ(state.dilation[0], 1e-5 * number);
+    EXPECT_EQ(state.status[0], number == 1 ? ContactStatus::sliding : ContactStatus::locked);
+    EXPECT_NEAR(state.gap(0), -1e-5 * number, 1e-15) << "what has ridden up is pressed in by as much";
+    EXPECT_TRUE(state.residual[0]);
+  }
+}
+
+// Surfaces of a joint that had a bond meet again elsewhere: nothing of the bond is there. Dry ones are as they were.
+TEST(MovingContacts, ContactsOfAFailedJointAreResidual) {
+  for (const double cohesion : {0.0, 1e6}) {
+    Model model = model_of({{box_ring(0, 0, 3, 1), {}}, {box_ring(0, 1.1, 1, 2), {}}});
+    model.joints = {joint_of(cohesion)};
+    model.joints[0].residual_cohesion = cohesion / 10;
+    ContactSet contacts = make_contacts(model);
+    State state = initial_state(model);
+    MovingContacts moving(model, state, contacts);
+    state.displacement[1](1) = -0.1;
+    moving.follow(model, state, contacts);
+    ASSERT_EQ(contacts.states.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(contacts.states[i].residual[0], cohesion > 0);
+      EXPECT_DOUBLE_EQ(contacts.strengths[i].residual_cohesion, cohesion / 10 / 2) << "half of a metre each";
+    }
+  }
+}
+
+// A tip, from one block of the floor to the next.
+TEST(MovingContacts, HistoryGoesOnOverAJointOfTheFloor) {
+  Model model =
+      model_of({{box_ring(0, 0, 2, 1), {}}, {box_ring(2, 0, 4, 1), {}}, {{{1.9, 1}, {2.4, 2}, {1.4, 2}}, {}}});
+  model.joints = {joint_of(0)};
+  ContactSet contacts = make_contacts(model);
+  State state = initial_state(model);
+  state.displacement[2](1) = -1e-6;
+  MovingContacts moving(model, state, contacts);
+  const auto under_the_tip = [&] {
+    std::size_t found = 0;
+    while (contacts.interfaces.at(found).block_b != 2) ++found;
+    return found;
+  };
+  contacts.states[under_the_tip()].slip[0] = 3e-4;
+  contacts.states[under_the_tip()].gap(1) = 1e-7;
+  ASSERT_EQ(contacts.interfaces[under_the_tip()].block_a, 0);
+  state.displacement[2](0) = 0.2;
+  moving.follow(model, state, contacts);
+  ASSERT_EQ(contacts.interfaces[under_the_tip()].block_a, 1);
+  EXPECT_EQ(contacts.states[under_the_tip()].slip[0], 3e-4);
+  EXPECT_EQ(contacts.states[under_the_tip()].gap(1), 1e-7);
+}
+
+// Dilation may lift a block higher than contacts are looked for otherwise.
+TEST(MovingContacts, ALiftedContactIsNotLost) {
+  Scene scene(3);
+  scene.model.joints[0].dilation_angle = 0.3;
+  MovingContacts moving(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.states.size(), 2U);
+  for (const double height : {0.015, 0.05, 0.3}) {
+    for (InterfaceState& state : scene.contacts.states) state.dilation[0] = height;
+    scene.state.displacement[1](1) = height - 1e-5;
+    moving.follow(scene.model, scene.state, scene.contacts);
+    ASSERT_EQ(scene.contacts.states.size(), 2U) << height;
+    for (const InterfaceState& state : scene.contacts.states) {
+      EXPECT_EQ(state.dilation[0], height);
+      EXPECT_NEAR(state.gap(0), -1e-5, 1e-15);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dda

@@ -48,12 +48,37 @@ Answer press(const ContactRule& rule, const Row& row, double gap) {
   return {both, elastic.slope + (gap < 0 ? row.dashpot / row.stiffness : 0)};
 }
 
-Answer shear(const Row& row, double gap, double capacity) {
-  const double dashpot = row.broken ? row.dashpot : 0;
-  const double stuck = row.stiffness * gap + dashpot * (gap - row.start);
+// Shear force of an end that slides: `force` where slip begins, and `hardening` more for each metre.
+struct Yield {
+  double force;
+  double hardening;
+};
+
+// Slip towards `side` hardens when it leads away from the start.
+Yield yield_of(const InterfaceTrial& trial, std::size_t end, double side) {
+  const double capacity = trial.capacity[end];
+  const bool outwards = side * trial.slip[end] >= 0;
+  if (trial.hardening[end] == 0 || capacity == 0 || !outwards) return {capacity, 0};
+  const double reference = std::max(0.0, side * trial.reference[end]);
+  // More would make the end slide by itself.
+  const double hardening = reference > 0 ? std::min(trial.hardening[end], capacity / reference) : trial.hardening[end];
+  return {capacity - hardening * reference, hardening};
+}
+
+double stuck_force(const Row& row, double gap) {
+  return row.stiffness * gap + (row.broken ? row.dashpot * (gap - row.start) : 0);
+}
+
+Answer shear(const Row& row, double gap, const InterfaceTrial& trial, std::size_t end) {
+  const double stuck = stuck_force(row, gap);
+  const double slope = 1 + (row.broken && row.dashpot > 0 ? row.dashpot / row.stiffness : 0);
+  if (!row.broken) return {stuck, slope};
+  const auto [yield, hardening] = yield_of(trial, end, std::copysign(1, stuck));
   // A joint that slid in the last step starts this one right at its capacity: it slides on unless it turns back.
-  if (row.broken && std::abs(stuck) >= (1 - at_capacity) * capacity) return {std::copysign(capacity, stuck), 0};
-  return {stuck, 1 + (dashpot > 0 ? dashpot / row.stiffness : 0)};
+  if (std::abs(stuck) < (1 - at_capacity) * yield) return {stuck, slope};
+  if (hardening == 0) return {std::copysign(yield, stuck), 0};
+  const double share = hardening / (row.stiffness + row.dashpot + hardening);
+  return {std::copysign((1 - share) * yield + share * std::abs(stuck), stuck), share * slope};
 }
 
 Row row_of(const InterfaceElement& element, const InterfaceTrial& trial, Eigen::Index row) {
@@ -65,16 +90,48 @@ int ends_of(const InterfaceElement& element) { return element.length > 0 ? 2 : 1
 
 Eigen::Index normal_row(int end) { return 2 * end; }
 
-// Capacity of an end: friction times the force that presses it.
 double capacity_of(const EndStrength& strength, const InterfaceTrial& trial, int end) {
   const Eigen::Index n = normal_row(end);
   if (trial.rule.sticks) return trial.start(n) <= trial.rule.touching ? std::numeric_limits<double>::infinity() : 0;
-  return strength.friction * std::max(0.0, -trial.force(n));
+  return strength.capacity(trial.force(n), trial.residual[static_cast<std::size_t>(end)]);
 }
 
 void set_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(element); ++end)
     trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
+}
+
+bool slides(const InterfaceTrial& trial, int end) {
+  return trial.broken[static_cast<std::size_t>(end)] && trial.normal_gap(end) < 0 &&
+         trial.active(normal_row(end) + 1) < 1;
+}
+
+// Slip of a sliding end within the step.
+double slip_in_step(const InterfaceElement& element, const InterfaceTrial& trial, int end) {
+  const Eigen::Index row = normal_row(end) + 1;
+  return trial.gap(row) - elastic_gap(trial.force(row), element.stiffness(row), trial.gap(row));
+}
+
+// The same as the law of hardening sees it, dashpot included.
+double yielded(const InterfaceElement& element, const InterfaceTrial& trial, int end) {
+  const Row row = row_of(element, trial, normal_row(end) + 1);
+  const double beyond = stuck_force(row, trial.gap(normal_row(end) + 1)) - trial.force(normal_row(end) + 1);
+  return elastic_gap(beyond, row.stiffness + row.dashpot, 0);
+}
+
+// What the capacity gains for each metre of slip where every metre of rise presses by `stiffness` more.
+double hardening_by(double stiffness, const EndStrength& strength, const InterfaceTrial& trial, std::size_t end,
+                    double slip) {
+  if (std::abs(slip) >= strength.dilation_slip) return 0;
+  const double friction = trial.residual[end] ? strength.friction - strength.friction_drop : strength.friction;
+  return friction * strength.dilation * stiffness;
+}
+
+void expect_full_stiffness(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(element); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    trial.hardening[e] = hardening_by(element.stiffness(normal_row(end)), strength, trial, e, trial.slip[e]);
+  }
 }
 
 // An end that slid in the last step starts this one at its capacity, but for round-off and the gap measured anew: the
@@ -85,8 +142,14 @@ void keep_sliding(const InterfaceElement& element, const InterfaceState& start, 
     const Eigen::Index row = normal_row(end) + 1;
     if (start.status[e] != ContactStatus::sliding || trial.capacity[e] == 0 || trial.rule.sticks) continue;
     trial.force(row) = std::copysign(trial.capacity[e], start.gap(row));
-    trial.active(row) = 0;
+    const double hardening = yield_of(trial, e, std::copysign(1, start.gap(row))).hardening;
+    trial.active(row) = hardening > 0 ? hardening / (element.stiffness(row) + hardening) : 0;
   }
+}
+
+// A broken bond has failed, whichever way; a dry end when it slides, if that makes a difference.
+bool has_failed(const EndStrength& strength, const InterfaceTrial& trial, int end) {
+  return !strength.is_dry() || (strength.friction_drop > 0 && slides(trial, end));
 }
 
 }  // namespace
@@ -96,10 +159,13 @@ InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& s
   InterfaceTrial trial;
   trial.start = trial.gap = start.gap;
   trial.broken = start.broken;
+  trial.residual = start.residual;
+  trial.slip = start.slip;
   trial.force = start.force;
   trial.rule = rule;
   if (has_stress_rows(element)) return trial;
   set_capacity(element, strength, trial);  // by the forces of the start
+  if (strength.dilation > 0 && !rule.sticks) expect_full_stiffness(element, strength, trial);
   respond(element, trial);
   keep_sliding(element, start, trial);
   return trial;
@@ -108,9 +174,8 @@ InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& s
 void respond(const InterfaceElement& element, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(element); ++end) {
     const Eigen::Index n = normal_row(end);
-    const Answer normal = press(trial.rule, row_of(element, trial, n), trial.gap(n));
-    const Answer tangent =
-        shear(row_of(element, trial, n + 1), trial.gap(n + 1), trial.capacity[static_cast<std::size_t>(end)]);
+    const Answer normal = press(trial.rule, row_of(element, trial, n), trial.normal_gap(end));
+    const Answer tangent = shear(row_of(element, trial, n + 1), trial.gap(n + 1), trial, static_cast<std::size_t>(end));
     trial.force.segment<2>(n) << normal.force, tangent.force;
     trial.active.segment<2>(n) << normal.slope, tangent.slope;
   }
@@ -120,11 +185,11 @@ double force_along(const InterfaceElement& element, const InterfaceTrial& trial,
   double along = 0;
   for (int end = 0; end < ends_of(element); ++end) {
     const Eigen::Index n = normal_row(end);
-    const double gap = trial.gap(n) + t * trial.direction(n);
+    const double gap = trial.normal_gap(end) + t * trial.direction(n);
     const double slide = trial.gap(n + 1) + t * trial.direction(n + 1);
-    const double capacity = trial.capacity[static_cast<std::size_t>(end)];
     along += trial.direction(n) * press(trial.rule, row_of(element, trial, n), gap).force;
-    along += trial.direction(n + 1) * shear(row_of(element, trial, n + 1), slide, capacity).force;
+    along += trial.direction(n + 1) *
+             shear(row_of(element, trial, n + 1), slide, trial, static_cast<std::size_t>(end)).force;
   }
   return along;
 }
@@ -136,14 +201,34 @@ double update_capacity(const InterfaceElement& element, const EndStrength& stren
   return (trial.force - before).cwiseAbs().maxCoeff();
 }
 
+double update_dilation(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
+  if (strength.dilation == 0 || trial.rule.sticks) return 0;
+  const Vec4 before = trial.force;
+  for (int end = 0; end < ends_of(element); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    const double full = element.stiffness(normal_row(end));
+    const double force = trial.force(normal_row(end));
+    const double seen = trial.rise[e] == 0 ? full : std::clamp((trial.pressed[e] - force) / trial.rise[e], 0.0, full);
+    const double slip = slides(trial, end) ? slip_in_step(element, trial, end) : 0;
+    const double dilation = strength.lift(trial.slip[e] + slip) - strength.lift(trial.slip[e]);
+    trial.reference[e] = slip == 0 ? 0 : yielded(element, trial, end);
+    trial.hardening[e] = hardening_by(seen, strength, trial, e, trial.slip[e] + slip);
+    trial.rise[e] = dilation - trial.dilation[e];
+    trial.pressed[e] = force;
+    trial.dilation[e] = dilation;
+  }
+  respond(element, trial);
+  return (trial.force - before).cwiseAbs().maxCoeff();
+}
+
 bool break_ends(const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) return false;
   bool broke = false;
   for (int end = 0; end < 2; ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
-    if (trial.broken[e] || !exceeds(strength, trial.force(n), trial.force(n + 1))) continue;
-    trial.broken[e] = broke = true;
+    if (!trial.broken[e] && exceeds(strength, trial.force(n), trial.force(n + 1))) trial.broken[e] = broke = true;
+    if (trial.broken[e] && !trial.residual[e] && has_failed(strength, trial, end)) trial.residual[e] = broke = true;
   }
   return broke;
 }
@@ -156,8 +241,8 @@ Vec4 dashpot_force(const InterfaceElement& element, const InterfaceTrial& trial)
     const Row normal = row_of(element, trial, n);
     const Row tangent = row_of(element, trial, n + 1);
     if (!normal.broken) continue;
-    force(n) = trial.force(n) - spring(trial.rule, normal.stiffness, normal.start, trial.gap(n)).force;
-    if (trial.active(n + 1) != 0) force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
+    force(n) = trial.force(n) - spring(trial.rule, normal.stiffness, normal.start, trial.normal_gap(end)).force;
+    if (trial.active(n + 1) >= 1) force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
   }
   return force;
 }
@@ -168,7 +253,7 @@ bool release_shear(const InterfaceElement& element, const EndStrength& strength,
   for (int end = 0; end < ends_of(element); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
-    const double capacity = strength.friction * std::max(0.0, -state.force(n));
+    const double capacity = strength.capacity(state.force(n), state.residual[e]);
     if (!state.broken[e] || std::abs(state.force(n + 1)) <= capacity) continue;
     state.force(n + 1) = std::copysign(capacity, state.force(n + 1));
     const double left = elastic_gap(state.force(n + 1), element.stiffness(n + 1), state.gap(n + 1));
@@ -185,18 +270,21 @@ InterfaceState finish_trial(const InterfaceElement& element, const InterfaceStat
   state.gap = trial.gap;
   state.force = trial.force;
   state.broken = trial.broken;
+  state.residual = trial.residual;
   if (has_stress_rows(element)) return state;
   for (int end = 0; end < ends_of(element); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
-    if (trial.broken[e]) state.force(n) = element.stiffness(n) * pressed(trial.gap(n));
-    if (trial.broken[e] && trial.gap(n) >= 0) {
+    state.gap(n) = trial.normal_gap(end);
+    state.dilation[e] += trial.dilation[e];
+    if (trial.broken[e]) state.force(n) = element.stiffness(n) * pressed(state.gap(n));
+    if (trial.broken[e] && state.gap(n) >= 0) {
       state.status[e] = ContactStatus::open;
       state.force.segment<2>(n).setZero();
       state.gap(n + 1) = 0;  // a joint that closes again starts without shear
       continue;
     }
-    state.status[e] = trial.active(n + 1) != 0 ? ContactStatus::locked : ContactStatus::sliding;
+    state.status[e] = trial.active(n + 1) < 1 ? ContactStatus::sliding : ContactStatus::locked;
     if (state.status[e] == ContactStatus::locked) {
       state.force(n + 1) = element.stiffness(n + 1) * trial.gap(n + 1);
       continue;

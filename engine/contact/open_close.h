@@ -1,13 +1,20 @@
 // What one interface answers to a gap, and when it breaks: the laws of the open-close iteration.
 //
 // An end that is whole is linear in both directions. A broken (or dry) end presses only, and resists shear up to its
-// `capacity`. For given capacities the answer is the gradient of a convex potential (a half parabola and Huber's
-// function), so a step has exactly one solution and Newton's method with a line search finds it in finitely many
-// passes; capacities then follow the normal forces (Coulomb as a fixed point of Tresca), and ends beyond their strength
-// break.
+// `capacity`. For given capacities and dilations the answer is the gradient of a convex potential (a half parabola and
+// Huber's function), so a step has exactly one solution and Newton's method with a line search finds it in finitely
+// many passes; capacities then follow the normal forces (Coulomb as a fixed point of Tresca), dilations the slips, and
+// ends beyond their strength break.
+//
+// Dilation presses an end that slides on against what lies above it, by up to its normal stiffness times the rise. Left
+// to the outer fixed point alone, which first lets the end slide as if nothing rose, that would be overshot without
+// bound. So the capacity grows with the slip beyond the one at which it holds, by `hardening`, which keeps the problem
+// convex and is of no effect where the fixed point ends. The first guess of it, with the full normal stiffness, never
+// overshoots; the next follow the changes of the normal force seen.
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "dda/contact/interface_element.h"
 #include "dda/contact/interface_state.h"
@@ -24,7 +31,8 @@ struct ContactRule {
 };
 
 // An interface in the course of a step. What broken ends answer, for the change of the gap from g0 to g1:
-//   spring              k min(0, g1); conserving: 2 (V1 - V0)/(g1 - g0) - k min(0, g0) with V = k min(0, g)^2/2, which
+//   spring              k min(0, g1) above the dilation of the step; conserving: 2 (V1 - V0)/(g1 - g0) - k min(0, g0)
+//   with V = k min(0, g)^2/2, which
 //   a
 //                       balance of means (alpha_f = 1/2) turns into the discrete gradient of V (Gonzalez 1996)
 //   dashpot             C (min(0, g1) - min(0, g0)), C = dashpot * dashpot_rate, and no pull of both together
@@ -38,7 +46,18 @@ struct InterfaceTrial {
   Vec4 active = Vec4::Ones();            // d force/d gap over the stiffness: 0 for open or sliding rows, mostly 1 else
   std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end
   std::array<bool, 2> broken{false, false};
+  std::array<bool, 2> residual{false, false};
   ContactRule rule;
+
+  std::array<double, 2> slip{0, 0};       // m, before the step
+  std::array<double, 2> dilation{0, 0};   // m, in the step: the normal gap closes at it
+  std::array<double, 2> hardening{0, 0};  // N/m per m of thickness, for slip away from the start
+  std::array<double, 2> reference{0, 0};  // m, slip in the step at which capacities hold
+  std::array<double, 2> rise{0, 0};       // m, by which the dilation changed last
+  std::array<double, 2> pressed{0, 0};    // N per m of thickness, normal force before that
+
+  // Normal gap above what the end has ridden up.
+  [[nodiscard]] double normal_gap(int end) const { return gap(2 * end) - dilation[static_cast<std::size_t>(end)]; }
 };
 
 // Linear in its gaps, whatever they are: nothing to settle.
@@ -56,10 +75,15 @@ void respond(const InterfaceElement& element, InterfaceTrial& trial);
 // Work rate direction . force at a share `t` of the Newton step.
 double force_along(const InterfaceElement& element, const InterfaceTrial& trial, double t);
 
-// Sets capacities to friction times normal force; returns the largest change of a force that this makes at this gap.
+// Sets capacities to those of the normal forces; returns the largest change of a force that this makes at this gap.
 double update_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
 
-// Breaks ends that are beyond their strength; returns whether one broke.
+// Sets dilations to those of the slips; returns the largest change of a force that this makes at this gap. For
+// capacities that stand still.
+double update_dilation(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
+
+// Breaks ends that are beyond their strength, and leaves dry ends that slide their residual friction; returns whether
+// there was one. Each end does both once.
 bool break_ends(const EndStrength& strength, InterfaceTrial& trial);
 
 // The part of a trial's force that comes from dashpots.

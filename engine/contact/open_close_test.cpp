@@ -26,11 +26,14 @@ InterfaceElement classical_element() {
   return element;
 }
 
-// The answer at given gaps when capacities stand still and nothing more breaks.
+// The answer at given gaps when capacities and dilations stand still and nothing more breaks.
 void settle(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
   do {
     respond(element, trial);
-    update_capacity(element, strength, trial);
+    for (int pass = 0; pass < 80; ++pass) {
+      update_capacity(element, strength, trial);
+      update_dilation(element, strength, trial);
+    }
   } while (break_ends(strength, trial));
 }
 
@@ -69,6 +72,10 @@ constexpr ContactStatus open = ContactStatus::open;
 const EndStrength joint{5, 3, 0.5};
 const EndStrength no_strength{0, 0, 0.5};
 const EndStrength smooth{0, 0, 0};
+// Peak friction 0.5, residual 0.3; the bond leaves a cohesion of 0.6.
+const EndStrength weakening{
+    .tension = 5, .cohesion = 3, .friction = 0.5, .residual_cohesion = 0.6, .friction_drop = 0.2};
+const EndStrength dry_weakening{.friction = 0.5, .friction_drop = 0.2};
 
 INSTANTIATE_TEST_SUITE_P(
     OpenClose, MohrCoulomb,
@@ -88,7 +95,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"friction_alone_slides", no_strength, false, -0.04, 0.06, sliding, true, -4, 2},
         Case{"no_strength_opens_at_once", no_strength, false, 1e-12, 0, open, true, 0, 0},
         Case{"at_rest_nothing_breaks", no_strength, false, 0, 0, locked, false, 0, 0},
-        Case{"smooth_slides_freely", smooth, false, -0.04, 0.5, sliding, true, -4, 0}),
+        Case{"smooth_slides_freely", smooth, false, -0.04, 0.5, sliding, true, -4, 0},
+        Case{"bond_holds_up_to_its_peak", weakening, false, -0.04, 0.124, locked, false, -4, 4.96},
+        Case{"bond_beyond_its_peak_has_the_residual", weakening, false, -0.04, 0.126, sliding, true, -4, 1.8},
+        Case{"bond_pulled_apart_opens", weakening, false, 0.06, 0.01, open, true, 0, 0},
+        Case{"dry_holds_up_to_its_peak", dry_weakening, true, -0.04, 0.049, locked, true, -4, 1.96},
+        Case{"dry_beyond_its_peak_has_the_residual", dry_weakening, true, -0.04, -0.051, sliding, true, -4, -1.2}),
     [](const auto& each) { return each.param.name; });
 
 TEST_P(MohrCoulomb, StatusAndForces) {
@@ -108,12 +120,100 @@ TEST_P(MohrCoulomb, StatusAndForces) {
   EXPECT_EQ(state.force(2), -normal_spring);
 }
 
+// Once failed, an end never has its peak again: not when it sticks, nor when it has been open.
+TEST(ResidualStrength, StaysAfterShearFailure) {
+  for (const EndStrength& strength : {weakening, dry_weakening}) {
+    const double left = strength.residual_cohesion + 0.3 * 4;
+    InterfaceState state = step_to(strength, start_with(strength.is_dry()), -0.04, 0.2);
+    ASSERT_EQ(state.status[0], sliding);
+    EXPECT_TRUE(state.residual[0]);
+    EXPECT_NEAR(state.force(1), left, round_off);
+    state = step_to(strength, state, -0.04, 0);
+    ASSERT_EQ(state.status[0], locked);
+    state = step_to(strength, state, 0.01, 0);
+    ASSERT_EQ(state.status[0], open);
+    state = step_to(strength, state, -0.04, 0.9 * left / shear_spring);
+    EXPECT_EQ(state.status[0], locked);
+    state = step_to(strength, state, -0.04, 1.1 * left / shear_spring);
+    EXPECT_EQ(state.status[0], sliding);
+    EXPECT_NEAR(state.force(1), left, round_off);
+  }
+}
+
+TEST(ResidualStrength, ABondThatWasPulledApartHasNoPeakLeft) {
+  InterfaceState state = step_to(weakening, start_with(false), 0.06, 0);
+  ASSERT_EQ(state.status[0], open);
+  state = step_to(weakening, state, -0.04, 0.126);
+  EXPECT_NEAR(state.force(1), 0.6 + 0.3 * 4, round_off);
+}
+
+// Nothing was there to fail: surfaces that come apart and meet again have not been worn.
+TEST(ResidualStrength, ADryEndThatOpensKeepsItsPeak) {
+  InterfaceState state = step_to(dry_weakening, start_with(true), 0.06, 0);
+  ASSERT_EQ(state.status[0], open);
+  state = step_to(dry_weakening, state, -0.04, 0.049);
+  EXPECT_EQ(state.status[0], locked);
+  EXPECT_FALSE(state.residual[0]);
+}
+
+TEST(ResidualStrength, CohesionIsLeftOnlyWhereClosed) {
+  EXPECT_EQ(weakening.capacity(0, true), 0);
+  EXPECT_EQ(weakening.capacity(1, true), 0);
+  EXPECT_NEAR(weakening.capacity(-1e-9, true), 0.6, 1e-9);
+  EXPECT_NEAR(weakening.capacity(-4, false), 2, round_off);
+}
+
+// ---- Dilation: tangent 0.25 up to a slip of 0.04 m, friction 0.5.
+
+const EndStrength rising{.friction = 0.5, .dilation = 0.25, .dilation_slip = 0.04};
+
+TEST(Dilation, SlipLiftsAgainstAGivenGap) {
+  const double slip = 0.02;
+  // Held at its height, the end is pressed together by what it rides up.
+  const double force = -normal_spring * (0.04 + 0.25 * slip);
+  const InterfaceState state = step_to(rising, start_with(true), -0.04, slip - 0.5 * force / shear_spring);
+  EXPECT_EQ(state.status[0], sliding);
+  // The fixed point shrinks its error to 0.5 * 0.25 * 100/40 = 0.3 of it a pass; settle() makes eighty.
+  EXPECT_NEAR(state.slip[0], slip, 1e-12);
+  EXPECT_NEAR(state.dilation[0], 0.25 * slip, 1e-12);
+  EXPECT_NEAR(state.force(0), force, 1e-9);
+  EXPECT_NEAR(state.force(1), -0.5 * force, 1e-9);
+  EXPECT_NEAR(state.gap(0) * normal_spring, state.force(0), 1e-9) << "the elastic part";
+}
+
+// Rides up whichever way it slips, down on the way back, and no further than the given slip.
+TEST(Dilation, FollowsTheSlipFromTheStart) {
+  for (const double side : {1.0, -1.0}) {
+    InterfaceState state = start_with(true);
+    double moved = 0;  // m, along the tangent
+    for (const double target : {0.02, 0.2, 0.3, 0.06, -0.3}) {
+      state = step_to(rising, state, -0.04 - state.dilation[0], state.gap(1) + side * (target - moved));
+      moved = target;
+      EXPECT_NEAR(state.dilation[0], 0.25 * std::min(std::abs(state.slip[0]), 0.04), 1e-12) << target;
+    }
+    EXPECT_LT(side * state.slip[0], -0.04);
+  }
+}
+
+TEST(Dilation, AnOpenEndKeepsItsHeight) {
+  InterfaceState state = step_to(rising, start_with(true), -0.04, 0.3);
+  const double height = state.dilation[0];
+  ASSERT_NEAR(height, 0.01, 1e-12);
+  state = step_to(rising, state, 0.02 - height, state.gap(1));  // 0.02 m above the ground: the gap excludes the height
+  EXPECT_EQ(state.status[0], open);
+  EXPECT_EQ(state.dilation[0], height);
+  state = step_to(rising, state, -0.005, 0);  // still above the ground, and pressed
+  EXPECT_EQ(state.status[0], locked);
+  EXPECT_NEAR(state.force(0), -0.005 * normal_spring, round_off);
+}
+
 // The potential whose gradient the forces are, written out: half parabolas and Huber's function.
 double potential(const InterfaceElement& element, const InterfaceTrial& trial, const Vec4& gap) {
   double energy = 0;
   for (int end = 0; end < 2; ++end) {
     const auto e = static_cast<std::size_t>(end);
-    const double normal = trial.broken[e] ? std::min(gap(2 * end), 0.0) : gap(2 * end);
+    const double above = gap(2 * end) - trial.dilation[e];
+    const double normal = trial.broken[e] ? std::min(above, 0.0) : above;
     energy += element.stiffness(2 * end) * normal * normal / 2;
     const double k = element.stiffness(2 * end + 1);
     const double slide = std::abs(gap(2 * end + 1));
@@ -134,6 +234,7 @@ class RandomTrials : public testing::Test {
     for (std::size_t end = 0; end < 2; ++end) {
       trial.broken[end] = number(0, 1) < 0.8;
       trial.capacity[end] = std::max(0.0, number(-5, 40));
+      trial.dilation[end] = number(-0.5, 0.5);
     }
     return trial;
   }

@@ -128,7 +128,29 @@ void keep_one_a_corner(std::vector<Candidate>& found) {
   }
 }
 
+Vec2 along_edge(const Outlines& outlines, int edge) {
+  return outlines.current[at(outlines.next[at(edge)])] - outlines.current[at(edge)];
+}
+
 }  // namespace
+
+int facing_edge(const Outlines& outlines, const VertexContact& contact) {
+  const Vec2 along = along_edge(outlines, contact.edge);
+  const auto runs_along = [&](int edge) { return std::abs(along.dot(along_edge(outlines, edge).normalized())); };
+  const int before = outlines.previous[at(contact.vertex)];
+  return runs_along(contact.vertex) >= runs_along(before) ? contact.vertex : before;
+}
+
+double common_length(const Outlines& outlines, const VertexContact& contact) {
+  const Vec2 along = along_edge(outlines, contact.edge);
+  const double length = along.norm();
+  const int facing = facing_edge(outlines, contact);
+  const auto place = [&](int vertex) {
+    return (outlines.current[at(vertex)] - outlines.current[at(contact.edge)]).dot(along) / length;
+  };
+  const auto [low, high] = std::minmax({place(facing), place(outlines.next[at(facing)])});
+  return std::max(0.0, std::min(high, length) - std::max(low, 0.0));
+}
 
 void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double corner,
                           std::vector<VertexContact>& found) {

@@ -28,6 +28,12 @@ struct VertexContact {
   }
 };
 
+// Of the vertex' own two edges the one that lies more along the contact's edge: the number of its first vertex.
+int facing_edge(const Outlines& outlines, const VertexContact& contact);
+
+// Length (m) along which the contact's edge and the facing one are beside each other; 0 where blocks meet in corners.
+double common_length(const Outlines& outlines, const VertexContact& contact);
+
 // Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat
 // on each other rock within it.
 inline constexpr double entrance_slack = 0.05;

@@ -1,6 +1,7 @@
 #include "dda/geometry/polygon.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "dda/geometry/segment.h"
 
@@ -90,6 +91,16 @@ Polygon normalized(Polygon polygon) {
     if (signed_area(hole) > 0) reverse(hole);
   }
   return polygon;
+}
+
+double extent_along(const Ring& ring, const Vec2& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const Vec2& vertex : ring) {
+    least = std::min(least, direction.dot(vertex));
+    most = std::max(most, direction.dot(vertex));
+  }
+  return most - least;
 }
 
 AreaMoments area_moments(const Polygon& polygon) {

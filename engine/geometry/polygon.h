@@ -39,6 +39,9 @@ Polygon normalized(Polygon polygon);
 // then about the centroid.
 AreaMoments area_moments(const Polygon& polygon);
 
+// Extent of the outline along a unit vector, m.
+double extent_along(const Ring& ring, const Vec2& direction);
+
 // Why `polygon` is not a valid simple polygon, in words that end a sentence "block is ...", or nothing when it is:
 // fewer than three vertices, a coordinate that is not finite or beyond 1e12 m, repeated vertices, zero area, edges that
 // cross, touch or fold back, a hole outside, or holes that touch or nest. Things nearer than the round-off of the

@@ -19,6 +19,16 @@ void check_poisson(const Item& item, const Material& material) {
             strain ? "a number above -1 and below 0.5 (plane strain)" : "a number above -1 and at most 0.5");
 }
 
+// What is left after failure: not more than before, and no dilation that would make sliding a source of energy.
+void check_failed_joint(const Item& item, const JointMaterial& joint) {
+  const double residual_friction = joint.residual_friction_angle.value_or(joint.friction_angle);
+  item.within("residual friction angle", residual_friction, 0, joint.friction_angle);
+  item.within("residual cohesion", joint.residual_cohesion, 0, joint.cohesion);
+  item.within("dilation angle", joint.dilation_angle, 0, residual_friction);
+  if (joint.zero_dilation_slip > 0) return;  // infinity says that there is no end
+  item.fail("zero-dilation slip", fmt::format("{} m", joint.zero_dilation_slip), "a length above 0");
+}
+
 void check_joint(const Item& item, const JointMaterial& joint) {
   constexpr double right_angle = std::numbers::pi / 2;
   item.not_negative("friction angle", joint.friction_angle);
@@ -27,7 +37,10 @@ void check_joint(const Item& item, const JointMaterial& joint) {
   }
   item.not_negative("cohesion", joint.cohesion);
   item.not_negative("tensile strength", joint.tensile_strength);
+  check_failed_joint(item, joint);
   item.not_negative("normal spring", joint.normal_spring);
+  item.not_negative("normal stiffness", joint.normal_stiffness);
+  item.not_negative("shear stiffness", joint.shear_stiffness);
   item.positive("spring over Young's modulus", joint.spring_over_young);
   item.not_negative("shear to normal spring", joint.shear_to_normal);
   item.not_negative("contact damping", joint.contact_damping);
@@ -44,6 +57,18 @@ void check_joint_pairs(const Model& model) {
     item.index("joint", joint, model.joints.size());
     if (pair.first < pair.second) continue;
     item.fail("pair", fmt::format("({}, {})", pair.first, pair.second), "the smaller index first");
+  }
+}
+
+void check_joint_lines(const Model& model) {
+  for (std::size_t i = 0; i < model.joint_lines.size(); ++i) {
+    const JointLine& line = model.joint_lines[i];
+    const Item item("joint_lines", i);
+    item.finite("from", line.from);
+    item.finite("to", line.to);
+    item.index("joint", line.joint, model.joints.size());
+    if (line.from != line.to) continue;
+    item.fail("to", fmt::format("({}, {}) m, where it begins", line.to.x(), line.to.y()), "a line of some length");
   }
 }
 
@@ -65,6 +90,7 @@ void check_joints(const Model& model) {
     check_joint(Item("joints", i, model.joints[i].name), model.joints[i]);
   }
   check_joint_pairs(model);
+  check_joint_lines(model);
 }
 
 }  // namespace dda::model_checks

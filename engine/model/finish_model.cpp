@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "dda/core/error.h"
@@ -28,6 +29,23 @@ void fill_geometry(Model& model) {
   model.length_tolerance = tolerance_of_extent * extent(model);
 }
 
+// Weight of the heaviest rock above, the largest initial stress and the largest traction, together.
+double expected_pressure(const Model& model) {
+  Box depths;
+  double density = 0;
+  double stress = 0;
+  double traction = 0;
+  const double gravity = model.gravity.norm();
+  const Vec2 down = gravity > 0 ? Vec2(model.gravity / gravity) : Vec2::Zero();
+  for (const Block& block : model.blocks) {
+    for (const Vec2& vertex : block.shape.outer) depths = expanded(depths, Vec2(down.dot(vertex), 0));
+    density = std::max(density, model.materials[static_cast<std::size_t>(block.material)].density);
+    stress = std::max(stress, block.initial_stress.cwiseAbs().maxCoeff());
+  }
+  for (const EdgeLoad& load : model.edge_loads) traction = std::max(traction, load.traction.norm());
+  return density * gravity * (depths.upper - depths.lower).x() + stress + traction;
+}
+
 void check_gravity(const Model& model) {
   if (!model.gravity.allFinite()) throw InputError("", "gravity", "not finite", "two finite numbers");
 }
@@ -48,6 +66,7 @@ void finish_model(Model& model) {
   check_viscous_edges(model);
   check_measurements(model);
   check_stages(model);
+  model.expected_pressure = expected_pressure(model);
 }
 
 }  // namespace dda

@@ -1,6 +1,8 @@
 // Materials of blocks and of joints.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
 
 #include "dda/core/types.h"
@@ -40,11 +42,29 @@ struct JointMaterial {
   double cohesion = 0;          // Pa
   double tensile_strength = 0;  // Pa
 
+  // After failure in shear or tension; a joint without cohesion and tensile strength fails when it first slides.
+  // Neither above the values before, and no tension any more.
+  std::optional<double> residual_friction_angle = {};  // rad; none: friction_angle
+  double residual_cohesion = 0;                        // Pa, where closed
+
+  // Opening by tan(dilation_angle) for each metre slid away from where the joint began to slide, and closing on the way
+  // back. Not above the residual friction angle: sliding would create energy.
+  double dilation_angle = 0;                                            // rad
+  double zero_dilation_slip = std::numeric_limits<double>::infinity();  // m, slip beyond which it opens no further
+
   // Classical law: normal stiffness of one spring in N/m (per m of thickness); 0 means spring_over_young * E of the
   // softer block, where 10 E is the thesis' g0 (in metres of material per metre of thickness).
   double normal_spring = 0;
   double spring_over_young = 10;
   double shear_to_normal = 0.4;
+
+  // Classical law, instead of springs: stiffness per area, of which each contact takes its share of the joint's length.
+  // 0: not given; a shear stiffness of 0 then means shear_to_normal times the normal one.
+  double normal_stiffness = 0;  // Pa/m
+  double shear_stiffness = 0;   // Pa/m
+
+  // Classical law, instead of either: normal stiffness chosen for each contact, see engine/contact/joint_stiffness.h.
+  bool automatic_stiffness = false;
 
   // Damping of dry and broken contacts while they are closed: a dashpot 2 contact_damping sqrt(k m) beside each spring
   // k, m being the smaller mass of the two blocks. A block on one spring is critically damped by 1.
@@ -54,5 +74,10 @@ struct JointMaterial {
   double penalty = 4;          // must exceed 1 for stability
   double stabilisation = 0.1;  // of the end-to-end difference of the gap, which mid-edge alone leaves free
 };
+
+// Held by friction alone, from the start.
+inline bool is_dry(const JointMaterial& joint) {
+  return !joint.bonded && joint.cohesion == 0 && joint.tensile_strength == 0;
+}
 
 }  // namespace dda

@@ -25,6 +25,12 @@ struct Block {
   double initial_spin = 0;               // rad/s
 };
 
+// Edges of blocks drawn along this line have the joint, whatever their pair of blocks says.
+struct JointLine {
+  Vec2 from, to;
+  int joint = 0;
+};
+
 struct PointLoad {
   int block = 0;
   Vec2 point;  // material point of the block
@@ -86,6 +92,7 @@ struct Model {
   std::vector<Material> materials;
   std::vector<JointMaterial> joints;                       // joints[0] is the default
   std::map<std::pair<int, int>, int> joint_of_block_pair;  // (smaller, larger block) -> joint, where not the default
+  std::vector<JointLine> joint_lines;                      // a later one goes before an earlier one
   std::vector<Block> blocks;
   Vec2 gravity = Vec2::Zero();  // m/s2
   std::vector<PointLoad> point_loads;
@@ -95,6 +102,8 @@ struct Model {
   std::vector<Measurement> measurements;
   std::vector<Stage> stages;
   double length_tolerance = 0;  // m: points closer than this touch; set by finish_model
+  double expected_pressure =
+      0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
 
   [[nodiscard]] const Material& material_of(int block) const;
   // Index into `joints` of the joint between two blocks.
@@ -103,8 +112,9 @@ struct Model {
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
 };
 
-// Fills what follows from the rest (area moments, length tolerance = 1e-9 of the extent) and checks the whole: throws
-// InputError naming field, value and what was expected (indices in range, positive density, valid polygons, ...).
+// Fills what follows from the rest (area moments, length tolerance = 1e-9 of the extent, expected pressure) and checks
+// the whole: throws InputError naming field, value and what was expected (indices in range, positive density, valid
+// polygons, ...).
 void finish_model(Model& model);
 
 }  // namespace dda

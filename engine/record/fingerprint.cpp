@@ -27,12 +27,16 @@ void add(FnvHash& hash, const Material& material) {
 }
 
 void add(FnvHash& hash, const JointMaterial& joint) {
-  const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, normal_spring, spring_over_young,
-               shear_to_normal, contact_damping, penalty, stabilisation] = joint;
+  const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, residual_friction_angle,
+               residual_cohesion, dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal,
+               normal_stiffness, shear_stiffness, automatic_stiffness, contact_damping, penalty, stabilisation] = joint;
   hash.add_number(law);
   hash.add_number(bonded);
-  for (const double value : {friction_angle, cohesion, tensile_strength, normal_spring, spring_over_young,
-                             shear_to_normal, contact_damping, penalty, stabilisation}) {
+  hash.add_number(automatic_stiffness);
+  for (const double value :
+       {friction_angle, cohesion, tensile_strength, residual_friction_angle.value_or(friction_angle), residual_cohesion,
+        dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal, normal_stiffness,
+        shear_stiffness, contact_damping, penalty, stabilisation}) {
     hash.add_number(value);
   }
 }
@@ -52,6 +56,10 @@ std::uint64_t fingerprint(const Model& model) {
   add_all(hash, model.joints);
   for (const auto& [blocks, joint] : model.joint_of_block_pair) {
     for (const int index : {blocks.first, blocks.second, joint}) hash.add_number(index);
+  }
+  for (const JointLine& line : model.joint_lines) {
+    for (const double value : {line.from.x(), line.from.y(), line.to.x(), line.to.y()}) hash.add_number(value);
+    hash.add_number(line.joint);
   }
   return hash.value();
 }

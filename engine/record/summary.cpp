@@ -40,6 +40,13 @@ Json to_json(const HistoryFile& history) {
   return {{"file", history.file}, {"rows", history.rows}, {"columns", columns}};
 }
 
+Json to_json(const DeepestPenetration& deepest) {
+  return {{"depth_m", deepest.depth_m},
+          {"of_smaller_block", deepest.share},
+          {"blocks", Json::array({deepest.blocks.first, deepest.blocks.second})},
+          {"time_s", deepest.time_s}};
+}
+
 Json to_json(const RunSummary& summary) {
   Json json = {{"status", to_string(summary.status)},
                {"message", summary.message},
@@ -58,6 +65,7 @@ Json to_json(const RunSummary& summary) {
     json["static_stages"].push_back({{"name", name}, {"out_of_balance", share}});
   json["counters"] = to_json(summary.counters);
   json["energy"] = to_json(summary.energy);
+  json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);
   json["histories"] = Json::array();
   for (const HistoryFile& history : summary.histories) json["histories"].push_back(to_json(history));
   json["outputs"] = summary.outputs;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,14 @@ struct HistoryFile {
   std::vector<Column> columns;  // after the time
 };
 
+// The deepest that two blocks were pressed into each other.
+struct DeepestPenetration {
+  double depth_m = 0;
+  double share = 0;  // of the size of the smaller block
+  std::pair<std::string, std::string> blocks;
+  double time_s = 0;
+};
+
 struct RunSummary {
   Status status = Status::ok;
   std::string message;  // one sentence when status is not ok
@@ -35,6 +44,7 @@ struct RunSummary {
   std::string solver;
   std::int64_t blocks = 0;
   std::int64_t contacts = 0;
+  std::optional<DeepestPenetration> penetration;  // none: no contacts that can change, or never pressed
   std::vector<HistoryFile> histories;
   std::vector<std::string> outputs;  // files written
 };

@@ -64,6 +64,7 @@ TEST(Summary, HoldsEverything) {
   summary.solver = "cholesky";
   summary.blocks = 200;
   summary.contacts = 199;
+  summary.penetration = {1e-3, 0.02, {"a", "b"}, 0.05};
   summary.histories = {{"histories.csv", 13, {{"at 50 m", "Pa"}}}};
   summary.outputs = {"histories.csv", "frames.pvd"};
 
@@ -79,6 +80,7 @@ TEST(Summary, HoldsEverything) {
       "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "external_work": 88.0,
       "gravity_work": 31.0, "friction": 17.0, "dashpot": 19.0, "damping": 23.0, "numerical": 29.0,
       "residual": 0.0, "residual_relative": 0.0},
+    "deepest_penetration": {"depth_m": 1e-3, "of_smaller_block": 0.02, "blocks": ["a", "b"], "time_s": 0.05},
     "histories": [{"file": "histories.csv", "rows": 13,
       "columns": [{"name": "time", "unit": "s"}, {"name": "at 50 m", "unit": "Pa"}]}],
     "outputs": ["histories.csv", "frames.pvd"]})");
@@ -89,6 +91,7 @@ TEST(Summary, OfAnEmptyRunHasAllKeys) {
   const json read = json::parse(summary_json({}));
   EXPECT_EQ(read.at("status"), "ok");
   EXPECT_EQ(read.at("phases"), json::object());
+  EXPECT_TRUE(read.at("deepest_penetration").is_null());
   EXPECT_EQ(read.at("histories"), json::array());
   EXPECT_EQ(read.at("outputs"), json::array());
 }

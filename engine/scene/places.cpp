@@ -85,6 +85,12 @@ int read_block_name(const Field& field, const GroundPlan& plan, const Model& mod
   return static_cast<int>(field.choice(names));  // throws, as none is it
 }
 
+int read_joint_reference(const Field& field, const Model& model) {
+  std::vector<std::string> names;
+  for (const JointMaterial& joint : model.joints) names.push_back(joint.name);
+  return static_cast<int>(field.choice(names));
+}
+
 std::string listed(const std::vector<int>& blocks, const Model& model) {
   constexpr std::size_t most_listed = 4;
   std::string list;

@@ -25,6 +25,9 @@ std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const
 // The index of the block that `field` names.
 int read_block_name(const Field& field, const GroundPlan& plan, const Model& model);
 
+// The index of the joint that `field` names.
+int read_joint_reference(const Field& field, const Model& model);
+
 // Names of blocks as a sentence lists them.
 std::string listed(const std::vector<int>& blocks, const Model& model);
 

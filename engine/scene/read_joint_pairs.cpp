@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dda/scene/places.h"
 #include "dda/scene/sections.h"
 
 namespace dda {
@@ -20,12 +21,6 @@ std::vector<int> members_of(const Field& field, const std::vector<std::string>& 
   }
   if (members.empty()) field.fail("the name of a material, a group of blocks or a block");
   return members;
-}
-
-int read_joint_reference(const Field& field, const Model& model) {
-  std::vector<std::string> names;
-  for (const JointMaterial& joint : model.joints) names.push_back(joint.name);
-  return static_cast<int>(field.choice(names));
 }
 
 void read_joint_pair(const Field& field, const std::vector<std::string>& groups, Model& model) {

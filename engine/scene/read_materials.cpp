@@ -44,6 +44,28 @@ void refuse(const Field& owner, const char* key, const std::string& reason) {
   if (const auto field = owner.find(key)) field->fail("to be left out " + reason);
 }
 
+// Only springs give way by a given stiffness while a joint is closed.
+void take_springs_for(const Field& stiffness, const Field& owner, JointMaterial& joint) {
+  if (!owner.has("law")) joint.law = InterfaceLaw::classical;
+  if (joint.law != InterfaceLaw::classical) stiffness.fail("\"auto\", or to be left out unless law is \"classical\"");
+}
+
+void read_stiffness(const Field& field, JointMaterial& joint) {
+  const auto shear = field.find("shear_stiffness");
+  const auto normal = field.find("normal_stiffness");
+  const bool automatic = normal && normal->is_text() && normal->text() == "auto";
+  if (shear && (!normal || automatic)) shear->fail("to be left out unless normal_stiffness is given in Pa/m");
+  if (!normal) return;
+  for (const char* spring : {"normal_spring", "spring_over_young"}) refuse(field, spring, "beside normal_stiffness");
+  joint.automatic_stiffness = automatic;
+  if (automatic) return;
+  joint.normal_stiffness = normal->positive(Dimension::stiffness_per_area);
+  take_springs_for(*normal, field, joint);
+  if (!shear) return;
+  refuse(field, "shear_to_normal", "beside shear_stiffness");
+  joint.shear_stiffness = shear->positive(Dimension::stiffness_per_area);
+}
+
 void read_springs(const Field& field, JointMaterial& joint) {
   if (const auto spring = field.find("normal_spring")) {
     refuse(field, "spring_over_young", "beside normal_spring");
@@ -78,6 +100,28 @@ void read_strength(const Field& field, JointMaterial& joint) {
   joint.tensile_strength = value_or(field, "tensile_strength", 0.0, strength);
 }
 
+// Left after failure: not more than before.
+void read_residual_strength(const Field& field, JointMaterial& joint) {
+  if (const auto angle = field.find("residual_friction_angle")) {
+    joint.residual_friction_angle = read_friction_angle(*angle);
+    if (*joint.residual_friction_angle > joint.friction_angle) angle->fail("at most friction_angle");
+  }
+  if (const auto cohesion = field.find("residual_cohesion")) {
+    joint.residual_cohesion = cohesion->not_negative(Dimension::stress);
+    if (joint.residual_cohesion > joint.cohesion) cohesion->fail("at most cohesion");
+  }
+}
+
+void read_dilation(const Field& field, JointMaterial& joint) {
+  if (const auto angle = field.find("dilation_angle")) {
+    joint.dilation_angle = read_friction_angle(*angle);
+    if (joint.dilation_angle > joint.residual_friction_angle.value_or(joint.friction_angle))
+      angle->fail("at most the residual friction angle, beyond which sliding would create energy");
+  }
+  joint.zero_dilation_slip = value_or(field, "zero_dilation_slip", joint.zero_dilation_slip,
+                                      [](const Field& f) { return f.positive(Dimension::length); });
+}
+
 InterfaceLaw read_law(const Field& field) {
   using enum InterfaceLaw;
   return std::vector{consistent, cubic, classical}.at(field.choice({"consistent", "cubic", "classical"}));
@@ -88,19 +132,25 @@ JointMaterial read_joint(const std::string& name, const Field& field, const Sche
   joint.name = name;
   joint.law = value_or(field, "law", joint.law, read_law);
   read_strength(field, joint);
+  read_residual_strength(field, joint);
+  read_dilation(field, joint);
+  read_stiffness(field, joint);
   read_springs(field, joint);
   read_consistent_law(field, joint);
   return joint;
 }
 
-// A joint under another name than "default" that no pair uses would silently do nothing.
+// A joint under another name than "default" that no pair or line uses would silently do nothing.
 void refuse_unused_joints(const Field& scene, const Field& joints) {
   std::set<std::string> used = {"default"};
-  if (const auto pairs = scene.find("joint_pairs")) {
-    for (const Field& pair : pairs->items()) used.insert(pair.at("joint").text());
+  for (const char* key : {"joint_pairs", "joint_lines"}) {
+    const auto entries = scene.find(key);
+    if (!entries) continue;
+    for (const Field& entry : entries->items()) used.insert(entry.at("joint").text());
   }
   for (const auto& [name, field] : joints.members()) {
-    if (!used.contains(name)) field.fail("in no entry of joint_pairs", "\"default\" or a name that joint_pairs uses");
+    if (!used.contains(name))
+      field.fail("in no entry of joint_pairs or joint_lines", "\"default\" or a name that they use");
   }
 }
 

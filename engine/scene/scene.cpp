@@ -23,6 +23,7 @@ void read_blocks_and_joints(const Field& scene, const Scheme& scheme, Model& mod
 
 void read_what_acts(const Field& scene, Model& model) {
   const GroundPlan plan(model);
+  read_joint_lines(scene, plan, model);
   read_loads(scene, plan, model);
   read_supports(scene, plan, model);
   read_viscous_boundaries(scene, plan, model);

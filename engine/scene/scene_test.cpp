@@ -106,6 +106,50 @@ TEST(Scene, JointPairsBetweenGroupsMaterialsAndBlocks) {
   EXPECT_EQ(model.joint_between(2, 1).cohesion, 7);
 }
 
+TEST(Scene, ResidualStrengthAndDilationOfAJoint) {
+  const JointMaterial rough = bar_with(R"("joints": {"default": {"friction_angle": "40 deg", "cohesion": "2 MPa",
+      "residual_friction_angle": "30 deg", "residual_cohesion": "1 kPa", "dilation_angle": "6 deg",
+      "zero_dilation_slip": "5 mm"}})")
+                                  .joints[0];
+  EXPECT_DOUBLE_EQ(*rough.residual_friction_angle, std::numbers::pi / 6);
+  EXPECT_EQ(rough.residual_cohesion, 1e3);
+  EXPECT_DOUBLE_EQ(rough.dilation_angle, std::numbers::pi / 30);
+  EXPECT_EQ(rough.zero_dilation_slip, 5e-3);
+  const JointMaterial plain = bar_with(R"("joints": {"default": {"friction_angle": "40 deg"}})").joints[0];
+  EXPECT_FALSE(plain.residual_friction_angle);
+  EXPECT_EQ(plain.dilation_angle, 0);
+  EXPECT_TRUE(std::isinf(plain.zero_dilation_slip));
+}
+
+TEST(Scene, StiffnessPerAreaMakesAJointClassical) {
+  const auto joint_with = [](const std::string& entries) {
+    return bar_with(R"("joints": {"default": {)" + entries + "}}").joints[0];
+  };
+  const JointMaterial given = joint_with(R"("normal_stiffness": "20 GPa/m", "shear_stiffness": "8 MN/m3")");
+  EXPECT_EQ(given.law, InterfaceLaw::classical);
+  EXPECT_EQ(given.normal_stiffness, 20e9);
+  EXPECT_EQ(given.shear_stiffness, 8e6);
+  EXPECT_FALSE(given.automatic_stiffness);
+  const JointMaterial chosen = joint_with(R"("normal_stiffness": "auto", "law": "consistent")");
+  EXPECT_EQ(chosen.law, InterfaceLaw::consistent);
+  EXPECT_EQ(chosen.normal_stiffness, 0);
+  EXPECT_TRUE(chosen.automatic_stiffness);
+}
+
+TEST(Scene, JointLinesPartByPart) {
+  const Model model = parse_scene(R"({"dda": 1, "materials": {"rock": {"density": 1, "young": 1, "poisson": 0}},
+    "joints": {"default": {}, "fault": {"cohesion": 7}},
+    "joint_lines": [{"points": [[0, 1], [2, 1], [2, 0]], "joint": "fault"}],
+    "blocks": {"grid": {"columns": 3, "rows": 2, "block_width": 1, "block_height": 1}},
+    "steps": {"dt": 1, "duration": 1}})",
+                                  "scene.json");
+  ASSERT_EQ(model.joint_lines.size(), 2U);
+  EXPECT_EQ(model.joint_lines[0].from, Vec2(0, 1));
+  EXPECT_EQ(model.joint_lines[0].to, Vec2(2, 1));
+  EXPECT_EQ(model.joint_lines[1].to, Vec2(2, 0));
+  EXPECT_EQ(model.joints[static_cast<std::size_t>(model.joint_lines[1].joint)].name, "fault");
+}
+
 TEST(Scene, TotalForceOnAnEdgeIsSpreadOverAllItsStretches) {
   const Model model = bar_with(R"("loads": [{"edge": "top", "force": ["8 kN", 0]}])");
   ASSERT_EQ(model.edge_loads.size(), 2U);

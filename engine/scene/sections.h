@@ -22,6 +22,7 @@ void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups
 void read_gravity(const Field& scene, Model& model);
 
 // These need the blocks complete, as finish_model leaves them.
+void read_joint_lines(const Field& scene, const GroundPlan& plan, Model& model);
 void read_loads(const Field& scene, const GroundPlan& plan, Model& model);
 void read_supports(const Field& scene, const GroundPlan& plan, Model& model);
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model);

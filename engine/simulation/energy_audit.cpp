@@ -87,6 +87,11 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
   for (std::size_t end = 0; end < 2; ++end) {
     const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
     friction += (before.force(shear_row) + after.force(shear_row)) / 2 * (after.slip[end] - before.slip[end]);
+    // What sliding up its own slope gives back against the normal force is no loss.
+    const auto normal_row = shear_row - 1;
+    const double pressing =
+        (before.force(normal_row) + after.force(normal_row)) / 2 + extra_force(normal_row) - dashpot_force(normal_row);
+    friction += pressing * (after.dilation[end] - before.dilation[end]);
   }
   const double stored = interface_energy(element, after) - interface_energy(element, before);
   ledger_.friction += friction;

@@ -59,11 +59,24 @@ Status Simulation::find_contact_statuses() {
   start_trials();
   target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
   increment_.setZero();
+  int rises = 0;
   while (true) {
     const Status status = settle_contacts();
     if (status != Status::ok) return status;
+    if (plan_.dilation && !dilations_stand_still()) {
+      if (++rises <= stage().max_open_close_iterations) continue;
+      message_ = unsettled_message();
+      return Status::not_converged;
+    }
     if (!break_interfaces()) return Status::ok;
   }
+}
+
+bool Simulation::dilations_stand_still() {
+  double change = 0;
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    change = std::max(change, update_dilation(contacts_.elements[i], contacts_.strengths[i], trial_[i]));
+  return change <= negligible_force();
 }
 
 void Simulation::start_trials() {
@@ -150,7 +163,7 @@ void Simulation::add_contact_rhs() {
     const InterfaceElement& element = contacts_.elements[i];
     if (has_stress_rows(element)) continue;
     const InterfaceTrial& trial = trial_[i];
-    const Vec4 reached = trial.gap - contacts_.states[i].gap;
+    const Vec4 reached = trial.gap - contacts_.states[i].gap;  // dilation has moved the force, not the gap
     const Vec4 constant =
         trial.force - trial.active.cwiseProduct(element.stiffness).cwiseProduct(reached) - contacts_.states[i].force;
     if (!constant.isZero(0)) add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs_);
@@ -254,7 +267,7 @@ bool Simulation::break_interfaces() {
     if (has_stress_rows(contacts_.elements[i])) {
       weakened = weaken_consistent(i) || weakened;
     } else if (break_ends(contacts_.strengths[i], trial_[i])) {
-      respond(contacts_.elements[i], trial_[i]);
+      update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]);
       broke = true;
     }
   }

@@ -20,6 +20,12 @@ bool joins(const Interface& interface, int a, int b) {
   return (interface.block_a == a && interface.block_b == b) || (interface.block_a == b && interface.block_b == a);
 }
 
+[[noreturn]] void fail(const Measurement& measurement) {
+  throw InputError("", fmt::format("measurements \"{}\": point", measurement.name),
+                   fmt::format("[{}, {}]", measurement.point.x(), measurement.point.y()),
+                   "a point on an edge along which two blocks touch");
+}
+
 int interface_of(const Simulation& simulation, const Measurement& measurement) {
   const std::vector<Interface>& interfaces = simulation.contacts().interfaces;
   int nearest = -1;
@@ -31,18 +37,14 @@ int interface_of(const Simulation& simulation, const Measurement& measurement) {
     least = away;
     nearest = static_cast<int>(i);
   }
-  if (nearest >= 0 && least <= simulation.model().length_tolerance) return nearest;
-  throw InputError("", fmt::format("measurements \"{}\": point", measurement.name),
-                   fmt::format("[{}, {}]", measurement.point.x(), measurement.point.y()),
-                   "a point on an edge along which two blocks are bonded, or joined with cohesion or tensile strength");
+  if (nearest < 0 || least > simulation.model().length_tolerance) fail(measurement);
+  return nearest;
 }
 
-double traction(const Simulation& simulation, const Measurement& measurement, int interface) {
+Vec2 traction(const Simulation& simulation, int interface) {
   const auto i = static_cast<std::size_t>(interface);
   const ContactSet& contacts = simulation.contacts();
-  const Vec2 mean =
-      mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], simulation.interface_state(i));
-  return measurement.quantity == Quantity::traction_normal ? mean(0) : mean(1);
+  return mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], simulation.interface_state(i));
 }
 
 Vec2 point_acceleration(const Simulation& simulation, const Measurement& measurement) {
@@ -75,15 +77,30 @@ double block_value(const Simulation& simulation, const Measurement& measurement)
 }  // namespace
 
 Probes::Probes(const Simulation& simulation) {
-  for (const Measurement& measurement : simulation.model().measurements)
-    interfaces_.push_back(is_traction(measurement.quantity) ? interface_of(simulation, measurement) : -1);
+  for (const Measurement& measurement : simulation.model().measurements) {
+    Place& place = places_.emplace_back();
+    if (!is_traction(measurement.quantity)) continue;
+    if (simulation.follows_contacts()) {
+      place.edge = shared_edge(simulation.model(), measurement.block, measurement.other_block, measurement.point);
+      if (!place.edge) fail(measurement);
+    } else {
+      place.interface = interface_of(simulation, measurement);
+    }
+  }
 }
 
 void Probes::sample(const Simulation& simulation, std::span<double> values) const {
   const std::vector<Measurement>& measurements = simulation.model().measurements;
-  for (std::size_t i = 0; i < interfaces_.size(); ++i)
-    values[i] = interfaces_[i] < 0 ? block_value(simulation, measurements[i])
-                                   : traction(simulation, measurements[i], interfaces_[i]);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (!is_traction(measurements[i].quantity)) {
+      values[i] = block_value(simulation, measurements[i]);
+      continue;
+    }
+    const Vec2 mean = places_[i].edge ? traction_along(simulation.model(), simulation.state(), simulation.contacts(),
+                                                       *places_[i].edge)
+                                      : traction(simulation, places_[i].interface);
+    values[i] = measurements[i].quantity == Quantity::traction_normal ? mean(0) : mean(1);
+  }
 }
 
 }  // namespace dda

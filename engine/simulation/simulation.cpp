@@ -319,6 +319,7 @@ void Simulation::accept_step() {
   if (plan_.finite_kinematics) moved_ += largest_motion().share;
   state_.time += coefficients_.dt;
   accept_contacts();
+  if (plan_.contacts_can_change) note_penetrations(contacts_, terms_, state_.time, deepest_);
   accept_supports();
   sum_internal_forces(internal_new_);
   audit_.record(coefficients_, work, stored_energy(terms_, state_, contacts_, supports_),

@@ -28,6 +28,7 @@
 #include "dda/simulation/energy_audit.h"
 #include "dda/simulation/external_forces.h"
 #include "dda/simulation/linear_operators.h"
+#include "dda/simulation/penetration.h"
 #include "dda/simulation/step_coefficients.h"
 #include "dda/simulation/step_plan.h"
 #include "dda/simulation/support_set.h"
@@ -49,11 +50,15 @@ class Simulation {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const ContactSet& contacts() const { return contacts_; }
+  // Contacts are looked for anew as blocks move: their list changes from step to step.
+  [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
   // The state of one interface now. (In a linear scene it is not kept from step to step but computed here.)
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
   [[nodiscard]] const StepPlan& plan() const { return plan_; }
   [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }
   [[nodiscard]] Counters counters() const;
+  // Of all steps with contacts that can change.
+  [[nodiscard]] const Penetration& deepest_penetration() const { return deepest_; }
 
   // Largest unbalanced force of any unknown in the last step, internal against external without inertia, divided by the
   // largest load or weight: what is left on the way to static equilibrium.
@@ -95,6 +100,7 @@ class Simulation {
   void start_trials();
   [[nodiscard]] Status settle_contacts();
   [[nodiscard]] bool capacities_stand_still();
+  [[nodiscard]] bool dilations_stand_still();
   [[nodiscard]] Status solve_pass();
   [[nodiscard]] bool active_rows_changed();
   void add_contact_rhs();
@@ -162,6 +168,7 @@ class Simulation {
   bool matrix_is_current_ = false;
   std::optional<LinearOperators> linear_;  // only in a linear stage
   Counters counters_;
+  Penetration deepest_;
   std::string message_;
 
   // 6 entries a block.

@@ -16,7 +16,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t magic = 0x3250414e53414444;  // "DDASNAP2", read as a little-endian number
+constexpr std::uint64_t magic = 0x3350414e53414444;  // "DDASNAP3", read as a little-endian number
 constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a damaged file
 
 class Writer {
@@ -94,11 +94,13 @@ void geometry(Archive& archive, Element& element) {
 
 template <typename Archive, typename AnyState>
 void contact_state(Archive& archive, AnyState& state) {
-  auto& [gap, force, status, broken, slip] = state;
+  auto& [gap, force, status, broken, slip, residual, dilation] = state;
   matrices(archive, gap, force);
   archive.number(status);
   archive.number(broken);
   archive.number(slip);
+  archive.number(residual);
+  archive.number(dilation);
 }
 
 }  // namespace
@@ -236,6 +238,7 @@ struct SnapshotAccess {
     for (auto& share : s.static_out_of_balance_) archive.number(share);
     archive.number(s.audit_.ledger_);
     archive.number(s.audit_.replaced_);
+    archive.number(s.deepest_);
     archive.number(s.plan_.chi);
     archive.number(s.plan_.solver);
   }

@@ -31,6 +31,8 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
   plan.viscous_edges = !model.viscous_edges.empty();
   plan.contacts = !contacts.interfaces.empty();
   plan.contacts_can_change = contacts.can_change;
+  plan.dilation = plan.contacts_can_change && std::any_of(model.joints.begin(), model.joints.end(),
+                                                          [](const auto& joint) { return joint.dilation_angle > 0; });
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
   plan.linear = !plan.contacts_can_change && !plan.finite_kinematics;
   plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
@@ -50,6 +52,7 @@ std::vector<std::string> StepPlan::describe() const {
   add(supports, moving_supports ? "supports, moving" : "supports");
   add(viscous_edges, "viscous boundary");
   add(contacts, contacts_can_change ? "contacts: open-close iteration" : "contacts: bonded, never judged");
+  add(dilation, "dilation of joints that slide");
   add(linear, "linear: forces by one constant matrix");
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
   add(!finite_kinematics, "geometry: as drawn, matrix built once");

@@ -18,6 +18,7 @@ struct StepPlan {
   bool viscous_edges = false;
   bool contacts = false;
   bool contacts_can_change = false;  // runs the open-close iteration
+  bool dilation = false;             // some joint opens as it slides
   bool finite_kinematics = false;    // geometry and matrix are rebuilt every step
   bool linear = false;               // nothing can change: forces are one product with a constant matrix
   bool velocity_damping = false;

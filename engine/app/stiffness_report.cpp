@@ -1,0 +1,41 @@
+#include "dda/app/stiffness_report.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "dda/contact/contact_set.h"
+
+namespace dda {
+namespace {
+
+bool has_finite_kinematics(const Model& model) {
+  return std::any_of(model.stages.begin(), model.stages.end(),
+                     [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
+}
+
+void add(const Model& model, const Interface& interface, std::optional<JointSurvey>& survey) {
+  const double per_area = 2 * springs_of(model, interface).normal / interface.length;
+  const StiffnessErrors errors = stiffness_errors(model, interface);
+  if (!survey) survey = JointSurvey{per_area, per_area, errors};
+  survey->softest = std::min(survey->softest, per_area);
+  survey->stiffest = std::max(survey->stiffest, per_area);
+  survey->worst.compliance = std::max(survey->worst.compliance, errors.compliance);
+  survey->worst.penetration = std::max(survey->worst.penetration, errors.penetration);
+}
+
+}  // namespace
+
+std::vector<std::optional<JointSurvey>> survey_joints(const Model& model) {
+  std::vector<std::optional<JointSurvey>> joints(model.joints.size());
+  const ContactSet drawn = make_contacts(model);
+  const bool finite = has_finite_kinematics(model);
+  for (std::size_t i = 0; i < drawn.interfaces.size(); ++i) {
+    const Interface& interface = drawn.interfaces[i];
+    const auto joint = static_cast<std::size_t>(interface.joint);
+    const bool springs = drawn.elements[i].law == InterfaceLaw::classical || (finite && is_dry(model.joints[joint]));
+    if (springs && interface.length > 0) add(model, interface, joints[joint]);
+  }
+  return joints;
+}
+
+}  // namespace dda

@@ -1,0 +1,22 @@
+// What the springs of joints do to the result, before anything is run.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dda/contact/joint_stiffness.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+// Over all drawn stretches of a joint that are closed by springs.
+struct JointSurvey {
+  double softest = 0, stiffest = 0;  // normal stiffness per area, Pa/m
+  StiffnessErrors worst;
+};
+
+// One entry a joint; none where it has no such stretch: springs follow the classical law, and finite kinematics where
+// blocks are neither bonded nor joined with cohesion or tensile strength.
+std::vector<std::optional<JointSurvey>> survey_joints(const Model& model);
+
+}  // namespace dda

@@ -1,0 +1,68 @@
+#include "dda/contact/joint_stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace dda {
+namespace {
+
+const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
+
+double softer_young(const Model& model, const Interface& interface) {
+  return std::min(model.material_of(interface.block_a).young, model.material_of(interface.block_b).young);
+}
+
+// A lower bound of the width of a block in any direction: its area over the diameter of a disk that holds it.
+double thickness(const Block& block) {
+  double radius = 0;
+  for (const Vec2& vertex : block.shape.outer) radius = std::max(radius, (vertex - block.moments.centroid).norm());
+  return block.moments.area / (2 * radius);
+}
+
+double longest_step(const Model& model) {
+  double dt = 0;
+  for (const Stage& stage : model.stages) dt = std::max(dt, stage.dt);
+  return dt;
+}
+
+double chosen_spring(const Model& model, const Interface& interface) {
+  const double across =
+      std::min(thickness(block_of(model, interface.block_a)), thickness(block_of(model, interface.block_b)));
+  const double per_area = std::max(softer_young(model, interface) / (compliance_target * across),
+                                   model.expected_pressure / (penetration_target * across));
+  const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));
+  const double dt = longest_step(model);
+  const double wanted = per_area * interface.share;
+  return dt > 0 ? std::min(wanted, largest_chi * mass / (dt * dt)) : wanted;
+}
+
+}  // namespace
+
+Springs springs_of(const Model& model, const Interface& interface) {
+  const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
+  double normal = joint.normal_spring;
+  if (joint.automatic_stiffness) {
+    normal = chosen_spring(model, interface);
+  } else if (joint.normal_stiffness > 0) {
+    normal = joint.normal_stiffness * interface.share;
+  } else if (normal == 0) {
+    normal = joint.spring_over_young * softer_young(model, interface);
+  }
+  return {normal, joint.shear_stiffness > 0 ? joint.shear_stiffness * interface.share : joint.shear_to_normal * normal};
+}
+
+StiffnessErrors stiffness_errors(const Model& model, const Interface& interface) {
+  const auto half_block = [&](int block) {
+    return extent_along(block_of(model, block).shape.outer, interface.normal) / (2 * model.material_of(block).young);
+  };
+  const double per_area = 2 * springs_of(model, interface).normal / interface.length;
+  const double smaller =
+      std::min(block_size(block_of(model, interface.block_a)), block_size(block_of(model, interface.block_b)));
+  return {1 / (per_area * (half_block(interface.block_a) + half_block(interface.block_b))),
+          model.expected_pressure / (per_area * smaller)};
+}
+
+double block_size(const Block& block) { return std::sqrt(block.moments.area); }
+
+}  // namespace dda

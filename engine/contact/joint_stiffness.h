@@ -1,0 +1,39 @@
+// Stiffness of classical joints, and the errors it brings.
+//
+// A joint may give the spring of a contact (N/m, or in multiples of Young's modulus), a stiffness per area (Pa/m), or
+// leave the choice to the engine. Chosen is, per area,
+//   k_n = max(E / (compliance_target t), p / (penetration_target t)), but k_n share dt^2 / m at most largest_chi
+// E: Young's modulus of the softer block; t, m: the smaller thickness and mass; p: Model::expected_pressure; dt: the
+// longest step of any stage; share: the length for which the contact stands. The first term makes a joint add at most
+// compliance_target to the compliance of the blocks beside it, the second lets it be pressed in by at most
+// penetration_target of a block whatever lies above. The limit keeps half of the digits of a solve.
+#pragma once
+
+#include "dda/contact/interface.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+inline constexpr double compliance_target = 0.01;
+inline constexpr double penetration_target = 1e-4;
+inline constexpr double largest_chi = 1e8;
+
+struct Springs {
+  double normal = 0, shear = 0;  // N/m per m of thickness, of one spring
+};
+
+Springs springs_of(const Model& model, const Interface& interface);
+
+// What the springs of a stretch under the classical law do to the result, to first order.
+struct StiffnessErrors {
+  double compliance = 0;   // of the joint, over that of the two half blocks beside it: E/(k_n L) between equal blocks
+  double penetration = 0;  // under Model::expected_pressure, over the size of the smaller block
+};
+
+// Stretches only.
+StiffnessErrors stiffness_errors(const Model& model, const Interface& interface);
+
+// Size of a block, m: the side of the square with its area.
+double block_size(const Block& block);
+
+}  // namespace dda

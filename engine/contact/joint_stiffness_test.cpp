@@ -1,0 +1,124 @@
+#include "dda/contact/joint_stiffness.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dda/contact/contact_models.h"
+#include "dda/contact/interface_element.h"
+#include "dda/contact/moving_contacts.h"
+
+namespace dda {
+namespace {
+
+// Two blocks of 2 by 1 m above each other, 2600 kg/m3 and 1 GPa.
+Model stack(const JointMaterial& joint) {
+  Model model = model_of({{box_ring(0, 0, 2, 1), {}}, {box_ring(0, 1, 2, 2), {}}});
+  model.joints = {joint};
+  model.gravity = {0, -10};
+  finish_model(model);
+  return model;
+}
+
+Springs springs_of_the_joint(const Model& model) { return springs_of(model, find_interfaces(model).at(0)); }
+
+JointMaterial given(double normal, double shear) {
+  JointMaterial joint;
+  joint.law = InterfaceLaw::classical;
+  joint.normal_stiffness = normal;
+  joint.shear_stiffness = shear;
+  return joint;
+}
+
+JointMaterial automatic() {
+  JointMaterial joint;
+  joint.law = InterfaceLaw::classical;
+  joint.automatic_stiffness = true;
+  return joint;
+}
+
+TEST(JointStiffness, EachEndTakesItsHalf) {
+  const Springs both = springs_of_the_joint(stack(given(3e9, 2e9)));
+  EXPECT_DOUBLE_EQ(both.normal, 3e9);  // of 2 m
+  EXPECT_DOUBLE_EQ(both.shear, 2e9);
+  EXPECT_DOUBLE_EQ(springs_of_the_joint(stack(given(3e9, 0))).shear, 0.4 * 3e9);
+}
+
+TEST(JointStiffness, SpringsAsBefore) {
+  JointMaterial joint = given(0, 0);
+  EXPECT_DOUBLE_EQ(springs_of_the_joint(stack(joint)).normal, 10e9);
+  joint.normal_spring = 7e8;
+  joint.shear_to_normal = 0.5;
+  EXPECT_DOUBLE_EQ(springs_of_the_joint(stack(joint)).normal, 7e8);
+  EXPECT_DOUBLE_EQ(springs_of_the_joint(stack(joint)).shear, 3.5e8);
+}
+
+TEST(JointStiffness, AMovingContactTakesHalfOfWhatItsEdgesHaveInCommon) {
+  Model model = stack(given(3e9, 0));
+  ContactSet contacts = make_contacts(model);
+  State state = initial_state(model);
+  MovingContacts moving(model, state, contacts);
+  const auto expect_springs = [&](double length) {
+    ASSERT_EQ(contacts.elements.size(), 2U);
+    for (const InterfaceElement& element : contacts.elements) {
+      EXPECT_NEAR(element.stiffness(0), 3e9 * length / 2, 1) << length;
+      EXPECT_NEAR(element.stiffness(1), 0.4 * 3e9 * length / 2, 1) << length;
+    }
+  };
+  expect_springs(2);
+  state.displacement[1](0) = 0.5;
+  moving.follow(model, state, contacts);
+  expect_springs(1.5);
+  state.displacement[1](0) = -1.99;  // a corner on a corner: 5 % of the size, sqrt(2) m
+  moving.follow(model, state, contacts);
+  expect_springs(2 * 0.05 * std::sqrt(2));
+}
+
+// E/(k_n L) between equal blocks, and pressure/k_n over their size.
+TEST(JointStiffness, ErrorsByHand) {
+  const Model model = stack(given(20e9, 0));
+  EXPECT_DOUBLE_EQ(model.expected_pressure, 2600 * 10 * 2);
+  const StiffnessErrors errors = stiffness_errors(model, find_interfaces(model).at(0));
+  EXPECT_NEAR(errors.compliance, 1e9 / 20e9, 1e-15);
+  EXPECT_NEAR(errors.penetration, 52e3 / 20e9 / std::sqrt(2), 1e-18);
+}
+
+// Whatever the shape, the extent of the scene and the size of its blocks, the two targets are met.
+TEST(JointStiffness, ChosenStiffnessMeetsItsTargets) {
+  for (const double size : {1e-3, 1.0, 50.0}) {
+    for (const double gravity : {0.0, 10.0, 1e4 / size}) {
+      for (const double flatness : {0.1, 1.0, 8.0}) {
+        Model model = model_of({{box_ring(0, 0, size, flatness * size), {}},
+                                {box_ring(0, flatness * size, size, 2 * flatness * size), {}},
+                                {box_ring(size, 0, 2 * size, 3 * size), {}}});
+        model.joints = {automatic()};
+        model.gravity = {0, -gravity};
+        finish_model(model);
+        for (const Interface& interface : find_interfaces(model)) {
+          const StiffnessErrors errors = stiffness_errors(model, interface);
+          EXPECT_LE(errors.compliance, compliance_target) << size << ' ' << gravity << ' ' << flatness;
+          EXPECT_LE(errors.penetration, penetration_target) << size << ' ' << gravity << ' ' << flatness;
+          const double larger =
+              std::max(errors.compliance / compliance_target, errors.penetration / penetration_target);
+          EXPECT_GT(larger, 0.05) << "much stiffer than asked for: " << size << ' ' << gravity << ' ' << flatness;
+        }
+      }
+    }
+  }
+}
+
+TEST(JointStiffness, LongStepsSoftenTheChoice) {
+  Model model = stack(automatic());
+  const double free = springs_of_the_joint(model).normal;
+  Stage stage;
+  stage.dt = 1e-3;
+  stage.duration = 1;
+  model.stages = {stage};
+  EXPECT_EQ(springs_of_the_joint(model).normal, free);
+  model.stages[0].dt = 10;
+  EXPECT_DOUBLE_EQ(springs_of_the_joint(model).normal, largest_chi * 5200 / 100);
+  EXPECT_LT(springs_of_the_joint(model).normal, free);
+}
+
+}  // namespace
+}  // namespace dda

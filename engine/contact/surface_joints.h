@@ -1,0 +1,42 @@
+// Which joint lies where two blocks touch: that of a joint line, else that of the pair of blocks.
+//
+// Lines belong to the drawing. What stays where it was found (stretches, lone vertices) has the joint of the line it
+// lies on. Blocks that move take with them the parts of their edges that were drawn along a line: a contact has the
+// joint of the surface that has one, whichever of the two; where two such surfaces with different joints meet, it has
+// that of the pair of blocks, as if there were no lines.
+#pragma once
+
+#include <vector>
+
+#include "dda/contact/outlines.h"
+#include "dda/contact/vertex_contact.h"
+#include "dda/geometry/segment.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+// Index of the joint of a drawn stretch, or of a point (start == end), along which two blocks touch. A line must run
+// along more than half of a stretch.
+int joint_of_stretch(const Model& model, int block_a, int block_b, const Segment& stretch);
+
+class SurfaceJoints {
+ public:
+  // `outlines` of the blocks as drawn.
+  SurfaceJoints(const Model& model, const Outlines& outlines);
+
+  // Index of the joint of a contact where it is now.
+  [[nodiscard]] int joint_of(const Model& model, const Outlines& outlines, const VertexContact& contact) const;
+
+ private:
+  struct Part {
+    int edge = 0;             // number of its first vertex in Outlines
+    double from = 0, to = 1;  // shares of its length
+    int joint = 0;
+  };
+
+  [[nodiscard]] int joint_at(int edge, double place) const;  // -1: none
+
+  std::vector<Part> parts_;  // by edge; of one edge in the order of lines
+};
+
+}  // namespace dda

@@ -1,0 +1,111 @@
+#include "dda/contact/surface_joints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "dda/contact/contact_models.h"
+#include "dda/contact/contact_search.h"
+#include "dda/contact/contact_set.h"
+
+namespace dda {
+namespace {
+
+JointMaterial joint_called(const std::string& name) {
+  JointMaterial joint;
+  joint.name = name;
+  return joint;
+}
+
+// Joints 0 (default), 1 and 2.
+void give_joints(Model& model, const std::vector<JointLine>& lines) {
+  model.joints = {joint_called("default"), joint_called("one"), joint_called("two")};
+  model.joint_lines = lines;
+  finish_model(model);
+}
+
+// Two by two squares of 1 m, numbered row by row from below.
+Model squares() {
+  return model_of(
+      {{box_ring(0, 0, 1, 1), {}}, {box_ring(1, 0, 2, 1), {}}, {box_ring(0, 1, 1, 2), {}}, {box_ring(1, 1, 2, 2), {}}});
+}
+
+std::vector<int> joints_of(const Model& model) {
+  std::vector<int> joints;
+  for (const Interface& interface : find_interfaces(model)) joints.push_back(interface.joint);
+  return joints;
+}
+
+// Interfaces are those of blocks 0-1, 0-2, 1-3 and 2-3.
+TEST(SurfaceJoints, StretchesOnALineHaveItsJoint) {
+  Model model = squares();
+  give_joints(model, {{{0, 1}, {2, 1}, 1}});
+  EXPECT_EQ(joints_of(model), (std::vector{0, 1, 1, 0}));
+  give_joints(model, {{{2, 1}, {0, 1}, 1}});
+  EXPECT_EQ(joints_of(model), (std::vector{0, 1, 1, 0})) << "either way round";
+  give_joints(model, {{{0, 1}, {2, 1}, 1}, {{0, 1}, {1, 1}, 2}});
+  EXPECT_EQ(joints_of(model), (std::vector{0, 2, 1, 0})) << "a later line goes before an earlier one";
+  give_joints(model, {{{0.3, 1}, {1.3, 1}, 1}});
+  EXPECT_EQ(joints_of(model), (std::vector{0, 1, 0, 0})) << "more than half of a stretch";
+  give_joints(model, {{{0, 0.999}, {2, 0.999}, 1}, {{0, 0}, {2, 2}, 2}});
+  EXPECT_EQ(joints_of(model), (std::vector{0, 0, 0, 0})) << "beside the joint, and across it";
+}
+
+TEST(SurfaceJoints, LinesGoBeforePairs) {
+  Model model = squares();
+  model.joint_of_block_pair = {{{0, 1}, 2}, {{0, 2}, 2}};
+  give_joints(model, {{{0, 1}, {2, 1}, 1}});
+  EXPECT_EQ(joints_of(model), (std::vector{2, 1, 1, 0}));
+}
+
+TEST(SurfaceJoints, ALoneVertexOnALineHasItsJoint) {
+  Model model = model_of({{box_ring(0, -1, 3, 0), {}}, {{{1.5, 0}, {2, 1}, {1, 1}}, {}}});
+  give_joints(model, {{{0, 0}, {3, 0}, 1}});
+  EXPECT_EQ(joints_of(model), (std::vector{1}));
+  give_joints(model, {{{0, 0}, {1.4, 0}, 1}});
+  EXPECT_EQ(joints_of(model), (std::vector{0}));
+}
+
+// Joints of the contacts on the box, of those that carry on the floor, once the box is at `x`.
+class OnAFloor : public testing::Test {
+ protected:
+  std::vector<int> joints_at(double x, const std::vector<JointLine>& lines) {
+    Model model = model_of({{box_ring(0, -1, 9, 0), {}}, {box_ring(0, 0, 1, 1), {}}});
+    model.joint_of_block_pair = {{{0, 1}, 2}};
+    give_joints(model, lines);
+    State state = initial_state(model);
+    const SurfaceJoints joints(model, make_outlines(model, state));
+    state.displacement[1](0) += x;
+    const ContactSearch search(model, state);
+    std::vector<int> found;
+    for (const VertexContact& contact : search.find({}))
+      if (std::abs(contact.normal.y()) > 0.5) found.push_back(joints.joint_of(model, search.outlines(), contact));
+    return found;
+  }
+};
+
+TEST_F(OnAFloor, ABlockTakesTheJointOfItsSurfaceWithIt) {
+  const std::vector<JointLine> under_the_box = {{{0, 0}, {1, 0}, 1}};
+  EXPECT_EQ(joints_at(0, under_the_box), (std::vector{1, 1}));
+  EXPECT_EQ(joints_at(5, under_the_box), (std::vector{1, 1}));
+  EXPECT_EQ(joints_at(8.5, under_the_box), (std::vector{1, 1})) << "the floor's corner under the box";
+}
+
+TEST_F(OnAFloor, TheFloorKeepsItsOwn) {
+  const std::vector<JointLine> right_of_it = {{{3, 0}, {9, 0}, 1}};
+  EXPECT_EQ(joints_at(0, right_of_it), (std::vector{2, 2})) << "that of the pair";
+  EXPECT_EQ(joints_at(5, right_of_it), (std::vector{1, 1}));
+  EXPECT_EQ(joints_at(2.5, right_of_it), (std::vector{2, 1})) << "half on it";
+}
+
+TEST_F(OnAFloor, WhereSurfacesDifferThePairDecides) {
+  const std::vector<JointLine> both = {{{0, 0}, {1, 0}, 1}, {{3, 0}, {9, 0}, 0}};
+  EXPECT_EQ(joints_at(0, both), (std::vector{1, 1}));
+  EXPECT_EQ(joints_at(1.5, both), (std::vector{1, 1}));
+  EXPECT_EQ(joints_at(5, both), (std::vector{2, 2}));
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,29 @@
+#include "dda/simulation/penetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace dda {
+namespace {
+
+// m, of the end that is in deeper; not positive where nothing is pressed.
+double depth_of(const InterfaceElement& element, const Vec4& gap) {
+  if (has_stress_rows(element)) return std::abs(gap(2)) - gap(0);
+  return element.length > 0 ? -std::min(gap(0), gap(2)) : -gap(0);
+}
+
+}  // namespace
+
+void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, double time, Penetration& deepest) {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    const double depth = depth_of(element, contacts.states[i].gap);
+    const double area = std::min(terms.area[static_cast<std::size_t>(element.block_a)],
+                                 terms.area[static_cast<std::size_t>(element.block_b)]);
+    if (depth <= 0 || depth * depth <= deepest.share * deepest.share * area) continue;
+    deepest = {depth, depth / std::sqrt(area), element.block_a, element.block_b, time};
+  }
+}
+
+}  // namespace dda

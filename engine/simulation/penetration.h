@@ -1,0 +1,24 @@
+// The deepest that blocks were pressed into each other in a run.
+#pragma once
+
+#include <vector>
+
+#include "dda/contact/contact_set.h"
+#include "dda/simulation/block_terms.h"
+
+namespace dda {
+
+struct Penetration {
+  double depth = 0;  // m
+  double share = 0;  // of the size of the smaller block
+  int block_a = -1, block_b = -1;
+  double time = 0;  // s
+};
+
+// Beyond this share a run is doubtful: joints are too soft for what presses them, or a step too long for an impact.
+inline constexpr double tolerated_penetration = 0.01;
+
+// Takes note of contacts that are pressed in deeper than any before.
+void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, double time, Penetration& deepest);
+
+}  // namespace dda

@@ -27,10 +27,13 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
   plan.gravity = !model.gravity.isZero();
   plan.supports = !model.supports.empty();
   plan.moving_supports = std::any_of(model.supports.begin(), model.supports.end(),
-                                     [](const PointSupport& support) { return !support.displacement.isZero(); });
+                                     [](const PointSupport& support) { return !support.amplitude.isZero(0); });
+  plan.held_blocks = !model.held_blocks.empty();
   plan.viscous_edges = !model.viscous_edges.empty();
   plan.contacts = !contacts.interfaces.empty();
-  plan.contacts_can_change = contacts.can_change;
+  plan.bolts = !model.bolts.empty();
+  plan.contacts_can_change = contacts.can_change || plan.bolts;
+  plan.contacts_judged = contacts.can_change;
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
   plan.linear = !plan.contacts_can_change && !plan.finite_kinematics;
   plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
@@ -48,8 +51,10 @@ std::vector<std::string> StepPlan::describe() const {
   add(loads, "loads");
   add(gravity, "gravity");
   add(supports, moving_supports ? "supports, moving" : "supports");
+  add(held_blocks, "held blocks: taken out of the system");
+  add(bolts, "bolts: open-close iteration");
   add(viscous_edges, "viscous boundary");
-  add(contacts, contacts_can_change ? "contacts: open-close iteration" : "contacts: bonded, never judged");
+  add(contacts, contacts_judged ? "contacts: open-close iteration" : "contacts: bonded, never judged");
   add(linear, "linear: forces by one constant matrix");
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
   add(!finite_kinematics, "geometry: as drawn, matrix built once");

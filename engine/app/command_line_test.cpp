@@ -343,7 +343,8 @@ TEST_P(Example, ChecksAndRuns) {
 
 std::vector<std::string> example_names() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(DDA_EXAMPLES)) names.push_back(entry.path().stem());
+  for (const auto& entry : std::filesystem::directory_iterator(DDA_EXAMPLES))
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <vector>
 
+#include "dda/app/recording_report.h"
 #include "dda/app/stiffness_report.h"
 #include "dda/app/wave_survey.h"
 #include "dda/contact/contact_set.h"
@@ -126,15 +127,34 @@ void add_stiffness(const Model& model, Text& text) {
   }
 }
 
+void add_bolts(const Model& model, Text& text) {
+  std::size_t links = 0;
+  for (const Bolt& bolt : model.bolts) links += bolt.links.size();
+  text.line("bolts", "{}, {}", model.bolts.size(), count(links, "link"));
+}
+
+std::string place_of(const Model& model, const Measurement& measurement) {
+  if (measurement.bolt < 0)
+    return fmt::format("at [{:.6g}, {:.6g}], block \"{}\"", measurement.point.x(), measurement.point.y(),
+                       model.blocks[static_cast<std::size_t>(measurement.block)].name);
+  const Bolt& bolt = model.bolts[static_cast<std::size_t>(measurement.bolt)];
+  if (measurement.link < 0) return fmt::format("of \"{}\"", bolt.name);
+  const BoltLink& link = bolt.links[static_cast<std::size_t>(measurement.link)];
+  return fmt::format("of \"{}\" between \"{}\" and \"{}\"", bolt.name,
+                     model.blocks[static_cast<std::size_t>(link.block_a)].name,
+                     model.blocks[static_cast<std::size_t>(link.block_b)].name);
+}
+
 void add_what_acts(const Model& model, Text& text) {
   text.line("loads", "{}, {}, gravity [{:.6g}, {:.6g}] m/s2", count(model.point_loads.size(), "point load"),
             count(model.edge_loads.size(), "edge load"), model.gravity.x(), model.gravity.y());
-  text.line("held by", "{}, {}", count(model.supports.size(), "point support"),
-            count(model.viscous_edges.size(), "absorbing edge"));
+  for (const std::string& line : describe_recordings(model)) text.line("record", "{}", line);
+  text.line("held by", "{}, {}, {}", count(model.supports.size(), "point support"),
+            count(model.held_blocks.size(), "whole block"), count(model.viscous_edges.size(), "absorbing edge"));
+  if (!model.bolts.empty()) add_bolts(model, text);
   for (const Measurement& measurement : model.measurements)
-    text.line("measured", "{} [{}]: {} at [{:.6g}, {:.6g}], block \"{}\"", measurement.name,
-              unit_of(measurement.quantity), to_string(measurement.quantity), measurement.point.x(),
-              measurement.point.y(), model.blocks[static_cast<std::size_t>(measurement.block)].name);
+    text.line("measured", "{} [{}]: {} {}", measurement.name, unit_of(measurement.quantity),
+              to_string(measurement.quantity), place_of(model, measurement));
 }
 
 void add_stage(const Model& model, const Stage& stage, const ContactSet& contacts, const BlockMatrix& matrix,
@@ -147,6 +167,7 @@ void add_stage(const Model& model, const Stage& stage, const ContactSet& contact
                          std::llround(stage.duration / stage.dt), stage.dt, stage.duration, stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
+  for (const std::string& line : warn_of_recordings(model, stage)) text.plain("  " + line);
 }
 
 double megabytes(const Model& model, const ContactSet& contacts, const BlockMatrix& matrix, double factor_nonzeros) {
@@ -206,7 +227,8 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   const Simulation simulation(model);
   const Probes probes(simulation);
   const ContactSet& contacts = simulation.contacts();
-  const BlockMatrix matrix = make_system_matrix(static_cast<int>(model.blocks.size()), contacts);
+  const BlockMatrix matrix =
+      make_system_matrix(static_cast<int>(model.blocks.size()), contacts, simulation.bolts().pairs());
   Text text;
   if (!model.title.empty()) text.plain(model.title + '\n');
   add_blocks(model, text);

@@ -127,6 +127,7 @@ std::optional<double> highest_sine_frequency(const Model& model) {
   for (const PointLoad& load : model.point_loads) visit(load.history);
   for (const EdgeLoad& load : model.edge_loads) visit(load.history);
   for (const PointSupport& support : model.supports) visit(support.history);
+  for (const HeldBlock& held : model.held_blocks) visit(held.history);
   return highest;
 }
 

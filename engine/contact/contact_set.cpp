@@ -15,7 +15,8 @@ Vec2 moved(const Model& model, const State& state, int block, const Vec2& refere
 }
 
 bool stays_linear(const Model& model) {
-  return std::all_of(model.joints.begin(), model.joints.end(),
+  return model.bolts.empty() &&
+         std::all_of(model.joints.begin(), model.joints.end(),
                      [](const JointMaterial& joint) { return joint.bonded; }) &&
          std::all_of(model.stages.begin(), model.stages.end(),
                      [](const Stage& stage) { return stage.kinematics == Kinematics::small; });

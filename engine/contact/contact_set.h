@@ -20,8 +20,8 @@ struct ContactSet {
   bool can_change = false;  // some joint can open, slide or break
 };
 
-// Cubic joints become consistent ones unless all joints are bonded and all stages have small kinematics: only then is
-// the inertia between blocks constant.
+// Cubic joints become consistent ones unless all joints are bonded, all stages have small kinematics and there are no
+// bolts: only then is the inertia between blocks constant.
 ContactSet make_contacts(const Model& model);
 
 // The state of a bonded interface whose geometry stays, from the blocks' total displacements and current stresses

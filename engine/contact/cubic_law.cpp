@@ -79,6 +79,7 @@ std::vector<bool> cubic_candidates(const Model& model, const std::vector<Interfa
       in_chain[i] = in_chain[i] && interface.length > 0 && std::abs(chain[i].dot(interface.normal)) > 1 - 1e-12;
     }
   }
+  for (const HeldBlock& held : model.held_blocks) in_chain[static_cast<std::size_t>(held.block)] = false;
   for (const EdgeLoad& load : model.edge_loads) touch_side(load.block, load.to - load.from);
   for (const ViscousEdge& edge : model.viscous_edges) touch_side(edge.block, edge.to - edge.from);
   std::vector<bool> candidates;

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "dda/geometry/segment.h"
 #include "dda/model/check_parts.h"
@@ -37,11 +39,18 @@ void check_history(const Item& item, const ExponentialDecay& decay) {
   item.finite("history start", decay.start);
 }
 
+void check_history(const Item& item, const Recorded& recorded) {
+  if (!recorded.recording) item.fail("history", "a recording without samples", "samples");
+  item.finite("history start", recorded.start);
+}
+
 void check_history(const Item& item, const TimeFunction& history) {
   std::visit([&item](const auto& f) { check_history(item, f); }, history);
 }
 
 const Polygon& shape_of(const Model& model, int block) { return model.blocks[static_cast<std::size_t>(block)].shape; }
+
+}  // namespace
 
 void check_point(const Model& model, const Item& item, int block, const Vec2& point) {
   item.index("block", block, model.blocks.size());
@@ -49,6 +58,8 @@ void check_point(const Model& model, const Item& item, int block, const Vec2& po
   if (locate(shape_of(model, block), point, point_tolerance(model)) != Location::outside) return;
   item.fail("point", fmt::format("({}, {}) m", point.x(), point.y()), "a point of its block");
 }
+
+namespace {
 
 double distance_to_outline(const Ring& ring, const Vec2& point) {
   double least = distance(Segment{ring.back(), ring.front()}, point);
@@ -75,9 +86,40 @@ void check_stretch(const Model& model, const Item& item, int block, const Vec2& 
 void check_support(const Model& model, const Item& item, const PointSupport& support) {
   check_point(model, item, support.block, support.point);
   item.positive("stiffness", support.stiffness);
-  item.finite("displacement", support.displacement);
+  item.finite("amplitude", support.amplitude);
+  if (!support.direction.isZero(0)) {
+    item.finite("direction", support.direction);
+    item.within("direction length", support.direction.norm(), 1 - 1e-9, 1 + 1e-9);
+  }
   if (!support.holds_x && !support.holds_y) item.fail("hold", "neither x nor y", "at least one direction");
   check_history(item, support.history);
+}
+
+bool has_viscous_edge(const Model& model, int block) {
+  return std::any_of(model.viscous_edges.begin(), model.viscous_edges.end(),
+                     [block](const ViscousEdge& edge) { return edge.block == block; });
+}
+
+bool has_small_stage(const Model& model) {
+  return std::any_of(model.stages.begin(), model.stages.end(),
+                     [](const Stage& stage) { return stage.kinematics == Kinematics::small; });
+}
+
+// What a held block cannot have, as its motion is prescribed.
+void check_held_block(const Model& model, const Item& item, const HeldBlock& held) {
+  item.index("block", held.block, model.blocks.size());
+  item.finite("amplitude", held.amplitude);
+  item.finite("turn", held.turn);
+  item.finite("about", held.about);
+  check_history(item, held.history);
+  const Block& block = model.blocks[static_cast<std::size_t>(held.block)];
+  const std::string name = fmt::format("\"{}\"", block.name);
+  if (!block.initial_velocity.isZero(0) || block.initial_spin != 0)
+    item.fail("block", name + " with an initial velocity or spin", "a block without, as its motion is prescribed");
+  if (has_viscous_edge(model, held.block))
+    item.fail("block", name + " with a viscous boundary", "a block without, as its motion is prescribed");
+  if (held.turn != 0 && has_small_stage(model))
+    item.fail("turn", fmt::format("{} rad", held.turn), "finite kinematics in all stages where a block is turned");
 }
 
 }  // namespace
@@ -101,6 +143,18 @@ void check_loads(const Model& model) {
 
 void check_supports(const Model& model) {
   for (std::size_t i = 0; i < model.supports.size(); ++i) check_support(model, Item("supports", i), model.supports[i]);
+}
+
+void check_held_blocks(const Model& model) {
+  std::vector<bool> seen(model.blocks.size(), false);
+  for (std::size_t i = 0; i < model.held_blocks.size(); ++i) {
+    const Item item("held_blocks", i);
+    check_held_block(model, item, model.held_blocks[i]);
+    const auto block = static_cast<std::size_t>(model.held_blocks[i].block);
+    if (seen[block])
+      item.fail("block", fmt::format("\"{}\"", model.blocks[block].name), "a block that is not held already");
+    seen[block] = true;
+  }
 }
 
 void check_viscous_edges(const Model& model) {

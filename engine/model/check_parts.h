@@ -12,6 +12,8 @@ void check_overlaps(const Model& model);  // needs length_tolerance
 void check_loads(const Model& model);     // needs length_tolerance, as the following ones
 void check_supports(const Model& model);
 void check_viscous_edges(const Model& model);
+void check_held_blocks(const Model& model);
+void check_bolts(const Model& model);
 void check_measurements(const Model& model);
 void check_stages(const Model& model);
 

@@ -13,12 +13,22 @@ bool is_traction(Quantity quantity) {
   return quantity == Quantity::traction_normal || quantity == Quantity::traction_shear;
 }
 
+bool is_of_bolt(Quantity quantity) {
+  return quantity == Quantity::bolt_force || quantity == Quantity::bolt_shear || quantity == Quantity::bolt_elongation;
+}
+
 void check_measurement(const Model& model, const Item& item, const Measurement& measurement) {
   item.index("block", measurement.block, model.blocks.size());
   item.finite("point", measurement.point);
   if (is_traction(measurement.quantity)) {
     item.index("other block", measurement.other_block, model.blocks.size());
     if (measurement.other_block == measurement.block) item.fail("other block", "the block itself", "two blocks");
+  }
+  if (is_of_bolt(measurement.quantity)) {
+    item.index("bolt", measurement.bolt, model.bolts.size());
+    const Bolt& bolt = model.bolts[static_cast<std::size_t>(measurement.bolt)];
+    if (measurement.link != -1) item.index("link", measurement.link, bolt.links.size());
+    return;
   }
   const Block& block = model.blocks[static_cast<std::size_t>(measurement.block)];
   const bool at_centroid = (measurement.point - block.moments.centroid).norm() <= point_tolerance(model);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "dda/core/types.h"
+#include "dda/model/model.h"
 
 namespace dda::model_checks {
 
@@ -28,5 +29,8 @@ class Item {
   std::size_t index_;
   std::string_view name_;
 };
+
+// That `point` is one of `block`, up to point_tolerance.
+void check_point(const Model& model, const Item& item, int block, const Vec2& point);
 
 }  // namespace dda::model_checks

@@ -13,9 +13,11 @@ struct EnergyLedger {
   double kinetic = 0;
   double strain = 0;
   double contact = 0;  // elastic energy in interfaces and supports
+  double bolts = 0;    // elastic energy in rock bolts
   double external_work = 0;
   double gravity_work = 0;
   double friction = 0;   // dissipated by sliding
+  double plastic = 0;    // dissipated by bolts that yield or break
   double dashpot = 0;    // radiated through viscous edges
   double damping = 0;    // taken out by velocity_factor and damping_rate
   double numerical = 0;  // dissipated by the time integrator
@@ -23,18 +25,20 @@ struct EnergyLedger {
   double initial_kinetic = 0;
   double initial_strain = 0;
   double initial_contact = 0;
+  double initial_bolts = 0;
 
   // What the balance does not explain: zero but for round-off when every term is right.
   [[nodiscard]] double residual() const {
-    const double stored = (kinetic - initial_kinetic) + (strain - initial_strain) + (contact - initial_contact);
-    return external_work + gravity_work - stored - friction - dashpot - damping - numerical;
+    const double stored =
+        (kinetic - initial_kinetic) + (strain - initial_strain) + (contact - initial_contact) + (bolts - initial_bolts);
+    return external_work + gravity_work - stored - friction - plastic - dashpot - damping - numerical;
   }
 
   // The largest magnitude among the terms, what a residual is compared with.
   [[nodiscard]] double scale() const {
     double largest = 0;
-    for (const double term : {kinetic, strain, contact, external_work, gravity_work, friction, dashpot, damping,
-                              numerical, initial_kinetic, initial_strain, initial_contact}) {
+    for (const double term : {kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot,
+                              damping, numerical, initial_kinetic, initial_strain, initial_contact, initial_bolts}) {
       largest = std::max(largest, std::abs(term));
     }
     return largest;

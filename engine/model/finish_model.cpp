@@ -64,6 +64,8 @@ void finish_model(Model& model) {
   check_loads(model);
   check_supports(model);
   check_viscous_edges(model);
+  check_held_blocks(model);
+  check_bolts(model);
   check_measurements(model);
   check_stages(model);
   model.expected_pressure = expected_pressure(model);

@@ -2,6 +2,7 @@
 // hand), never changed by a run. Indices refer to the vectors here. Points are in reference (as drawn) coordinates.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "dda/core/types.h"
 #include "dda/geometry/polygon.h"
 #include "dda/model/material.h"
+#include "dda/model/motion.h"
 #include "dda/model/settings.h"
 #include "dda/model/time_function.h"
 
@@ -51,9 +53,45 @@ struct PointSupport {
   Vec2 point;
   bool holds_x = true;
   bool holds_y = true;
-  double stiffness = 0;              // N/m per m of thickness
-  Vec2 displacement = Vec2::Zero();  // m, prescribed, times history
+  double stiffness = 0;           // N/m per m of thickness
+  Vec2 amplitude = Vec2::Zero();  // m, m/s or m/s2 by `kind`: the prescribed motion, times history
   TimeFunction history;
+  MotionKind kind = MotionKind::displacement;
+  Vec2 direction = Vec2::Zero();  // unit; holds along it alone when it is not zero (a roller)
+};
+
+// A block held, or moved, as a rigid whole: exactly as prescribed whatever forces act on it. It belongs to the
+// surroundings: it has no inertia, and its motion does external work on the rest.
+struct HeldBlock {
+  int block = 0;
+  Vec2 amplitude = Vec2::Zero();  // m, m/s or m/s2 by `kind`, of the point `about`; times history
+  double turn = 0;                // rad, rad/s or rad/s2 by `kind`, about the point `about`; times history
+  Vec2 about = Vec2::Zero();      // as drawn; only asked where there is a turn
+  TimeFunction history;
+  MotionKind kind = MotionKind::displacement;
+};
+
+// Where a bolt acts between two blocks: its two anchors, or the two sides of a joint that a grouted bolt crosses.
+struct BoltLink {
+  int block_a = 0, block_b = 1;
+  Vec2 point_a, point_b;       // material points; the bolt runs from a to b
+  double axial_stiffness = 0;  // N/m per m of thickness
+  double shear_stiffness = 0;  // N/m per m of thickness, across the bolt: dowel action
+};
+
+// A straight rock bolt. Each link answers elongation with a force that is linear between its bounds, and yields at
+// them without hardening. All forces per m of thickness.
+struct Bolt {
+  std::string name;
+  Vec2 direction = Vec2::UnitX();  // unit, from the first end to the last, as drawn
+  bool grouted = false;            // links turn with the blocks at their joint; else the line of action follows anchors
+  std::vector<BoltLink> links;
+  double pretension = 0;                                                // N, at the start
+  double yield_force = std::numeric_limits<double>::infinity();         // N
+  double shear_yield_force = std::numeric_limits<double>::infinity();   // N
+  double rupture_elongation = std::numeric_limits<double>::infinity();  // m, of a link since the start
+  bool tension_only = true;                                             // goes slack instead of pushing
+  double spacing = 1;  // m of thickness a bolt: what is measured is the force in one bolt, spacing times that here
 };
 
 // Absorbing (Lysmer-Kuhlemeyer) edge: traction = -impedance * velocity, integrated exactly along the edge.
@@ -76,7 +114,10 @@ enum class Quantity {
   acceleration_y,  // m/s2
   rotation,        // rad, of the block since the start
   traction_normal,
-  traction_shear,  // Pa, mean over the interface at the point; tension positive
+  traction_shear,   // Pa, mean over the interface at the point; tension positive
+  bolt_force,       // N, in one bolt: axial, tension positive, the largest of its links or that of one
+  bolt_shear,       // N, in one bolt: the same across it
+  bolt_elongation,  // m, the sum of its links or that of one
 };
 
 struct Measurement {
@@ -85,6 +126,8 @@ struct Measurement {
   int block = 0;         // for a traction: one of the two blocks
   int other_block = -1;  // for a traction: the other block
   Vec2 point;
+  int bolt = -1;  // for quantities of bolts
+  int link = -1;  // one of its links; -1: all
 };
 
 struct Model {
@@ -98,6 +141,8 @@ struct Model {
   std::vector<PointLoad> point_loads;
   std::vector<EdgeLoad> edge_loads;
   std::vector<PointSupport> supports;
+  std::vector<HeldBlock> held_blocks;
+  std::vector<Bolt> bolts;
   std::vector<ViscousEdge> viscous_edges;
   std::vector<Measurement> measurements;
   std::vector<Stage> stages;

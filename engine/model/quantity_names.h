@@ -12,6 +12,7 @@ inline constexpr std::array all_quantities = {
     Quantity::stress_xx,      Quantity::stress_yy,  Quantity::stress_xy,       Quantity::displacement_x,
     Quantity::displacement_y, Quantity::velocity_x, Quantity::velocity_y,      Quantity::acceleration_x,
     Quantity::acceleration_y, Quantity::rotation,   Quantity::traction_normal, Quantity::traction_shear,
+    Quantity::bolt_force,     Quantity::bolt_shear, Quantity::bolt_elongation,
 };
 
 constexpr std::string_view to_string(Quantity quantity) {
@@ -28,6 +29,9 @@ constexpr std::string_view to_string(Quantity quantity) {
     case Quantity::rotation: return "rotation";
     case Quantity::traction_normal: return "traction_normal";
     case Quantity::traction_shear: return "traction_shear";
+    case Quantity::bolt_force: return "bolt_force";
+    case Quantity::bolt_shear: return "bolt_shear";
+    case Quantity::bolt_elongation: return "bolt_elongation";
   }
   return "unknown";
 }
@@ -41,7 +45,10 @@ constexpr std::string_view unit_of(Quantity quantity) {
     case Quantity::traction_normal:
     case Quantity::traction_shear: return "Pa";
     case Quantity::displacement_x:
-    case Quantity::displacement_y: return "m";
+    case Quantity::displacement_y:
+    case Quantity::bolt_elongation: return "m";
+    case Quantity::bolt_force:
+    case Quantity::bolt_shear: return "N";
     case Quantity::velocity_x:
     case Quantity::velocity_y: return "m/s";
     case Quantity::acceleration_x:

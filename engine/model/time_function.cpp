@@ -29,6 +29,8 @@ double value_at(const ExponentialDecay& decay, double time) {
   return time < decay.start ? 0 : std::exp(-(time - decay.start) / decay.decay_time);
 }
 
+double value_at(const Recorded& recorded, double time) { return recorded.recording->value(time - recorded.start); }
+
 }  // namespace
 
 double evaluate(const TimeFunction& history, double time) {

@@ -2,8 +2,11 @@
 // scene.
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
+
+#include "dda/model/recording.h"
 
 namespace dda {
 
@@ -28,7 +31,13 @@ struct ExponentialDecay {
   double start = 0;       // s
 };
 
-using TimeFunction = std::variant<Constant, PiecewiseLinear, SineCycles, ExponentialDecay>;
+// A recording whose clock shows zero at `start`. Copies share the samples.
+struct Recorded {
+  std::shared_ptr<const Recording> recording;
+  double start = 0;  // s
+};
+
+using TimeFunction = std::variant<Constant, PiecewiseLinear, SineCycles, ExponentialDecay, Recorded>;
 
 double evaluate(const TimeFunction& history, double time);
 

@@ -26,8 +26,9 @@ void save_checkpoint(const std::filesystem::path& path, const Model& model, cons
 // byte order, cut off, damaged, or of another scene.
 Checkpoint load_checkpoint(const std::filesystem::path& path, const Model& model);
 
-// A hash of what gives a state its meaning: outlines, materials and joints, not their names. Loads, supports, stages
-// and measurements are left out, so that a run may go on under other loads.
+// A hash of what gives a state its meaning: outlines, materials, joints, bolts and held blocks, not their names, and
+// the samples of recordings. Other loads, supports, stages and measurements are left out, so that a run may go on under
+// other loads.
 std::uint64_t fingerprint(const Model& model);
 
 }  // namespace dda

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <random>
 #include <string>
 
@@ -198,6 +199,12 @@ TEST_F(CheckpointFile, FullDiskKeepsTheEarlierOne) {
   EXPECT_EQ(folder_.names(), std::set<std::string>{"run.checkpoint"});
 }
 
+HeldBlock shaken_by(const std::vector<double>& values) {
+  HeldBlock held;
+  held.history = Recorded{std::make_shared<const Recording>("", std::vector{0.0, 1.0, 2.0}, values), 0};
+  return held;
+}
+
 TEST(Fingerprint, ChangesWithWhatGivesTheStateItsMeaning) {
   const std::vector<std::function<void(Model&)>> changes = {
       [](Model& m) { m.blocks.pop_back(); },
@@ -215,6 +222,22 @@ TEST(Fingerprint, ChangesWithWhatGivesTheStateItsMeaning) {
       [](Model& m) { m.joints[0].friction_angle = 0.5; },
       [](Model& m) { m.joints[0].stabilisation = 0.5; },
       [](Model& m) { m.joint_of_block_pair.clear(); },
+      [](Model& m) { m.held_blocks.resize(1); },
+      [](Model& m) {
+        m.held_blocks = {shaken_by({0, 1, 2})};
+      },
+      [](Model& m) {
+        m.held_blocks = {shaken_by({0, 1, 3})};
+      },
+      [](Model& m) { m.bolts.resize(1); },
+      [](Model& m) {
+        m.bolts.resize(1);
+        m.bolts[0].pretension = 1;
+      },
+      [](Model& m) {
+        m.bolts.resize(1);
+        m.bolts[0].links.resize(1);
+      },
   };
   std::set<std::uint64_t> found = {fingerprint(three_blocks())};
   for (const auto& change : changes) {

@@ -41,10 +41,39 @@ void add(FnvHash& hash, const JointMaterial& joint) {
   }
 }
 
+void add(FnvHash& hash, const BoltLink& link) {
+  for (const int block : {link.block_a, link.block_b}) hash.add_number(block);
+  for (const Vec2& point : {link.point_a, link.point_b}) {
+    hash.add_number(point.x());
+    hash.add_number(point.y());
+  }
+  for (const double stiffness : {link.axial_stiffness, link.shear_stiffness}) hash.add_number(stiffness);
+}
+
 template <typename Item>
 void add_all(FnvHash& hash, const std::vector<Item>& items) {
   hash.add_number(items.size());
   for (const Item& item : items) add(hash, item);
+}
+
+void add(FnvHash& hash, const Bolt& bolt) {
+  hash.add_number(bolt.grouted);
+  hash.add_number(bolt.pretension);
+  add_all(hash, bolt.links);
+}
+
+void add(FnvHash& hash, const std::vector<double>& numbers) {
+  hash.add_number(numbers.size());
+  for (const double number : numbers) hash.add_number(number);
+}
+
+// What was recorded; other histories may change on the way.
+void add(FnvHash& hash, const TimeFunction& history) {
+  const auto* recorded = std::get_if<Recorded>(&history);
+  if (recorded == nullptr) return;
+  hash.add_number(recorded->start);
+  add(hash, recorded->recording->times());
+  add(hash, recorded->recording->values());
 }
 
 }  // namespace
@@ -60,6 +89,14 @@ std::uint64_t fingerprint(const Model& model) {
   for (const JointLine& line : model.joint_lines) {
     for (const double value : {line.from.x(), line.from.y(), line.to.x(), line.to.y()}) hash.add_number(value);
     hash.add_number(line.joint);
+  }
+  for (const PointLoad& load : model.point_loads) add(hash, load.history);
+  for (const EdgeLoad& load : model.edge_loads) add(hash, load.history);
+  for (const PointSupport& support : model.supports) add(hash, support.history);
+  for (const Bolt& bolt : model.bolts) add(hash, bolt);
+  for (const HeldBlock& held : model.held_blocks) {
+    hash.add_number(held.block);
+    add(hash, held.history);
   }
   return hash.value();
 }

@@ -22,23 +22,26 @@ EnergyLedger balanced_ledger() {
   energy.kinetic = 9;   // +7
   energy.strain = 14;   // +11
   energy.contact = 18;  // +13
+  energy.initial_bolts = 37;
+  energy.bolts = 78;  // +41
   energy.friction = 17;
+  energy.plastic = 43;
   energy.dashpot = 19;
   energy.damping = 23;
   energy.numerical = 29;
   energy.gravity_work = 31;
-  energy.external_work = 88;  // 7 + 11 + 13 + 17 + 19 + 23 + 29 - 31
+  energy.external_work = 172;  // 7 + 11 + 13 + 41 + 17 + 43 + 19 + 23 + 29 - 31
   return energy;
 }
 
 TEST(EnergyLedger, ResidualIsWhatTheTermsDoNotExplain) {
   EnergyLedger energy = balanced_ledger();
   EXPECT_EQ(energy.residual(), 0);
-  EXPECT_EQ(energy.scale(), 88);
+  EXPECT_EQ(energy.scale(), 172);
   energy.gravity_work -= 200;
   EXPECT_EQ(energy.residual(), -200);
-  EXPECT_EQ(energy.scale(), 169);
-  EXPECT_EQ(energy.relative_residual(), -200.0 / 169);
+  EXPECT_EQ(energy.scale(), 172);
+  EXPECT_EQ(energy.relative_residual(), -200.0 / 172);
 }
 
 TEST(EnergyLedger, NothingHappenedAndNotANumber) {
@@ -76,9 +79,9 @@ TEST(Summary, HoldsEverything) {
     "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
       "solver_iterations": 6, "open_close_iterations": 7, "contact_searches": 8, "contact_state_changes": 9},
-    "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0,
-      "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "external_work": 88.0,
-      "gravity_work": 31.0, "friction": 17.0, "dashpot": 19.0, "damping": 23.0, "numerical": 29.0,
+    "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0, "bolts": 78.0,
+      "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "initial_bolts": 37.0, "external_work": 172.0,
+      "gravity_work": 31.0, "friction": 17.0, "plastic": 43.0, "dashpot": 19.0, "damping": 23.0, "numerical": 29.0,
       "residual": 0.0, "residual_relative": 0.0},
     "deepest_penetration": {"depth_m": 1e-3, "of_smaller_block": 0.02, "blocks": ["a", "b"], "time_s": 0.05},
     "histories": [{"file": "histories.csv", "rows": 13,

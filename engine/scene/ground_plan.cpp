@@ -1,5 +1,6 @@
 #include "dda/scene/ground_plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -71,6 +72,46 @@ std::vector<Stretch> GroundPlan::stretches_along(const Segment& line) const {
     for (const Ring& hole : shape.holes) append_stretches(hole, block, line, found);
   }
   return found;
+}
+
+namespace {
+
+// Appends where `line` crosses the lines of the ring's edges between their ends, m along it.
+void append_crossings(const Ring& ring, const Segment& line, const Vec2& along, std::vector<double>& found) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 from = ring[i] - line.start;
+    const Vec2 to = ring[(i + 1) % ring.size()] - line.start;
+    const double side_from = cross(along, from);
+    const double side_to = cross(along, to);
+    if (side_from == side_to || side_from * side_to > 0) continue;
+    found.push_back(along.dot(from + side_from / (side_from - side_to) * (to - from)));
+  }
+}
+
+}  // namespace
+
+std::vector<Passage> GroundPlan::passages_of(const Segment& line) const {
+  const double length = (line.end - line.start).norm();
+  const Vec2 along = (line.end - line.start) / length;
+  const Box line_box = expanded(expanded(expanded(Box{}, line.start), line.end), tolerance_);
+  std::vector<Passage> passages;
+  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
+    if (!overlap(boxes_[at(block)], line_box)) continue;
+    const Polygon& shape = model_->blocks[at(block)].shape;
+    std::vector<double> cuts{0, length};
+    append_crossings(shape.outer, line, along, cuts);
+    for (const Ring& hole : shape.holes) append_crossings(hole, line, along, cuts);
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const double from = std::max(cuts[i - 1], 0.0);
+      const double to = std::min(cuts[i], length);
+      if (to - from <= tolerance_) continue;
+      if (locate(shape, line.start + (from + to) / 2 * along, model_->length_tolerance) == Location::inside)
+        passages.push_back({block, from, to});
+    }
+  }
+  std::sort(passages.begin(), passages.end(), [](const Passage& a, const Passage& b) { return a.from < b.from; });
+  return passages;
 }
 
 std::optional<int> GroundPlan::block_named(const std::string& name) const {

@@ -19,6 +19,13 @@ struct Stretch {
   Vec2 inward;
 };
 
+// Where a straight line is inside a block: from and to, m along it.
+struct Passage {
+  int block = 0;
+  double from = 0;
+  double to = 0;
+};
+
 // Looks up places in a model whose blocks are complete (moments and tolerance filled).
 class GroundPlan {
  public:
@@ -33,6 +40,9 @@ class GroundPlan {
 
   // Parts of outlines that run along `line`, cut to its ends, in the order of blocks.
   [[nodiscard]] std::vector<Stretch> stretches_along(const Segment& line) const;
+
+  // Where `line` runs inside of blocks, from its start on; stretches along joints are in none.
+  [[nodiscard]] std::vector<Passage> passages_of(const Segment& line) const;
 
   // Of all blocks.
   [[nodiscard]] const Box& box() const { return box_; }

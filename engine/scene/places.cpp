@@ -114,6 +114,16 @@ PlacedPoint read_point(const Field& owner, const GroundPlan& plan, const Model& 
   field.fail(written(point) + " where several blocks meet", "\"block\" to say which: " + listed(blocks, model));
 }
 
+int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& plan, const Model& model) {
+  const Vec2 point = field.vector(Dimension::length);
+  const std::vector<int> blocks = plan.blocks_at(point);
+  if (blocks.empty()) field.fail(written(point) + " and outside all blocks", "a point of a block; " + extent(plan));
+  const auto block = plan.block_towards(blocks, point, {(other_end - point).normalized()});
+  if (block) return *block;
+  if (blocks.size() == 1) return blocks.front();
+  field.fail(written(point) + " where several blocks meet", "a point inside of one of them: " + listed(blocks, model));
+}
+
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
   const Field field = owner.at("edge");
   const Segment line = read_line(field, plan);
@@ -130,11 +140,18 @@ std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const
   return stretches;
 }
 
-TimeFunction read_history(const Field& owner) {
+void refuse(const Field& owner, std::initializer_list<const char*> keys, const char* reason) {
+  for (const char* key : keys) {
+    if (const auto field = owner.find(key)) field->fail(fmt::format("to be left out {}", reason));
+  }
+}
+
+TimeFunction read_history(const Field& owner, Dimension dimension, RecordFiles& records) {
   const auto history = owner.find("history");
   if (!history) return Constant{};
   if (const auto table = history->find("table")) return read_table(*table);
   if (const auto sine = history->find("sine")) return read_sine(*sine);
+  if (const auto record = history->find("record")) return records.read(*record, dimension);
   const Field decay = history->at("decay");
   return ExponentialDecay{decay.at("decay_time").positive(Dimension::time), read_start(decay)};
 }

@@ -1,12 +1,14 @@
 // "point", "edge", "block" and "history" of loads, supports, boundaries and measurements.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
 #include "dda/model/time_function.h"
 #include "dda/scene/field.h"
 #include "dda/scene/ground_plan.h"
+#include "dda/scene/record_files.h"
 
 namespace dda {
 
@@ -17,6 +19,10 @@ struct PlacedPoint {
 
 // The block at owner.point: the only one there, or the one owner.block names.
 PlacedPoint read_point(const Field& owner, const GroundPlan& plan, const Model& model);
+
+// The block in which a line ends at the point `field`, coming from `other_end`: where several touch, the one that the
+// line runs in.
+int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& plan, const Model& model);
 
 // The outlines along owner.edge, of owner.block if that is given; at least one. Stretches of several blocks on the two
 // sides of a joint are refused, as it is not said which are meant.
@@ -31,7 +37,10 @@ int read_joint_reference(const Field& field, const Model& model);
 // Names of blocks as a sentence lists them.
 std::string listed(const std::vector<int>& blocks, const Model& model);
 
-// owner.history; Constant when left out.
-TimeFunction read_history(const Field& owner);
+// Throws for the first of `keys` that `owner` has: "expected to be left out REASON".
+void refuse(const Field& owner, std::initializer_list<const char*> keys, const char* reason);
+
+// owner.history; Constant when left out. A record may have a unit of `dimension`.
+TimeFunction read_history(const Field& owner, Dimension dimension, RecordFiles& records);
 
 }  // namespace dda

@@ -7,20 +7,11 @@
 namespace dda {
 namespace {
 
-// Why the spring of a support is this stiff: the point gives way by a thousandth of what a block under the same force
-// deforms, and a linear system with it still loses only three of its sixteen digits.
-constexpr double support_stiffness_over_young = 1000;
-
-void refuse(const Field& owner, std::initializer_list<const char*> keys, const char* reason) {
-  for (const char* key : keys) {
-    if (const auto field = owner.find(key)) field->fail(fmt::format("to be left out {}", reason));
-  }
-}
-
-void read_point_load(const Field& field, const GroundPlan& plan, Model& model) {
+void read_point_load(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
   refuse(field, {"traction", "pressure"}, "for a point, which takes a force");
   const auto [block, point] = read_point(field, plan, model);
-  model.point_loads.push_back({block, point, field.at("force").vector(Dimension::force), read_history(field)});
+  model.point_loads.push_back(
+      {block, point, field.at("force").vector(Dimension::force), read_history(field, Dimension::force, records)});
 }
 
 double total_length(const std::vector<Stretch>& stretches) {
@@ -39,66 +30,17 @@ std::string only_edge_intensity(const Field& field) {
                    "exactly one of them");
 }
 
-void read_edge_load(const Field& field, const GroundPlan& plan, Model& model) {
+void read_edge_load(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
   const std::vector<Stretch> stretches = read_edge(field, plan, model);
   const std::string kind = only_edge_intensity(field);
   const Field value = field.at(kind);
-  const TimeFunction history = read_history(field);
+  const TimeFunction history = read_history(field, kind == "force" ? Dimension::force : Dimension::stress, records);
   const double pressure = kind == "pressure" ? value.quantity(Dimension::stress) : 0;
   Vec2 traction = Vec2::Zero();
   if (kind == "traction") traction = value.vector(Dimension::stress);
   if (kind == "force") traction = value.vector(Dimension::force) / total_length(stretches);
   for (const Stretch& s : stretches) {
     model.edge_loads.push_back({s.block, s.from, s.to, traction + pressure * s.inward, history});
-  }
-}
-
-void read_held_directions(const Field& field, PointSupport& support) {
-  const std::size_t hold = value_or(field, "hold", std::size_t{0}, [](const Field& f) {
-    return f.choice({"xy", "x", "y"});
-  });
-  support.holds_x = hold != 2;
-  support.holds_y = hold != 1;
-}
-
-void read_displacement(const Field& field, PointSupport& support) {
-  const auto displacement = field.find("displacement");
-  if (!displacement) return;
-  support.displacement = displacement->vector(Dimension::length);
-  const bool moves_a_free_direction =
-      (!support.holds_x && support.displacement.x() != 0) || (!support.holds_y && support.displacement.y() != 0);
-  if (moves_a_free_direction) displacement->fail("zero in the direction that \"hold\" leaves free");
-}
-
-PointSupport read_support(const Field& field) {
-  PointSupport support;
-  read_held_directions(field, support);
-  read_displacement(field, support);
-  support.history = read_history(field);
-  support.stiffness =
-      value_or(field, "stiffness", 0.0, [](const Field& f) { return f.positive(Dimension::force_per_length); });
-  return support;
-}
-
-void append_support(PointSupport support, int block, const Vec2& point, double share, Model& model) {
-  const double stiffness =
-      support.stiffness > 0 ? support.stiffness : support_stiffness_over_young * model.material_of(block).young;
-  support.block = block;
-  support.point = point;
-  support.stiffness = share * stiffness;
-  model.supports.push_back(std::move(support));
-}
-
-void read_support_entry(const Field& field, const GroundPlan& plan, Model& model) {
-  const PointSupport support = read_support(field);
-  if (field.has("point")) {
-    const auto [block, point] = read_point(field, plan, model);
-    append_support(support, block, point, 1, model);
-    return;
-  }
-  for (const Stretch& stretch : read_edge(field, plan, model)) {
-    append_support(support, stretch.block, stretch.from, 0.5, model);
-    append_support(support, stretch.block, stretch.to, 0.5, model);
   }
 }
 
@@ -143,18 +85,14 @@ void read_each(const Field& scene, const char* key, Read read) {
 
 }  // namespace
 
-void read_loads(const Field& scene, const GroundPlan& plan, Model& model) {
+void read_loads(const Field& scene, const GroundPlan& plan, RecordFiles& records, Model& model) {
   read_each(scene, "loads", [&](const Field& load) {
     if (load.has("point")) {
-      read_point_load(load, plan, model);
+      read_point_load(load, plan, records, model);
     } else {
-      read_edge_load(load, plan, model);
+      read_edge_load(load, plan, records, model);
     }
   });
-}
-
-void read_supports(const Field& scene, const GroundPlan& plan, Model& model) {
-  read_each(scene, "supports", [&](const Field& support) { read_support_entry(support, plan, model); });
 }
 
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model) {

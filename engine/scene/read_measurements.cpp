@@ -12,7 +12,8 @@ namespace {
 const std::vector<std::string>& quantity_names() {  // in the order of Quantity
   static const std::vector<std::string> names = {"stress_xx",      "stress_yy",  "stress_xy",       "displacement_x",
                                                  "displacement_y", "velocity_x", "velocity_y",      "acceleration_x",
-                                                 "acceleration_y", "rotation",   "traction_normal", "traction_shear"};
+                                                 "acceleration_y", "rotation",   "traction_normal", "traction_shear",
+                                                 "bolt_force",     "bolt_shear", "bolt_elongation"};
   return names;
 }
 
@@ -69,6 +70,25 @@ void place_on_joint(const Field& field, const GroundPlan& plan, const Model& mod
   measurement.other_block = blocks[1];
 }
 
+// The link nearest to the point, where one is given.
+void place_on_bolt(const Field& field, const Model& model, Measurement& measurement) {
+  refuse(field, {"block", "side"}, "for a bolt");
+  std::vector<std::string> names;
+  for (const Bolt& bolt : model.bolts) names.push_back(bolt.name);
+  if (names.empty()) field.at("bolt").fail("the name of a bolt, of which there is none");
+  measurement.bolt = static_cast<int>(field.at("bolt").choice(names));
+  const auto point = field.find("point");
+  if (!point) return;
+  measurement.point = point->vector(Dimension::length);
+  const std::vector<BoltLink>& links = model.bolts[static_cast<std::size_t>(measurement.bolt)].links;
+  const auto away = [&](const BoltLink& link) {
+    return distance(Segment{link.point_a, link.point_b}, measurement.point);
+  };
+  const auto nearest = std::min_element(links.begin(), links.end(),
+                                        [&](const BoltLink& a, const BoltLink& b) { return away(a) < away(b); });
+  measurement.link = static_cast<int>(nearest - links.begin());
+}
+
 bool is_taken(const std::string& name, const Model& model) {
   return std::any_of(model.measurements.begin(), model.measurements.end(),
                      [&](const Measurement& measurement) { return measurement.name == name; });
@@ -91,7 +111,12 @@ void read_measurement(const Field& field, const GroundPlan& plan, Model& model) 
   Measurement measurement;
   measurement.quantity = static_cast<Quantity>(field.at("quantity").choice(quantity_names()));
   measurement.name = read_name(field, model);
-  if (is_traction(measurement.quantity)) {
+  const bool of_bolt = measurement.quantity == Quantity::bolt_force || measurement.quantity == Quantity::bolt_shear ||
+                       measurement.quantity == Quantity::bolt_elongation;
+  if (!of_bolt) refuse(field, {"bolt"}, "for a quantity that is not of a bolt");
+  if (of_bolt) {
+    place_on_bolt(field, model, measurement);
+  } else if (is_traction(measurement.quantity)) {
     place_on_joint(field, plan, model, measurement);
   } else {
     place_in_block(field, plan, model, measurement);

@@ -13,30 +13,35 @@
 namespace dda {
 namespace {
 
-void read_blocks_and_joints(const Field& scene, const Scheme& scheme, Model& model) {
+// Returns the group of each block.
+std::vector<std::string> read_blocks_and_joints(const Field& scene, const Scheme& scheme, Model& model) {
   read_materials(scene, model);
   read_joints(scene, scheme, model);
-  const std::vector<std::string> groups = read_blocks(scene, model);
+  std::vector<std::string> groups = read_blocks(scene, model);
   read_joint_pairs(scene, groups, model);
   read_gravity(scene, model);
+  return groups;
 }
 
-void read_what_acts(const Field& scene, Model& model) {
+void read_what_acts(const Field& scene, const std::vector<std::string>& groups, const std::filesystem::path& folder,
+                    Model& model) {
   const GroundPlan plan(model);
   read_joint_lines(scene, plan, model);
-  read_loads(scene, plan, model);
-  read_supports(scene, plan, model);
+  RecordFiles records(folder);
+  read_loads(scene, plan, records, model);
+  read_supports(scene, plan, groups, records, model);
+  read_bolts(scene, plan, model);
   read_viscous_boundaries(scene, plan, model);
   read_measurements(scene, plan, model);
 }
 
-Model read_model(const Field& scene) {
+Model read_model(const Field& scene, const std::filesystem::path& folder) {
   Model model;
   const Scheme scheme = read_scheme(scene);
   if (const auto title = scene.find("title")) model.title = title->text();
-  read_blocks_and_joints(scene, scheme, model);
+  const std::vector<std::string> groups = read_blocks_and_joints(scene, scheme, model);
   finish_model(model);  // what follows needs the moments, and blocks that do not overlap
-  read_what_acts(scene, model);
+  read_what_acts(scene, groups, folder, model);
   read_stages(scene, scheme, model);
   finish_model(model);
   return model;
@@ -59,16 +64,18 @@ std::string file_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-Model parse_scene(std::string_view json_text, const std::string& name_for_errors) {
+Model parse_scene(std::string_view json_text, const std::string& name_for_errors, const std::filesystem::path& folder) {
   try {
     const nlohmann::json document = parse_json(json_text);
     check_schema(document);
-    return read_model(Field(document, ""));
+    return read_model(Field(document, ""), folder);
   } catch (const InputError& error) {
     throw error.in_file(name_for_errors);
   }
 }
 
-Model read_scene(const std::filesystem::path& file) { return parse_scene(file_text(file), file.string()); }
+Model read_scene(const std::filesystem::path& file) {
+  return parse_scene(file_text(file), file.string(), file.parent_path());
+}
 
 }  // namespace dda

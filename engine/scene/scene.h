@@ -13,8 +13,10 @@ namespace dda {
 // file, the field as a JSON path (loads[0].history.sine.frequency), its value and what was expected.
 Model read_scene(const std::filesystem::path& file);
 
-// The same from text; `name_for_errors` takes the place of the file's name.
-Model parse_scene(std::string_view json_text, const std::string& name_for_errors);
+// The same from text; `name_for_errors` takes the place of the file's name. Records are looked for relative to
+// `folder`.
+Model parse_scene(std::string_view json_text, const std::string& name_for_errors,
+                  const std::filesystem::path& folder = {});
 
 // The published JSON Schema (draft 7) of scene files, as text.
 std::string_view scene_schema();

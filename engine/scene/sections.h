@@ -8,6 +8,7 @@
 #include "dda/model/model.h"
 #include "dda/scene/field.h"
 #include "dda/scene/ground_plan.h"
+#include "dda/scene/record_files.h"
 #include "dda/scene/scheme.h"
 
 namespace dda {
@@ -23,8 +24,10 @@ void read_gravity(const Field& scene, Model& model);
 
 // These need the blocks complete, as finish_model leaves them.
 void read_joint_lines(const Field& scene, const GroundPlan& plan, Model& model);
-void read_loads(const Field& scene, const GroundPlan& plan, Model& model);
-void read_supports(const Field& scene, const GroundPlan& plan, Model& model);
+void read_loads(const Field& scene, const GroundPlan& plan, RecordFiles& records, Model& model);
+void read_supports(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
+                   RecordFiles& records, Model& model);
+void read_bolts(const Field& scene, const GroundPlan& plan, Model& model);
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model);
 void read_measurements(const Field& scene, const GroundPlan& plan, Model& model);
 

@@ -25,6 +25,7 @@ BlockTerms make_block_terms(const Model& model, double strain_inertia) {
     terms.elasticity.push_back(elasticity);
     terms.compliance.emplace_back(elasticity.inverse());
   }
+  for (const HeldBlock& held : model.held_blocks) terms.inertia[static_cast<std::size_t>(held.block)].mass = 0;
   return terms;
 }
 

@@ -18,6 +18,7 @@ struct BlockTerms {
   std::vector<Mat3> compliance;  // 1/Pa
 };
 
+// Held blocks have no mass here: their motion does not follow from forces.
 BlockTerms make_block_terms(const Model& model, double strain_inertia);
 
 // Areas and inertia of the deformed blocks (finite kinematics).

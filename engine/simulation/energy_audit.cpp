@@ -49,6 +49,7 @@ void EnergyAudit::start(const StoredEnergy& stored) {
   ledger_.kinetic = ledger_.initial_kinetic = stored.kinetic;
   ledger_.strain = ledger_.initial_strain = stored.strain;
   ledger_.contact = ledger_.initial_contact = stored.contact;
+  ledger_.bolts = ledger_.initial_bolts = stored.bolts;
 }
 
 void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDamping& damping, const State& state,
@@ -76,6 +77,7 @@ void EnergyAudit::record(const StepCoefficients& step, double inertia_work, cons
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;
+  ledger_.bolts = stored.bolts;
 }
 
 void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,
@@ -100,15 +102,16 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
 }
 
 void EnergyAudit::geometry_followed(const StoredEnergy& stored) {
-  ledger_.numerical +=
-      ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact - stored.contact;
+  ledger_.numerical += ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact -
+                       stored.contact + ledger_.bolts - stored.bolts;
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;
+  ledger_.bolts = stored.bolts;
 }
 
 void EnergyAudit::support_moved(const SupportElement& before, const SupportElement& after) {
-  const Vec2 mean_force = before.stiffness.cwiseProduct(before.gap + after.gap) / 2;
+  const Vec2 mean_force = before.stiffness * (before.gap + after.gap) / 2;
   ledger_.external_work -= mean_force.dot(after.prescribed - before.prescribed);
 }
 

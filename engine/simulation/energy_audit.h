@@ -21,7 +21,7 @@
 namespace dda {
 
 struct StoredEnergy {
-  double kinetic = 0, strain = 0, contact = 0;  // J per m of thickness
+  double kinetic = 0, strain = 0, contact = 0, bolts = 0;  // J per m of thickness
 };
 
 double kinetic_energy(const BlockTerms& terms, const State& state);
@@ -60,6 +60,12 @@ class EnergyAudit {
   void interface_changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
                          const Vec4& gap_change, const Vec4& extra_force, const Vec4& dashpot_force);
 
+  // A bolt in the step: what it dissipated, and what else of the work on it is not stored.
+  void bolt_changed(double plastic, double numerical) {
+    ledger_.plastic += plastic;
+    ledger_.numerical += numerical;
+  }
+
   // An interface went over to another law with this loss of stored energy (J per m of thickness).
   void interface_replaced(double loss) { replaced_ += loss; }
 
@@ -68,6 +74,15 @@ class EnergyAudit {
 
   // Work of a support's prescribed motion.
   void support_moved(const SupportElement& before, const SupportElement& after);
+
+  // The motion of held blocks: work (J per m of thickness) of the forces that moved them, by their values at the start
+  // and at the end of the step. No integrator acts on these blocks: what record() took for its doing is taken back.
+  void held_blocks_moved(const StepCoefficients& step, double by_old, double by_new) {
+    ledger_.external_work += (by_old + by_new) / 2;
+    ledger_.numerical -= (0.5 - step.load_old) * (by_new - by_old);
+  }
+  // The same of forces that the balance had but no state keeps.
+  void held_blocks_moved_against(double work) { ledger_.external_work += work; }
 
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);

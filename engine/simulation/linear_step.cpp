@@ -47,6 +47,7 @@ void Simulation::begin_linear_stage() {
   if (plan_.gravity) inertia_force_ += external_.weight();
   for (const auto& [block, matrix] : damping_)
     inertia_force_.segment<6>(6 * block) -= matrix * state_.velocity[static_cast<std::size_t>(block)];
+  held_.clear(inertia_force_);
   if (inertia_force_.isZero(0)) return;
   rhs_ = initial_linear_acceleration();
   unflatten(rhs_, state_.acceleration);
@@ -63,11 +64,14 @@ void Simulation::set_consistent_weight() {
 
 // Of the unbalanced forces in inertia_force_. Strains without inertia take theirs with the inertia they would have: the
 // first step puts them in equilibrium.
-Eigen::VectorXd Simulation::initial_linear_acceleration() const {
-  if (stage().lateral_inertia) return acceleration_of(linear_->inertia, inertia_force_);
+Eigen::VectorXd Simulation::initial_linear_acceleration() {
   Stage complete = stage();
   complete.lateral_inertia = true;
-  return acceleration_of(make_linear_operators(model_, complete, terms_, contacts_, supports_).inertia, inertia_force_);
+  BlockMatrix inertia = stage().lateral_inertia
+                            ? linear_->inertia
+                            : make_linear_operators(model_, complete, terms_, contacts_, supports_).inertia;
+  held_.take_out(inertia);
+  return acceleration_of(inertia, inertia_force_);
 }
 
 // In a linear stage contacts_.states hold the gaps at zero displacement: what finite kinematics before it left.
@@ -87,6 +91,7 @@ void Simulation::end_linear_stage() {
 Status Simulation::linear_step() {
   if (plan_.loads) external_.loads_at(state_.time + coefficients_.dt, load_new_);
   form_linear_rhs();
+  held_.aim(model_, state_, state_.time + coefficients_.dt);
   Status status = matrix_is_current_ ? Status::ok : refactor();
   if (status == Status::ok) status = solve_for_increment(increment_);
   if (status == Status::ok) accept_linear_step();
@@ -120,7 +125,9 @@ void Simulation::accept_linear_step() {
   momentum_.swap(constant_rhs_);
   audit_.record(c, work, linear_stored_energy(),
                 {load_old_, load_new_, external_.weight(), internal_old_, internal_new_}, increment_);
+  audit_held_blocks();
   damp_velocities();
+  set_held_rates();
   internal_old_.swap(internal_new_);
   load_old_.swap(load_new_);
   ++counters_.steps;
@@ -135,8 +142,7 @@ void Simulation::linear_internal_forces(Eigen::VectorXd& force) {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     const SupportElement& support = supports_[i];
     const Vec2 moved = support.prescribed - prescribed_displacement(model_.supports[i], stage_start_);
-    force.segment<6>(6 * support.block) -=
-        displacement_rows(support.offset).transpose() * support.stiffness.cwiseProduct(moved);
+    force.segment<6>(6 * support.block) -= displacement_rows(support.offset).transpose() * (support.stiffness * moved);
   }
 }
 
@@ -149,8 +155,8 @@ double Simulation::linear_elastic_energy() const {
     const SupportElement& support = supports_[i];
     const Vec2 moved = support.prescribed - prescribed_displacement(model_.supports[i], stage_start_);
     const Vec2 gap_without_motion = support.gap + moved;
-    energy += (support.gap.dot(support.stiffness.cwiseProduct(support.gap)) -
-               gap_without_motion.dot(support.stiffness.cwiseProduct(gap_without_motion))) /
+    energy += (support.gap.dot(support.stiffness * support.gap) -
+               gap_without_motion.dot(support.stiffness * gap_without_motion)) /
               2;
   }
   return energy;

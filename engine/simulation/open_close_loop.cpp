@@ -83,6 +83,7 @@ void Simulation::start_trials() {
   trial_.resize(contacts_.elements.size());
   for (std::size_t i = 0; i < trial_.size(); ++i)
     trial_[i] = start_trial(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i], contact_rule_);
+  bolts_.start_trials();
 }
 
 // Newton's method with line search. Capacities follow the normal forces after every pass at first, which is quickest
@@ -146,7 +147,7 @@ bool Simulation::active_rows_changed() {
   if (matrix_rows_.size() != trial_.size()) {
     matrix_rows_.assign(trial_.size(), Vec4::Constant(-1));
   }
-  bool changed = false;
+  bool changed = bolts_.active_rows_changed();
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     if (matrix_rows_[i] == trial_[i].active) continue;
     matrix_rows_[i] = trial_[i].active;
@@ -168,6 +169,7 @@ void Simulation::add_contact_rhs() {
         trial.force - trial.active.cwiseProduct(element.stiffness).cwiseProduct(reached) - contacts_.states[i].force;
     if (!constant.isZero(0)) add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs_);
   }
+  bolts_.add_rhs(coefficients_.stiffness, rhs_);
 }
 
 // Moves along the Newton step as far as the potential falls. True when it was taken whole and the forces became what it
@@ -180,8 +182,10 @@ bool Simulation::take_newton_step() {
   }
   target_ -= increment_;  // from here on the direction
   for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i].direction = gap_increment(contacts_.elements[i], target_);
+  bolts_.aim(target_);
   const bool settled = mismatch_of_whole_step() <= negligible_force();
-  const double share = settled ? 1 : length_of_step();
+  const bool whole = settled || held_.moved_by(target_);  // held blocks are where they are to be from then on
+  const double share = whole ? 1 : length_of_step();
   increment_ += share * target_;
   follow_trials(share);
   target_ = increment_;
@@ -191,7 +195,7 @@ bool Simulation::take_newton_step() {
 // Largest difference between a force after the whole Newton step and what the rows active now make of it. (Rows alone
 // cannot tell whether statuses have settled: where blocks just touch they come and go with round-off.)
 double Simulation::mismatch_of_whole_step() const {
-  double mismatch = 0;
+  double mismatch = bolts_.mismatch_of_whole_step();
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     if (is_whole(element, trial_[i])) continue;
@@ -205,7 +209,7 @@ double Simulation::mismatch_of_whole_step() const {
 }
 
 double Simulation::negligible_force() const {
-  double largest = 0;
+  double largest = bolts_.largest_force();
   for (const InterfaceTrial& trial : trial_) largest = std::max(largest, trial.force.cwiseAbs().maxCoeff());
   return std::max(force_tolerance * largest, round_off * constant_rhs_.cwiseAbs().maxCoeff());
 }
@@ -213,7 +217,7 @@ double Simulation::negligible_force() const {
 double Simulation::length_of_step() {
   matrix_.multiply(target_, rhs_);  // A p; the dry contacts' part is taken out again below
   double curvature = target_.dot(rhs_);
-  double slope_at_start = increment_.dot(rhs_) - target_.dot(constant_rhs_);
+  double slope_at_start = increment_.dot(rhs_) + held_.coupled_work(increment_, target_) - target_.dot(constant_rhs_);
   const double factor = coefficients_.stiffness;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
@@ -224,8 +228,10 @@ double Simulation::length_of_step() {
     slope_at_start -=
         factor * (along.dot(trial.gap - contacts_.states[i].gap) + trial.direction.dot(contacts_.states[i].force));
   }
+  curvature -= factor * bolts_.active_curvature();
+  slope_at_start -= factor * bolts_.active_slope();
   const auto slope = [&](double t) {
-    double value = slope_at_start + t * curvature;
+    double value = slope_at_start + t * curvature + factor * bolts_.force_along(t);
     for (std::size_t i = 0; i < trial_.size(); ++i)
       if (!has_stress_rows(contacts_.elements[i])) value += factor * force_along(contacts_.elements[i], trial_[i], t);
     return value;
@@ -237,6 +243,7 @@ double Simulation::length_of_step() {
 
 // Gaps and forces after `share` of the Newton step.
 void Simulation::follow_trials(double share) {
+  bolts_.follow_trials(share);
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     InterfaceTrial& trial = trial_[i];
@@ -261,7 +268,7 @@ Vec3 Simulation::trial_stress(int block) const {
 
 bool Simulation::break_interfaces() {
   if (!plan_.contacts_can_change) return false;
-  bool broke = false;
+  bool broke = bolts_.break_links();
   bool weakened = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     if (has_stress_rows(contacts_.elements[i])) {
@@ -307,6 +314,9 @@ void Simulation::accept_contacts() {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceState before = contacts_.states[i];
     const InterfaceState after = finish_trial(contacts_.elements[i], before, trial_[i]);
+    if (trial_[i].force != after.force && !held_.empty())  // the rest of their work is in audit_held_blocks
+      audit_.held_blocks_moved_against(weight *
+                                       held_.gap_increment(contacts_.elements[i]).dot(trial_[i].force - after.force));
     if (before.status != after.status || before.slip != after.slip || trial_[i].force != after.force)
       audit_.interface_changed(contacts_.elements[i], before, after, gap_increment(contacts_.elements[i], increment_),
                                weight * (trial_[i].force - after.force),

@@ -127,6 +127,22 @@ TEST(WarmStep, AllocatesNothingWhileJointsOpenAndSlide) {
   EXPECT_EQ(allocations_of_warm_steps(std::move(model)), 0);
 }
 
+TEST(WarmStep, AllocatesNothingWithBoltsAndAShakenBlock) {
+  for (const InterfaceLaw law : {InterfaceLaw::classical, InterfaceLaw::consistent}) {
+    Model model = full_scene(strong(law), generalized_alpha_integrator(0.8), false);
+    HeldBlock held;
+    held.amplitude = {1, 0};
+    held.history = SineCycles{200, 100, 0};
+    held.kind = MotionKind::acceleration;
+    model.held_blocks = {held};
+    Bolt bolt;
+    bolt.links = {{0, 2, model.blocks[0].shape.outer[0], model.blocks[2].shape.outer[2], 1e9, 0}};
+    bolt.pretension = bolt.yield_force = 1e3;
+    model.bolts = {bolt};
+    EXPECT_EQ(allocations_of_warm_steps(std::move(model)), 0);
+  }
+}
+
 TEST(WarmStep, AllocatesNothingInFiniteKinematics) {
   Model model = full_scene(bond(InterfaceLaw::consistent), generalized_alpha_integrator(0.8), false);
   model.stages[0].kinematics = Kinematics::finite;

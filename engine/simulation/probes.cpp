@@ -53,6 +53,31 @@ Vec2 point_acceleration(const Simulation& simulation, const Measurement& measure
   return displacement_rows(simulation.state().deformation[i] * offset) * simulation.state().acceleration[i];
 }
 
+bool is_of_bolt(Quantity quantity) {
+  return quantity == Quantity::bolt_force || quantity == Quantity::bolt_shear || quantity == Quantity::bolt_elongation;
+}
+
+// Of one link, or of the bolt: the sum of elongations, the force that is largest in magnitude.
+double bolt_value(const Simulation& simulation, const Measurement& measurement) {
+  const Bolt& bolt = simulation.model().bolts[static_cast<std::size_t>(measurement.bolt)];
+  const BoltSet& bolts = simulation.bolts();
+  const bool one = measurement.link >= 0;
+  const std::size_t first = one ? static_cast<std::size_t>(measurement.link) : 0;
+  const std::size_t last = one ? first + 1 : bolt.links.size();
+  const bool elongation = measurement.quantity == Quantity::bolt_elongation;
+  double value = 0;
+  for (std::size_t link = first; link < last; ++link) {
+    const Vec2& force = bolts.state(measurement.bolt, link).force;
+    const double own = bolt.spacing * (measurement.quantity == Quantity::bolt_shear ? force(1) : force(0));
+    if (elongation) {
+      value += bolts.elongation(measurement.bolt, link);
+    } else if (std::abs(own) > std::abs(value)) {
+      value = own;
+    }
+  }
+  return value;
+}
+
 double block_value(const Simulation& simulation, const Measurement& measurement) {
   const Model& model = simulation.model();
   const State& state = simulation.state();
@@ -69,7 +94,10 @@ double block_value(const Simulation& simulation, const Measurement& measurement)
     case Quantity::acceleration_y: return point_acceleration(simulation, measurement).y();
     case Quantity::rotation: return state.displacement[i](2);
     case Quantity::traction_normal:
-    case Quantity::traction_shear: break;
+    case Quantity::traction_shear:
+    case Quantity::bolt_force:
+    case Quantity::bolt_shear:
+    case Quantity::bolt_elongation: break;
   }
   return std::nan("");
 }
@@ -92,6 +120,10 @@ Probes::Probes(const Simulation& simulation) {
 void Probes::sample(const Simulation& simulation, std::span<double> values) const {
   const std::vector<Measurement>& measurements = simulation.model().measurements;
   for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (is_of_bolt(measurements[i].quantity)) {
+      values[i] = bolt_value(simulation, measurements[i]);
+      continue;
+    }
     if (!is_traction(measurements[i].quantity)) {
       values[i] = block_value(simulation, measurements[i]);
       continue;

@@ -43,11 +43,13 @@ Simulation::Simulation(Model model)
       state_(initial_state(model_)),
       contacts_(make_contacts(model_)),
       supports_(make_supports(model_, state_)),
+      bolts_(model_, state_),
+      held_(model_),
       terms_(make_block_terms(model_, 1)),
       damping_(make_block_damping(model_, state_)),
       external_(model_, state_),
       contact_range_(model_, contacts_.interfaces),
-      matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_)) {
+      matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_, bolts_.pairs())) {
   const Eigen::Index unknowns = matrix_.unknowns();
   turned_.assign(model_.blocks.size(), 0);
   static_out_of_balance_.assign(model_.stages.size(), std::numeric_limits<double>::quiet_NaN());
@@ -57,7 +59,7 @@ Simulation::Simulation(Model model)
   if (contacts_move(model_)) {
     contacts_.can_change = true;
     moving_.emplace(model_, state_, contacts_);
-    matrix_ = make_system_matrix(matrix_.size(), moving_->pairs());
+    matrix_ = make_moving_matrix();
   }
   sum_internal_forces(internal_old_);
   external_.loads_at(state_.time, load_old_);
@@ -65,8 +67,19 @@ Simulation::Simulation(Model model)
   start_energy_audit();
 }
 
-void Simulation::start_energy_audit() {
-  audit_.start(plan_.linear ? linear_stored_energy() : stored_energy(terms_, state_, contacts_, supports_));
+void Simulation::start_energy_audit() { audit_.start(plan_.linear ? linear_stored_energy() : stored_energy_now()); }
+
+StoredEnergy Simulation::stored_energy_now() const {
+  StoredEnergy stored = stored_energy(terms_, state_, contacts_, supports_);
+  stored.bolts = bolts_.stored_energy();
+  return stored;
+}
+
+// With the pairs that can touch before the list of them changes.
+BlockMatrix Simulation::make_moving_matrix() const {
+  std::vector<std::pair<int, int>> pairs = bolts_.pairs();
+  pairs.insert(pairs.end(), moving_->pairs().begin(), moving_->pairs().end());
+  return make_system_matrix(matrix_.size(), std::move(pairs));
 }
 
 void Simulation::begin_stage() {
@@ -88,6 +101,7 @@ void Simulation::begin_stage() {
   } else {
     set_initial_acceleration();
   }
+  set_held_rates();
 }
 
 void Simulation::set_step_size(double dt) {
@@ -131,7 +145,7 @@ bool Simulation::loads_stand_still_until(double time) {
   }
   for (std::size_t i = 0; plan_.moving_supports && i < supports_.size(); ++i)
     if (prescribed_displacement(model_.supports[i], time) != supports_[i].prescribed) return false;
-  return true;
+  return held_.stand_still_until(model_, state_, time);
 }
 
 Status Simulation::end_stage() {
@@ -157,7 +171,7 @@ void Simulation::release_shear_of_contacts() {
   for (std::size_t i = 0; i < contacts_.elements.size(); ++i)
     released = release_shear(contacts_.elements[i], contacts_.strengths[i], contacts_.states[i]) || released;
   if (!released) return;
-  audit_.geometry_followed(stored_energy(terms_, state_, contacts_, supports_));
+  audit_.geometry_followed(stored_energy_now());
   sum_internal_forces(internal_old_);
 }
 
@@ -191,6 +205,7 @@ void Simulation::prepare_step() {
   if (plan_.finite_kinematics) follow_geometry();
   if (plan_.loads) external_.loads_at(state_.time + coefficients_.dt, load_new_);
   form_constant_rhs();
+  held_.aim(model_, state_, state_.time + coefficients_.dt);
 }
 
 // The block that moves most in the step solved last, in sizes of that block.
@@ -222,7 +237,7 @@ void Simulation::follow_contacts() {
   }
   ++counters_.contact_searches;
   if (moving_->follow(model_, state_, contacts_)) {
-    matrix_ = make_system_matrix(matrix_.size(), moving_->pairs());
+    matrix_ = make_moving_matrix();
     solver_->analyze(matrix_);
     ++counters_.analyses;
   }
@@ -236,6 +251,7 @@ void Simulation::follow_geometry() {
   follow_contacts();
   update_geometry(model_, state_, supports_);
   for (std::size_t i = 0; i < supports_.size(); ++i) measure_gap(model_, state_, i, supports_[i]);
+  bolts_.update_geometry(model_, state_);
   if (plan_.viscous_edges) update_geometry(model_, state_, damping_);
   if (plan_.loads) {
     external_.update_geometry(model_, state_);
@@ -243,7 +259,7 @@ void Simulation::follow_geometry() {
   }
   refresh_tractions(state_, contacts_);
   sum_internal_forces(internal_old_);
-  audit_.geometry_followed(stored_energy(terms_, state_, contacts_, supports_));
+  audit_.geometry_followed(stored_energy_now());
   matrix_is_current_ = false;
 }
 
@@ -255,6 +271,7 @@ void Simulation::sum_internal_forces(Eigen::VectorXd& force) const {
   }
   add_contact_force(contacts_, force);
   add_support_force(supports_, force);
+  bolts_.add_force(force);
 }
 
 void Simulation::form_constant_rhs() {
@@ -268,28 +285,14 @@ void Simulation::form_constant_rhs() {
   add_dashpot_and_support_rhs();
 }
 
-void Simulation::add_dashpot_and_support_rhs() {
-  const StepCoefficients& c = coefficients_;
-  for (const auto& [block, matrix] : damping_) {
-    const auto i = static_cast<std::size_t>(block);
-    constant_rhs_.segment<6>(6 * block) -=
-        matrix * (c.damping_v * state_.velocity[i] + c.damping_a * state_.acceleration[i]);
-  }
-  if (!plan_.moving_supports) return;
-  for (std::size_t i = 0; i < supports_.size(); ++i) {
-    const SupportElement& support = supports_[i];
-    const Vec2 motion = prescribed_displacement(model_.supports[i], state_.time + c.dt) - support.prescribed;
-    constant_rhs_.segment<6>(6 * support.block) +=
-        c.stiffness * displacement_rows(support.offset).transpose() * support.stiffness.cwiseProduct(motion);
-  }
-}
-
 Status Simulation::refactor() {
   if (plan_.linear) {
     assemble(coefficients_, *linear_, damping_, matrix_);
   } else {
     assemble(coefficients_, terms_, damping_, supports_, contacts_, matrix_rows_, matrix_);
+    bolts_.add_stiffness(coefficients_.stiffness, matrix_);
   }
+  held_.take_out(matrix_);
   ++counters_.matrix_rebuilds;
   const Status status = solver_->factorize(matrix_);
   ++counters_.factorizations;
@@ -301,7 +304,10 @@ Status Simulation::refactor() {
 
 Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
   ++counters_.solves;
+  held_.move_to_right(rhs_);
+  held_.put(increment);
   const Status status = solver_->solve(rhs_, increment);
+  held_.put(increment);
   if (status != Status::ok) {
     message_ = "the linear solver failed";
     return status;
@@ -320,27 +326,18 @@ void Simulation::accept_step() {
   state_.time += coefficients_.dt;
   accept_contacts();
   if (plan_.contacts_can_change) note_penetrations(contacts_, terms_, state_.time, deepest_);
+  bolts_.accept(audit_);
   accept_supports();
   sum_internal_forces(internal_new_);
-  audit_.record(coefficients_, work, stored_energy(terms_, state_, contacts_, supports_),
+  audit_.record(coefficients_, work, stored_energy_now(),
                 {load_old_, load_new_, external_.weight(), internal_old_, internal_new_}, increment_);
   deform_blocks(stage().kinematics, increment_, state_);
+  audit_held_blocks();
   damp_velocities();
+  set_held_rates();
   internal_old_.swap(internal_new_);
   load_old_.swap(load_new_);
   ++counters_.steps;
-}
-
-void Simulation::accept_supports() {
-  for (std::size_t i = 0; i < supports_.size(); ++i) {
-    const SupportElement before = supports_[i];
-    if (plan_.linear) {
-      measure_gap(model_, state_, i, supports_[i]);
-    } else {
-      advance_gap(model_.supports[i], increment_, state_.time, supports_[i]);
-    }
-    if (plan_.moving_supports) audit_.support_moved(before, supports_[i]);
-  }
 }
 
 void Simulation::damp_velocities() {
@@ -363,9 +360,11 @@ void Simulation::set_initial_acceleration() {
   if (plan_.gravity) unbalanced += external_.weight();
   for (const auto& [block, matrix] : damping_)
     unbalanced.segment<6>(6 * block) -= matrix * state_.velocity[static_cast<std::size_t>(block)];
-  for (std::size_t i = 0; i < state_.acceleration.size(); ++i)
+  for (std::size_t i = 0; i < state_.acceleration.size(); ++i) {
+    if (terms_.inertia[i].mass == 0) continue;  // held
     state_.acceleration[i] =
         mass_matrix(terms_.inertia[i]).llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
+  }
 }
 
 Counters Simulation::counters() const {
@@ -381,6 +380,7 @@ double Simulation::out_of_balance() const {
     unbalanced += external_.weight();
     scale = std::max(scale, external_.weight().cwiseAbs().maxCoeff());
   }
+  held_.clear(unbalanced);
   return scale > 0 ? unbalanced.cwiseAbs().maxCoeff() / scale : unbalanced.cwiseAbs().maxCoeff();
 }
 

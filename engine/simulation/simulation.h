@@ -24,9 +24,11 @@
 #include "dda/model/model.h"
 #include "dda/model/state.h"
 #include "dda/simulation/block_terms.h"
+#include "dda/simulation/bolt_set.h"
 #include "dda/simulation/contact_range.h"
 #include "dda/simulation/energy_audit.h"
 #include "dda/simulation/external_forces.h"
+#include "dda/simulation/held_blocks.h"
 #include "dda/simulation/linear_operators.h"
 #include "dda/simulation/penetration.h"
 #include "dda/simulation/step_coefficients.h"
@@ -54,6 +56,7 @@ class Simulation {
   [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
   // The state of one interface now. (In a linear scene it is not kept from step to step but computed here.)
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
+  [[nodiscard]] const BoltSet& bolts() const { return bolts_; }
   [[nodiscard]] const StepPlan& plan() const { return plan_; }
   [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }
   [[nodiscard]] Counters counters() const;
@@ -121,6 +124,10 @@ class Simulation {
   [[nodiscard]] bool reached_equilibrium();
   [[nodiscard]] bool loads_stand_still_until(double time);
   [[nodiscard]] Status end_stage();
+  void set_held_rates();
+  [[nodiscard]] StoredEnergy stored_energy_now() const;
+  [[nodiscard]] BlockMatrix make_moving_matrix() const;
+  void audit_held_blocks();
   [[nodiscard]] bool contacts_are_in_range();
   void add_dashpot_and_support_rhs();
   void start_energy_audit();
@@ -129,7 +136,7 @@ class Simulation {
   void begin_linear_stage();
   void end_linear_stage();
   void keep_gaps_at_rest();
-  [[nodiscard]] Eigen::VectorXd initial_linear_acceleration() const;
+  [[nodiscard]] Eigen::VectorXd initial_linear_acceleration();
   [[nodiscard]] Status linear_step();
   void form_linear_rhs();
   void accept_linear_step();
@@ -150,6 +157,8 @@ class Simulation {
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   std::vector<double> turned_;            // rad, rotation of each block that its stress has followed
   std::vector<SupportElement> supports_;
+  BoltSet bolts_;
+  HeldBlocks held_;
   BlockTerms terms_;
   BlockDamping damping_;
   ExternalForces external_;

@@ -123,6 +123,8 @@ struct SnapshotAccess {
     archive.same(s.model_.stages.size(), "stages");
     if (!s.moving_) archive.same(s.contacts_.interfaces.size(), "interfaces");
     archive.same(s.supports_.size(), "supports");
+    archive.same(s.model_.held_blocks.size(), "held blocks");
+    archive.same(s.bolts_.links_.size(), "links of bolts");
     archive.same(s.external_.loads_.size(), "loads");
     archive.same(s.damping_.size(), "blocks with viscous edges");
     archive.number(s.stage_);
@@ -187,12 +189,12 @@ struct SnapshotAccess {
       archive.number(s.contacts_.strengths[i]);
     }
     archive.number(s.moved_);
-    if constexpr (!std::is_const_v<AnySimulation>) s.matrix_ = make_system_matrix(s.matrix_.size(), moving.pairs());
+    if constexpr (!std::is_const_v<AnySimulation>) s.matrix_ = s.make_moving_matrix();
   }
 
   template <typename AnySimulation, typename Archive>
   static void contacts(AnySimulation& s, bool moves, Archive& archive) {
-    if (!moves && !s.contacts_.can_change) return;
+    if (!moves && !s.contacts_.can_change && s.bolts_.empty()) return;
     if (s.moving_) contact_list(s, archive);
     resize(archive, s.matrix_rows_);
     for (auto& rows : s.matrix_rows_) matrices(archive, rows);
@@ -231,6 +233,11 @@ struct SnapshotAccess {
     contacts(s, moves, archive);
     if (moves) moved_geometry(s, archive);
     for (auto& support : s.supports_) matrices(archive, support.offset, support.gap, support.prescribed);
+    for (auto& link : s.bolts_.links_) {
+      auto& [gap, plastic, force, ruptured] = link.state;
+      matrices(archive, link.rows.a, link.rows.b, gap, plastic, force);
+      archive.number(ruptured);
+    }
     for (auto* vector : {&s.load_old_, &s.internal_old_, &s.increment_, &s.momentum_, &s.inertia_force_,
                          &s.elastic_force_, &s.internal_at_rest_})
       archive.vector(*vector);

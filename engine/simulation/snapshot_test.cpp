@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "dda/core/error.h"
@@ -85,6 +86,51 @@ Model bar_first_finite() {
   return model;
 }
 
+TimeFunction ground_motion() {
+  return Recorded{
+      std::make_shared<const Recording>("", std::vector{0.0, 0.003, 0.006, 0.02}, std::vector{0.0, 90.0, -120.0, 0.0}),
+      0};
+}
+
+// The floor shaken by a recording, the stack tied to it by bolts that yield.
+Model bolted_stack(Kinematics kinematics) {
+  Model model = shaken_stack(InterfaceLaw::classical, kinematics);
+  model.supports.clear();
+  model.held_blocks = {HeldBlock{}};
+  model.held_blocks[0].amplitude = {1, 0.2};
+  model.held_blocks[0].kind = MotionKind::acceleration;
+  model.held_blocks[0].history = ground_motion();
+  for (const double x : {0.3, 0.9}) {
+    Bolt bolt;
+    bolt.name = fmt::format("bolt {}", x);
+    bolt.direction = {0, 1};
+    bolt.links = {{0, 2, {x, -0.5}, {x, 0.8}, 4e8, 0}};
+    bolt.pretension = 1e3;
+    bolt.yield_force = 3e4;
+    model.bolts.push_back(bolt);
+  }
+  finish_model(model);
+  return model;
+}
+
+// Bonded, elastic but for its bolts.
+Model bolted_bar() {
+  Model model = bar(InterfaceLaw::consistent);
+  model.supports.clear();
+  model.held_blocks = {HeldBlock{}};
+  model.held_blocks[0].amplitude = {1, 0};
+  model.held_blocks[0].kind = MotionKind::acceleration;
+  model.held_blocks[0].history = ground_motion();
+  Bolt bolt;
+  bolt.name = "bolt";
+  bolt.grouted = true;
+  bolt.links = {{1, 2, {4, 0.5}, {4, 0.5}, 1e10, 1e9}, {2, 3, {6, 0.5}, {6, 0.5}, 1e10, 1e9}};
+  bolt.yield_force = 2e3;
+  model.bolts = {bolt};
+  finish_model(model);
+  return model;
+}
+
 template <typename Values>
 void expect_same_bits(const Values& a, const Values& b, const char* what) {
   ASSERT_EQ(a.size(), b.size());
@@ -102,6 +148,14 @@ void expect_same(const Simulation& a, const Simulation& b) {
   expect_same_bits(a.state().deformation, b.state().deformation, "deformation");
   EXPECT_EQ(std::memcmp(&a.energy(), &b.energy(), sizeof(EnergyLedger)), 0);
   EXPECT_EQ(a.out_of_balance(), b.out_of_balance());
+  for (std::size_t i = 0; i < a.model().bolts.size(); ++i)
+    for (std::size_t link = 0; link < a.model().bolts[i].links.size(); ++link) {
+      const LinkState& one = a.bolts().state(static_cast<int>(i), link);
+      const LinkState& other = b.bolts().state(static_cast<int>(i), link);
+      EXPECT_EQ(one.gap, other.gap);
+      EXPECT_EQ(one.plastic, other.plastic);
+      EXPECT_EQ(one.force, other.force);
+    }
   for (std::size_t i = 0; i < a.contacts().interfaces.size(); ++i) {
     EXPECT_EQ(a.contacts().elements[i].law, b.contacts().elements[i].law);
     const InterfaceState one = a.interface_state(i);
@@ -177,7 +231,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"finite", [] { return shaken_stack(InterfaceLaw::consistent, Kinematics::finite); }, true},
                     Case{"finite_pcg",
                          [] { return with_pcg(shaken_stack(InterfaceLaw::classical, Kinematics::finite)); }, true},
-                    Case{"two_stages", two_stages, true}, Case{"bar_first_finite", bar_first_finite, false}),
+                    Case{"bolts", [] { return bolted_stack(Kinematics::finite); }, true},
+                    Case{"bolts_small", [] { return bolted_stack(Kinematics::small); }, true},
+                    Case{"bolted_bar", bolted_bar, false}, Case{"two_stages", two_stages, true},
+                    Case{"bar_first_finite", bar_first_finite, false}),
     [](const auto& test) { return std::string(test.param.name); });
 
 std::string refusal(Model model, const State& state, std::span<const std::byte> snapshot) {

@@ -27,10 +27,13 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
   plan.gravity = !model.gravity.isZero();
   plan.supports = !model.supports.empty();
   plan.moving_supports = std::any_of(model.supports.begin(), model.supports.end(),
-                                     [](const PointSupport& support) { return !support.displacement.isZero(); });
+                                     [](const PointSupport& support) { return !support.amplitude.isZero(0); });
+  plan.held_blocks = !model.held_blocks.empty();
   plan.viscous_edges = !model.viscous_edges.empty();
   plan.contacts = !contacts.interfaces.empty();
-  plan.contacts_can_change = contacts.can_change;
+  plan.bolts = !model.bolts.empty();
+  plan.contacts_can_change = contacts.can_change || plan.bolts;
+  plan.contacts_judged = contacts.can_change;
   plan.dilation = plan.contacts_can_change && std::any_of(model.joints.begin(), model.joints.end(),
                                                           [](const auto& joint) { return joint.dilation_angle > 0; });
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
@@ -50,8 +53,10 @@ std::vector<std::string> StepPlan::describe() const {
   add(loads, "loads");
   add(gravity, "gravity");
   add(supports, moving_supports ? "supports, moving" : "supports");
+  add(held_blocks, "held blocks: taken out of the system");
+  add(bolts, "bolts: open-close iteration");
   add(viscous_edges, "viscous boundary");
-  add(contacts, contacts_can_change ? "contacts: open-close iteration" : "contacts: bonded, never judged");
+  add(contacts, contacts_judged ? "contacts: open-close iteration" : "contacts: bonded, never judged");
   add(dilation, "dilation of joints that slide");
   add(linear, "linear: forces by one constant matrix");
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");

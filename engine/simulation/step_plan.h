@@ -15,9 +15,12 @@ struct StepPlan {
   bool gravity = false;
   bool supports = false;
   bool moving_supports = false;
+  bool held_blocks = false;
   bool viscous_edges = false;
   bool contacts = false;
-  bool contacts_can_change = false;  // runs the open-close iteration
+  bool contacts_judged = false;      // some joint can open, slide or break
+  bool bolts = false;                // which can yield, break or go slack
+  bool contacts_can_change = false;  // one of these: runs the open-close iteration
   bool dilation = false;             // some joint opens as it slides
   bool finite_kinematics = false;    // geometry and matrix are rebuilt every step
   bool linear = false;               // nothing can change: forces are one product with a constant matrix

@@ -4,16 +4,25 @@
 
 namespace dda {
 
+namespace {
+
+Mat2 stiffness_of(const PointSupport& support) {
+  if (!support.direction.isZero(0)) return support.stiffness * support.direction * support.direction.transpose();
+  const Vec2 held(support.holds_x ? 1 : 0, support.holds_y ? 1 : 0);
+  return support.stiffness * Mat2(held.asDiagonal());
+}
+
+}  // namespace
+
 Vec2 prescribed_displacement(const PointSupport& support, double time) {
-  return support.displacement.isZero() ? support.displacement
-                                       : Vec2(evaluate(support.history, time) * support.displacement);
+  if (support.amplitude.isZero(0)) return Vec2::Zero();
+  return motion_at(support.kind, support.history, time).displacement * support.amplitude;
 }
 
 std::vector<SupportElement> make_supports(const Model& model, const State& state) {
   std::vector<SupportElement> supports;
   for (const PointSupport& support : model.supports) {
-    const Vec2 stiffness(support.holds_x ? support.stiffness : 0, support.holds_y ? support.stiffness : 0);
-    supports.push_back({support.block, Vec2::Zero(), stiffness});
+    supports.push_back({support.block, Vec2::Zero(), stiffness_of(support)});
   }
   update_geometry(model, state, supports);
   for (std::size_t i = 0; i < supports.size(); ++i) measure_gap(model, state, i, supports[i]);
@@ -44,13 +53,12 @@ void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, dou
 void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force) {
   for (const SupportElement& support : supports)
     force.segment<6>(6 * support.block) +=
-        displacement_rows(support.offset).transpose() * support.stiffness.cwiseProduct(support.gap);
+        displacement_rows(support.offset).transpose() * (support.stiffness * support.gap);
 }
 
 double support_energy(const std::vector<SupportElement>& supports) {
   double energy = 0;
-  for (const SupportElement& support : supports)
-    energy += support.gap.dot(support.stiffness.cwiseProduct(support.gap)) / 2;
+  for (const SupportElement& support : supports) energy += support.gap.dot(support.stiffness * support.gap) / 2;
   return energy;
 }
 

@@ -12,7 +12,7 @@ namespace dda {
 struct SupportElement {
   int block = 0;
   Vec2 offset;                     // of the held point from the centroid, m
-  Vec2 stiffness;                  // N/m in x and y
+  Mat2 stiffness;                  // N/m
   Vec2 gap = Vec2::Zero();         // m, held point minus its prescribed place
   Vec2 prescribed = Vec2::Zero();  // m, displacement asked for at the time of `gap`
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "dda/terms/elasticity.h"
@@ -28,12 +29,21 @@ void add_contacts(double factor, const ContactSet& contacts, const std::vector<V
   }
 }
 
+// Of the blocks that are not held; infinite where both are.
+double least_mass(const BlockTerms& terms, int a, int b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int block : {a, b}) {
+    const double mass = terms.inertia[static_cast<std::size_t>(block)].mass;
+    if (mass > 0) least = std::min(least, mass);
+  }
+  return least;
+}
+
 }  // namespace
 
-BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts) {
-  std::vector<std::pair<int, int>> couplings;
-  for (const Interface& interface : contacts.interfaces) couplings.emplace_back(interface.block_a, interface.block_b);
-  return make_system_matrix(blocks, std::move(couplings));
+BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts, std::vector<std::pair<int, int>> others) {
+  for (const Interface& interface : contacts.interfaces) others.emplace_back(interface.block_a, interface.block_b);
+  return make_system_matrix(blocks, std::move(others));
 }
 
 BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs) {
@@ -54,8 +64,7 @@ void assemble(const StepCoefficients& step, const BlockTerms& terms, const Block
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {
   double largest = 0;
   for (const InterfaceElement& element : contacts.elements) {
-    const double mass = std::min(terms.inertia[static_cast<std::size_t>(element.block_a)].mass,
-                                 terms.inertia[static_cast<std::size_t>(element.block_b)].mass);
+    const double mass = least_mass(terms, element.block_a, element.block_b);
     const double normal_stiffness =
         element.law == InterfaceLaw::classical ? element.stiffness(0) + element.stiffness(2) : element.stiffness(0);
     largest = std::max(largest, normal_stiffness * dt * dt / mass);

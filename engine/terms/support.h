@@ -5,10 +5,10 @@
 
 namespace dda {
 
-// Stiffness (N/m) in x and y; zero where the point is free.
-inline Mat6 support_stiffness(const Vec2& offset, const Vec2& stiffness) {
+// Stiffness (N/m) of the point, without entries in directions in which it is free.
+inline Mat6 support_stiffness(const Vec2& offset, const Mat2& stiffness) {
   const Mat26 rows = displacement_rows(offset);
-  return rows.transpose() * stiffness.asDiagonal() * rows;
+  return rows.transpose() * stiffness * rows;
 }
 
 }  // namespace dda

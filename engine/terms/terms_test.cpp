@@ -158,10 +158,12 @@ TEST(Gravity, PullsAtTheCentroid) { EXPECT_EQ(weight(3, Vec2(1, -9.81)), Vec2(3,
 
 TEST(Support, StiffnessIsTheHessianOfItsSprings) {
   const Vec2 offset(0.8, 1.9);
-  for (const Vec2& stiffness : {Vec2(3, 5), Vec2(0, 5), Vec2(3, 0)}) {
+  const Vec2 inclined(0.6, -0.8);
+  for (const Mat2& stiffness :
+       {Mat2(Vec2(3, 5).asDiagonal()), Mat2(Vec2(0, 5).asDiagonal()), Mat2(7 * inclined * inclined.transpose())}) {
     const auto energy = [&](const Vec6& q) {
       const Vec2 u = motion(q, offset);
-      return (stiffness.x() * u.x() * u.x() + stiffness.y() * u.y() * u.y()) / 2;
+      return u.dot(stiffness * u) / 2;
     };
     EXPECT_LT(relative_difference(support_stiffness(offset, stiffness), hessian<6>(energy, 1)), round_off);
   }

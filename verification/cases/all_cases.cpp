@@ -4,6 +4,8 @@
 
 #include "verification/cases/arch_cases.h"
 #include "verification/cases/bar_ends_cases.h"
+#include "verification/cases/base_shaking_cases.h"
+#include "verification/cases/bolt_cases.h"
 #include "verification/cases/bounce_cases.h"
 #include "verification/cases/cantilever_cases.h"
 #include "verification/cases/collision_cases.h"
@@ -32,12 +34,14 @@ namespace {
 constexpr std::array subjects{
     rigid_motion_cases,        // 1-3
     contact_oscillator_cases,  // 4
+    base_shaking_cases,        // 4, 11
     bounce_cases,              // 5
     collision_cases,           // 6, 7
     energy_cases,              // 8
     sliding_cases,             // 9, 12
     shaken_block_cases,        // 10, 11
     stick_slip_cases,          // 13
+    bolt_cases,                // 8, 9, 23
     rocking_cases,             // 14-16
     incline_chart_cases,       // 17
     slope_cases,               // 18, 19

@@ -1,0 +1,59 @@
+#include "dda/app/recording_report.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace dda {
+namespace {
+
+// A sample every 0.01 s, peak 4 at 0.01 s, 0.02 s long: leaves a velocity of 0.04 and a displacement of 0.0004.
+Recorded quake() {
+  return {std::make_shared<const Recording>("quake.csv", std::vector{0.0, 0.01, 0.02}, std::vector{0.0, 4.0, 0.0}), 2};
+}
+
+Model shaken() {
+  Model model;
+  HeldBlock base;
+  base.amplitude = {3, 4};
+  base.kind = MotionKind::acceleration;
+  base.history = quake();
+  model.held_blocks = {base, base};
+  return model;
+}
+
+TEST(RecordingReport, TellsDurationPeakAndWhatIsLeft) {
+  const std::vector<std::string> lines = describe_recordings(shaken());
+  ASSERT_EQ(lines.size(), 1U);  // one for both
+  EXPECT_EQ(lines[0],
+            "\"quake.csv\": 3 samples over 0.02 s from 2 s on, peak acceleration 20 m/s2; at its end velocity 0.2 m/s, "
+            "displacement 0.002 m");
+}
+
+TEST(RecordingReport, OfALoadAndOfAPoint) {
+  Model model;
+  PointLoad load;
+  load.history = quake();
+  model.point_loads = {load};
+  PointSupport support;
+  support.amplitude = {0.5, 0};
+  support.history = quake();
+  model.supports = {support};
+  const std::vector<std::string> lines = describe_recordings(model);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_NE(lines[0].find("peak 4 times the load"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1].find("peak displacement 2 m"), std::string::npos) << lines[1];
+}
+
+TEST(RecordingReport, WarnsOfStepsThatPassOverSamples) {
+  Stage stage;
+  stage.dt = 0.01;
+  EXPECT_TRUE(warn_of_recordings(shaken(), stage).empty());
+  stage.dt = 0.011;
+  const std::vector<std::string> lines = warn_of_recordings(shaken(), stage);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("dt does not resolve \"quake.csv\", which has a sample every 0.01 s"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dda

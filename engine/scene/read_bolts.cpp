@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "dda/core/error.h"
+#include "dda/scene/places.h"
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+// Axial stiffness of a bolt, N/m: given, or Young's modulus times section over a length.
+struct AxialStiffness {
+  double given = 0;             // N/m, or 0
+  double young_times_area = 0;  // N
+  double free_length = 0;       // m, or 0
+
+  [[nodiscard]] double over(double length) const {
+    return given > 0 ? given : young_times_area / (free_length > 0 ? free_length : length);
+  }
+};
+
+double positive(const Field& field, const char* key, Dimension dimension, double otherwise) {
+  return value_or(field, key, otherwise, [dimension](const Field& f) { return f.positive(dimension); });
+}
+
+AxialStiffness read_stiffness(const Field& field) {
+  AxialStiffness stiffness;
+  stiffness.given = positive(field, "stiffness", Dimension::force_per_length, 0);
+  if (stiffness.given > 0) {
+    refuse(field, {"young", "diameter", "free_length"}, "beside stiffness");
+    return stiffness;
+  }
+  if (!field.has("young") && !field.has("diameter"))
+    throw InputError("", field.path() + ".stiffness", "missing", "stiffness, or young and diameter");
+  const double diameter = field.at("diameter").positive(Dimension::length);
+  stiffness.young_times_area =
+      field.at("young").positive(Dimension::stress) * std::numbers::pi * diameter * diameter / 4;
+  stiffness.free_length = positive(field, "free_length", Dimension::length, 0);
+  return stiffness;
+}
+
+// Everything but where it runs. Forces of a bolt are spread over its spacing.
+Bolt read_properties(const Field& field, const Model& model) {
+  Bolt bolt;
+  bolt.name =
+      value_or(field, "name", fmt::format("bolt {}", model.bolts.size() + 1), [](const Field& f) { return f.name(); });
+  const auto same_name = [&bolt](const Bolt& other) { return other.name == bolt.name; };
+  if (std::any_of(model.bolts.begin(), model.bolts.end(), same_name))
+    field.at("name").fail("a name that no other bolt has");
+  bolt.grouted = value_or(field, "grouted", false, [](const Field& f) { return f.truth(); });
+  bolt.spacing = positive(field, "spacing", Dimension::length, 1);
+  bolt.yield_force = positive(field, "yield_force", Dimension::force, bolt.yield_force) / bolt.spacing;
+  bolt.shear_yield_force =
+      positive(field, "shear_yield_force", Dimension::force, bolt.shear_yield_force) / bolt.spacing;
+  bolt.pretension =
+      value_or(field, "pretension", 0.0, [](const Field& f) { return f.not_negative(Dimension::force); }) /
+      bolt.spacing;
+  if (bolt.pretension > bolt.yield_force) field.at("pretension").fail("at most yield_force");
+  bolt.rupture_elongation = positive(field, "rupture_elongation", Dimension::length, bolt.rupture_elongation);
+  bolt.tension_only = value_or(field, "tension_only", true, [](const Field& f) { return f.truth(); });
+  return bolt;
+}
+
+void add_anchored_link(const Field& field, const Segment& line, const AxialStiffness& stiffness, const GroundPlan& plan,
+                       const Model& model, Bolt& bolt) {
+  refuse(field, {"shear_stiffness", "shear_yield_force", "free_length"}, "where the bolt is not grouted");
+  const int first = read_anchor(field.at("from"), line.end, plan, model);
+  const int last = read_anchor(field.at("to"), line.start, plan, model);
+  if (first == last)
+    field.at("to").fail("a point in another block than from, \"" + model.blocks[static_cast<std::size_t>(first)].name +
+                        "\"");
+  const double length = (line.end - line.start).norm();
+  bolt.links = {{first, last, line.start, line.end, stiffness.over(length) / bolt.spacing, 0}};
+}
+
+// One link where the bolt passes from a block to another, however far they are apart. By itself a link takes the
+// stretch between the middles of its two lengths in rock.
+void add_grouted_links(const Field& field, const Segment& line, const AxialStiffness& stiffness, const GroundPlan& plan,
+                       const Model& model, Bolt& bolt) {
+  read_anchor(field.at("from"), line.end, plan, model);
+  read_anchor(field.at("to"), line.start, plan, model);
+  const double shear = value_or(field, "shear_stiffness", 0.0,
+                                [](const Field& f) { return f.not_negative(Dimension::force_per_length); });
+  const std::vector<Passage> passages = plan.passages_of(line);
+  for (std::size_t i = 1; i < passages.size(); ++i) {
+    const Passage& before = passages[i - 1];
+    const Passage& after = passages[i];
+    if (before.block == after.block) continue;
+    const double stretch = (after.from + after.to - before.from - before.to) / 2;
+    const auto point = [&](double at) -> Vec2 { return line.start + at * bolt.direction; };
+    bolt.links.push_back({before.block, after.block, point(before.to), point(after.from),
+                          stiffness.over(stretch) / bolt.spacing, shear / bolt.spacing});
+  }
+  if (bolt.links.empty()) field.at("to").fail("a point beyond a joint, which the bolt is to cross");
+}
+
+void read_bolt(const Field& field, const GroundPlan& plan, Model& model) {
+  Bolt bolt = read_properties(field, model);
+  const AxialStiffness stiffness = read_stiffness(field);
+  const Segment line{field.at("from").vector(Dimension::length), field.at("to").vector(Dimension::length)};
+  if (line.start == line.end) field.at("to").fail("another point than from");
+  bolt.direction = (line.end - line.start).normalized();
+  if (bolt.grouted) {
+    add_grouted_links(field, line, stiffness, plan, model, bolt);
+  } else {
+    add_anchored_link(field, line, stiffness, plan, model, bolt);
+  }
+  model.bolts.push_back(std::move(bolt));
+}
+
+}  // namespace
+
+void read_bolts(const Field& scene, const GroundPlan& plan, Model& model) {
+  const auto bolts = scene.find("bolts");
+  if (!bolts) return;
+  for (const Field& bolt : bolts->items()) read_bolt(bolt, plan, model);
+}
+
+}  // namespace dda

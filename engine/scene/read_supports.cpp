@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include "dda/core/error.h"
+#include "dda/scene/places.h"
+#include "dda/scene/sections.h"
+
+namespace dda {
+namespace {
+
+// Why the spring of a support is this stiff: the point gives way by a thousandth of what a block under the same force
+// deforms, and a linear system with it still loses only three of its sixteen digits.
+constexpr double support_stiffness_over_young = 1000;
+
+struct KindOfMotion {
+  MotionKind kind;
+  const char* key;
+  Dimension dimension;
+};
+
+constexpr KindOfMotion kinds_of_motion[] = {
+    {MotionKind::displacement, "displacement", Dimension::length},
+    {MotionKind::velocity, "velocity", Dimension::velocity},
+    {MotionKind::acceleration, "acceleration", Dimension::acceleration},
+};
+
+// What is prescribed, in the members that a point and a block have in common.
+template <typename Held>
+void read_motion(const Field& field, RecordFiles& records, Held& held) {
+  const KindOfMotion* given = nullptr;
+  for (const KindOfMotion& each : kinds_of_motion) {
+    if (!field.has(each.key)) continue;
+    if (given != nullptr) field.at(each.key).fail(fmt::format("to be left out beside {}", given->key));
+    given = &each;
+  }
+  if (given == nullptr) return;
+  held.kind = given->kind;
+  held.amplitude = field.at(given->key).vector(given->dimension);
+  held.history = read_history(field, given->dimension, records);
+}
+
+void refuse_history_of_nothing(const Field& field) { refuse(field, {"history"}, "where no motion is prescribed"); }
+
+// Where points are held.
+
+Field amplitude_of(const Field& field) {
+  for (const KindOfMotion& each : kinds_of_motion)
+    if (const auto amplitude = field.find(each.key)) return *amplitude;
+  return field;
+}
+
+// Turned into a direction where it is the normal of an edge.
+enum class Hold { xy, x, y, normal };
+
+Hold read_held_directions(const Field& field, PointSupport& support) {
+  const auto hold = static_cast<Hold>(value_or(field, "hold", std::size_t{0}, [](const Field& f) {
+    return f.choice({"xy", "x", "y", "normal"});
+  }));
+  if (hold == Hold::normal && field.has("point")) field.at("hold").fail("xy, x or y at a point, which has no normal");
+  support.holds_x = hold != Hold::y;
+  support.holds_y = hold != Hold::x;
+  const Vec2& motion = support.amplitude;
+  if ((!support.holds_x && motion.x() != 0) || (!support.holds_y && motion.y() != 0))
+    amplitude_of(field).fail("zero in the direction that \"hold\" leaves free");
+  return hold;
+}
+
+void append_support(PointSupport support, int block, const Vec2& point, double share, Model& model) {
+  const double stiffness =
+      support.stiffness > 0 ? support.stiffness : support_stiffness_over_young * model.material_of(block).young;
+  support.block = block;
+  support.point = point;
+  support.stiffness = share * stiffness;
+  model.supports.push_back(std::move(support));
+}
+
+void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
+  refuse(field, {"rotation", "spin", "about"}, "for points and edges, which do not turn");
+  PointSupport support;
+  read_motion(field, records, support);
+  if (amplitude_of(field).path() == field.path()) refuse_history_of_nothing(field);
+  const Hold hold = read_held_directions(field, support);
+  support.stiffness =
+      value_or(field, "stiffness", 0.0, [](const Field& f) { return f.positive(Dimension::force_per_length); });
+  if (field.has("point")) {
+    const auto [block, point] = read_point(field, plan, model);
+    append_support(support, block, point, 1, model);
+    return;
+  }
+  for (const Stretch& stretch : read_edge(field, plan, model)) {
+    if (hold == Hold::normal) support.direction = stretch.inward;
+    append_support(support, stretch.block, stretch.from, 0.5, model);
+    append_support(support, stretch.block, stretch.to, 0.5, model);
+  }
+}
+
+// Whole blocks.
+
+std::vector<int> blocks_called(const Field& field, const std::vector<std::string>& groups, const Model& model) {
+  const std::string name = field.text();
+  std::vector<int> blocks;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    if (model.blocks[i].name == name || groups[i] == name) blocks.push_back(static_cast<int>(i));
+  if (blocks.empty()) {
+    std::vector<std::string> names = groups;
+    for (const Block& block : model.blocks) names.push_back(block.name);
+    static_cast<void>(field.choice(names));  // throws, as none is it
+  }
+  return blocks;
+}
+
+std::vector<bool> held_already(const Model& model) {
+  std::vector<bool> held(model.blocks.size(), false);
+  for (const HeldBlock& each : model.held_blocks) held[static_cast<std::size_t>(each.block)] = true;
+  return held;
+}
+
+void append_held(HeldBlock held, const std::vector<int>& blocks, const Field& name, Model& model) {
+  const std::vector<bool> already = held_already(model);
+  for (const int block : blocks) {
+    const Block& own = model.blocks[static_cast<std::size_t>(block)];
+    if (already[static_cast<std::size_t>(block)])
+      name.fail("blocks that are not held already, as \"" + own.name + "\" is");
+    if (!own.initial_velocity.isZero(0) || own.initial_spin != 0)
+      name.fail("blocks without initial velocity and spin, as their motion is prescribed, and not \"" + own.name +
+                "\"");
+    held.block = block;
+    model.held_blocks.push_back(held);
+  }
+}
+
+Vec2 centroid_of(const std::vector<int>& blocks, const Model& model) {
+  double area = 0;
+  Vec2 sum = Vec2::Zero();
+  for (const int block : blocks) {
+    const AreaMoments& moments = model.blocks[static_cast<std::size_t>(block)].moments;
+    area += moments.area;
+    sum += moments.area * moments.centroid;
+  }
+  return sum / area;
+}
+
+// A turn goes with a displacement, a spin with a velocity; either may stand alone.
+void read_turn(const Field& field, RecordFiles& records, HeldBlock& held) {
+  const bool alone = held.amplitude.isZero(0) && amplitude_of(field).path() == field.path();
+  const bool turns = field.has("rotation") || field.has("spin");
+  if (!turns) {
+    refuse(field, {"about"}, "without rotation or spin");
+    if (alone) refuse_history_of_nothing(field);
+    return;
+  }
+  if (field.has("rotation")) refuse(field, {"spin", "velocity", "acceleration"}, "beside rotation");
+  if (field.has("spin")) refuse(field, {"displacement", "acceleration"}, "beside spin");
+  const bool is_spin = field.has("spin");
+  const Dimension dimension = is_spin ? Dimension::angular_velocity : Dimension::angle;
+  held.kind = is_spin ? MotionKind::velocity : MotionKind::displacement;
+  held.turn = field.at(is_spin ? "spin" : "rotation").quantity(dimension);
+  if (alone) held.history = read_history(field, dimension, records);
+}
+
+void read_held_blocks(const Field& field, const std::vector<std::string>& groups, RecordFiles& records, Model& model) {
+  refuse(field, {"hold", "stiffness"}, "for a whole block, which is held exactly in all its motions");
+  const Field name = field.at("block");
+  const std::vector<int> blocks = blocks_called(name, groups, model);
+  HeldBlock held;
+  read_motion(field, records, held);
+  read_turn(field, records, held);
+  held.about =
+      value_or(field, "about", centroid_of(blocks, model), [](const Field& f) { return f.vector(Dimension::length); });
+  append_held(held, blocks, name, model);
+}
+
+}  // namespace
+
+void read_supports(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
+                   RecordFiles& records, Model& model) {
+  if (const auto fixed = scene.find("fixed")) {
+    for (const Field& name : fixed->items()) append_held({}, blocks_called(name, groups, model), name, model);
+  }
+  const auto supports = scene.find("supports");
+  if (!supports) return;
+  for (const Field& support : supports->items()) {
+    if (support.has("point")) refuse(support, {"edge"}, "beside point");
+    if (!support.has("point") && !support.has("edge") && !support.has("block"))
+      throw InputError("", support.path(), "without a place", "one of point, edge and block");
+    if (support.has("point") || support.has("edge")) {
+      read_held_points(support, plan, records, model);
+    } else {
+      read_held_blocks(support, groups, records, model);
+    }
+  }
+}
+
+}  // namespace dda

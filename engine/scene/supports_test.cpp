@@ -1,0 +1,267 @@
+// Supports, whole blocks, records and bolts as scenes write them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "dda/scene/bad_scene_test_support.h"
+
+namespace dda {
+namespace {
+
+// A base 4 m wide, below a row of four blocks of 1 m by 2 m.
+Model scene_with(const std::string& member, const std::filesystem::path& folder = {}) {
+  return parse_scene(R"({"dda": 1, "materials": {"rock": {"density": 2500, "young": "40 GPa", "poisson": 0.25}},
+    "blocks": [{"polygon": {"name": "base", "vertices": [[0, -1], [4, -1], [4, 0], [0, 0]]}},
+               {"grid": {"name": "wall", "columns": 4, "rows": 1, "block_width": 1, "block_height": 2}}],
+    "steps": {"dt": 0.01, "duration": 1}, )" +
+                         member + "}",
+                     "scene.json", folder);
+}
+
+std::filesystem::path folder_with_record() {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "supports_test";
+  std::filesystem::create_directories(folder / "records");
+  std::ofstream(folder / "records" / "quake.csv") << "t,ax,ay [g]\n0,0,0\n0.5,0.2,0.1\n1,0,0\n";
+  return folder;
+}
+
+TEST(Scene, FixedBlocksAndGroups) {
+  const Model model = scene_with(R"("fixed": ["base", "wall 1.2"])");
+  ASSERT_EQ(model.held_blocks.size(), 2U);
+  EXPECT_EQ(model.held_blocks[1].block, 2);
+  EXPECT_TRUE(model.held_blocks[1].amplitude.isZero(0));
+  EXPECT_EQ(scene_with(R"("fixed": ["wall"])").held_blocks.size(), 4U);
+}
+
+TEST(Scene, WholeBlocksMoveAndTurnAboutTheirCommonCentroid) {
+  const Model model = scene_with(R"("supports": [{"block": "wall", "displacement": ["1 mm", 0], "rotation": "2 deg"},
+                                                 {"block": "base", "velocity": [0, 0.5], "spin": 3, "about": [1, 2],
+                                                  "history": {"sine": {"frequency": 2}}}])");
+  ASSERT_EQ(model.held_blocks.size(), 5U);
+  for (int i = 0; i < 4; ++i)
+    EXPECT_LT((model.held_blocks[static_cast<std::size_t>(i)].about - Vec2(2, 1)).norm(), 1e-15);
+  EXPECT_EQ(model.held_blocks[0].amplitude, Vec2(0.001, 0));
+  EXPECT_DOUBLE_EQ(model.held_blocks[0].turn, 2 * std::numbers::pi / 180);
+  EXPECT_EQ(model.held_blocks[4].kind, MotionKind::velocity);
+  EXPECT_EQ(model.held_blocks[4].turn, 3);
+  EXPECT_EQ(model.held_blocks[4].about, Vec2(1, 2));
+  EXPECT_TRUE(std::holds_alternative<SineCycles>(model.held_blocks[4].history));
+}
+
+TEST(Scene, ATurnMayStandAlone) {
+  const Model model =
+      scene_with(R"("supports": [{"block": "base", "rotation": "2 deg", "history": {"table": [[0, 0], [1, 1]]}}])");
+  EXPECT_TRUE(std::holds_alternative<PiecewiseLinear>(model.held_blocks.at(0).history));
+  EXPECT_EQ(model.held_blocks[0].kind, MotionKind::displacement);
+}
+
+TEST(Scene, RecordsAreReadBesideTheSceneAndShared) {
+  const Model model = scene_with(R"("supports": [
+      {"block": "base", "acceleration": [1, 0],
+       "history": {"record": {"file": "records/quake.csv", "value": "ax", "unit": "g", "start": "2 s"}}},
+      {"edge": "top", "hold": "x", "acceleration": ["1 g", 0],
+       "history": {"record": {"file": "records/quake.csv", "value": "ax", "scale": 2}}}],
+    "loads": [{"edge": "left", "pressure": "1 MPa", "block": "wall 1.1",
+               "history": {"record": {"file": "records/quake.csv", "value": "ax"}}}])",
+                                 folder_with_record());
+  const auto of_base = std::get<Recorded>(model.held_blocks.at(0).history);
+  EXPECT_EQ(of_base.start, 2);
+  EXPECT_DOUBLE_EQ(of_base.recording->peak(), 0.2 * 9.80665);
+  EXPECT_EQ(of_base.recording->name(), "quake.csv");
+  EXPECT_EQ(model.held_blocks[0].kind, MotionKind::acceleration);
+  ASSERT_EQ(model.supports.size(), 8U);
+  EXPECT_DOUBLE_EQ(model.supports[0].amplitude.x(), 9.80665);
+  const auto first = std::get<Recorded>(model.supports[0].history);
+  EXPECT_EQ(first.recording->peak(), 0.4);
+  for (const PointSupport& support : model.supports)
+    EXPECT_EQ(std::get<Recorded>(support.history).recording, first.recording);
+  EXPECT_EQ(std::get<Recorded>(model.edge_loads.at(0).history).recording->peak(), 0.2);
+}
+
+TEST(Scene, RollersAcrossAnEdge) {
+  const Model model = parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": {"polygon": {"vertices": [[0, 0], [4, 3], [0, 3]]}}, "steps": {"dt": 1, "duration": 1},
+    "supports": [{"edge": {"from": [0, 0], "to": [4, 3]}, "hold": "normal"}]})",
+                                  "scene.json");
+  ASSERT_EQ(model.supports.size(), 2U);
+  EXPECT_LT((model.supports[0].direction - Vec2(-0.6, 0.8)).norm(), 1e-15);
+}
+
+TEST(Scene, BoltAnchoredAcrossSeveralBlocks) {
+  const Model model = scene_with(R"("bolts": [{"from": [0, 1], "to": [3.5, 1], "young": "200 GPa", "diameter": "20 mm",
+      "pretension": "60 kN", "yield_force": "120 kN", "spacing": 2, "rupture_elongation": "5 cm"}])");
+  const Bolt& bolt = model.bolts.at(0);
+  EXPECT_EQ(bolt.name, "bolt 1");
+  ASSERT_EQ(bolt.links.size(), 1U);
+  EXPECT_EQ(bolt.links[0].block_a, 1);
+  EXPECT_EQ(bolt.links[0].block_b, 4);
+  EXPECT_DOUBLE_EQ(bolt.links[0].axial_stiffness, 200e9 * std::numbers::pi * 1e-4 / 3.5 / 2);
+  EXPECT_EQ(bolt.pretension, 30e3);
+  EXPECT_EQ(bolt.yield_force, 60e3);
+  EXPECT_EQ(bolt.rupture_elongation, 0.05);
+  EXPECT_TRUE(bolt.tension_only);
+}
+
+// An end on a joint is in the block that the bolt runs in.
+TEST(Scene, AnchorOnAJoint) {
+  const Model model = scene_with(R"("bolts": [{"from": [1, 1], "to": [3, 1.5], "stiffness": "1 MN/m"}])");
+  EXPECT_EQ(model.bolts.at(0).links.at(0).block_a, 2);
+  EXPECT_EQ(model.bolts[0].links[0].block_b, 3);
+}
+
+// Down through the wall from above into the base: a link at each joint, in order, with the length to the middles.
+TEST(Scene, GroutedBoltHasALinkAtEveryJoint) {
+  const Model model = scene_with(R"("bolts": [{"name": "b", "from": [2.25, 2], "to": [0.25, -0.5], "grouted": true,
+      "young": 1e9, "diameter": 1, "shear_stiffness": 5, "spacing": 2}],
+    "measurements": [{"quantity": "bolt_force", "bolt": "b"}, {"quantity": "bolt_shear", "bolt": "b", "point": [1, 0]}])");
+  const std::vector<BoltLink>& links = model.bolts.at(0).links;
+  ASSERT_EQ(links.size(), 3U);
+  EXPECT_EQ(links[0].block_a, 3);
+  EXPECT_EQ(links[0].block_b, 2);
+  EXPECT_LT((links[0].point_a - Vec2(2, 2 - 0.25 * 1.25)).norm(), 1e-14);
+  EXPECT_EQ(links[1].block_b, 1);
+  EXPECT_LT((links[1].point_b - Vec2(1, 2 - 1.25 * 1.25)).norm(), 1e-14);
+  EXPECT_EQ(links[2].block_a, 1);
+  EXPECT_EQ(links[2].block_b, 0);
+  EXPECT_LT((links[2].point_a - Vec2(0.65, 0)).norm(), 1e-14);
+  const double length = std::hypot(2, 2.5);
+  // 0.25 of the bolt's 2 m along x in the first block, 1 in the second: the middles are 0.625 of it apart.
+  EXPECT_NEAR(links[0].axial_stiffness, 1e9 * std::numbers::pi / 4 / (length * 0.625 / 2) / 2, 1e-3);
+  EXPECT_EQ(links[0].shear_stiffness, 2.5);
+  EXPECT_EQ(model.measurements[0].link, -1);
+  EXPECT_EQ(model.measurements[1].link, 2);
+}
+
+TEST(Scene, GroutedBoltThroughAHole) {
+  const Model model = parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": [{"polygon": {"vertices": [[0, 0], [4, 0], [4, 2], [0, 2]],
+                            "holes": [[[1, 0.5], [2, 0.5], [2, 1.5], [1, 1.5]]]}},
+               {"polygon": {"vertices": [[4.5, 0], [6, 0], [6, 2], [4.5, 2]]}}],
+    "bolts": [{"from": [0.5, 1], "to": [5.5, 1], "grouted": true, "stiffness": 7}], "steps": {"dt": 1, "duration": 1}})",
+                                  "scene.json");
+  ASSERT_EQ(model.bolts.at(0).links.size(), 1U);  // none from the block to itself
+  EXPECT_EQ(model.bolts[0].links[0].point_a, Vec2(4, 1));
+  EXPECT_EQ(model.bolts[0].links[0].point_b, Vec2(4.5, 1));
+}
+
+struct BadPart {
+  std::string what;
+  std::string member;
+  std::vector<std::string> sentence;
+};
+
+void PrintTo(const BadPart& part, std::ostream* out) { *out << part.what; }
+
+class BadSupport : public testing::TestWithParam<BadPart> {};
+
+TEST_P(BadSupport, GivesOneSentence) {
+  try {
+    scene_with(GetParam().member, folder_with_record());
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    expect_sentence(error.what(), {"scene.json: ", " is ", ", expected "});
+    expect_sentence(error.what(), GetParam().sentence);
+  }
+}
+
+std::string support(const std::string& text) { return R"("supports": [{)" + text + "}]"; }
+std::string bolt(const std::string& text) { return R"("bolts": [{)" + text + "}]"; }
+std::string record(const std::string& text) {
+  return support(R"("block": "base", "acceleration": [1, 0], "history": {"record": {"file": "records/quake.csv", )" +
+                 text + "}}");
+}
+
+const std::vector<BadPart> bad_parts = {
+    {"unknown fixed block", R"("fixed": ["bse"])", {"fixed[0] is \"bse\"", "perhaps \"base\""}},
+    {"fixed twice", R"("fixed": ["base", "base"])", {"fixed[1] is \"base\"", "not held already"}},
+    {"fixed and moved", R"("fixed": ["wall"], )" + support(R"("block": "wall 1.1")"), {"supports[0].block", "already"}},
+    {"no place", support(R"("displacement": [1, 0])"), {"supports[0] is without a place"}},
+    {"two motions",
+     support(R"("block": "base", "displacement": [1, 0], "velocity": [1, 0])"),
+     {"supports[0].velocity", "left out beside displacement"}},
+    {"history of nothing",
+     support(R"("block": "base", "history": {"sine": {"frequency": 1}})"),
+     {"supports[0].history", "no motion"}},
+    {"history of no point motion",
+     support(R"("point": [0, -1], "history": {"sine": {"frequency": 1}})"),
+     {"supports[0].history", "no motion"}},
+    {"soft block", support(R"("block": "base", "stiffness": 1e9)"), {"supports[0].stiffness", "held exactly"}},
+    {"half held block", support(R"("block": "base", "hold": "x")"), {"supports[0].hold", "held exactly"}},
+    {"turning point", support(R"("point": [0, -1], "rotation": 1)"), {"supports[0].rotation", "do not turn"}},
+    {"turn of two kinds",
+     support(R"("block": "base", "rotation": 1, "spin": 1)"),
+     {"supports[0].spin", "beside rotation"}},
+    {"turn with a velocity",
+     support(R"("block": "base", "rotation": 1, "velocity": [1, 0])"),
+     {"supports[0].velocity", "beside rotation"}},
+    {"about nothing", support(R"("block": "base", "about": [0, 0])"), {"supports[0].about", "without rotation"}},
+    {"normal of a point", support(R"("point": [0, -1], "hold": "normal")"), {"supports[0].hold", "no normal"}},
+    {"unit of a velocity",
+     support(R"("block": "base", "velocity": ["1 m/s2", 0])"),
+     {"supports[0].velocity[0] is \"1 m/s2\"", "velocity"}},
+    {"no such record",
+     support(R"("block": "base", "acceleration": [1, 0], "history": {"record": {"file": "quake.csv"}})"),
+     {"supports[0].history.record.file: quake.csv is missing", "CSV"}},
+    {"record without a column", record(R"("value": "az")"), {"quake.csv line 1", "\"ax\"", "a column \"az\""}},
+    {"record with a choice", record(R"("start": 1)"), {"quake.csv line 1", "\"value\" in the scene"}},
+    {"record in an unknown unit",
+     record(R"("value": "ax", "unit": "gal")"),
+     {"record.unit is \"gal\"", "acceleration"}},
+    {"record with two units", record(R"("value": "ay", "unit": "m/s2")"), {"column \"ay\"", "\"g\"", "\"m/s2\""}},
+    {"baseline of a load",
+     R"("loads": [{"point": [0, -1], "force": [1, 0], "history": {"record": {"file": "records/quake.csv",
+        "value": "ax", "baseline_correction": true}}}])",
+     {"baseline_correction", "no acceleration"}},
+    {"g as a force",
+     R"("loads": [{"point": [0, -1], "force": [1, 0], "history": {"record": {"file": "records/quake.csv",
+        "value": "ay"}}}])",
+     {"column \"ay\"", "\"g\"", "a unit of force"}},
+    {"bolt from nowhere",
+     bolt(R"("from": [-1, 1], "to": [1.5, 1], "stiffness": 1)"),
+     {"bolts[0].from is (-1, 1) m and outside all blocks", "the blocks reach"}},
+    {"bolt to nowhere", bolt(R"("from": [1.5, 1], "to": [9, 1], "stiffness": 1)"), {"bolts[0].to is (9, 1) m"}},
+    {"bolt without length", bolt(R"("from": [1.5, 1], "to": [1.5, 1], "stiffness": 1)"), {"bolts[0].to"}},
+    {"bolt in one block",
+     bolt(R"("from": [1.2, 1], "to": [1.8, 1], "stiffness": 1)"),
+     {"bolts[0].to", "another block than from, \"wall 1.2\""}},
+    {"grouted in one block",
+     bolt(R"("from": [1.2, 1], "to": [1.8, 1], "stiffness": 1, "grouted": true)"),
+     {"bolts[0].to", "beyond a joint"}},
+    {"grouted along a joint",
+     bolt(R"("from": [1, 0.2], "to": [1, 1.8], "stiffness": 1, "grouted": true)"),
+     {"bolts[0].to", "beyond a joint"}},
+    {"bolt without stiffness", bolt(R"("from": [0.5, 1], "to": [1.5, 1])"), {"bolts[0].stiffness is missing"}},
+    {"bolt without diameter",
+     bolt(R"("from": [0.5, 1], "to": [1.5, 1], "young": 1e9)"),
+     {"bolts[0].diameter is missing"}},
+    {"two stiffnesses",
+     bolt(R"("from": [0.5, 1], "to": [1.5, 1], "young": 1e9, "diameter": 1, "stiffness": 1)"),
+     {"bolts[0].young", "left out beside stiffness"}},
+    {"pulled beyond yield",
+     bolt(R"("from": [0.5, 1], "to": [1.5, 1], "stiffness": 1, "pretension": "2 kN", "yield_force": "1 kN")"),
+     {"bolts[0].pretension is \"2 kN\"", "at most yield_force"}},
+    {"dowel without grout",
+     bolt(R"("from": [0.5, 1], "to": [1.5, 1], "stiffness": 1, "shear_stiffness": 1)"),
+     {"bolts[0].shear_stiffness", "not grouted"}},
+    {"negative pretension",
+     bolt(R"("from": [0.5, 1], "to": [1.5, 1], "stiffness": 1, "pretension": "-2 kN")"),
+     {"bolts[0].pretension"}},
+    {"two bolts of a name",
+     R"("bolts": [{"name": "b", "from": [0.5, 1], "to": [1.5, 1], "stiffness": 1},
+                  {"name": "b", "from": [0.5, 1], "to": [1.5, 1], "stiffness": 1}])",
+     {"bolts[1].name is \"b\""}},
+    {"measured bolt",
+     R"("measurements": [{"quantity": "bolt_force", "bolt": "b"}])",
+     {"measurements[0].bolt is \"b\""}},
+    {"bolt of a stress",
+     R"("measurements": [{"quantity": "stress_xx", "block": "base", "bolt": "b"}])",
+     {"measurements[0].bolt", "left out"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Scene, BadSupport, testing::ValuesIn(bad_parts));
+
+}  // namespace
+}  // namespace dda

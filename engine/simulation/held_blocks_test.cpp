@@ -1,0 +1,203 @@
+// Blocks whose motion is prescribed, and what they do to others.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "dda/simulation/simulation_models.h"
+
+namespace dda {
+namespace {
+
+TimeFunction ground_motion() {
+  return Recorded{std::make_shared<const Recording>("", std::vector{0.0, 0.013, 0.021, 0.04, 0.06},
+                                                    std::vector{0.0, 3.0, -5.0, 2.0, 0.0}),
+                  0.002};
+}
+
+HeldBlock shaken(int block, MotionKind kind = MotionKind::acceleration) {
+  HeldBlock held;
+  held.block = block;
+  held.amplitude = {1, -0.5};
+  held.history = ground_motion();
+  held.kind = kind;
+  return held;
+}
+
+// Three blocks in a row, the first of which is shaken.
+Model shaken_bar(const JointMaterial& joint, const Stage& stage) {
+  Model model = bar_of(3, joint);
+  model.held_blocks = {shaken(0)};
+  model.stages = {stage};
+  return model;
+}
+
+struct Way {
+  JointMaterial joint;
+  Kinematics kinematics;
+};
+
+// The linear step, the general one, and the general one with geometry that follows.
+std::vector<Way> ways() {
+  return {{bond(InterfaceLaw::consistent), Kinematics::small},
+          {strong(InterfaceLaw::classical), Kinematics::small},
+          {strong(InterfaceLaw::consistent), Kinematics::finite},
+          {bond(InterfaceLaw::classical), Kinematics::finite}};
+}
+
+// Round-off of sums of increments below 1e-2 m.
+constexpr double round_off = 1e-16;
+
+TEST(HeldBlocks, FollowTheRecordExactly) {
+  for (const Integrator& integrator : dynamic_integrators())
+    for (const Way& way : ways()) {
+      Simulation simulation = simulation_of(shaken_bar(way.joint, stage_of(integrator, 1e-3, 70, way.kinematics)));
+      while (!simulation.finished()) {
+        ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+        const MotionFactors motion = motion_at(MotionKind::acceleration, ground_motion(), simulation.state().time);
+        const State& state = simulation.state();
+        EXPECT_NEAR(state.displacement[0](0), motion.displacement, round_off) << integrator.name;
+        EXPECT_NEAR(state.displacement[0](1), -motion.displacement / 2, round_off);
+        EXPECT_EQ(state.displacement[0].tail<4>(), Eigen::Vector4d::Zero());
+        // Of a moment that differs from the state's by round-off, with slopes up to 1e3.
+        EXPECT_NEAR(state.velocity[0](0), motion.velocity, 1e-15);
+        EXPECT_NEAR(state.acceleration[0](0), motion.acceleration, 1e-13);
+      }
+    }
+}
+
+// What follows from the forces on the others alone: the same on every way, up to the 1e-4 of strains and rotations that
+// tell small from finite kinematics.
+TEST(HeldBlocks, ShakeTheOthersTheSameOnEveryWay) {
+  for (const InterfaceLaw law : {InterfaceLaw::consistent, InterfaceLaw::classical}) {
+    const Stage small = stage_of(generalized_alpha_integrator(0.8), 1e-3, 60);
+    Simulation linear = simulation_of(shaken_bar(bond(law), small));
+    Simulation general = simulation_of(shaken_bar(strong(law), small));
+    ASSERT_TRUE(linear.plan().linear);
+    ASSERT_FALSE(general.plan().linear);
+    run(linear, 60);
+    run(general, 60);
+    for (std::size_t block : {1U, 2U}) {
+      const double scale = linear.state().displacement[block].norm();
+      EXPECT_GT(scale, 1e-4);
+      EXPECT_LT((linear.state().displacement[block] - general.state().displacement[block]).norm(), 1e-10 * scale);
+    }
+  }
+}
+
+// A block on supports k gives way by F/k; in the limit it is a held one. (Strains as well: supports at four corners.)
+TEST(HeldBlocks, AreTheLimitOfStiffSupports) {
+  const Stage stage = stage_of(trapezoidal_integrator(), 1e-3, 40);
+  Simulation held = simulation_of(shaken_bar(bond(InterfaceLaw::consistent), stage));
+  run(held, 40);
+  std::vector<double> differences;
+  for (const double stiffness : {1e12, 1e13}) {
+    Model model = bar_of(3, bond(InterfaceLaw::consistent));
+    for (const Vec2& corner : model.blocks[0].shape.outer) {
+      PointSupport support{0, corner, true, true, stiffness, {1, -0.5}, ground_motion()};
+      support.kind = MotionKind::acceleration;
+      model.supports.push_back(support);
+    }
+    model.stages = {stage};
+    Simulation supported = simulation_of(std::move(model));
+    run(supported, 40);
+    differences.push_back((supported.state().displacement[2] - held.state().displacement[2]).norm());
+  }
+  EXPECT_LT(differences[0], 1e-3 * held.state().displacement[2].norm());
+  EXPECT_NEAR(differences[0] / differences[1], 10, 0.5);
+}
+
+// The work of the base is all that comes in.
+TEST(HeldBlocks, EnergyBalances) {
+  for (const Integrator& integrator : dynamic_integrators())
+    for (const Way& way : ways()) {
+      Model model = shaken_bar(way.joint, stage_of(integrator, 1e-3, 70, way.kinematics));
+      model.gravity = {0, -10};
+      model.point_loads = {{2, {3, 0.4}, {1e4, 2e4}, SineCycles{30, 2, 0}}};
+      Simulation simulation = simulation_of(std::move(model));
+      run(simulation, 70);
+      EXPECT_GT(std::abs(simulation.energy().external_work), 1);
+      EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11) << integrator.name;
+    }
+}
+
+TEST(HeldBlocks, CountNeitherForKineticEnergyNorForBalance) {
+  Model model = shaken_bar(bond(InterfaceLaw::consistent), stage_of(trapezoidal_integrator(), 1e-3, 10));
+  model.held_blocks = {shaken(0), shaken(1), shaken(2)};
+  model.gravity = {0, -10};
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 10);
+  EXPECT_EQ(simulation.energy().kinetic, 0);
+  EXPECT_EQ(simulation.out_of_balance(), 0);
+}
+
+// A stack settles on a held floor to its weight in static steps, and the floor stays where it is.
+TEST(HeldBlocks, CarryWhatRestsOnThem) {
+  Model model;
+  model.materials = {rock()};
+  model.blocks = {rectangle("floor", -1, -1, 3, 1), rectangle("block", 0, 0, 1, 0.5)};
+  model.joints = {JointMaterial{}};
+  model.joints[0].friction_angle = 0.5;
+  model.held_blocks = {HeldBlock{}};
+  model.gravity = {0, -10};
+  model.stages = {stage_of(static_integrator(), 1e-2, 60, Kinematics::finite)};
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 60);
+  EXPECT_EQ(simulation.state().displacement[0], Vec6::Zero());
+  double carried = 0;
+  for (const InterfaceState& state : simulation.contacts().states) carried -= state.force(0);
+  const double weight = 2600 * 0.5 * 10;
+  EXPECT_NEAR(carried, weight, 1e-6 * weight);
+  EXPECT_LT(simulation.out_of_balance(), 1e-6);
+}
+
+// A floor is tilted slowly about a far point: the block on it stays until the slope reaches the friction angle.
+TEST(HeldBlocks, TiltingTable) {
+  for (const double share : {0.98, 1.02}) {
+    Model model;
+    model.materials = {rock()};
+    model.blocks = {rectangle("floor", -4, -1, 8, 1), rectangle("block", 0, 0, 1, 0.5)};
+    model.joints = {JointMaterial{}};
+    model.joints[0].friction_angle = 0.3;
+    HeldBlock table;
+    table.turn = share * 0.3;
+    table.about = {-4, -1};
+    table.history = PiecewiseLinear{{0.5, 2.5}, {0, 1}};
+    model.held_blocks = {table};
+    model.gravity = {0, -10};
+    model.stages = {stage_of(static_integrator(), 1e-2, 400, Kinematics::finite)};
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, 400);
+    EXPECT_NEAR(simulation.state().displacement[0](2), share * 0.3, 1e-15);
+    const Vec2 along = Vec2(std::cos(share * 0.3), std::sin(share * 0.3));
+    const Vec2 drawn(0.5, 0.25);
+    const Vec2 now = current_centroid(simulation.model(), simulation.state(), 1);
+    const double slid = along.dot(now - Vec2(-4, -1)) - (drawn - Vec2(-4, -1)).x();
+    // Held: within a step turns are linear, which at the edge's 0.5 m takes half the turn of a step (1.5e-3) of the
+    // whole turn (0.3): 1.1e-4 m. Sliding in static steps: g (sin a - cos a tan f) dt^2/2 = 3e-6 m in each of the 200
+    // steps at full tilt.
+    if (share < 1) {
+      EXPECT_LT(std::abs(slid), 1.2e-4);
+    } else {
+      EXPECT_LT(slid, -4e-4);
+    }
+  }
+}
+
+TEST(HeldBlocks, BadOnes) {
+  const auto refused = [](auto spoil) {
+    Model model = shaken_bar(bond(InterfaceLaw::consistent), stage_of(trapezoidal_integrator(), 1e-3, 1));
+    spoil(model);
+    EXPECT_ANY_THROW(finish_model(model));
+  };
+  refused([](Model& m) { m.held_blocks[0].block = 3; });
+  refused([](Model& m) { m.held_blocks.push_back(m.held_blocks[0]); });
+  refused([](Model& m) { m.blocks[0].initial_spin = 1; });
+  refused([](Model& m) { m.held_blocks[0].turn = 1; });  // small kinematics
+  refused([](Model& m) { m.viscous_edges = {{0, {0, 0}, {0, 0.8}, 1, 1}}; });
+  refused([](Model& m) { m.held_blocks[0].amplitude.x() = std::nan(""); });
+}
+
+}  // namespace
+}  // namespace dda

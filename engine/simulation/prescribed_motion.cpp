@@ -1,0 +1,51 @@
+// Supports, dashpots and held blocks in a step of Simulation.
+#include <cstddef>
+
+#include "dda/simulation/simulation.h"
+
+namespace dda {
+
+void Simulation::add_dashpot_and_support_rhs() {
+  const StepCoefficients& c = coefficients_;
+  for (const auto& [block, matrix] : damping_) {
+    const auto i = static_cast<std::size_t>(block);
+    constant_rhs_.segment<6>(6 * block) -=
+        matrix * (c.damping_v * state_.velocity[i] + c.damping_a * state_.acceleration[i]);
+  }
+  if (!plan_.moving_supports) return;
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
+    const SupportElement& support = supports_[i];
+    const Vec2 motion = prescribed_displacement(model_.supports[i], state_.time + c.dt) - support.prescribed;
+    constant_rhs_.segment<6>(6 * support.block) +=
+        c.stiffness * displacement_rows(support.offset).transpose() * (support.stiffness * motion);
+  }
+}
+
+void Simulation::accept_supports() {
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
+    const SupportElement before = supports_[i];
+    if (plan_.linear) {
+      measure_gap(model_, state_, i, supports_[i]);
+    } else {
+      advance_gap(model_.supports[i], increment_, state_.time, supports_[i]);
+    }
+    if (plan_.moving_supports) audit_.support_moved(before, supports_[i]);
+  }
+}
+
+// What moves the held blocks works against all other forces on them.
+void Simulation::audit_held_blocks() {
+  if (held_.empty()) return;
+  double at_start = held_.work(internal_old_) - held_.work(load_old_);
+  double at_end = held_.work(internal_new_) - held_.work(load_new_);
+  if (plan_.gravity) at_start -= held_.work(external_.weight());
+  if (plan_.gravity) at_end -= held_.work(external_.weight());
+  audit_.held_blocks_moved(coefficients_, at_start, at_end);
+}
+
+// What the integrator made of the velocities of held blocks gives way to what is prescribed.
+void Simulation::set_held_rates() {
+  if (!plan_.is_static) held_.set_rates(model_, state_);
+}
+
+}  // namespace dda

@@ -20,7 +20,7 @@ struct WaveErrors {
 
 // What is read off a history of stress at the measuring point.
 struct WaveReadings {
-  WaveErrors errors;                     // by cross-correlation, and the least-squares fit of the wave so delayed
+  WaveErrors errors;                     // by cross-correlation, and the least-squares fit of the delayed wave
   double half_range = 0;                 // error of (largest - smallest)/2, the amplitude of thesis Table 3.2, %
   std::optional<double> onset_velocity;  // error of the pick of thesis Table 3.3, of the cycle only, %
 };
@@ -28,7 +28,8 @@ struct WaveReadings {
 struct JobResult {
   double place = 0;  // m, where the wave was measured
   WaveReadings measured;
-  WaveErrors predicted;                      // of a harmonic wave of the load's frequency along an endless chain
+  WaveErrors predicted;                      // of a steady wave of the load's frequency, from the end to the place
+  WaveErrors wave;                           // of its way alone, as phase speed and attenuation have it
   std::optional<WaveErrors> closed_form;     // of the same pulse in the same discrete problem
   std::optional<double> largest_difference;  // of the two histories, over the peak
   double setup_cpu_s = 0;

@@ -53,10 +53,27 @@ std::string title_of(const JobParameters& job, const std::vector<std::string>& t
   return title;
 }
 
+std::size_t titles_of(const SweepSpec& spec, const std::vector<std::string>& telling) {
+  std::set<std::string> titles;
+  for (const JobParameters& job : spec.jobs) titles.insert(title_of(job, telling));
+  return titles.size();
+}
+
+// Parameters that go with others are left out: the first ones tell the groups apart as well.
+std::vector<std::string> shortest(const SweepSpec& spec, std::vector<std::string> telling) {
+  const std::size_t groups = titles_of(spec, telling);
+  for (std::size_t i = telling.size(); i-- > 0;) {
+    std::vector<std::string> fewer = telling;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (titles_of(spec, fewer) == groups) telling = fewer;
+  }
+  return telling;
+}
+
 }  // namespace
 
 std::vector<PlotGroup> groups_of(const SweepSpec& spec, const SweepPlot& plot) {
-  const std::vector<std::string> telling = telling_parameters(spec, plot);
+  const std::vector<std::string> telling = shortest(spec, telling_parameters(spec, plot));
   std::vector<PlotGroup> groups;
   for (std::size_t i = 0; i < spec.jobs.size(); ++i) {
     const std::string title = title_of(spec.jobs[i], telling);

@@ -24,7 +24,10 @@ void draw(const std::filesystem::path& folder, const Figure& figure) {
   run_gnuplot(folder / (figure.name + ".gp"));
 }
 
-double axis_value(const JobParameters& job, const std::string& name) { return to_json(job).at(name).get<double>(); }
+// Without the round-off of an eta or cfl made of a length and a time step, which would split a line of the grid.
+double axis_value(const JobParameters& job, const std::string& name) {
+  return std::stod(fmt::format("{:.9g}", to_json(job).at(name).get<double>()));
+}
 
 // Measured and predicted error (%), and whether they agree.
 std::string errors_of(const JobFile& job, const std::string& quantity) {
@@ -100,6 +103,7 @@ std::string panel(const std::string& data, const std::string& value) {
 constexpr auto contour_settings = R"(set view map
 set pm3d interpolate 6,6
 set contour base
+set cntrlabel onecolor
 unset key
 unset grid
 set tics front

@@ -101,7 +101,7 @@ std::string panel(const std::string& data, const std::string& value) {
 }
 
 constexpr auto contour_settings = R"(set view map
-set pm3d interpolate 6,6
+set pm3d explicit interpolate 6,6
 set contour base
 set cntrlabel onecolor
 unset key

@@ -80,10 +80,11 @@ void add_table(CLI::App& app, Arguments& arguments) {
 }
 
 void add_sweep(CLI::App& app, Arguments& arguments) {
-  CLI::App* sweep = app.add_subcommand(
-      "sweep",
-      "Runs a grid of parameters over the thesis' bar, each job a process of its own: results.csv and plots/ of measured "
-      "and predicted errors.\nExit code 1 if a job failed; each is told on standard error.");
+  CLI::App* sweep =
+      app.add_subcommand("sweep",
+                         "Runs a grid of parameters over the thesis' bar, each job a process of its own: results.csv "
+                         "and plots/ of measured "
+                         "and predicted errors.\nExit code 1 if a job failed; each is told on standard error.");
   sweep->add_option("spec", arguments.sweep.spec, "JSON file of the grid; verification/sweep/README.md")
       ->required()
       ->type_name("SPEC");

@@ -36,8 +36,7 @@ TEST(HalfChain, IsTheContinuumInTheLimit) {
     BlockChain chain = chain_of(cubic_edge(), length);
     chain.lateral_inertia = 0;
     const int interface = static_cast<int>(50 / length);
-    const double error =
-        std::abs(force(chain, trapezoidal(), 1e-7, interface) - std::polar(1.0, -omega * 50 / speed));
+    const double error = std::abs(force(chain, trapezoidal(), 1e-7, interface) - std::polar(1.0, -omega * 50 / speed));
     EXPECT_LT(error, last / 3.5) << length;  // second order at the end, at least
     last = error;
   }

@@ -113,8 +113,8 @@ void expect_known_keys(const Field& grid) {
 
 void expect_one_of(const Field& grid, const char* first, const char* second) {
   if (grid.has(first) == grid.has(second))
-    grid.fail(grid.has(first) ? "both" : "neither",
-              fmt::format("one of the keys \"{}\" and \"{}\", not {}", first, second, grid.has(first) ? "both" : "none"));
+    grid.fail(grid.has(first) ? "both" : "neither", fmt::format("one of the keys \"{}\" and \"{}\", not {}", first,
+                                                                second, grid.has(first) ? "both" : "none"));
 }
 
 void expect_used(const Field& grid, const std::vector<JobParameters>& jobs) {

@@ -24,14 +24,12 @@ constexpr double longest_lag = 0.45;  // of a period: half a period on, a tone l
 double percent(double value, double reference) { return 100 * (value / reference - 1); }
 
 double reference_stress(const ThesisBar& bar, Pulse pulse, double t) {
-  return -bar.incident_stress() *
-         pulse_shape(pulse, bar.load_frequency, t - bar.measuring_point / bar.wave_speed());
+  return -bar.incident_stress() * pulse_shape(pulse, bar.load_frequency, t - bar.measuring_point / bar.wave_speed());
 }
 
 std::vector<double> sampled_reference(const ThesisBar& bar, Pulse pulse, const exact::Signal& signal, double lag) {
   std::vector<double> reference(signal.values.size());
-  for (std::size_t i = 0; i < reference.size(); ++i)
-    reference[i] = reference_stress(bar, pulse, signal.time(i) - lag);
+  for (std::size_t i = 0; i < reference.size(); ++i) reference[i] = reference_stress(bar, pulse, signal.time(i) - lag);
   return reference;
 }
 
@@ -47,16 +45,15 @@ double fitted_amplitude(const exact::Signal& signal, const std::vector<double>& 
 
 WaveErrors wave_errors(const dda::Model& model, const ThesisBar& bar, double omega) {
   const dda::Stage& stage = model.stages.front();
-  const exact::ChainWave wave =
-      exact::chain_wave(chain_of(model), time_scheme_of(stage.integrator), stage.dt, omega);
+  const exact::ChainWave wave = exact::chain_wave(chain_of(model), time_scheme_of(stage.integrator), stage.dt, omega);
   return {percent(wave.speed, bar.wave_speed()), 100 * std::expm1(-wave.attenuation * bar.measuring_point)};
 }
 
 // What the end makes of the load and the way to the measuring point of the wave.
 WaveErrors predict(const dda::Model& model, const ThesisBar& bar, double omega) {
   const dda::Stage& stage = model.stages.front();
-  const std::complex<double> force(exact::half_chain_force(
-      chain_of(model), time_scheme_of(stage.integrator), stage.dt, omega, model.measurements.front().block));
+  const std::complex<double> force(exact::half_chain_force(chain_of(model), time_scheme_of(stage.integrator), stage.dt,
+                                                           omega, model.measurements.front().block));
   const double on_time = bar.measuring_point / bar.wave_speed();
   const double lag = -std::arg(force * std::polar(1.0, omega * on_time)) / omega;
   return {percent(on_time, on_time + lag), 100 * (std::abs(force) - 1)};
@@ -94,16 +91,16 @@ WaveReadings read_wave(const ThesisBar& bar, Pulse pulse, const std::vector<doub
   const double end = pulse_window(bar, pulse);
   const exact::Signal signal = exact::window({history, dt, 0}, 0, end);
   const double limit = longest_lag / bar.load_frequency;
-  const double lag =
-      exact::correlation_lag(signal, [&](double t) { return reference_stress(bar, pulse, t); }, -limit, limit).lag;
+  const double lag = exact::correlation_lag(
+                         signal, [&](double t) { return reference_stress(bar, pulse, t); }, -limit, limit)
+                         .lag;
   if (std::abs(lag) > 0.99 * limit)
     throw NotMeasurable(fmt::format("the wave is {} of a period or more off its time", longest_lag));
   const std::vector<double> reference = sampled_reference(bar, pulse, signal, lag);
   const double on_time = bar.measuring_point / bar.wave_speed();
   WaveReadings readings;
   readings.errors = {percent(on_time, on_time + lag), 100 * (fitted_amplitude(signal, reference) - 1)};
-  readings.half_range =
-      percent(exact::half_range(signal, 0, end), exact::half_range({reference, dt, 0}, 0, end));
+  readings.half_range = percent(exact::half_range(signal, 0, end), exact::half_range({reference, dt, 0}, 0, end));
   if (pulse == Pulse::cycle) readings.onset_velocity = onset_error(signal, on_time);
   return readings;
 }

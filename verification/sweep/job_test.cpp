@@ -30,11 +30,12 @@ TEST(Job, ReadsAWaveThatIsLateAndWeak) {
 }
 
 TEST(Job, IsTheClosedFormOfItsPulse) {
-  for (const char* grid :
-       {R"({"block_length": [5], "dt": [1e-4], "spring_over_young": [4], "strain_inertia": [2]})",
-        R"({"eta": [0.13], "cfl": [0.2], "law": ["cubic"], "integrator": [{"generalized_alpha": 0.8}],
+  for (
+      const char* grid :
+      {R"({"block_length": [5], "dt": [1e-4], "spring_over_young": [4], "strain_inertia": [2]})",
+       R"({"eta": [0.13], "cfl": [0.2], "law": ["cubic"], "integrator": [{"generalized_alpha": 0.8}],
             "correct_time_dispersion": [true], "pulse": ["tone"]})",
-        R"({"block_length": [5], "dt": [1e-4], "law": ["consistent"], "integrator": [{"hht": 0.2}], "poisson": [0.1]})"}) {
+       R"({"block_length": [5], "dt": [1e-4], "law": ["consistent"], "integrator": [{"hht": 0.2}], "poisson": [0.1]})"}) {
     const JobResult result = run_job(parameters(grid), true);
     EXPECT_LT(*result.largest_difference, 1e-9) << grid;  // the closed form is good to 1e-11
     EXPECT_NEAR(result.measured.errors.velocity, result.closed_form->velocity, 1e-5) << grid;
@@ -42,8 +43,7 @@ TEST(Job, IsTheClosedFormOfItsPulse) {
 }
 
 TEST(Job, TheToneIsPredicted) {
-  const JobResult springs =
-      run_job(parameters(R"({"block_length": [1], "dt": [1e-4], "pulse": ["tone"]})"), false);
+  const JobResult springs = run_job(parameters(R"({"block_length": [1], "dt": [1e-4], "pulse": ["tone"]})"), false);
   EXPECT_FALSE(springs.closed_form);
   // Leading orders: -eta_s/2 = -1/40 and omega^2 dt x/(4 c), less what the stiffened sides give back; the pulse holds
   // frequencies beside its own.

@@ -23,8 +23,8 @@ struct JobParameters {
   double poisson = 0;                      // -
   Pulse pulse = Pulse::cycle;
 
-  [[nodiscard]] double eta() const;                  // block length over the wavelength of the load
-  [[nodiscard]] double cfl() const;                  // sqrt(E/rho) dt / block length
+  [[nodiscard]] double eta() const;                 // block length over the wavelength of the load
+  [[nodiscard]] double cfl() const;                 // sqrt(E/rho) dt / block length
   [[nodiscard]] double samples_per_period() const;  // steps in a period of the load
 };
 

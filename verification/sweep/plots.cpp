@@ -33,7 +33,8 @@ double axis_value(const JobParameters& job, const std::string& name) {
 std::string errors_of(const JobFile& job, const std::string& quantity) {
   if (job.status != "ok") return "NaN NaN NaN";
   const auto number = [&](const std::string& name) { return job.result.at(name).get<double>(); };
-  return fmt::format("{:.9g} {:.9g} {}", number(quantity + "_error_pct"), number("predicted_" + quantity + "_error_pct"),
+  return fmt::format("{:.9g} {:.9g} {}", number(quantity + "_error_pct"),
+                     number("predicted_" + quantity + "_error_pct"),
                      job.result.at(quantity + "_agrees").get<bool>() ? 1 : 0);
 }
 
@@ -172,8 +173,9 @@ std::string line_script(const Figure& figure, const SweepSpec& spec, const Sweep
   for (const JobParameters& job : spec.jobs) xs.insert(axis_value(job, plot.x));
   std::string text = gnuplot_style(900, 480) + fmt::format("set output '{}.svg'\n", figure.name);
   text += is_wide(xs) ? "set logscale xy\n" : "set logscale y\n";
-  text += fmt::format("set xlabel '{}'\nset ylabel 'size of the {} error (%)'\nset key outside right top Left reverse\n",
-                      axis_title(plot.x), quantity);
+  text +=
+      fmt::format("set xlabel '{}'\nset ylabel 'size of the {} error (%)'\nset key outside right top Left reverse\n",
+                  axis_title(plot.x), quantity);
   text += "set title 'points: measured, dashed: predicted'\nplot";
   for (std::size_t i = 0; i < groups.size(); ++i)
     text += fmt::format(

@@ -24,7 +24,8 @@ std::string complaint(const std::string& text) {
 std::string complaint_of_grid(const std::string& grid) { return complaint(R"({"grid": )" + grid + "}"); }
 
 TEST(Spec, IsEveryCombinationTheLastKeyFastest) {
-  const auto all = jobs(R"({"dt": [1e-5, "0.1 ms"], "block_length": [1, 2, 5], "integrator": ["thesis", {"hht": 0.1}]})");
+  const auto all =
+      jobs(R"({"dt": [1e-5, "0.1 ms"], "block_length": [1, 2, 5], "integrator": ["thesis", {"hht": 0.1}]})");
   ASSERT_EQ(all.size(), 12U);
   EXPECT_EQ(all[0].integrator_name, "thesis");
   EXPECT_EQ(all[1].integrator_name, "hht 0.1");
@@ -70,8 +71,7 @@ TEST(Spec, MistakesAreToldInASentence) {
             std::string::npos);
   EXPECT_EQ(complaint_of_grid(R"({"eta": [0.1, 0.9], "cfl": [1]})"),
             "s.json: grid.eta[1] is 0.9, expected a number from 0.0001 to 0.6");
-  EXPECT_EQ(complaint_of_grid(R"({"eta": [0.1], "cfl": [0]})"),
-            "s.json: grid.cfl[0] is 0, expected a positive number");
+  EXPECT_EQ(complaint_of_grid(R"({"eta": [0.1], "cfl": [0]})"), "s.json: grid.cfl[0] is 0, expected a positive number");
   EXPECT_EQ(complaint_of_grid(R"({"eta": [], "cfl": [1]})"), "s.json: grid.eta is [], expected at least one value");
   EXPECT_NE(complaint_of_grid(R"({"eta": [0.1], "cfl": [1], "law": ["cubc"]})").find("perhaps \"cubic\""),
             std::string::npos);

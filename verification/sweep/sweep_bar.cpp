@@ -64,8 +64,8 @@ double pulse_window(const ThesisBar& bar, Pulse pulse) {
 std::vector<double> sampled_force(const ThesisBar& bar, const JobParameters& parameters) {
   std::vector<double> force(static_cast<std::size_t>(steps_of(bar, parameters)) + 1);
   for (std::size_t i = 0; i < force.size(); ++i)
-    force[i] = bar.load_amplitude *
-               pulse_shape(parameters.pulse, bar.load_frequency, static_cast<double>(i) * parameters.dt);
+    force[i] =
+        bar.load_amplitude * pulse_shape(parameters.pulse, bar.load_frequency, static_cast<double>(i) * parameters.dt);
   return force;
 }
 
@@ -73,8 +73,7 @@ dda::Model model_of(const ThesisBar& bar, const JobParameters& parameters) {
   const double duration = steps_of(bar, parameters) * parameters.dt;
   dda::Model model =
       bar_scene(bar, scheme_of(parameters), {parameters.dt, parameters.block_length, bar.length, duration});
-  model.edge_loads.front().history =
-      table_of(sampled_force(bar, parameters), bar.load_amplitude, parameters.dt);
+  model.edge_loads.front().history = table_of(sampled_force(bar, parameters), bar.load_amplitude, parameters.dt);
   dda::finish_model(model);
   return model;
 }

@@ -32,7 +32,8 @@ TEST(ProcessPool, RunsSoManyAtOnceAndNoMore) {
   for (const int at_once : {1, 3}) {
     const TemporaryFolder folder;
     const std::string dir = folder.path().string();
-    const Command command = {"sh", "-c", "cd " + dir + "; touch run.$$; ls | grep -c ^run >> seen; sleep 0.2; rm run.$$"};
+    const Command command = {"sh", "-c",
+                             "cd " + dir + "; touch run.$$; ls | grep -c ^run >> seen; sleep 0.2; rm run.$$"};
     run_processes({{0, command}, {1, command}, {2, command}, {3, command}, {4, command}}, at_once, [](auto, auto&) {});
     std::istringstream seen(dda::read_file(folder.path() / "seen"));
     int most = 0, ended = 0;

@@ -55,7 +55,7 @@ std::string to_csv(const SweepSpec& spec, const std::vector<JobFile>& jobs) {
     text += fmt::format("{},{},{}", i, jobs[i].status, quoted(jobs[i].message));
     const Json given = to_json(spec.jobs[i]);
     for (const auto& [name, value] : given.items()) text += fmt::format(",{}", cell(value));
-    for (const auto& [name, value] : results.items()) 
+    for (const auto& [name, value] : results.items())
       text += fmt::format(",{}", cell(jobs[i].result.value(name, Json())));
     text += "\n";
   }
@@ -65,7 +65,8 @@ std::string to_csv(const SweepSpec& spec, const std::vector<JobFile>& jobs) {
 std::string summary_of(const std::vector<JobFile>& jobs) {
   std::string text = fmt::format("{} jobs:", jobs.size());
   for (const char* status : {"ok", "not_measurable", "failed", "crashed", "missing"}) {
-    const auto count = std::count_if(jobs.begin(), jobs.end(), [&](const JobFile& job) { return job.status == status; });
+    const auto count =
+        std::count_if(jobs.begin(), jobs.end(), [&](const JobFile& job) { return job.status == status; });
     if (count > 0) text += fmt::format(" {} {}", count, status);
   }
   return text + "\n" + agreeing(jobs, "velocity") + agreeing(jobs, "amplitude");

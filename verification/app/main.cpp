@@ -8,6 +8,7 @@
 #include "verification/cases/all_cases.h"
 #include "verification/suite/run_command.h"
 #include "verification/suite/table_command.h"
+#include "verification/sweep/sweep_command.h"
 #include "verification/thesis/calibrate_command.h"
 
 namespace {
@@ -20,6 +21,9 @@ struct Arguments {
   verify::RunCommand run;
   verify::TableCommand table;
   bool list = false;
+  verify::SweepCommand sweep;
+  verify::JobCommand job;
+  std::filesystem::path collected;
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
@@ -75,10 +79,44 @@ void add_table(CLI::App& app, Arguments& arguments) {
   table->parse_complete_callback([check, &arguments] { arguments.table.check = check->count() > 0; });
 }
 
+void add_sweep(CLI::App& app, Arguments& arguments) {
+  CLI::App* sweep =
+      app.add_subcommand("sweep",
+                         "Runs a grid of parameters over the thesis' bar, each job a process of its own: results.csv "
+                         "and plots/ of measured "
+                         "and predicted errors.\nExit code 1 if a job failed; each is told on standard error.");
+  sweep->add_option("spec", arguments.sweep.spec, "JSON file of the grid; verification/sweep/README.md")
+      ->required()
+      ->type_name("SPEC");
+  sweep->add_option("--out", arguments.sweep.folder, "folder for all files; made if it is not there")->required();
+  sweep->add_option("--jobs", arguments.sweep.jobs, "jobs at once; default: as many as there are cores")
+      ->check(CLI::PositiveNumber);
+  sweep->add_flag("--resume", arguments.sweep.resume, "keep the jobs of the folder that are done");
+  sweep->add_flag("--job-list", arguments.sweep.job_list,
+                  "run nothing: write jobs.txt, a command a line, and slurm.sh, a job array");
+}
+
+void add_job(CLI::App& app, Arguments& arguments) {
+  CLI::App* job = app.add_subcommand("job", "Runs one job of a sweep and writes DIR/jobs/INDEX.json.");
+  job->add_option("spec", arguments.job.spec, "JSON file of the sweep")->required()->type_name("SPEC");
+  job->add_option("index", arguments.job.index, "which job, from 0")->required()->type_name("INDEX");
+  job->add_option("--out", arguments.job.folder, "folder of the sweep")->required()->type_name("DIR");
+}
+
+void add_collect(CLI::App& app, Arguments& arguments) {
+  CLI::App* collect = app.add_subcommand(
+      "collect", "Makes results.csv and plots/ from the jobs of a sweep that are done.\nExit code 1 if some are not.");
+  collect->add_option("folder", arguments.collected, "folder of the sweep")->required()->type_name("DIR");
+}
+
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
   if (app.got_subcommand("table"))
     return verify::make_table(verify::all_cases(), arguments.table, std::cout, std::cerr);
+  if (app.got_subcommand("sweep"))
+    return verify::sweep(arguments.sweep, std::filesystem::canonical("/proc/self/exe"), std::cout, std::cerr);
+  if (app.got_subcommand("job")) return verify::job(arguments.job);
+  if (app.got_subcommand("collect")) return verify::collect(arguments.collected, std::cout, std::cerr);
   if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);
   verify::list_cases(verify::select(verify::all_cases(), arguments.run.selection), std::cout);
   return 0;
@@ -91,6 +129,9 @@ int run(int argc, char** argv) {
   add_calibrate(app, arguments);
   add_run(app, arguments);
   add_table(app, arguments);
+  add_sweep(app, arguments);
+  add_job(app, arguments);
+  add_collect(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

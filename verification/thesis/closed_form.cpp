@@ -55,6 +55,7 @@ exact::BlockChain chain_of(const dda::Model& model) {
   chain.height = model.blocks.front().moments.area / chain.length;
   chain.density = rock.density;
   chain.elasticity = exact::plane_stress(rock.young, rock.poisson);
+  chain.inertia_factor = model.stages.front().strain_inertia;
   const bool cubic = model.joints.front().law == dda::InterfaceLaw::cubic;
   chain.lateral_inertia = cubic && !model.stages.front().lateral_inertia ? 0 : 1;
   chain.interface = interface_law(model, chain);

@@ -1,0 +1,77 @@
+// The half chain against the continuum, against the waves of the chain, and against a long finite chain.
+#include "verification/exact/half_chain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "verification/exact/chain_modes.h"
+#include "verification/exact/finite_chain.h"
+
+namespace exact {
+namespace {
+
+constexpr double young = 50e9, density = 2650, omega = 2 * std::numbers::pi * 100;
+
+BlockChain chain_of(InterfaceLaw interface, double length) {
+  BlockChain chain;
+  chain.blocks = 2;
+  chain.length = length;
+  chain.density = density;
+  chain.elasticity = plane_stress(young, 0.25);
+  chain.interface = interface;
+  return chain;
+}
+
+std::complex<double> force(const BlockChain& chain, const TimeScheme& scheme, double dt, int interface) {
+  return std::complex<double>(half_chain_force(chain, scheme, dt, omega, interface));
+}
+
+TEST(HalfChain, IsTheContinuumInTheLimit) {
+  const double speed = std::sqrt(young / density);
+  double last = 1;
+  for (const double length : {2.0, 1.0, 0.5}) {
+    BlockChain chain = chain_of(cubic_edge(), length);
+    chain.lateral_inertia = 0;
+    const int interface = static_cast<int>(50 / length);
+    const double error = std::abs(force(chain, trapezoidal(), 1e-7, interface) - std::polar(1.0, -omega * 50 / speed));
+    EXPECT_LT(error, last / 3.5) << length;  // second order at the end, at least
+    last = error;
+  }
+  EXPECT_LT(last, 1e-4);
+}
+
+TEST(HalfChain, GoesOnAsTheWaveOfTheChain) {
+  const TimeScheme scheme = thesis_scheme();
+  const BlockChain chain = chain_of(corner_springs(5e11, 2e11), 2);
+  const std::complex<double> step = force(chain, scheme, 1e-4, 41) / force(chain, scheme, 1e-4, 40);
+  const ChainWave wave = chain_wave(chain, scheme, 1e-4, omega);
+  EXPECT_NEAR(std::abs(step), std::exp(-wave.attenuation * 2), 1e-12);
+  EXPECT_NEAR(-std::arg(step), omega * 2 / wave.speed, 1e-12);
+}
+
+// Force at the interface of a finite chain, as complex amplitude over one late period.
+std::complex<double> steady(const BlockChain& chain, const TimeScheme& scheme, double dt, int per_period, int periods) {
+  std::vector<double> load(static_cast<std::size_t>(per_period * periods) + 1);
+  for (std::size_t i = 0; i < load.size(); ++i) load[i] = std::sin(omega * dt * static_cast<double>(i));
+  const std::vector<double> history =
+      finite_chain_response(chain, scheme, dt, load, {{ChainQuantity::interface_force, 4}}).front();
+  std::complex<double> sum = 0;
+  for (std::size_t i = load.size() - static_cast<std::size_t>(per_period); i < load.size(); ++i)
+    sum += history[i] * std::polar(2.0 / per_period, -omega * dt * static_cast<double>(i));
+  return sum / std::complex<double>(0, -1);  // sin(a) is the real part of -i exp(i a)
+}
+
+TEST(HalfChain, IsWhatALongChainSettlesTo) {
+  const double dt = 2e-4;
+  BlockChain chain = chain_of(consistent_edge(4 * young / 10, 0), 10);
+  chain.blocks = 200;
+  const std::complex<double> settled = steady(chain, thesis_scheme(), dt, 50, 20);
+  // The transient of a damped chain dies out; tension is positive in the history, compression in the transfer.
+  EXPECT_NEAR(std::abs(settled + force(chain, thesis_scheme(), dt, 5)), 0, 2e-3);
+}
+
+}  // namespace
+}  // namespace exact

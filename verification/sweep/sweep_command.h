@@ -1,0 +1,35 @@
+// `dda-verify sweep`, `job` and `collect`.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+
+namespace verify {
+
+struct SweepCommand {
+  std::filesystem::path spec;
+  std::filesystem::path folder;
+  int jobs = 0;           // at once; 0: as many as there are cores
+  bool resume = false;    // keep what jobs have left behind
+  bool job_list = false;  // write jobs.txt and slurm.sh, run nothing
+};
+
+struct JobCommand {
+  std::filesystem::path spec;
+  std::size_t index = 0;
+  std::filesystem::path folder;
+};
+
+// All return the exit code of the program: 0, or 1 if a job failed, crashed or is missing, or there are no plots. Bad
+// specs and folders are dda::InputError and std::filesystem::filesystem_error before anything is written.
+
+// `program` is what is started for each job.
+int sweep(const SweepCommand& command, const std::filesystem::path& program, std::ostream& out, std::ostream& errors);
+
+// A job that fails is told in its file, and is no failure of the command.
+int job(const JobCommand& command);
+
+// results.csv and plots/ from the files of the jobs.
+int collect(const std::filesystem::path& folder, std::ostream& out, std::ostream& errors);
+
+}  // namespace verify

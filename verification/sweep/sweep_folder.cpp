@@ -1,0 +1,58 @@
+#include "verification/sweep/sweep_folder.h"
+
+#include <fmt/format.h>
+
+#include "dda/record/atomic_file.h"
+
+namespace verify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<JobFile> parse(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    return JobFile{json.at("status"), json.at("message"), json.at("parameters"), json.at("result")};
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::filesystem::path SweepFolder::job_file(std::size_t index) const {
+  return path_ / "jobs" / fmt::format("{}.json", index);
+}
+
+void SweepFolder::prepare(std::string_view spec_text) const {
+  std::filesystem::create_directories(path_ / "jobs");
+  dda::write_file(spec_file(), spec_text);
+}
+
+void SweepFolder::remove_jobs() const { std::filesystem::remove_all(path_ / "jobs"); }
+
+void SweepFolder::write(std::size_t index, const JobFile& job) const {
+  const Json json = {{"index", index},
+                     {"status", job.status},
+                     {"message", job.message},
+                     {"parameters", job.parameters},
+                     {"result", job.result}};
+  dda::write_file(job_file(index), json.dump(2) + "\n");
+}
+
+JobFile SweepFolder::read(std::size_t index, const JobParameters& parameters) const {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(job_file(index), ignored)) return {};
+  const std::optional<JobFile> job = parse(dda::read_file(job_file(index)));
+  return job && job->parameters == to_json(parameters) ? *job : JobFile{};
+}
+
+std::vector<std::size_t> SweepFolder::open_jobs(const SweepSpec& spec) const {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < spec.jobs.size(); ++i)
+    if (!read(i, spec.jobs[i]).ended_by_itself()) open.push_back(i);
+  return open;
+}
+
+}  // namespace verify

@@ -10,49 +10,10 @@
 
 #include "dda/contact/contact_models.h"
 #include "dda/contact/contact_set.h"
+#include "dda/contact/open_close_models.h"
 
 namespace dda {
 namespace {
-
-constexpr double normal_spring = 100;
-constexpr double shear_spring = 40;
-constexpr double round_off = 1e-13;
-
-InterfaceElement classical_element() {
-  InterfaceElement element;
-  element.law = InterfaceLaw::classical;
-  element.length = 2;
-  element.stiffness << normal_spring, shear_spring, normal_spring, shear_spring;
-  return element;
-}
-
-// The answer at given gaps when capacities and dilations stand still and nothing more breaks.
-void settle(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
-  do {
-    respond(element, trial);
-    for (int pass = 0; pass < 80; ++pass) {
-      update_capacity(element, strength, trial);
-      update_dilation(element, strength, trial);
-    }
-  } while (break_ends(strength, trial));
-}
-
-// One step that takes the end `from` to the given gaps while `to` is pressed.
-InterfaceState step_to(const EndStrength& strength, InterfaceState start, double normal_gap, double shear_gap) {
-  start.gap(2) = -1;
-  start.force(2) = -normal_spring;
-  InterfaceTrial trial = start_trial(classical_element(), strength, start);
-  trial.gap << normal_gap, shear_gap, -1, 0;
-  settle(classical_element(), strength, trial);
-  return finish_trial(classical_element(), start, trial);
-}
-
-InterfaceState start_with(bool broken, ContactStatus status = ContactStatus::locked) {
-  InterfaceState start;
-  start.broken[0] = broken;
-  start.status[0] = status;
-  return start;
-}
 
 struct Case {
   std::string name;
@@ -66,17 +27,9 @@ struct Case {
 
 class MohrCoulomb : public testing::TestWithParam<Case> {};
 
-constexpr ContactStatus locked = ContactStatus::locked;
-constexpr ContactStatus sliding = ContactStatus::sliding;
-constexpr ContactStatus open = ContactStatus::open;
 const EndStrength joint{5, 3, 0.5};
 const EndStrength no_strength{0, 0, 0.5};
 const EndStrength smooth{0, 0, 0};
-// Peak friction 0.5, residual 0.3; the bond leaves a cohesion of 0.6.
-const EndStrength weakening{
-    .tension = 5, .cohesion = 3, .friction = 0.5, .residual_cohesion = 0.6, .friction_drop = 0.2};
-const EndStrength dry_weakening{.friction = 0.5, .friction_drop = 0.2};
-
 INSTANTIATE_TEST_SUITE_P(
     OpenClose, MohrCoulomb,
     testing::Values(
@@ -120,91 +73,13 @@ TEST_P(MohrCoulomb, StatusAndForces) {
   EXPECT_EQ(state.force(2), -normal_spring);
 }
 
-// Once failed, an end never has its peak again: not when it sticks, nor when it has been open.
-TEST(ResidualStrength, StaysAfterShearFailure) {
-  for (const EndStrength& strength : {weakening, dry_weakening}) {
-    const double left = strength.residual_cohesion + 0.3 * 4;
-    InterfaceState state = step_to(strength, start_with(strength.is_dry()), -0.04, 0.2);
-    ASSERT_EQ(state.status[0], sliding);
-    EXPECT_TRUE(state.residual[0]);
-    EXPECT_NEAR(state.force(1), left, round_off);
-    state = step_to(strength, state, -0.04, 0);
-    ASSERT_EQ(state.status[0], locked);
-    state = step_to(strength, state, 0.01, 0);
-    ASSERT_EQ(state.status[0], open);
-    state = step_to(strength, state, -0.04, 0.9 * left / shear_spring);
-    EXPECT_EQ(state.status[0], locked);
-    state = step_to(strength, state, -0.04, 1.1 * left / shear_spring);
-    EXPECT_EQ(state.status[0], sliding);
-    EXPECT_NEAR(state.force(1), left, round_off);
-  }
-}
-
-TEST(ResidualStrength, ABondThatWasPulledApartHasNoPeakLeft) {
-  InterfaceState state = step_to(weakening, start_with(false), 0.06, 0);
-  ASSERT_EQ(state.status[0], open);
-  state = step_to(weakening, state, -0.04, 0.126);
-  EXPECT_NEAR(state.force(1), 0.6 + 0.3 * 4, round_off);
-}
-
-// Nothing was there to fail: surfaces that come apart and meet again have not been worn.
-TEST(ResidualStrength, ADryEndThatOpensKeepsItsPeak) {
-  InterfaceState state = step_to(dry_weakening, start_with(true), 0.06, 0);
-  ASSERT_EQ(state.status[0], open);
-  state = step_to(dry_weakening, state, -0.04, 0.049);
-  EXPECT_EQ(state.status[0], locked);
-  EXPECT_FALSE(state.residual[0]);
-}
-
-TEST(ResidualStrength, CohesionIsLeftOnlyWhereClosed) {
-  EXPECT_EQ(weakening.capacity(0, true), 0);
-  EXPECT_EQ(weakening.capacity(1, true), 0);
-  EXPECT_NEAR(weakening.capacity(-1e-9, true), 0.6, 1e-9);
-  EXPECT_NEAR(weakening.capacity(-4, false), 2, round_off);
-}
-
-// ---- Dilation: tangent 0.25 up to a slip of 0.04 m, friction 0.5.
-
-const EndStrength rising{.friction = 0.5, .dilation = 0.25, .dilation_slip = 0.04};
-
-TEST(Dilation, SlipLiftsAgainstAGivenGap) {
-  const double slip = 0.02;
-  // Held at its height, the end is pressed together by what it rides up.
-  const double force = -normal_spring * (0.04 + 0.25 * slip);
-  const InterfaceState state = step_to(rising, start_with(true), -0.04, slip - 0.5 * force / shear_spring);
-  EXPECT_EQ(state.status[0], sliding);
-  // The fixed point shrinks its error to 0.5 * 0.25 * 100/40 = 0.3 of it a pass; settle() makes eighty.
-  EXPECT_NEAR(state.slip[0], slip, 1e-12);
-  EXPECT_NEAR(state.dilation[0], 0.25 * slip, 1e-12);
-  EXPECT_NEAR(state.force(0), force, 1e-9);
-  EXPECT_NEAR(state.force(1), -0.5 * force, 1e-9);
-  EXPECT_NEAR(state.gap(0) * normal_spring, state.force(0), 1e-9) << "the elastic part";
-}
-
-// Rides up whichever way it slips, down on the way back, and no further than the given slip.
-TEST(Dilation, FollowsTheSlipFromTheStart) {
-  for (const double side : {1.0, -1.0}) {
-    InterfaceState state = start_with(true);
-    double moved = 0;  // m, along the tangent
-    for (const double target : {0.02, 0.2, 0.3, 0.06, -0.3}) {
-      state = step_to(rising, state, -0.04 - state.dilation[0], state.gap(1) + side * (target - moved));
-      moved = target;
-      EXPECT_NEAR(state.dilation[0], 0.25 * std::min(std::abs(state.slip[0]), 0.04), 1e-12) << target;
-    }
-    EXPECT_LT(side * state.slip[0], -0.04);
-  }
-}
-
-TEST(Dilation, AnOpenEndKeepsItsHeight) {
-  InterfaceState state = step_to(rising, start_with(true), -0.04, 0.3);
-  const double height = state.dilation[0];
-  ASSERT_NEAR(height, 0.01, 1e-12);
-  state = step_to(rising, state, 0.02 - height, state.gap(1));  // 0.02 m above the ground: the gap excludes the height
-  EXPECT_EQ(state.status[0], open);
-  EXPECT_EQ(state.dilation[0], height);
-  state = step_to(rising, state, -0.005, 0);  // still above the ground, and pressed
-  EXPECT_EQ(state.status[0], locked);
-  EXPECT_NEAR(state.force(0), -0.005 * normal_spring, round_off);
+// Shear force at which an end slides to a side, and what it gains for each metre: the line through its capacity at its
+// reference slip, never below zero.
+std::pair<double, double> yield_towards(const InterfaceTrial& trial, std::size_t end, double side) {
+  const double ahead = side * trial.reference[end];
+  if (trial.capacity[end] == 0 || side * trial.slip[end] < 0) return {trial.capacity[end], 0};
+  const double hardening = ahead > 0 ? std::min(trial.hardening[end], trial.capacity[end] / ahead) : trial.hardening[end];
+  return {ahead > 0 ? trial.capacity[end] - hardening * ahead : trial.capacity[end], hardening};
 }
 
 // The potential whose gradient the forces are, written out: half parabolas and Huber's function.
@@ -217,9 +92,12 @@ double potential(const InterfaceElement& element, const InterfaceTrial& trial, c
     energy += element.stiffness(2 * end) * normal * normal / 2;
     const double k = element.stiffness(2 * end + 1);
     const double slide = std::abs(gap(2 * end + 1));
-    const bool stuck = !trial.broken[e] || k * slide < trial.capacity[e];
-    energy +=
-        stuck ? k * slide * slide / 2 : trial.capacity[e] * slide - trial.capacity[e] * trial.capacity[e] / (2 * k);
+    const auto [yield, hardening] = yield_towards(trial, e, gap(2 * end + 1) < 0 ? -1 : 1);
+    const double first = yield / k;  // the gap at which it slides
+    const double series = k * hardening / (k + hardening);
+    energy += !trial.broken[e] || slide < first
+                  ? k * slide * slide / 2
+                  : k * first * first / 2 + yield * (slide - first) + series * (slide - first) * (slide - first) / 2;
   }
   return energy;
 }
@@ -235,6 +113,9 @@ class RandomTrials : public testing::Test {
       trial.broken[end] = number(0, 1) < 0.8;
       trial.capacity[end] = std::max(0.0, number(-5, 40));
       trial.dilation[end] = number(-0.5, 0.5);
+      trial.hardening[end] = std::max(0.0, number(-60, 60));
+      trial.reference[end] = number(-0.3, 0.3);
+      trial.slip[end] = number(-1, 1);
     }
     return trial;
   }

@@ -78,7 +78,8 @@ TEST_P(MohrCoulomb, StatusAndForces) {
 std::pair<double, double> yield_towards(const InterfaceTrial& trial, std::size_t end, double side) {
   const double ahead = side * trial.reference[end];
   if (trial.capacity[end] == 0 || side * trial.slip[end] < 0) return {trial.capacity[end], 0};
-  const double hardening = ahead > 0 ? std::min(trial.hardening[end], trial.capacity[end] / ahead) : trial.hardening[end];
+  const double hardening =
+      ahead > 0 ? std::min(trial.hardening[end], trial.capacity[end] / ahead) : trial.hardening[end];
   return {ahead > 0 ? trial.capacity[end] - hardening * ahead : trial.capacity[end], hardening};
 }
 

@@ -1,5 +1,6 @@
 // Supports, whole blocks, records and bolts as scenes write them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -21,8 +22,10 @@ Model scene_with(const std::string& member, const std::filesystem::path& folder 
                      "scene.json", folder);
 }
 
+// One a process: tests run side by side.
 std::filesystem::path folder_with_record() {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "supports_test";
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("supports_test_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder / "records");
   std::ofstream(folder / "records" / "quake.csv") << "t,ax,ay [g]\n0,0,0\n0.5,0.2,0.1\n1,0,0\n";
   return folder;

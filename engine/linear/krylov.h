@@ -104,7 +104,10 @@ class Gmres {
   void reserve(Eigen::Index unknowns);
   double rotate(int k);
   void combine(int k, Eigen::VectorXd& x);
-  double& h(int row, int column) { return hessenberg_[static_cast<std::size_t>(column * (basis_ + 1) + row)]; }
+  double& h(int row, int column) {
+    const auto height = static_cast<std::size_t>(basis_) + 1;
+    return hessenberg_[static_cast<std::size_t>(column) * height + static_cast<std::size_t>(row)];
+  }
 
   // One more basis vector; returns the norm of the residual.
   template <typename Multiply, typename Precondition>

@@ -12,7 +12,7 @@ std::string text_or_nothing(const Field& field, const char* key) {
 }
 
 std::string unit_or_nothing(const Field& field, const char* key, Dimension dimension) {
-  const std::string symbol = text_or_nothing(field, key);
+  std::string symbol = text_or_nothing(field, key);
   for (const Unit& unit : units(dimension))
     if (symbol == unit.symbol) return symbol;
   field.at(key).fail(expected_quantity(dimension));

@@ -131,7 +131,8 @@ PeriodicMesh irregular_mesh(unsigned seed) {
     shifts.emplace_back(x, shift(random));
   }
   const auto corner = [&](int i, int j) -> dda::Vec2 {
-    return dda::Vec2(i, j) + shifts[static_cast<std::size_t>((i % side) * side + j % side)];
+    const int index = (i % side) * side + j % side;
+    return dda::Vec2(i, j) + shifts[static_cast<std::size_t>(index)];
   };
   PeriodicMesh mesh{{}, {side, 0}, {0, side}};
   for (int i = 0; i < side; ++i)

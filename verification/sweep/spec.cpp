@@ -26,7 +26,7 @@ std::string axis(const Field& field) {
 
 // An axis of a plot must be what every grid lists: only then its values fall on lines.
 std::string axis(const Field& field, const Field& grids) {
-  const std::string name = axis(field);
+  std::string name = axis(field);
   for (const Field& grid : grids.is_array() ? grids.items() : std::vector<Field>{grids})
     if (!grid.has(name)) field.fail("a parameter that every grid lists");
   return name;

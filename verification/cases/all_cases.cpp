@@ -8,6 +8,7 @@
 #include "verification/cases/bolt_cases.h"
 #include "verification/cases/bounce_cases.h"
 #include "verification/cases/cantilever_cases.h"
+#include "verification/cases/chatter_cases.h"
 #include "verification/cases/collision_cases.h"
 #include "verification/cases/contact_oscillator_cases.h"
 #include "verification/cases/direction_cases.h"
@@ -39,6 +40,7 @@ constexpr std::array subjects{
     collision_cases,           // 6, 7
     energy_cases,              // 8
     sliding_cases,             // 9, 12
+    chatter_cases,             // 9
     shaken_block_cases,        // 10, 11
     stick_slip_cases,          // 13
     bolt_cases,                // 8, 9, 23

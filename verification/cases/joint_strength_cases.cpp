@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@ namespace {
 
 const dda::Material rock{"rock", 2600, 50e9, 0.2, dda::PlaneState::stress};
 
+constexpr double degree = std::numbers::pi / 180;
 constexpr std::array laws{dda::InterfaceLaw::classical, dda::InterfaceLaw::consistent};
 
 std::string name_of(dda::InterfaceLaw law) { return law == dda::InterfaceLaw::classical ? "classical" : "consistent"; }
@@ -107,16 +109,23 @@ double shear_force(const dda::Simulation& simulation) {
 struct Sheared {
   double peak = 0;      // Pa
   double residual = 0;  // Pa
+  double slip = 0;      // m, since the peak
+  double rise = 0;      // m, since the peak
   double energy_residual = 0;
 };
 
 Sheared shear(const dda::JointMaterial& joint, double normal_stress, double peak, Outcome& outcome) {
   WatchedRun run(shear_box(joint, normal_stress, peak));
   Sheared sheared;
+  dda::Vec2 at_peak = dda::Vec2::Zero();
   while (!run.simulation().finished()) {
     run.step();
     sheared.residual = shear_force(run.simulation()) / width;
+    const dda::Vec2 place = dda::point_displacement(run.simulation().model(), run.state(), 1, {width / 2, 0});
+    if (sheared.residual > sheared.peak) at_peak = place;
     sheared.peak = std::max(sheared.peak, sheared.residual);
+    sheared.slip = (place - at_peak).x();
+    sheared.rise = (place - at_peak).y();
   }
   sheared.energy_residual = run.energy_residual();
   outcome.counters += run.simulation().counters();
@@ -126,7 +135,7 @@ Sheared shear(const dda::JointMaterial& joint, double normal_stress, double peak
 Outcome direct_shear() {
   dda::JointMaterial joint;
   joint.cohesion = 0.4e6;
-  joint.friction_angle = 31 * std::numbers::pi / 180;
+  joint.friction_angle = 31 * degree;
   joint.tensile_strength = 1e5;
   Outcome outcome;
   for (const dda::InterfaceLaw law : laws) {
@@ -150,11 +159,70 @@ Outcome direct_shear() {
   return outcome;
 }
 
+// Residual values below the peak's, of a joint with cohesion and of a dry one.
+Outcome weakening_joint() {
+  constexpr double normal_stress = 1e6;
+  dda::JointMaterial joint;
+  joint.law = dda::InterfaceLaw::classical;
+  joint.friction_angle = 31 * degree;
+  joint.residual_friction_angle = 20 * degree;
+  Outcome outcome;
+  for (const double cohesion : {0.4e6, 0.0}) {
+    joint.cohesion = cohesion;
+    joint.residual_cohesion = cohesion / 4;
+    const std::string name = fmt::format("cohesion {} MPa", cohesion / 1e6);
+    const double peak = exact::shear_strength(cohesion, joint.friction_angle, normal_stress);
+    const double residual =
+        exact::shear_strength(joint.residual_cohesion, *joint.residual_friction_angle, normal_stress);
+    const Sheared sheared = shear(joint, normal_stress, peak, outcome);
+    outcome.assertions.push_back({"peak shear strength, " + name, "Pa", sheared.peak, peak, "c + sigma tan f",
+                                  relative_error(sheared.peak, peak), over_peak / shear_steps,
+                                  "theory: the pull grows by this share of the peak a step"});
+    outcome.assertions.push_back({"residual shear strength, " + name, "Pa", sheared.residual, residual,
+                                  "c_r + sigma tan f_r", relative_error(sheared.residual, residual), 1e-7,
+                                  "stress over Young's modulus, 2e-5, times the joint's turn under its slip"});
+    outcome.assertions.push_back(energy_assertion(name, sheared.energy_residual));
+  }
+  return outcome;
+}
+
+// A joint that rides up as it slides, at constant normal stress: freely, and up to a given slip.
+Outcome dilating_joint() {
+  constexpr double normal_stress = 1e6;
+  dda::JointMaterial joint;
+  joint.law = dda::InterfaceLaw::classical;
+  joint.cohesion = 0.4e6;
+  joint.friction_angle = 31 * degree;
+  joint.dilation_angle = 8 * degree;
+  const double peak = exact::shear_strength(joint.cohesion, joint.friction_angle, normal_stress);
+  Outcome outcome;
+  for (const double reach : {std::numeric_limits<double>::infinity(), 1e-4}) {
+    joint.zero_dilation_slip = reach;
+    const std::string name = fmt::format("dilation up to a slip of {} m", reach);
+    const Sheared sheared = shear(joint, normal_stress, peak, outcome);
+    const double expected = std::tan(joint.dilation_angle) * std::min(sheared.slip, reach);
+    // The shear springs of the peak (4e11 N/m, both) give back what they held; the slip is longer by that.
+    const double given_back = (sheared.peak - sheared.residual) * width / (8 * stiff_sideways.young);
+    outcome.assertions.push_back({"rise, " + name, "m", sheared.rise, expected, "slip tan d",
+                                  relative_error(sheared.rise, expected), 2 * given_back / sheared.slip,
+                                  "theory: slip as seen from outside is short of that of the joint by what its springs "
+                                  "give back when the peak has passed"});
+    outcome.assertions.push_back({"shear strength while it rises, " + name, "Pa", sheared.residual,
+                                  normal_stress * std::tan(joint.friction_angle), "sigma tan f",
+                                  sheared.residual / (normal_stress * std::tan(joint.friction_angle)) - 1, 1e-7,
+                                  "as without dilation: the normal stress is given"});
+    outcome.assertions.push_back(energy_assertion(name, sheared.energy_residual));
+  }
+  return outcome;
+}
+
 }  // namespace
 
 std::vector<Case> joint_strength_cases() {
   return {{"hanging-block", "Block hung by the tensile strength of its joint", {23}, CaseLabel::fast, hanging_block},
-          {"direct-shear", "Joint in direct shear under several normal stresses", {23}, CaseLabel::fast, direct_shear}};
+          {"direct-shear", "Joint in direct shear under several normal stresses", {23}, CaseLabel::fast, direct_shear},
+          {"weakening-joint", "Joint whose strength falls to residual values", {23}, CaseLabel::fast, weakening_joint},
+          {"dilating-joint", "Joint that rides up as it slides", {23}, CaseLabel::fast, dilating_joint}};
 }
 
 }  // namespace verify

@@ -33,10 +33,7 @@ struct Shaking {
         exact::incline_forces(standard_gravity, slope, friction_angle, {0, amplitude, omega, 0});
     return {drive, limit, 0, duration};
   }
-  // Displacement of the base against the acceleration that blocks feel, m.
-  [[nodiscard]] double base_displacement(double t) const {
-    return amplitude / omega * (t - std::sin(omega * t) / omega);
-  }
+  // Of the base, against the acceleration that blocks feel, m/s.
   [[nodiscard]] double base_velocity(double t) const { return amplitude / omega * (1 - std::cos(omega * t)); }
 };
 
@@ -47,8 +44,10 @@ dda::Model shaken_block(const Shaking& shaking, const dda::Integrator& integrato
   model.joints = {dry_joint(shaking.friction_angle)};
   const dda::Vec2 horizontal(std::cos(shaking.slope), std::sin(shaking.slope));
   add_box(model, -2, -0.2, 6, 0);
-  hold_corners(model, 0, -horizontal,
-               tabulated(settling_time, dt, shaking.duration, [&](double t) { return shaking.base_displacement(t); }));
+  model.held_blocks = {{.block = 0,
+                        .amplitude = -shaking.amplitude * horizontal,
+                        .history = dda::SineCycles{shaking.omega / (2 * std::numbers::pi), 1e3, settling_time},
+                        .kind = dda::MotionKind::acceleration}};
   add_box(model, 0, 0, 1, 0.5);
   model.gravity = standard_gravity * dda::Vec2(std::sin(shaking.slope), -std::cos(shaking.slope));
   model.stages = {settling_stage(), moving_stage(integrator, dt, shaking.duration)};

@@ -42,9 +42,11 @@ Outcome slide_down() {
   Outcome outcome;
   for (const double dt : {1e-2, 1e-3, 1e-4}) {
     double residual = 0;
+    double settling = 0;
     for (const double friction : {0.0, 5.0, 10.0, 15.0, 20.0, 25.0}) {
       WatchedRun run = settled_on_incline(friction * degree, dt, duration);
       const double start = run.state().displacement[1](0);
+      settling = std::max(settling, std::abs(start));
       run.run_to_end();
       const double slip = run.state().displacement[1](0) - start;
       const auto [drive, limit] = exact::incline_forces(standard_gravity, slope, friction * degree);
@@ -57,6 +59,9 @@ Outcome slide_down() {
       residual = std::max(residual, run.energy_residual());
       outcome.counters += run.simulation().counters();
     }
+    outcome.assertions.push_back({fmt::format("largest motion while gravity comes on, dt = {} s", dt), "m", settling, 0,
+                                  "no sliding in a stage of unlimited strength (error absolute)", settling, 1e-5,
+                                  "theory: a few times rho g h^2/E = 5e-6 m; sliding would be a hundred times that"});
     outcome.assertions.push_back(energy_assertion(fmt::format("worst friction, dt = {} s", dt), residual));
   }
   return outcome;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "verification/cases/absorbing_end_cases.h"
 #include "verification/cases/arch_cases.h"
 #include "verification/cases/bar_ends_cases.h"
 #include "verification/cases/base_shaking_cases.h"
@@ -17,6 +18,7 @@
 #include "verification/cases/joint_strength_cases.h"
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/lame_mode_cases.h"
+#include "verification/cases/oblique_incidence_cases.h"
 #include "verification/cases/p_bar_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
 #include "verification/cases/rocking_cases.h"
@@ -56,6 +58,8 @@ constexpr std::array subjects{
     p_bar_cases,               // 32
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34
+    absorbing_end_cases,       // 34
+    oblique_incidence_cases,   // 35
     soil_column_cases,         // 39
     direction_cases,           // 42
 };

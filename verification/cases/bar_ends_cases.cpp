@@ -8,6 +8,7 @@
 #include <string>
 
 #include "verification/cases/bar_case.h"
+#include "verification/cases/end_reflection.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
@@ -36,36 +37,11 @@ BarCase bar_with_end(InterfaceLaw law, const dda::Integrator& integrator, double
   return bar;
 }
 
-// Complex amplitude of a part of a history at the angular frequency omega.
-std::complex<double> amplitude(const std::vector<double>& history, double dt, double omega, double from, double to) {
-  std::complex<double> sum = 0;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const double t = static_cast<double>(i) * dt;
-    if (t >= from && t < to) sum += history[i] * std::polar(dt, -omega * t);
-  }
-  return sum;
-}
-
-struct Passages {
-  double arrival, separation, end;  // s: the pulse comes to the probe, is past it, has come back past it
-};
-
-Passages passages() {
-  const double there = (probe + 0.5) / speed;
-  const double back = there + 2 * (blocks - probe - 0.5) / speed;
-  return {there - 0.2 * pulse, (there + back + pulse) / 2, back + 1.6 * pulse};
-}
-
-// Stress reflected over stress arriving at the frequency omega, measured at the probe and led back to the end with the
-// speed and attenuation of the chain's own waves.
+// Stress reflected over stress arriving at the frequency omega.
 std::complex<double> reflection(const std::vector<double>& history, const BarCase& bar, double omega) {
-  const Passages at = passages();
-  const double dt = bar.stage.dt;
-  const std::complex<double> ratio =
-      amplitude(history, dt, omega, at.separation, at.end) / amplitude(history, dt, omega, 0, at.separation);
-  const exact::ChainWave wave = exact::chain_wave(chain_of(bar), scheme_of(bar.stage.integrator), dt, omega);
-  const double path = 2 * (blocks - probe - 0.5) * bar.block_length;
-  return ratio * std::exp(std::complex<double>(wave.attenuation * path, omega / wave.speed * path));
+  const EndReflection end{(probe + 0.5) * bar.block_length, blocks * bar.block_length, speed, pulse, bar.stage.dt};
+  const exact::ChainWave wave = exact::chain_wave(chain_of(bar), scheme_of(bar.stage.integrator), bar.stage.dt, omega);
+  return end.of(history, omega, wave);
 }
 
 constexpr double omega = 2 * std::numbers::pi * 150;  // 29 blocks per wavelength

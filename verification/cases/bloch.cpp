@@ -16,18 +16,9 @@
 namespace verify {
 namespace {
 
-using Complex = std::complex<double>;
-
 dda::Ring moved(dda::Ring ring, const dda::Vec2& shift) {
   for (dda::Vec2& vertex : ring) vertex += shift;
   return ring;
-}
-
-// The cell with its eight neighbours, cell by cell; the middle one is number 4.
-constexpr int middle = 4;
-
-dda::Vec2 translation(const PeriodicMesh& mesh, int cell) {
-  return (cell / 3 - 1) * mesh.first + (cell % 3 - 1) * mesh.second;
 }
 
 dda::Model patch(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& bond) {
@@ -45,60 +36,57 @@ dda::Model patch(const PeriodicMesh& mesh, const dda::Material& rock, const dda:
   return model;
 }
 
-// Hermitian K(q): what a wave exp(i q.x) makes of the forces on the middle cell.
-class CellStiffness {
- public:
-  CellStiffness(const PeriodicMesh& mesh, const dda::Vec2& wave_vector)
-      : mesh_(mesh), wave_vector_(wave_vector), blocks_(static_cast<int>(mesh.cell.size())) {
-    matrix_.setZero(6 * blocks_, 6 * blocks_);
-  }
+Eigen::Index rows_of(int block, int blocks) { return 6 * static_cast<Eigen::Index>(block % blocks); }
 
-  void add(int row, int column, const dda::Mat6& part) {
-    if (row / blocks_ != middle) return;
-    const double phase = wave_vector_.dot(translation(mesh_, column / blocks_));
-    matrix_.block<6, 6>(6 * (row % blocks_), 6 * (column % blocks_)) += std::polar(1.0, phase) * part;
-  }
-
-  [[nodiscard]] const Eigen::MatrixXcd& matrix() const { return matrix_; }
-
- private:
-  const PeriodicMesh& mesh_;
-  dda::Vec2 wave_vector_;
-  int blocks_;
-  Eigen::MatrixXcd matrix_;
-};
-
-Eigen::MatrixXcd stiffness(const PeriodicMesh& mesh, const dda::Model& model, const dda::Vec2& wave_vector) {
-  CellStiffness sum(mesh, wave_vector);
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    dda::Mat6 own = dda::Mat6::Zero();
-    own.bottomRightCorner<3, 3>() =
-        dda::strain_stiffness(model.blocks[i].moments.area, dda::elasticity_matrix(model.materials[0]));
-    sum.add(static_cast<int>(i), static_cast<int>(i), own);
-  }
-  for (const dda::InterfaceElement& element : dda::make_contacts(model).elements) {
-    const dda::InterfaceStiffness part = dda::stiffness_of(element, dda::Vec4::Ones());
-    sum.add(element.block_a, element.block_a, part.aa);
-    sum.add(element.block_b, element.block_b, part.bb);
-    sum.add(element.block_b, element.block_a, part.ba);
-    sum.add(element.block_a, element.block_b, part.ba.transpose());
-  }
-  return sum.matrix();
+void add_block(int block, const dda::Mat6& part, int blocks, Eigen::MatrixXd& sum) {
+  sum.block<6, 6>(rows_of(block, blocks), rows_of(block, blocks)) += part;
 }
 
-Eigen::MatrixXcd mass(const PeriodicMesh& mesh, const dda::Model& model, double strain_inertia) {
-  const auto blocks = static_cast<Eigen::Index>(mesh.cell.size());
-  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(6 * blocks, 6 * blocks);
-  for (Eigen::Index i = 0; i < blocks; ++i) {
-    const auto block = static_cast<std::size_t>(middle * blocks + i);
-    const dda::Inertia inertia{model.mass_of(static_cast<int>(block)), dda::mean_squares(model.blocks[block].moments),
-                               strain_inertia};
-    matrix.block<6, 6>(6 * i, 6 * i) = dda::mass_matrix(inertia).cast<Complex>();
-  }
-  return matrix;
+// What the interface makes of the forces on the block `own` if that is one of the middle cell.
+void add_side(int own, int other, const dda::Mat6& to_own, const dda::Mat6& to_other, int blocks, CellMatrices& cell) {
+  if (own / blocks != middle_cell) return;
+  const auto neighbour = static_cast<std::size_t>(other / blocks);
+  add_block(own, to_own, blocks, cell.stiffness[middle_cell]);
+  add_block(own, to_own, blocks, cell.interfaces[neighbour]);
+  cell.stiffness[neighbour].block<6, 6>(rows_of(own, blocks), rows_of(other, blocks)) += to_other;
+}
+
+Eigen::MatrixXcd stiffness(const PeriodicMesh& mesh, const CellMatrices& cell, const dda::Vec2& wave_vector) {
+  Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(cell.mass.rows(), cell.mass.cols());
+  for (std::size_t c = 0; c < cell.stiffness.size(); ++c)
+    sum += std::polar(1.0, wave_vector.dot(translation(mesh, static_cast<int>(c)))) * cell.stiffness[c];
+  return sum;
 }
 
 }  // namespace
+
+dda::Vec2 translation(const PeriodicMesh& mesh, int cell) {
+  return (cell / 3 - 1) * mesh.first + (cell % 3 - 1) * mesh.second;
+}
+
+CellMatrices cell_matrices(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& bond,
+                           double strain_inertia) {
+  const auto blocks = static_cast<int>(mesh.cell.size());
+  CellMatrices cell;
+  cell.model = patch(mesh, rock, bond);
+  cell.mass.setZero(6 * blocks, 6 * blocks);
+  cell.stiffness.fill(cell.mass);
+  cell.interfaces.fill(cell.mass);
+  for (int block = middle_cell * blocks; block < (middle_cell + 1) * blocks; ++block) {
+    const dda::AreaMoments& moments = cell.model.blocks[static_cast<std::size_t>(block)].moments;
+    dda::Mat6 own = dda::Mat6::Zero();
+    own.bottomRightCorner<3, 3>() = dda::strain_stiffness(moments.area, dda::elasticity_matrix(rock));
+    add_block(block, own, blocks, cell.stiffness[middle_cell]);
+    const dda::Inertia inertia{cell.model.mass_of(block), dda::mean_squares(moments), strain_inertia};
+    add_block(block, dda::mass_matrix(inertia), blocks, cell.mass);
+  }
+  for (const dda::InterfaceElement& element : dda::make_contacts(cell.model).elements) {
+    const dda::InterfaceStiffness part = dda::stiffness_of(element, dda::Vec4::Ones());
+    add_side(element.block_a, element.block_b, part.aa, part.ba.transpose(), blocks, cell);
+    add_side(element.block_b, element.block_a, part.bb, part.ba, blocks, cell);
+  }
+  return cell;
+}
 
 double PeriodicMesh::longest_side() const {
   double longest = 0;
@@ -143,9 +131,10 @@ PeriodicMesh irregular_mesh(unsigned seed) {
 
 PhaseSpeeds phase_speeds(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& bond,
                          const dda::Vec2& wave_vector, double strain_inertia) {
-  const dda::Model model = patch(mesh, rock, bond);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> waves(
-      stiffness(mesh, model, wave_vector), mass(mesh, model, strain_inertia), Eigen::EigenvaluesOnly);
+  const CellMatrices cell = cell_matrices(mesh, rock, bond, strain_inertia);
+  const Eigen::MatrixXcd mass = cell.mass.cast<std::complex<double>>();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> waves(stiffness(mesh, cell, wave_vector), mass,
+                                                                         Eigen::EigenvaluesOnly);
   const double q = wave_vector.norm();
   return {std::sqrt(waves.eigenvalues()(0)) / q, std::sqrt(waves.eigenvalues()(1)) / q};
 }

@@ -2,11 +2,14 @@
 // stepping, no boundaries.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "dda/core/types.h"
 #include "dda/geometry/polygon.h"
 #include "dda/model/material.h"
+#include "dda/model/model.h"
 
 namespace verify {
 
@@ -23,6 +26,21 @@ struct PeriodicMesh {
 [[nodiscard]] PeriodicMesh sheared_mesh();                 // rhomboids of 1 m, 30 degrees off the square
 [[nodiscard]] PeriodicMesh triangle_mesh();                // squares cut along a diagonal
 [[nodiscard]] PeriodicMesh irregular_mesh(unsigned seed);  // 4 x 4 quadrilaterals, corners moved by up to 0.2 m
+
+// The cell with its eight neighbours, 3 x 3: cell c lies (c/3 - 1) times `first` and (c % 3 - 1) times `second` away.
+constexpr int middle_cell = 4;
+[[nodiscard]] dda::Vec2 translation(const PeriodicMesh& mesh, int cell);
+
+// The engine's matrices of the middle cell, 6 rows a block (N/m, kg and so on per m of thickness).
+struct CellMatrices {
+  dda::Model model;                          // of all nine cells, cell by cell
+  std::array<Eigen::MatrixXd, 9> stiffness;  // forces on the middle cell by the motion of each cell
+  std::array<Eigen::MatrixXd, 9>
+      interfaces;  // the part of stiffness[middle_cell] that stems from joints with each cell
+  Eigen::MatrixXd mass;
+};
+[[nodiscard]] CellMatrices cell_matrices(const PeriodicMesh& mesh, const dda::Material& rock,
+                                         const dda::JointMaterial& bond, double strain_inertia = 1);
 
 // Phase speeds (m/s) of the two slowest waves exp(i q.x): S and P.
 struct PhaseSpeeds {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "dda/contact/interface_element.h"
 #include "dda/scene/generators.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/recorded_run.h"
@@ -24,6 +25,8 @@ dda::TimeFunction pushed(const JointedBar& bar) {
   return table;
 }
 
+constexpr double height = 1;  // m
+
 // An absorbing end takes up as much again as the wave that it lets in.
 void add_ends(const JointedBar& bar, dda::Model& model) {
   const double right = bar.blocks * bar.block_length;
@@ -31,18 +34,23 @@ void add_ends(const JointedBar& bar, dda::Model& model) {
   const bool is_p = bar.kind == WaveKind::p;
   const double normal = is_p ? bar.impedance() : 0;
   const double shear = is_p ? 0 : bar.impedance();
-  model.viscous_edges = {{0, {0, 1}, {0, 0}, normal, shear}, {last, {right, 0}, {right, 1}, normal, shear}};
-  const dda::Vec2 traction = is_p ? dda::Vec2(-2, 0) : dda::Vec2(0, -2);
+  model.viscous_edges = {{last, {right, 0}, {right, 1}, bar.end_ratio * normal, bar.end_ratio * shear}};
+  if (bar.absorbing_start) model.viscous_edges.push_back({0, {0, 1}, {0, 0}, normal, shear});
+  const double push = bar.absorbing_start ? -2 : -1;
+  const dda::Vec2 traction = is_p ? dda::Vec2(push, 0) : dda::Vec2(0, push);
   model.edge_loads = {{0, {0, 1}, {0, 0}, traction, pushed(bar)}};
   if (bar.initial_pressure == 0) return;
   model.edge_loads.push_back({0, {0, 1}, {0, 0}, {bar.initial_pressure, 0}, dda::Constant{}});
   model.edge_loads.push_back({last, {right, 0}, {right, 1}, {-bar.initial_pressure, 0}, dda::Constant{}});
 }
 
+// N/m: a millionth of the shear strain goes into the supports.
+constexpr double sideways_stiffness = 1e6 * young;
+
 void hold_sideways(dda::Model& model) {
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     for (const dda::Vec2& corner : model.blocks[i].shape.outer)
-      model.supports.push_back({static_cast<int>(i), corner, true, false, 1e3 * young, dda::Vec2::Zero(), {}});
+      model.supports.push_back({static_cast<int>(i), corner, true, false, sideways_stiffness, dda::Vec2::Zero(), {}});
 }
 
 dda::Model model_of(const JointedBar& bar) {
@@ -52,7 +60,7 @@ dda::Model model_of(const JointedBar& bar) {
   bond.bonded = true;
   model.joints = {bond, bar.special};
   for (const int left : bar.special_at) model.joint_of_block_pair[{left, left + 1}] = 1;
-  dda::append_bar(model, {.length = bar.blocks * bar.block_length, .height = 1, .block_length = bar.block_length});
+  dda::append_bar(model, {.length = bar.blocks * bar.block_length, .height = height, .block_length = bar.block_length});
   for (dda::Block& block : model.blocks) block.initial_stress(0) = -bar.initial_pressure;
   add_ends(bar, model);
   if (bar.kind == WaveKind::s) hold_sideways(model);
@@ -62,6 +70,7 @@ dda::Model model_of(const JointedBar& bar) {
         {"probe " + std::to_string(block), quantity, block, -1, {(block + 0.5) * bar.block_length, 0.5}});
   dda::Stage stage;
   stage.kinematics = dda::Kinematics::small;
+  stage.integrator = bar.integrator;
   stage.dt = bar.dt;
   stage.duration = bar.steps * bar.dt;
   model.stages = {stage};
@@ -76,6 +85,21 @@ double JointedBar::speed() const {
 }
 
 double JointedBar::impedance() const { return density * speed(); }
+
+exact::BlockChain shear_chain_of(const JointedBar& bar) {
+  const dda::Model model = model_of(bar);
+  const dda::Vec4 k =
+      dda::interface_stiffness(model, dda::find_interfaces(model).front(), dda::InterfaceLaw::consistent);
+  exact::BlockChain chain;
+  chain.blocks = bar.blocks;
+  chain.length = bar.block_length;
+  chain.height = height;
+  chain.density = density;
+  chain.elasticity = {young / (2 * (1 + poisson)), 0};
+  chain.interface = exact::consistent_edge(k(1), 0);
+  chain.end_impedance = bar.end_ratio * bar.impedance() * height;
+  return chain;
+}
 
 std::vector<std::vector<double>> stress_histories(const JointedBar& bar, dda::Counters& counters) {
   RecordedRun run = record_run(model_of(bar));

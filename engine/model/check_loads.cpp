@@ -37,6 +37,7 @@ void check_history(const Item& item, const SineCycles& sine) {
 void check_history(const Item& item, const ExponentialDecay& decay) {
   item.positive("history decay time", decay.decay_time);
   item.finite("history start", decay.start);
+  item.not_negative("history rise", decay.rise);
 }
 
 void check_history(const Item& item, const Recorded& recorded) {

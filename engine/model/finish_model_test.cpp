@@ -132,6 +132,11 @@ const std::vector<Spoiled> spoiled = {
     {"load point", [](Model& m) { m.point_loads[0].point.x() = -1; }, "point_loads[0] point", "(-1, 0.5)"},
     {"frequency", [](Model& m) { m.point_loads[0].history = SineCycles{}; }, "frequency", "0"},
     {"decay", [](Model& m) { m.point_loads[0].history = ExponentialDecay{}; }, "decay time", "0"},
+    {"rise",
+     [](Model& m) {
+       m.point_loads[0].history = ExponentialDecay{1, 0, -2};
+     },
+     "rise", "-2"},
     {"times",
      [](Model& m) {
        m.edge_loads[0].history = PiecewiseLinear{{1, 1}, {0, 1}};

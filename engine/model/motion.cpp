@@ -32,8 +32,10 @@ Pair derivatives(const SineCycles& sine, double time) {
 }
 
 Pair derivatives(const ExponentialDecay& decay, double time) {
-  if (time < decay.start) return {};
-  const double value = std::exp(-(time - decay.start) / decay.decay_time);
+  const double since = time - decay.start;
+  if (since < 0) return {};
+  if (since < decay.rise) return {1 / decay.rise, 0};
+  const double value = std::exp(-(since - decay.rise) / decay.decay_time);
   return {-value / decay.decay_time, value / (decay.decay_time * decay.decay_time)};
 }
 
@@ -79,8 +81,11 @@ Pair integrals(const SineCycles& sine, double time) {
 Pair integrals(const ExponentialDecay& decay, double time) {
   const double since = time - decay.start;
   if (since <= 0) return {};
-  const double first = -decay.decay_time * std::expm1(-since / decay.decay_time);
-  return {first, decay.decay_time * (since - first)};
+  Pair sum;
+  if (decay.rise > 0) advance(0, 1 / decay.rise, std::min(since, decay.rise), sum);
+  const double falling = std::max(since - decay.rise, 0.0);
+  const double first = -decay.decay_time * std::expm1(-falling / decay.decay_time);
+  return {sum.first + first, sum.second + sum.first * falling + decay.decay_time * (falling - first)};
 }
 
 Pair integrals(const Recorded& recorded, double time) {

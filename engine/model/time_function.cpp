@@ -26,7 +26,9 @@ double value_at(const SineCycles& sine, double time) {
 }
 
 double value_at(const ExponentialDecay& decay, double time) {
-  return time < decay.start ? 0 : std::exp(-(time - decay.start) / decay.decay_time);
+  const double since = time - decay.start;
+  if (since < 0) return 0;
+  return since < decay.rise ? since / decay.rise : std::exp(-(since - decay.rise) / decay.decay_time);
 }
 
 double value_at(const Recorded& recorded, double time) { return recorded.recording->value(time - recorded.start); }

@@ -25,10 +25,12 @@ struct SineCycles {
   double start = 0;  // s
 };
 
-// exp(-(t - start)/decay_time) from `start` on, zero before (thesis Eq. 18 with start = 1.1 ta, decay_time = ta).
+// Zero before `start`, a straight line to 1 over `rise` (a jump when that is 0), then exp(-t'/decay_time), t' counted
+// from there (thesis Eq. 18 with start = 1.1 ta, decay_time = ta).
 struct ExponentialDecay {
   double decay_time = 0;  // s
   double start = 0;       // s
+  double rise = 0;        // s
 };
 
 // A recording whose clock shows zero at `start`. Copies share the samples.

@@ -68,5 +68,14 @@ TEST(TimeFunction, DecayJumpsToOneAndFallsByItsTime) {
   EXPECT_NEAR(evaluate(decay, 0.016), std::exp(-3), round_off);
 }
 
+TEST(TimeFunction, DecayRisesInAStraightLineWhereItHasARise) {
+  const ExponentialDecay decay{0.002, 0.01, 0.004};
+  EXPECT_EQ(evaluate(decay, 0.0099), 0);
+  EXPECT_EQ(evaluate(decay, 0.01), 0);
+  EXPECT_NEAR(evaluate(decay, 0.011), 0.25, round_off);
+  EXPECT_NEAR(evaluate(decay, 0.014), 1, round_off);
+  EXPECT_NEAR(evaluate(decay, 0.016), 1 / std::numbers::e, round_off);
+}
+
 }  // namespace
 }  // namespace dda

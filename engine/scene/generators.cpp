@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "dda/core/error.h"
@@ -21,15 +23,19 @@ void require_buildable(const char* field, double blocks) {
                    fmt::format("at most {} blocks", most_generated_blocks));
 }
 
-void append_rectangle(Model& model, const BlockGroup& group, std::string name, const Vec2& lower, const Vec2& upper) {
+void append_block(Model& model, const BlockGroup& group, std::string name, Ring corners) {
   Block block;
   block.name = std::move(name);
-  block.shape.outer = {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
+  block.shape.outer = std::move(corners);
   block.material = group.material;
   block.initial_stress = group.initial_stress;
   block.initial_velocity = group.initial_velocity;
   block.initial_spin = group.initial_spin;
   model.blocks.push_back(std::move(block));
+}
+
+void append_rectangle(Model& model, const BlockGroup& group, std::string name, const Vec2& lower, const Vec2& upper) {
+  append_block(model, group, std::move(name), {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}});
 }
 
 int bar_block_count(const BarSpec& spec) {
@@ -62,6 +68,17 @@ void append_row(Model& model, const GridSpec& spec, int row) {
   }
 }
 
+void check(const RingsSpec& spec) {
+  if (spec.sectors < 3) throw InputError("", "sectors", fmt::format("{}", spec.sectors), "at least 3");
+  if (spec.radii.size() < 2) throw InputError("", "radii", fmt::format("{} radii", spec.radii.size()), "at least 2");
+  for (std::size_t i = 0; i < spec.radii.size(); ++i) {
+    require_positive("radii", spec.radii[i]);
+    if (i == 0 || spec.radii[i] > spec.radii[i - 1]) continue;
+    throw InputError("", "radii", fmt::format("{} m after {} m", spec.radii[i], spec.radii[i - 1]), "increasing radii");
+  }
+  require_buildable("sectors times rings", static_cast<double>(spec.sectors) * static_cast<double>(spec.radii.size()));
+}
+
 }  // namespace
 
 int append_bar(Model& model, const BarSpec& spec) {
@@ -86,6 +103,25 @@ int append_grid(Model& model, const GridSpec& spec) {
   require_buildable("columns times rows", static_cast<double>(spec.columns) * spec.rows);
   const int first = static_cast<int>(model.blocks.size());
   for (int row = 0; row < spec.rows; ++row) append_row(model, spec, row);
+  return first;
+}
+
+int append_rings(Model& model, const RingsSpec& spec) {
+  check(spec);
+  const int first = static_cast<int>(model.blocks.size());
+  const auto corner = [&spec](double radius, int joint) -> Vec2 {
+    const double angle = spec.first_corner + 2 * std::numbers::pi * (joint % spec.sectors) / spec.sectors;
+    return spec.centre + radius * Vec2(std::cos(angle), std::sin(angle));
+  };
+  for (std::size_t ring = 1; ring < spec.radii.size(); ++ring) {
+    const double inner = spec.radii[ring - 1];
+    const double outer = spec.radii[ring];
+    for (int sector = 0; sector < spec.sectors; ++sector) {
+      append_block(
+          model, spec.group, fmt::format("{} {}.{}", spec.group.name, ring, sector + 1),
+          {corner(inner, sector), corner(outer, sector), corner(outer, sector + 1), corner(inner, sector + 1)});
+    }
+  }
   return first;
 }
 

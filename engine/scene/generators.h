@@ -1,7 +1,9 @@
-// Rows and grids of equal rectangular blocks, for scenes and for programs that build a Model themselves.
+// Rows and grids of equal rectangular blocks and rings around an opening, for scenes and for programs that build a
+// Model themselves.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dda/model/model.h"
 
@@ -41,6 +43,16 @@ struct GridSpec {
   BlockGroup group = {.name = "grid"};
 };
 
+// Rings of blocks around an opening, cut by straight radial joints: regular polygons one around the other. Lengths in
+// m.
+struct RingsSpec {
+  Vec2 centre = Vec2::Zero();
+  std::vector<double> radii;  // of corners, increasing; the first are those of the opening
+  int sectors = 0;            // blocks in a ring
+  double first_corner = 0;    // rad, direction of the first radial joint
+  BlockGroup group = {.name = "rings"};
+};
+
 inline constexpr int most_generated_blocks = 2'000'000;
 
 // Appends the blocks "NAME 1", "NAME 2", ... from left to right and returns the index of the first. Neighbours share
@@ -51,5 +63,10 @@ int append_bar(Model& model, const BarSpec& spec);
 // Appends the blocks "NAME ROW.COLUMN", counted from 1.1 below left, and returns the index of the first. Throws
 // InputError naming the field of `spec` when a size or count is not positive.
 int append_grid(Model& model, const GridSpec& spec);
+
+// Appends the blocks "NAME RING.SECTOR", counted from 1.1, rings outwards and sectors counter-clockwise from
+// `first_corner`, and returns the index of the first. Throws InputError naming the field of `spec` when there are fewer
+// than two radii or three sectors, or radii do not increase from above 0.
+int append_rings(Model& model, const RingsSpec& spec);
 
 }  // namespace dda

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "dda/core/error.h"
 
@@ -90,6 +92,32 @@ TEST(Grid, RefusesNoColumnsAndBlocksBeyondCounting) {
   EXPECT_THROW(append_grid(model, {.columns = 0, .rows = 1, .block_width = 1, .block_height = 1}), InputError);
   EXPECT_THROW(append_grid(model, {.columns = 100000, .rows = 100000, .block_width = 1, .block_height = 1}),
                InputError);
+}
+
+TEST(Rings, AreOctagonsAroundAnOpening) {
+  Model model = with_rock();
+  const double eighth = std::numbers::pi / 4;
+  EXPECT_EQ(append_rings(model, {.centre = {3, -1}, .radii = {1, 2, 2.5}, .sectors = 8, .first_corner = eighth / 2}),
+            0);
+  ASSERT_EQ(model.blocks.size(), 16U);
+  EXPECT_EQ(model.blocks[7].name, "rings 1.8");
+  EXPECT_EQ(model.blocks[8].name, "rings 2.1");
+  EXPECT_EQ(model.blocks[7].shape.outer[2], model.blocks[0].shape.outer[1]);              // the last joint is the first
+  EXPECT_EQ(model.blocks[0].shape.outer[1], model.blocks[8].shape.outer[0]);              // rings share corners
+  EXPECT_NEAR(model.blocks[1].shape.outer[1].y(), -1 + 2 * std::cos(eighth / 2), 1e-15);  // a level side on top
+  EXPECT_NEAR(model.blocks[1].shape.outer[2].y(), -1 + 2 * std::cos(eighth / 2), 1e-15);
+  finish_model(model);
+  EXPECT_NEAR(total_area(model), 4 * std::sin(eighth) * (2.5 * 2.5 - 1), 1e-13);
+}
+
+TEST(Rings, RefuseWhatIsNoRing) {
+  Model model = with_rock();
+  EXPECT_THROW(append_rings(model, {.radii = {1, 2}, .sectors = 2}), InputError);
+  EXPECT_THROW(append_rings(model, {.radii = {1}, .sectors = 8}), InputError);
+  EXPECT_THROW(append_rings(model, {.radii = {0, 1}, .sectors = 8}), InputError);
+  EXPECT_THROW(append_rings(model, {.radii = {1, 1}, .sectors = 8}), InputError);
+  EXPECT_THROW(append_rings(model, {.radii = {1, 2, 3}, .sectors = 1'000'000}), InputError);
+  EXPECT_TRUE(model.blocks.empty());
 }
 
 }  // namespace

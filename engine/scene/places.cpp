@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dda/model/tolerance.h"
+#include "dda/scene/free_outline.h"
 
 namespace dda {
 namespace {
@@ -76,6 +77,22 @@ SineCycles read_sine(const Field& field) {
   return sine;
 }
 
+PiecewiseLinear read_triangle(const Field& field) {
+  const double start = read_start(field);
+  const double peak = start + field.at("rise").positive(Dimension::time);
+  const double end = peak + field.at("fall").positive(Dimension::time);
+  if (!(start < peak && peak < end)) field.fail("a rise and a fall that are not lost beside the start");
+  return {{start, peak, end}, {0, 1, 0}};
+}
+
+ExponentialDecay read_decay(const Field& field) {
+  ExponentialDecay decay;
+  decay.decay_time = field.at("decay_time").positive(Dimension::time);
+  decay.start = read_start(field);
+  decay.rise = value_or(field, "rise", 0.0, [](const Field& f) { return f.not_negative(Dimension::time); });
+  return decay;
+}
+
 }  // namespace
 
 int read_block_name(const Field& field, const GroundPlan& plan, const Model& model) {
@@ -124,19 +141,47 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
   field.fail(written(point) + " where several blocks meet", "a point inside of one of them: " + listed(blocks, model));
 }
 
-std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
+namespace {
+
+void keep_named_block(const Field& owner, const GroundPlan& plan, const Model& model, std::vector<Stretch>& stretches) {
+  const auto name = owner.find("block");
+  if (!name) return;
+  keep_only(read_block_name(*name, plan, model), stretches);
+  if (stretches.empty()) name->fail("a block with a side along this edge");
+}
+
+std::vector<Stretch> read_straight_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
   const Field field = owner.at("edge");
   const Segment line = read_line(field, plan);
   std::vector<Stretch> stretches = plan.stretches_along(line);
-  if (const auto name = owner.find("block")) {
-    keep_only(read_block_name(*name, plan, model), stretches);
-    if (stretches.empty()) name->fail("a block with a side along this edge");
-  }
+  keep_named_block(owner, plan, model, stretches);
   if (stretches.empty()) field.fail("a line along the side of a block; " + extent(plan));
   if (const auto both = doubly_covered(stretches, line, point_tolerance(model))) {
     field.fail("a line outside of joints, or \"block\" to say which side: " +
                listed({both->first, both->second}, model));
   }
+  return stretches;
+}
+
+std::vector<Stretch> read_cavity(const Field& edge, const GroundPlan& plan, const Model& model) {
+  refuse(edge, {"from", "to"}, "beside cavity");
+  const Field field = edge.at("cavity");
+  const Vec2 point = field.vector(Dimension::length);
+  std::vector<Stretch> wall = ring_around(free_rings(model), point);
+  if (wall.empty()) field.fail("a point in an opening with blocks all around; " + extent(plan));
+  return wall;
+}
+
+}  // namespace
+
+std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
+  const Field field = owner.at("edge");
+  const bool outside = field.is_text() && field.text() == "outside";
+  const bool cavity = !field.is_text() && field.has("cavity");
+  if (!outside && !cavity) return read_straight_edge(owner, plan, model);
+  std::vector<Stretch> stretches = outside ? outer_rings(free_rings(model)) : read_cavity(field, plan, model);
+  keep_named_block(owner, plan, model, stretches);
+  if (stretches.empty()) field.fail("blocks with an outline that closes");
   return stretches;
 }
 
@@ -152,8 +197,8 @@ TimeFunction read_history(const Field& owner, Dimension dimension, RecordFiles& 
   if (const auto table = history->find("table")) return read_table(*table);
   if (const auto sine = history->find("sine")) return read_sine(*sine);
   if (const auto record = history->find("record")) return records.read(*record, dimension);
-  const Field decay = history->at("decay");
-  return ExponentialDecay{decay.at("decay_time").positive(Dimension::time), read_start(decay)};
+  if (const auto triangle = history->find("triangle")) return read_triangle(*triangle);
+  return read_decay(history->at("decay"));
 }
 
 }  // namespace dda

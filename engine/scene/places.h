@@ -24,8 +24,9 @@ PlacedPoint read_point(const Field& owner, const GroundPlan& plan, const Model& 
 // line runs in.
 int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& plan, const Model& model);
 
-// The outlines along owner.edge, of owner.block if that is given; at least one. Stretches of several blocks on the two
-// sides of a joint are refused, as it is not said which are meant.
+// The outlines along owner.edge - a line, the wall of a cavity or the outside of all blocks - of owner.block if that is
+// given; at least one. Stretches of several blocks on the two sides of a joint are refused, as it is not said which are
+// meant.
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model);
 
 // The index of the block that `field` names.

@@ -78,6 +78,16 @@ void read_grid(const Field& field, Model& model) {
   append_at(field, [&] { append_grid(model, spec); });
 }
 
+void read_rings(const Field& field, Model& model) {
+  RingsSpec spec;
+  spec.group = read_group(field, "rings", model);
+  spec.centre = value_or(field, "centre", spec.centre, [](const Field& f) { return f.vector(Dimension::length); });
+  for (const Field& radius : field.at("radii").items()) spec.radii.push_back(radius.positive(Dimension::length));
+  spec.sectors = field.at("sectors").whole_number();
+  spec.first_corner = value_or(field, "first_corner", 0.0, [](const Field& f) { return f.quantity(Dimension::angle); });
+  append_at(field, [&] { append_rings(model, spec); });
+}
+
 Ring read_ring(const Field& field) {
   Ring ring;
   for (const Field& vertex : field.items()) ring.push_back(vertex.vector(Dimension::length));
@@ -108,6 +118,8 @@ std::string read_entry(const Field& entry, Model& model) {
     read_bar(field, model);
   } else if (kind == "grid") {
     read_grid(field, model);
+  } else if (kind == "rings") {
+    read_rings(field, model);
   } else {
     read_polygon(field, model);
   }

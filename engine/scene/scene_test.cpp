@@ -208,6 +208,15 @@ TEST(Scene, Histories) {
   EXPECT_EQ(table.times, (std::vector<double>{0, 0.005}));
   EXPECT_EQ(table.values, (std::vector<double>{0, 0.5}));
   EXPECT_EQ(std::get<ExponentialDecay>(history(R"({"decay": {"decay_time": "2 ms"}})")).decay_time, 0.002);
+  EXPECT_EQ(std::get<ExponentialDecay>(history(R"({"decay": {"decay_time": "2 ms"}})")).rise, 0);
+  const auto decay =
+      std::get<ExponentialDecay>(history(R"({"decay": {"decay_time": 1, "rise": "20 us", "start": "2 s"}})"));
+  EXPECT_EQ(decay.rise, 2e-5);
+  EXPECT_EQ(decay.start, 2);
+  const auto triangle =
+      std::get<PiecewiseLinear>(history(R"({"triangle": {"rise": "1 s", "fall": "2 s", "start": "4 s"}})"));
+  EXPECT_EQ(triangle.times, (std::vector<double>{4, 5, 7}));
+  EXPECT_EQ(triangle.values, (std::vector<double>{0, 1, 0}));
 }
 
 TEST(Scene, EdgeSupportHoldsTheEndsOfEachStretch) {

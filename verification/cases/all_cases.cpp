@@ -6,6 +6,7 @@
 #include "verification/cases/arch_cases.h"
 #include "verification/cases/bar_ends_cases.h"
 #include "verification/cases/base_shaking_cases.h"
+#include "verification/cases/blast_cases.h"
 #include "verification/cases/bolt_cases.h"
 #include "verification/cases/bounce_cases.h"
 #include "verification/cases/cantilever_cases.h"
@@ -61,6 +62,7 @@ constexpr std::array subjects{
     absorbing_end_cases,       // 34
     oblique_incidence_cases,   // 35
     soil_column_cases,         // 39
+    blast_cases,               // 29, 40, 41
     direction_cases,           // 42
 };
 

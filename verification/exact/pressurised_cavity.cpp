@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -136,6 +137,16 @@ RadialStress lame_ring(double inner_radius, double outer_radius, double inner_pr
   const double mean = (inner_pressure * share - outer_pressure) / (1 - share);
   const double swing = (inner_pressure - outer_pressure) / (1 - share) * std::pow(inner_radius / radius, 2);
   return {mean - swing, mean + swing};
+}
+
+double octagon_source_radius(double equal_area) {
+  constexpr double n = 8;
+  const double pi = std::numbers::pi;
+  const double edge = equal_area * std::sqrt(pi / (2 * (1 + std::numbers::sqrt2)));
+  const double conformal =
+      edge * std::tgamma(1 / n) / (std::pow(2, 1 + 2 / n) * std::sqrt(pi) * std::tgamma(0.5 + 1 / n));
+  const double m = 2 / (n * (n - 1));
+  return conformal * std::sqrt(1 + (n - 1) * m * m);
 }
 
 }  // namespace exact

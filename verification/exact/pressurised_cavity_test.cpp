@@ -188,6 +188,11 @@ TEST(LameRing, HasItsPressuresAtBothCircles) {
   EXPECT_NEAR(lame_ring(2, 4, 3, 0, 2).hoop, 3 * (16.0 + 4) / (16 - 4), 1e-14);  // p (b^2 + a^2)/(b^2 - a^2)
 }
 
+TEST(OctagonSource, HasItsConformalRadius) {
+  const double edge = 1 / std::sqrt(2 * (1 + std::numbers::sqrt2) / std::numbers::pi);  // equal area of radius 1
+  EXPECT_NEAR(octagon_source_radius(1) / std::sqrt(1 + 7.0 / 28 / 28), 1.24573 * edge, 1e-5);
+}
+
 TEST(PressurisedCavity, RefusesARadiusInside) {
   EXPECT_THROW((void)pressurised_cavity(plane_strain(0.25), pulse, {0.5}, 1e-3, 10), std::invalid_argument);
 }

@@ -257,7 +257,7 @@ const std::vector<Spoiled> values = {
     {"shrinking rings",
      R"({"bar": {"length": 4, "height": 1, "block_length": 2}})",
      R"({"rings": {"radii": [1, 3, 2], "sectors": 8}})",
-     {"blocks[0].rings.radii is [1,3,2]", "increasing"}},
+     {"blocks[0].rings.radii is 2 m after 3 m", "increasing"}},
     {"measured outside", "[2, 0.5]", "[-2, 0.5]", {"measurements[0].point is (-2, 0.5) m and outside"}},
     {"nothing on that side",
      "[2, 0.5]",

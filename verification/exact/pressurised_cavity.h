@@ -45,7 +45,7 @@ struct RadialStress {
 // The circular cavity (radius, m) whose far static stresses, -p a^2/r^2, are those of a regular octagon of the same
 // area as a circle of radius `equal_area` under the same pressure: a^2 = R^2 (1 + (n - 1) m^2), n = 8, with the
 // conformal map R (w + m w^(1-n)) from outside the unit circle, m = 2/(n (n - 1)), by Muskhelishvili's boundary
-// equation; R is the octagon's conformal radius, 1.24573 of its edge (Polya & Szego 1951).
+// equation; R is the octagon's conformal radius, 1.24581 of its edge (Polya & Szego 1951).
 [[nodiscard]] double octagon_source_radius(double equal_area);
 
 }  // namespace exact

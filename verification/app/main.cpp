@@ -9,6 +9,7 @@
 #include "verification/suite/run_command.h"
 #include "verification/suite/table_command.h"
 #include "verification/sweep/sweep_command.h"
+#include "verification/thesis/blast_command.h"
 #include "verification/thesis/calibrate_command.h"
 
 namespace {
@@ -24,6 +25,7 @@ struct Arguments {
   verify::SweepCommand sweep;
   verify::JobCommand job;
   std::filesystem::path collected;
+  std::filesystem::path blast;
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
@@ -109,8 +111,20 @@ void add_collect(CLI::App& app, Arguments& arguments) {
   collect->add_option("folder", arguments.collected, "folder of the sweep")->required()->type_name("DIR");
 }
 
+void add_blast(CLI::App& app, Arguments& arguments) {
+  CLI::App* blast = app.add_subcommand(
+      "blast",
+      "The blast of Zelig (2015), chapter 4, as far as its text defines it: Table 4.1 and peak stresses beside this "
+      "engine's, with three kinds of joints and by the radial wave equation.\nWrites blast.md; about a minute.");
+  blast->add_option("--out", arguments.blast, "folder of the page; made if it is not there")->required();
+}
+
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
+  if (app.got_subcommand("blast")) {
+    verify::report_blast(arguments.blast);
+    return 0;
+  }
   if (app.got_subcommand("table"))
     return verify::make_table(verify::all_cases(), arguments.table, std::cout, std::cerr);
   if (app.got_subcommand("sweep"))
@@ -127,6 +141,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   Arguments arguments;
   add_calibrate(app, arguments);
+  add_blast(app, arguments);
   add_run(app, arguments);
   add_table(app, arguments);
   add_sweep(app, arguments);

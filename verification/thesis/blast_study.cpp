@@ -1,0 +1,104 @@
+#include "verification/thesis/blast_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "verification/exact/pressurised_cavity.h"
+#include "verification/harness/recorded_run.h"
+
+namespace verify {
+namespace {
+
+struct Variant {
+  std::string name;
+  std::string description;
+  dda::JointMaterial joint;
+  dda::Integrator integrator;
+};
+
+// Springs of 10 E per vertex, shear 0.4 of it, as in chapters 3 and 6.
+dda::JointMaterial classical_joint() {
+  dda::JointMaterial joint;
+  joint.law = dda::InterfaceLaw::classical;
+  joint.spring_over_young = 10;
+  joint.shear_to_normal = 0.4;
+  return joint;
+}
+
+std::vector<Variant> variants(const ThesisBlast& blast) {
+  dda::JointMaterial dry = classical_joint();
+  dry.friction_angle = blast.friction_angle;
+  dda::JointMaterial glued = classical_joint();
+  glued.bonded = true;
+  dda::JointMaterial rock;
+  rock.law = dda::InterfaceLaw::consistent;
+  rock.bonded = true;
+  return {{"dry", "joints with a friction angle of 45 deg and no cohesion, corner springs, Eq. 5: the thesis' text",
+           dry, dda::thesis_integrator()},
+          {"glued", "the same springs, joints that neither open nor slide", glued, dda::thesis_integrator()},
+          {"continuous", "consistent joints, trapezoidal rule: this engine's accurate scheme for solid rock", rock,
+           dda::trapezoidal_integrator()}};
+}
+
+BlastReading reading_of(const std::vector<double>& velocity, const std::vector<double>& stress, double dt) {
+  const auto fastest = std::max_element(velocity.begin(), velocity.end());
+  return {dt * static_cast<double>(fastest - velocity.begin()), *fastest,
+          -*std::min_element(stress.begin(), stress.end())};
+}
+
+std::vector<double> difference(const std::vector<double>& with, const std::vector<double>& without) {
+  std::vector<double> result(with.size());
+  std::transform(with.begin(), with.end(), without.begin(), result.begin(), std::minus<>());
+  return result;
+}
+
+BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const BlastOptions& options) {
+  BlastRun run{variant.joint, variant.integrator, blast.time_step, options.duration, true, options.mesh};
+  const RecordedRun with = record_run(blast_scene(blast, run));
+  run.loaded = false;
+  const RecordedRun without = record_run(blast_scene(blast, run));
+  BlastResult result{variant.name, variant.description, {}, 0, with.cpu_s};
+  for (std::size_t i = 0; i + 1 < with.histories.size(); i += 2) {
+    for (const double velocity : without.histories[i])
+      result.largest_without = std::max(result.largest_without, std::abs(velocity));
+    result.readings.push_back(reading_of(difference(with.histories[i], without.histories[i]),
+                                         difference(with.histories[i + 1], without.histories[i + 1]), run.dt));
+  }
+  return result;
+}
+
+// The circular cavity that sends out the octagon's long waves, in endless rock without joints.
+BlastResult axisymmetric(const ThesisBlast& blast, const BlastStudy& study) {
+  const double equal_area = blast.octagon_edge * std::sqrt(2 * (1 + std::numbers::sqrt2) / std::numbers::pi);
+  const double p = blast.speed_plane_stress();
+  const double shear = blast.young / (2 * (1 + blast.poisson));
+  const exact::Cavity cavity{exact::octagon_source_radius(equal_area), blast.density * p * p, shear, blast.density};
+  std::vector<double> radii;
+  for (const PrintedArrival& point : study.points) radii.push_back(point.distance);
+  const exact::CavityMotion motion = exact::pressurised_cavity(
+      cavity, [&](double t) { return blast.peak_pressure * blast_factor(blast, t); }, radii, study.duration, 100);
+  BlastResult result{"axisymmetric", "wave equation in the radius, no joints", {}, 0, 0};
+  for (const exact::RadialHistory& history : motion.histories)
+    result.readings.push_back(reading_of(history.velocity, history.radial_stress, motion.interval));
+  return result;
+}
+
+}  // namespace
+
+BlastStudy run_blast_study(const ThesisBlast& blast, const BlastOptions& options) {
+  BlastStudy study;
+  study.points = points_inside(blast, options.mesh);
+  study.dt = blast.time_step;
+  study.duration = options.duration;
+  const BlastRun any{classical_joint(), dda::thesis_integrator(), study.dt, study.duration, false, options.mesh};
+  study.blocks = static_cast<int>(blast_scene(blast, any).blocks.size());
+  for (const Variant& variant : variants(blast)) study.results.push_back(run_variant(blast, variant, options));
+  study.results.push_back(axisymmetric(blast, study));
+  return study;
+}
+
+}  // namespace verify

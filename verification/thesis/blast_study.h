@@ -1,0 +1,42 @@
+// Runs the blast of the thesis' chapter 4 with joints as the text has them and with others, and reads Table 4.1 of
+// each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/thesis/blast_scene.h"
+
+namespace verify {
+
+struct BlastReading {
+  double peak_time = 0;      // s from the blast, of the largest velocity away from it
+  double peak_velocity = 0;  // m/s
+  double peak_stress = 0;    // Pa, compression
+};
+
+struct BlastResult {
+  std::string name;
+  std::string description;
+  std::vector<BlastReading> readings;  // by point; with the blast minus without
+  double largest_without = 0;          // m/s, of all velocities in the run without the blast
+  double cpu_s = 0;                    // of the run with it
+};
+
+struct BlastStudy {
+  std::vector<PrintedArrival> points;
+  std::vector<BlastResult> results;
+  int blocks = 0;
+  double dt = 0;        // s
+  double duration = 0;  // s
+};
+
+struct BlastOptions {
+  BlastMesh mesh;
+  double duration = 22e-3;  // s
+};
+
+// Throws std::runtime_error, saying when and why, if a run fails.
+[[nodiscard]] BlastStudy run_blast_study(const ThesisBlast& blast, const BlastOptions& options);
+
+}  // namespace verify

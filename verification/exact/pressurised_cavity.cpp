@@ -27,12 +27,12 @@ class Rings {
     }
   }
 
-  // Velocities by `kick` s, then displacements by `drift` s.
-  void advance(double wall_pressure, double kick, double drift) {
+  // Velocities, then displacements, by `interval` s.
+  void advance(double wall_pressure, double interval) {
     update_forces(wall_pressure);
     for (std::size_t i = 0; i < velocity_.size(); ++i) {
-      velocity_[i] += kick * force_[i] / mass_[i];
-      displacement_[i] += drift * velocity_[i];
+      velocity_[i] += interval * force_[i] / mass_[i];
+      displacement_[i] += interval * velocity_[i];
     }
   }
 
@@ -125,7 +125,7 @@ CavityMotion pressurised_cavity(const Cavity& cavity, const std::function<double
     const double p = pressure(static_cast<double>(step) * motion.interval);
     append_stress(rings, radii, motion);
     append_half_velocity(rings, radii, step, motion);
-    rings.advance(p, step == 0 ? motion.interval / 2 : motion.interval, motion.interval);
+    rings.advance(p, motion.interval);
     append_half_velocity(rings, radii, step, motion);
   }
   return motion;

@@ -26,10 +26,11 @@ struct CavityMotion {
   std::vector<RadialHistory> histories;  // one for each radius asked for
 };
 
-// From rest, `pressure` (Pa, of the time in s) on the wall, for `duration` s, at `radii` (m, from the wall on). Finite
-// differences of second order: linear displacements in rings of equal thickness, `rings_per_radius` in the radius of
-// the cavity, with lumped masses and central differences in time at 0.95 of the time a P wave takes through a ring. The
-// body ends so far out that nothing comes back in time. Throws std::invalid_argument for a radius inside the cavity.
+// From rest, `pressure` (Pa, of the time in s, from 0 on at the start) on the wall, for `duration` s, at `radii` (m,
+// from the wall on). Finite differences of second order: linear displacements in rings of equal thickness,
+// `rings_per_radius` in the radius of the cavity, with lumped masses and central differences in time at 0.95 of the
+// time a P wave takes through a ring. The body ends so far out that nothing comes back in time. Throws
+// std::invalid_argument for a radius inside the cavity.
 [[nodiscard]] CavityMotion pressurised_cavity(const Cavity& cavity, const std::function<double(double)>& pressure,
                                               const std::vector<double>& radii, double duration, int rings_per_radius);
 

@@ -92,6 +92,7 @@ void check_support(const Model& model, const Item& item, const PointSupport& sup
     item.finite("direction", support.direction);
     item.within("direction length", support.direction.norm(), 1 - 1e-9, 1 + 1e-9);
   }
+  if (support.last_stage != -1) item.index("last stage", support.last_stage, model.stages.size());
   if (!support.holds_x && !support.holds_y) item.fail("hold", "neither x nor y", "at least one direction");
   check_history(item, support.history);
 }
@@ -165,6 +166,7 @@ void check_viscous_edges(const Model& model) {
     check_stretch(model, item, edge.block, edge.from, edge.to);
     item.not_negative("normal impedance", edge.normal_impedance);
     item.not_negative("shear impedance", edge.shear_impedance);
+    if (edge.first_stage != 0) item.index("first stage", edge.first_stage, model.stages.size());
   }
 }
 

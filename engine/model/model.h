@@ -58,6 +58,7 @@ struct PointSupport {
   TimeFunction history;
   MotionKind kind = MotionKind::displacement;
   Vec2 direction = Vec2::Zero();  // unit; holds along it alone when it is not zero (a roller)
+  int last_stage = -1;            // let go at the end of this stage, its force stays; -1: never
 };
 
 // A block held, or moved, as a rigid whole: exactly as prescribed whatever forces act on it. It belongs to the
@@ -100,6 +101,7 @@ struct ViscousEdge {
   Vec2 from, to;
   double normal_impedance = 0;  // Pa s/m, e.g. rho c_p
   double shear_impedance = 0;   // Pa s/m, e.g. rho c_s
+  int first_stage = 0;          // acts from the start of this stage on
 };
 
 enum class Quantity {

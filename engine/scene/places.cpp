@@ -108,6 +108,12 @@ int read_joint_reference(const Field& field, const Model& model) {
   return static_cast<int>(field.choice(names));
 }
 
+int read_stage_reference(const Field& field, const Model& model) {
+  std::vector<std::string> names;
+  for (const Stage& stage : model.stages) names.push_back(stage.name);
+  return static_cast<int>(field.choice(names));
+}
+
 std::string listed(const std::vector<int>& blocks, const Model& model) {
   constexpr std::size_t most_listed = 4;
   std::string list;

@@ -35,6 +35,9 @@ int read_block_name(const Field& field, const GroundPlan& plan, const Model& mod
 // The index of the joint that `field` names.
 int read_joint_reference(const Field& field, const Model& model);
 
+// The position of the stage that `field` names.
+int read_stage_reference(const Field& field, const Model& model);
+
 // Names of blocks as a sentence lists them.
 std::string listed(const std::vector<int>& blocks, const Model& model);
 

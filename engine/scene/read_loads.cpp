@@ -62,17 +62,28 @@ double read_impedance(const Field& field, const char* key, double otherwise) {
   return value_or(field, key, otherwise, [](const Field& f) { return f.not_negative(Dimension::impedance); });
 }
 
+// What the surroundings do to a stretch of a block under its initial stress.
+Vec2 initial_traction(const Stretch& stretch, const Model& model) {
+  const Vec3& stress = model.blocks[static_cast<std::size_t>(stretch.block)].initial_stress;
+  const Vec2 outward = -stretch.inward;
+  return {stress(0) * outward.x() + stress(2) * outward.y(), stress(2) * outward.x() + stress(1) * outward.y()};
+}
+
 void read_viscous_boundary(const Field& field, const GroundPlan& plan, Model& model) {
   if (field.has("normal_impedance")) refuse(field, {"normal_speed"}, "beside normal_impedance");
   if (field.has("shear_impedance")) refuse(field, {"shear_speed"}, "beside shear_impedance");
   const double ratio =
       value_or(field, "ratio", 1.0, [](const Field& f) { return f.positive(Dimension::dimensionless); });
+  const int first_stage =
+      value_or(field, "from_stage", 0, [&](const Field& f) { return read_stage_reference(f, model); });
+  const bool carries = value_or(field, "carries_initial_stress", false, [](const Field& f) { return f.truth(); });
   for (const Stretch& s : read_edge(field, plan, model)) {
     const Material& material = model.material_of(s.block);
     const double normal =
         read_impedance(field, "normal_impedance", material.density * read_normal_speed(field, material));
     const double shear = read_impedance(field, "shear_impedance", material.density * read_shear_speed(field, material));
-    model.viscous_edges.push_back({s.block, s.from, s.to, ratio * normal, ratio * shear});
+    model.viscous_edges.push_back({s.block, s.from, s.to, ratio * normal, ratio * shear, first_stage});
+    if (carries) model.edge_loads.push_back({s.block, s.from, s.to, initial_traction(s, model), Constant{}});
   }
 }
 

@@ -41,8 +41,8 @@ Model read_model(const Field& scene, const std::filesystem::path& folder) {
   if (const auto title = scene.find("title")) model.title = title->text();
   const std::vector<std::string> groups = read_blocks_and_joints(scene, scheme, model);
   finish_model(model);  // what follows needs the moments, and blocks that do not overlap
-  read_what_acts(scene, groups, folder, model);
   read_stages(scene, scheme, model);
+  read_what_acts(scene, groups, folder, model);
   finish_model(model);
   return model;
 }

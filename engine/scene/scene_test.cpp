@@ -241,6 +241,24 @@ TEST(Scene, ViscousBoundariesMatchTheWavesOfTheirBlock) {
   EXPECT_DOUBLE_EQ(model.viscous_edges[3].normal_impedance, 5e6);
 }
 
+TEST(Scene, SupportsEndAndViscousBoundariesBeginWithAStage) {
+  const std::string text = R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": {"bar": {"length": 2, "height": 1, "block_length": 1, "initial_stress": {"xx": -3, "yy": -2, "xy": 0.5}}},
+    "supports": [{"edge": "left", "until_stage": "settle"}, {"edge": "right"}],
+    "viscous_boundaries": [{"edge": "left", "from_stage": "wave"}, {"edge": "top", "carries_initial_stress": true}],
+    "steps": [{"name": "settle", "dt": 1, "duration": 1}, {"dt": 1, "duration": 1},
+              {"name": "wave", "dt": 1, "duration": 1}]})";
+  const Model model = parse_scene(text, "scene.json");
+  EXPECT_EQ(model.supports[0].last_stage, 0);
+  EXPECT_EQ(model.supports[1].last_stage, 0);
+  EXPECT_EQ(model.supports[2].last_stage, -1);
+  EXPECT_EQ(model.viscous_edges[0].first_stage, 2);
+  EXPECT_EQ(model.viscous_edges[1].first_stage, 0);
+  ASSERT_EQ(model.edge_loads.size(), 2U);
+  EXPECT_EQ(model.edge_loads[1].block, 1);
+  EXPECT_EQ(model.edge_loads[1].traction, Vec2(0.5, -2));
+}
+
 int measured_block(const std::string& place) {
   const std::string grid = R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
     "blocks": {"grid": {"columns": 2, "rows": 2, "block_width": 2, "block_height": 1}}, "steps": {"dt": 1, "duration": 1},

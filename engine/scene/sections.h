@@ -22,7 +22,7 @@ std::vector<std::string> read_blocks(const Field& scene, Model& model);
 void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_gravity(const Field& scene, Model& model);
 
-// These need the blocks complete, as finish_model leaves them.
+// These need the blocks complete, as finish_model leaves them, and the stages.
 void read_joint_lines(const Field& scene, const GroundPlan& plan, Model& model);
 void read_loads(const Field& scene, const GroundPlan& plan, RecordFiles& records, Model& model);
 void read_supports(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,

@@ -37,17 +37,18 @@ void update_geometry(const Model& model, const State& state, BlockTerms& terms) 
   }
 }
 
-BlockDamping make_block_damping(const Model& model, const State& state) {
+BlockDamping make_block_damping(const Model& model, const State& state, std::size_t stage) {
   BlockDamping damping;
   for (const ViscousEdge& edge : model.viscous_edges)
     if (find_block(edge.block, damping) == damping.end()) damping.emplace_back(edge.block, Mat6::Zero());
-  update_geometry(model, state, damping);
+  update_geometry(model, state, stage, damping);
   return damping;
 }
 
-void update_geometry(const Model& model, const State& state, BlockDamping& damping) {
+void update_geometry(const Model& model, const State& state, std::size_t stage, BlockDamping& damping) {
   for (auto& [block, matrix] : damping) matrix.setZero();
   for (const ViscousEdge& edge : model.viscous_edges) {
+    if (static_cast<std::size_t>(edge.first_stage) > stage) continue;
     const Vec2 centroid = current_centroid(model, state, edge.block);
     find_block(edge.block, damping)->second += viscous_damping(
         current_position(model, state, edge.block, edge.from) - centroid,

@@ -1,6 +1,7 @@
 // What the terms say of each block, ready for assembly: inertia, area and elasticity.
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,10 @@ BlockTerms make_block_terms(const Model& model, double strain_inertia);
 // Areas and inertia of the deformed blocks (finite kinematics).
 void update_geometry(const Model& model, const State& state, BlockTerms& terms);
 
-// Damping matrices of the blocks that have an absorbing edge, at most one entry a block.
+// Damping matrices of the blocks that have an absorbing edge, at most one entry a block; of the edges that act in
+// `stage`.
 using BlockDamping = std::vector<std::pair<int, Mat6>>;
-BlockDamping make_block_damping(const Model& model, const State& state);
-void update_geometry(const Model& model, const State& state, BlockDamping& damping);
+BlockDamping make_block_damping(const Model& model, const State& state, std::size_t stage);
+void update_geometry(const Model& model, const State& state, std::size_t stage, BlockDamping& damping);
 
 }  // namespace dda

@@ -84,6 +84,12 @@ class EnergyAudit {
   // The same of forces that the balance had but no state keeps.
   void held_blocks_moved_against(double work) { ledger_.external_work += work; }
 
+  // A support was let go that had stored this energy (J per m of thickness): whoever takes it away takes that as well.
+  void support_let_go(double energy) {
+    ledger_.external_work -= energy;
+    ledger_.contact -= energy;
+  }
+
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
 

@@ -6,11 +6,21 @@
 #include "dda/terms/load.h"
 
 namespace dda {
+namespace {
+
+const TimeFunction always = Constant{};
+
+}  // namespace
 
 ExternalForces::ExternalForces(const Model& model, const State& state) {
   loads_.reserve(model.point_loads.size() + model.edge_loads.size());
   for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
   for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
+  for (std::size_t i = 0; i < model.supports.size(); ++i) {
+    if (model.supports[i].last_stage < 0) continue;
+    loads_.push_back({model.supports[i].block, Vec6::Zero(), &always});
+    reactions_.push_back({i, Vec2::Zero()});
+  }
   update_geometry(model, state);
   if (model.gravity.isZero()) return;
   weight_.setZero(static_cast<Eigen::Index>(6 * model.blocks.size()));
@@ -28,6 +38,19 @@ void ExternalForces::update_geometry(const Model& model, const State& state) {
     loads_[next++].force = point_load(offset(load.block, load.point), load.force);
   for (const EdgeLoad& load : model.edge_loads)
     loads_[next++].force = edge_load(offset(load.block, load.from), offset(load.block, load.to), load.traction);
+  for (const Reaction& reaction : reactions_) {
+    const PointSupport& support = model.supports[reaction.support];
+    loads_[next++].force = point_load(offset(support.block, support.point), reaction.force);
+  }
+}
+
+void ExternalForces::keep_reaction(std::size_t support, const Vec2& offset, const Vec2& force) {
+  const std::size_t others = loads_.size() - reactions_.size();
+  for (std::size_t i = 0; i < reactions_.size(); ++i) {
+    if (reactions_[i].support != support) continue;
+    reactions_[i].force = force;
+    loads_[others + i].force = point_load(offset, force);
+  }
 }
 
 void ExternalForces::loads_at(double time, Eigen::VectorXd& force) const {

@@ -1,6 +1,7 @@
-// Forces that act from outside: loads with their histories, and weight.
+// Forces that act from outside: loads with their histories, weight, and what supports that were let go leave behind.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "dda/core/types.h"
@@ -15,6 +16,9 @@ class ExternalForces {
 
   // Moves the points of attack with their blocks (finite kinematics).
   void update_geometry(const Model& model, const State& state);
+
+  // From now on `force` (N) acts at the point of this support of the model, which lies at `offset` from the centroid.
+  void keep_reaction(std::size_t support, const Vec2& offset, const Vec2& force);
 
   // Writes the loads (without weight) at `time` into `force`, 6 entries a block.
   void loads_at(double time, Eigen::VectorXd& force) const;
@@ -34,7 +38,14 @@ class ExternalForces {
     const TimeFunction* history;  // lives in the model
   };
 
-  std::vector<Load> loads_;
+  // Of a support that is let go some day; zero until then.
+  struct Reaction {
+    std::size_t support;
+    Vec2 force;
+  };
+
+  std::vector<Load> loads_;  // point loads, edge loads, reactions
+  std::vector<Reaction> reactions_;
   Eigen::VectorXd weight_;
 };
 

@@ -1,4 +1,5 @@
 // Supports, dashpots and held blocks in a step of Simulation.
+#include <algorithm>
 #include <cstddef>
 
 #include "dda/simulation/simulation.h"
@@ -31,6 +32,28 @@ void Simulation::accept_supports() {
     }
     if (plan_.moving_supports) audit_.support_moved(before, supports_[i]);
   }
+}
+
+// Supports that end with this stage leave their force behind, so that what they held stays at rest.
+void Simulation::let_go_of_supports() {
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
+    if (model_.supports[i].last_stage != static_cast<int>(stage_)) continue;
+    SupportElement& support = supports_[i];
+    const Vec2 force = -support.stiffness * support.gap;
+    const Vec6 on_block = displacement_rows(support.offset).transpose() * force;
+    audit_.support_let_go(support_energy(support));
+    support.stiffness.setZero();
+    external_.keep_reaction(i, support.offset, force);
+    internal_old_.segment<6>(6 * support.block) += on_block;
+    load_old_.segment<6>(6 * support.block) += on_block;
+  }
+}
+
+// Dashpots that begin to act with this stage.
+void Simulation::begin_viscous_edges() {
+  const auto begins = [&](const ViscousEdge& edge) { return edge.first_stage == static_cast<int>(stage_); };
+  if (stage_ == 0 || std::none_of(model_.viscous_edges.begin(), model_.viscous_edges.end(), begins)) return;
+  update_geometry(model_, geometry_moves() ? state_ : initial_state(model_), stage_, damping_);
 }
 
 // What moves the held blocks works against all other forces on them.

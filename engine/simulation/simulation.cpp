@@ -46,7 +46,7 @@ Simulation::Simulation(Model model)
       bolts_(model_, state_),
       held_(model_),
       terms_(make_block_terms(model_, 1)),
-      damping_(make_block_damping(model_, state_)),
+      damping_(make_block_damping(model_, state_, 0)),
       external_(model_, state_),
       contact_range_(model_, contacts_.interfaces),
       matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_, bolts_.pairs())) {
@@ -96,6 +96,7 @@ void Simulation::begin_stage() {
   solver_->analyze(matrix_);
   ++counters_.analyses;
   set_step_size(stage().dt);
+  begin_viscous_edges();
   if (plan_.linear) {
     begin_linear_stage();
   } else {
@@ -108,6 +109,13 @@ void Simulation::set_step_size(double dt) {
   coefficients_ = step_coefficients(stage().integrator, dt);
   contact_rule_ = contact_rule(model_, stage(), dt);
   matrix_is_current_ = false;
+}
+
+// Geometry of a scene whose blocks never left the drawing is that of the model.
+bool Simulation::geometry_moves() const {
+  const auto begun = model_.stages.begin() + static_cast<std::ptrdiff_t>(std::min(stage_ + 1, model_.stages.size()));
+  return std::any_of(model_.stages.begin(), begun,
+                     [](const Stage& each) { return each.kinematics == Kinematics::finite; });
 }
 
 std::int64_t Simulation::steps_in_stage() const { return std::llround(stage().duration / stage().dt); }
@@ -152,6 +160,7 @@ Status Simulation::end_stage() {
   const Stage& ended = stage();
   const double imbalance = out_of_balance();
   if (plan_.is_static) static_out_of_balance_[stage_] = imbalance;
+  let_go_of_supports();
   if (ended.unlimited_strength) release_shear_of_contacts();
   const bool balanced = !plan_.is_static || ended.equilibrium == 0 || imbalance <= ended.equilibrium;
   ++stage_;
@@ -252,7 +261,7 @@ void Simulation::follow_geometry() {
   update_geometry(model_, state_, supports_);
   for (std::size_t i = 0; i < supports_.size(); ++i) measure_gap(model_, state_, i, supports_[i]);
   bolts_.update_geometry(model_, state_);
-  if (plan_.viscous_edges) update_geometry(model_, state_, damping_);
+  if (plan_.viscous_edges) update_geometry(model_, state_, stage_, damping_);
   if (plan_.loads) {
     external_.update_geometry(model_, state_);
     external_.loads_at(state_.time, load_old_);

@@ -125,6 +125,9 @@ class Simulation {
   [[nodiscard]] bool loads_stand_still_until(double time);
   [[nodiscard]] Status end_stage();
   void set_held_rates();
+  void let_go_of_supports();
+  void begin_viscous_edges();
+  [[nodiscard]] bool geometry_moves() const;
   [[nodiscard]] StoredEnergy stored_energy_now() const;
   [[nodiscard]] BlockMatrix make_moving_matrix() const;
   void audit_held_blocks();

@@ -16,7 +16,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t magic = 0x3350414e53414444;  // "DDASNAP3", read as a little-endian number
+constexpr std::uint64_t magic = 0x3450414e53414444;  // "DDASNAP4", read as a little-endian number
 constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a damaged file
 
 class Writer {
@@ -106,13 +106,6 @@ void contact_state(Archive& archive, AnyState& state) {
 }  // namespace
 
 struct SnapshotAccess {
-  // Geometry of a scene whose blocks never left the drawing is that of the model.
-  static bool geometry_moves(const Simulation& s) {
-    const auto& stages = s.model_.stages;
-    const auto begun = stages.begin() + static_cast<std::ptrdiff_t>(std::min(s.stage_ + 1, stages.size()));
-    return std::any_of(stages.begin(), begun, [](const Stage& each) { return each.kinematics == Kinematics::finite; });
-  }
-
   // Stage under way; the last one when the run is over.
   static const Stage& stage_in_force(const Simulation& s) {
     return s.model_.stages[std::min(s.stage_, s.model_.stages.size() - 1)];
@@ -221,18 +214,20 @@ struct SnapshotAccess {
     for (auto& rotation : s.turned_) archive.number(rotation);
     for (auto& inertia : s.terms_.inertia) matrices(archive, inertia.squares);
     for (auto& area : s.terms_.area) archive.number(area);
-    for (auto& [block, matrix] : s.damping_) matrices(archive, matrix);
-    for (auto& load : s.external_.loads_) matrices(archive, load.force);
     for (auto& displacement : s.contact_range_.checked_displacement_) matrices(archive, displacement);
     for (auto& deformation : s.contact_range_.checked_deformation_) matrices(archive, deformation);
   }
 
   template <typename AnySimulation, typename Archive>
   static void the_rest(AnySimulation& s, Archive& archive) {
-    const bool moves = geometry_moves(s);
+    const bool moves = s.geometry_moves();
     contacts(s, moves, archive);
     if (moves) moved_geometry(s, archive);
-    for (auto& support : s.supports_) matrices(archive, support.offset, support.gap, support.prescribed);
+    for (auto& [block, matrix] : s.damping_) matrices(archive, matrix);
+    for (auto& load : s.external_.loads_) matrices(archive, load.force);
+    for (auto& reaction : s.external_.reactions_) matrices(archive, reaction.force);
+    for (auto& support : s.supports_)
+      matrices(archive, support.offset, support.stiffness, support.gap, support.prescribed);
     for (auto& link : s.bolts_.links_) {
       auto& [gap, plastic, force, ruptured] = link.state;
       matrices(archive, link.rows.a, link.rows.b, gap, plastic, force);

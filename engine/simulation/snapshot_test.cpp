@@ -131,6 +131,22 @@ Model bolted_bar() {
   return model;
 }
 
+// Under gravity on springs that go at step 30; then it leans on a dashpot.
+Model let_go(Kinematics kinematics) {
+  Model model = bar(InterfaceLaw::consistent);
+  model.gravity = {0, -9.81};
+  model.supports = {{2, {5, 0}, true, true, 1e10, {1e-4, 0}, SineCycles{100, 1, 1e-3}},
+                    {4, {10, 0}, true, true, 1e10, Vec2::Zero(), {}}};
+  for (PointSupport& support : model.supports) support.last_stage = 0;
+  model.viscous_edges[0].first_stage = 1;
+  model.stages[0].kinematics = kinematics;
+  model.stages[0].duration = 30e-4;
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].duration = 70e-4;
+  finish_model(model);
+  return model;
+}
+
 template <typename Values>
 void expect_same_bits(const Values& a, const Values& b, const char* what) {
   ASSERT_EQ(a.size(), b.size());
@@ -234,7 +250,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"bolts", [] { return bolted_stack(Kinematics::finite); }, true},
                     Case{"bolts_small", [] { return bolted_stack(Kinematics::small); }, true},
                     Case{"bolted_bar", bolted_bar, false}, Case{"two_stages", two_stages, true},
-                    Case{"bar_first_finite", bar_first_finite, false}),
+                    Case{"bar_first_finite", bar_first_finite, false},
+                    Case{"let_go", [] { return let_go(Kinematics::small); }, false},
+                    Case{"let_go_finite", [] { return let_go(Kinematics::finite); }, false}),
     [](const auto& test) { return std::string(test.param.name); });
 
 std::string refusal(Model model, const State& state, std::span<const std::byte> snapshot) {

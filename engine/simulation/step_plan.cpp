@@ -23,7 +23,9 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
 
 StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& contacts, int couplings, double chi) {
   StepPlan plan;
-  plan.loads = !model.point_loads.empty() || !model.edge_loads.empty();
+  plan.loads = !model.point_loads.empty() || !model.edge_loads.empty() ||
+               std::any_of(model.supports.begin(), model.supports.end(),
+                           [](const PointSupport& support) { return support.last_stage >= 0; });
   plan.gravity = !model.gravity.isZero();
   plan.supports = !model.supports.empty();
   plan.moving_supports = std::any_of(model.supports.begin(), model.supports.end(),

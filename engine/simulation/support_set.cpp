@@ -56,9 +56,11 @@ void add_support_force(const std::vector<SupportElement>& supports, Eigen::Vecto
         displacement_rows(support.offset).transpose() * (support.stiffness * support.gap);
 }
 
+double support_energy(const SupportElement& support) { return support.gap.dot(support.stiffness * support.gap) / 2; }
+
 double support_energy(const std::vector<SupportElement>& supports) {
   double energy = 0;
-  for (const SupportElement& support : supports) energy += support.gap.dot(support.stiffness * support.gap) / 2;
+  for (const SupportElement& support : supports) energy += support_energy(support);
   return energy;
 }
 

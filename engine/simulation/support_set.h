@@ -34,6 +34,7 @@ Vec2 prescribed_displacement(const PointSupport& support, double time);
 // Adds the internal forces (stiffness * gap) of all supports to `force`.
 void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force);
 
+double support_energy(const SupportElement& support);
 double support_energy(const std::vector<SupportElement>& supports);
 
 }  // namespace dda

@@ -181,7 +181,6 @@ struct SnapshotAccess {
       archive.number(element.length);
       archive.number(s.contacts_.strengths[i]);
     }
-    archive.number(s.moved_);
     if constexpr (!std::is_const_v<AnySimulation>) s.matrix_ = s.make_moving_matrix();
   }
 
@@ -211,6 +210,7 @@ struct SnapshotAccess {
   // What follows the blocks in finite kinematics. It is that of the latest step's start, so not to be had from State.
   template <typename AnySimulation, typename Archive>
   static void moved_geometry(AnySimulation& s, Archive& archive) {
+    archive.number(s.moved_);
     for (auto& rotation : s.turned_) archive.number(rotation);
     for (auto& inertia : s.terms_.inertia) matrices(archive, inertia.squares);
     for (auto& area : s.terms_.area) archive.number(area);

@@ -131,6 +131,12 @@ Model bolted_bar() {
   return model;
 }
 
+Model bonded_finite() {
+  Model model = bar(InterfaceLaw::consistent);
+  model.stages[0].kinematics = Kinematics::finite;
+  return model;
+}
+
 // Under gravity on springs that go at step 30; then it leans on a dashpot.
 Model let_go(Kinematics kinematics) {
   Model model = bar(InterfaceLaw::consistent);
@@ -251,7 +257,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"bolts_small", [] { return bolted_stack(Kinematics::small); }, true},
                     Case{"bolted_bar", bolted_bar, false}, Case{"two_stages", two_stages, true},
                     Case{"bar_first_finite", bar_first_finite, false},
-                    Case{"let_go", [] { return let_go(Kinematics::small); }, false},
+                    Case{"bonded_finite", bonded_finite, false}, Case{"let_go", [] { return let_go(Kinematics::small); }, false},
                     Case{"let_go_finite", [] { return let_go(Kinematics::finite); }, false}),
     [](const auto& test) { return std::string(test.param.name); });
 

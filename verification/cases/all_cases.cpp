@@ -15,6 +15,7 @@
 #include "verification/cases/contact_oscillator_cases.h"
 #include "verification/cases/direction_cases.h"
 #include "verification/cases/energy_cases.h"
+#include "verification/cases/free_field_cases.h"
 #include "verification/cases/incline_chart_cases.h"
 #include "verification/cases/joint_strength_cases.h"
 #include "verification/cases/joint_wave_cases.h"
@@ -29,7 +30,9 @@
 #include "verification/cases/slope_cases.h"
 #include "verification/cases/soil_column_cases.h"
 #include "verification/cases/statics_cases.h"
+#include "verification/cases/static_stress_cases.h"
 #include "verification/cases/stick_slip_cases.h"
+#include "verification/cases/viscous_domain_cases.h"
 
 namespace verify {
 namespace {
@@ -60,9 +63,12 @@ constexpr std::array subjects{
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34
     absorbing_end_cases,       // 34
+    static_stress_cases,       // 34
     oblique_incidence_cases,   // 35
+    viscous_domain_cases,      // 35
     soil_column_cases,         // 39
     blast_cases,               // 29, 40, 41
+    free_field_cases,          // 39
     direction_cases,           // 42
 };
 

@@ -1,0 +1,224 @@
+#include "verification/cases/viscous_domain_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dda/scene/generators.h"
+#include "verification/cases/bar_case.h"
+#include "verification/exact/viscous_reflection.h"
+#include "verification/harness/histories.h"
+#include "verification/harness/recorded_run.h"
+
+namespace verify {
+namespace {
+
+using dda::Vec2;
+using exact::PlaneWave;
+
+constexpr double pi = std::numbers::pi;
+const dda::Material rock{"rock", 2650, 50e9, 0.25, dda::PlaneState::strain};
+
+dda::Model grid(int columns, int rows, double block, const Vec2& origin) {
+  dda::Model model;
+  model.materials = {rock};
+  dda::JointMaterial bond;
+  bond.bonded = true;
+  model.joints = {bond};
+  dda::append_grid(model, {.origin = origin,
+                           .columns = columns,
+                           .rows = rows,
+                           .block_width = block,
+                           .block_height = block});
+  dda::finish_model(model);  // centroids
+  return model;
+}
+
+dda::Stage steps_of(double dt, double duration) {
+  dda::Stage stage;
+  stage.kinematics = dda::Kinematics::small;
+  stage.integrator = dda::generalized_alpha_integrator(0.8);
+  stage.dt = dt;
+  stage.duration = duration;
+  return stage;
+}
+
+void absorb(int block, const Vec2& from, const Vec2& to, dda::Model& model) {
+  model.viscous_edges.push_back(
+      {block, from, to, rock.density * dda::p_wave_speed(rock), rock.density * dda::s_wave_speed(rock)});
+}
+
+// ---- A plane pulse at an angle, with what the edge makes of it, as exact initial state.
+
+// One of the plane pulses: displacement amplitude d f(t - s.x).
+struct Pulse {
+  Vec2 slowness, direction;
+  double amplitude;
+};
+
+// Incident wave and its reflections at the edge x = 0 of x < 0, for angles at which all of them travel.
+std::vector<Pulse> pulses(PlaneWave incident, double angle) {
+  const double p = dda::p_wave_speed(rock);
+  const double s = dda::s_wave_speed(rock);
+  const exact::Reflection reflected = exact::reflect({p, s}, incident, angle);
+  const double along = std::sin(angle) / (incident == PlaneWave::p ? p : s);
+  const auto pulse = [&](PlaneWave kind, double towards, double amplitude) -> Pulse {
+    const double speed = kind == PlaneWave::p ? p : s;
+    const Vec2 way(towards * std::sqrt(1 - std::pow(speed * along, 2)), speed * along);
+    return {way / speed, kind == PlaneWave::p ? way : Vec2(-way.y(), way.x()), amplitude};
+  };
+  return {pulse(incident, 1, 1), pulse(PlaneWave::p, -1, reflected.p.real()), pulse(PlaneWave::s, -1, reflected.s.real())};
+}
+
+// Velocity f' of a pulse, and its rate.
+struct Shape {
+  double duration;  // s
+  [[nodiscard]] double velocity(double t) const {
+    return t <= 0 || t >= duration ? 0 : std::pow(std::sin(pi * t / duration), 4);
+  }
+  [[nodiscard]] double rate(double t) const {
+    const double phase = pi * t / duration;
+    return t <= 0 || t >= duration ? 0 : 4 * pi / duration * std::pow(std::sin(phase), 3) * std::cos(phase);
+  }
+};
+
+Vec2 velocity_at(const std::vector<Pulse>& waves, const Shape& shape, const Vec2& x, double t) {
+  Vec2 sum = Vec2::Zero();
+  for (const Pulse& wave : waves)
+    sum += wave.amplitude * shape.velocity(t - wave.slowness.dot(x)) * wave.direction;
+  return sum;
+}
+
+void set_in_motion(const std::vector<Pulse>& waves, const Shape& shape, dda::Model& model) {
+  const dda::Mat3 elasticity = dda::elasticity_matrix(rock);
+  for (dda::Block& block : model.blocks) {
+    const Vec2& x = block.moments.centroid;
+    block.initial_velocity = velocity_at(waves, shape, x, 0);
+    dda::Vec3 strain = dda::Vec3::Zero();
+    for (const Pulse& wave : waves) {
+      const Vec2& s = wave.slowness;
+      const Vec2& d = wave.direction;
+      const double amplitude = -wave.amplitude * shape.velocity(-s.dot(x));
+      strain += amplitude * dda::Vec3(s.x() * d.x(), s.y() * d.y(), s.x() * d.y() + s.y() * d.x());
+      block.initial_spin -= wave.amplitude * shape.rate(-s.dot(x)) * (s.x() * d.y() - s.y() * d.x()) / 2;
+    }
+    block.initial_stress = elasticity * strain;
+  }
+}
+
+// Largest error of the velocity at the edge, of the incident peak, while only this edge can have been felt.
+double pulse_error(PlaneWave incident, double degrees, double block, Outcome& outcome) {
+  const double s_wave = 20;  // m: length of the pulse's S wave
+  const Shape shape{s_wave / dda::s_wave_speed(rock)};
+  const double reach = 1.05 * shape.duration * dda::p_wave_speed(rock);  // m
+  const int half = static_cast<int>(std::ceil(reach / block));
+  dda::Model model = grid(half, 2 * half, block, {-half * block, -half * block});
+  const std::vector<Pulse> waves = pulses(incident, degrees * pi / 180);
+  set_in_motion(waves, shape, model);
+  for (int row = 0; row < 2 * half; ++row) {
+    const double y = (row - half) * block;
+    absorb(row * half + half - 1, {0, y}, {0, y + block}, model);
+  }
+  const int probe = half * half + half - 1;
+  const Vec2 at = model.blocks[static_cast<std::size_t>(probe)].moments.centroid;
+  model.measurements = {{"x", dda::Quantity::velocity_x, probe, -1, at},
+                        {"y", dda::Quantity::velocity_y, probe, -1, at}};
+  const double dt = 0.3 * block / dda::p_wave_speed(rock);
+  model.stages = {steps_of(dt, std::floor(shape.duration / dt) * dt)};
+  dda::finish_model(model);
+  const RecordedRun run = record_run(model);
+  outcome.counters += run.counters;
+  double error = 0;
+  for (std::size_t i = 0; i < run.histories[0].size(); ++i) {
+    const Vec2 exact = velocity_at(waves, shape, at, static_cast<double>(i) * dt);
+    keep_largest(error, (Vec2(run.histories[0][i], run.histories[1][i]) - exact).norm());
+  }
+  fmt::print("{} {} block {}: {}\n", incident == PlaneWave::p ? "P" : "S", degrees, block, error);
+  return error;
+}
+
+Outcome plane_pulses() {
+  Outcome outcome;
+  for (const auto& [kind, degrees] : {std::pair{PlaneWave::p, 0.0}, {PlaneWave::p, 45.0}, {PlaneWave::p, 70.0}, {PlaneWave::s, 30.0}}) {
+    pulse_error(kind, degrees, 1, outcome);
+    pulse_error(kind, degrees, 0.5, outcome);
+  }
+  return outcome;
+}
+
+// ---- A point source: a quarter of a square of blocks, pushed along x at its centre.
+
+constexpr double receivers[][2] = {{5.5, 0.5}, {0.5, 5.5}, {10.5, 10.5}, {19.5, 0.5}, {0.5, 19.5}, {19.5, 10.5}, {19.5, 19.5}};
+
+// Symmetric about y = 0, antisymmetric about x = 0: nothing moves in y on either.
+RecordedRun point_source(int size, bool absorbs, double dt, double duration) {
+  dda::Model model = grid(size, size, 1, {0, 0});
+  const auto hold = [&](int block, const Vec2& point) {
+    model.supports.push_back({block, point, false, true, 1e3 * rock.young, Vec2::Zero(), {}});
+  };
+  for (int i = 0; i < size; ++i) {
+    const double at = i;
+    hold(i, {at, 0});
+    hold(i, {at + 1, 0});
+    hold(i * size, {0, at});
+    hold(i * size, {0, at + 1});
+    if (!absorbs) continue;
+    const double end = size;
+    absorb(i * size + size - 1, {end, at}, {end, at + 1}, model);
+    absorb((size - 1) * size + i, {at, end}, {at + 1, end}, model);
+  }
+  dda::PiecewiseLinear push;
+  const auto shape = smooth_push(1, 12e-3);
+  for (int i = 0; i * dt < duration + dt; ++i) {
+    push.times.push_back(i * dt);
+    push.values.push_back(shape(i * dt));
+  }
+  model.edge_loads = {{0, {0, 1}, {0, 0}, {1e6, 0}, push}};
+  for (const auto& [x, y] : receivers) {
+    const int block = static_cast<int>(y) * size + static_cast<int>(x);
+    const std::string name = fmt::format("{} {}", x, y);
+    model.measurements.push_back({name + " x", dda::Quantity::velocity_x, block, -1, {x, y}});
+    model.measurements.push_back({name + " y", dda::Quantity::velocity_y, block, -1, {x, y}});
+  }
+  model.stages = {steps_of(dt, duration)};
+  dda::finish_model(model);
+  return record_run(model);
+}
+
+Outcome sources() {
+  Outcome outcome;
+  const double dt = 2e-4;
+  const double duration = 0.03;
+  const RecordedRun small = point_source(20, true, dt, duration);
+  const RecordedRun large = point_source(85, false, dt, duration);
+  const RecordedRun free = point_source(20, false, dt, duration);
+  fmt::print("cpu {} {}\n", small.cpu_s, large.cpu_s);
+  for (std::size_t r = 0; r < std::size(receivers); ++r) {
+    double peak = 0, error = 0, error_free = 0, energy = 0, lost = 0;
+    for (std::size_t i = 0; i < large.histories[0].size(); ++i) {
+      const auto at = [&](const RecordedRun& run) { return Vec2(run.histories[2 * r][i], run.histories[2 * r + 1][i]); };
+      keep_largest(peak, at(large).norm());
+      keep_largest(error, (at(small) - at(large)).norm());
+      keep_largest(error_free, (at(free) - at(large)).norm());
+      energy += at(large).squaredNorm();
+      lost += (at(small) - at(large)).squaredNorm();
+    }
+    fmt::print("{} {}: peak {} error {} free {} L2 {}\n", receivers[r][0], receivers[r][1], peak, error / peak, error_free / peak, std::sqrt(lost / energy));
+  }
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Case> viscous_domain_cases() {
+  return {{"oblique-pulse", "Plane pulses that meet a viscous edge at an angle", {35}, CaseLabel::slow, plane_pulses},
+          {"point-source", "A point source between viscous edges", {35}, CaseLabel::slow, sources}};
+}
+
+}  // namespace verify

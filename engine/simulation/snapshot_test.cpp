@@ -256,8 +256,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"bolts", [] { return bolted_stack(Kinematics::finite); }, true},
                     Case{"bolts_small", [] { return bolted_stack(Kinematics::small); }, true},
                     Case{"bolted_bar", bolted_bar, false}, Case{"two_stages", two_stages, true},
-                    Case{"bar_first_finite", bar_first_finite, false},
-                    Case{"bonded_finite", bonded_finite, false}, Case{"let_go", [] { return let_go(Kinematics::small); }, false},
+                    Case{"bar_first_finite", bar_first_finite, false}, Case{"bonded_finite", bonded_finite, false},
+                    Case{"let_go", [] { return let_go(Kinematics::small); }, false},
                     Case{"let_go_finite", [] { return let_go(Kinematics::finite); }, false}),
     [](const auto& test) { return std::string(test.param.name); });
 

@@ -49,8 +49,7 @@ void expect_stays(Simulation& simulation, double tolerance) {
 TEST(SupportsLetGo, LeaveWhatTheyHeldAtRest) {
   for (const InterfaceLaw law : {InterfaceLaw::classical, InterfaceLaw::consistent, InterfaceLaw::cubic})
     for (const Integrator& integrator : dynamic_integrators()) {
-      Simulation simulation =
-          simulation_of(settled_column(law, integrator, Kinematics::small, Kinematics::small));
+      Simulation simulation = simulation_of(settled_column(law, integrator, Kinematics::small, Kinematics::small));
       run(simulation, settling);
       // The weight presses the foot, and the walls the sides.
       EXPECT_LT(simulation.state().stress[0](1), -5 * 2500 * gravity);
@@ -73,9 +72,8 @@ TEST(SupportsLetGo, LeaveWhatTheyHeldAtRestInMovingGeometry) {
 
 // Without the forces left behind it would fall through its dashpots at once.
 TEST(SupportsLetGo, TakeTheirEnergyWithThem) {
-  Simulation simulation =
-      simulation_of(settled_column(InterfaceLaw::consistent, trapezoidal_integrator(), Kinematics::small,
-                                   Kinematics::small));
+  Simulation simulation = simulation_of(
+      settled_column(InterfaceLaw::consistent, trapezoidal_integrator(), Kinematics::small, Kinematics::small));
   run(simulation, settling - 1);
   const EnergyLedger before = simulation.energy();
   run(simulation, 1);

@@ -29,8 +29,8 @@
 #include "verification/cases/sliding_cases.h"
 #include "verification/cases/slope_cases.h"
 #include "verification/cases/soil_column_cases.h"
-#include "verification/cases/statics_cases.h"
 #include "verification/cases/static_stress_cases.h"
+#include "verification/cases/statics_cases.h"
 #include "verification/cases/stick_slip_cases.h"
 #include "verification/cases/viscous_domain_cases.h"
 
@@ -67,8 +67,8 @@ constexpr std::array subjects{
     oblique_incidence_cases,   // 35
     viscous_domain_cases,      // 35
     soil_column_cases,         // 39
-    blast_cases,               // 29, 40, 41
     free_field_cases,          // 39
+    blast_cases,               // 29, 40, 41
     direction_cases,           // 42
 };
 

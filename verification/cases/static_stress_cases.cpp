@@ -89,8 +89,7 @@ void assert_rest(BarCase bar, Outcome& outcome) {
   double fastest = 0;
   for (int i = 0; i < bar.steps; ++i) {
     advance(simulation, 1);
-    for (const dda::Vec6& velocity : simulation.state().velocity)
-      keep_largest(fastest, velocity.head<2>().norm());
+    for (const dda::Vec6& velocity : simulation.state().velocity) keep_largest(fastest, velocity.head<2>().norm());
   }
   outcome.counters += simulation.counters();
   const double fall = gravity * bar.steps * bar.stage.dt;

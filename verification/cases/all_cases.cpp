@@ -30,6 +30,7 @@
 #include "verification/cases/soil_column_cases.h"
 #include "verification/cases/statics_cases.h"
 #include "verification/cases/stick_slip_cases.h"
+#include "verification/cases/work_precision_cases.h"
 
 namespace verify {
 namespace {
@@ -57,6 +58,7 @@ constexpr std::array subjects{
     cantilever_cases,          // 27
     lame_mode_cases,           // 30
     p_bar_cases,               // 32
+    work_precision_cases,      // 32
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34
     absorbing_end_cases,       // 34

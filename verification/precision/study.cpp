@@ -102,9 +102,10 @@ class RunCount {
   Clock::time_point began_ = Clock::now(), drawn_ = Clock::now();
 };
 
+// At most: long runs are not repeated.
 std::size_t runs_left(const std::vector<Measured>& all, int rounds) {
   std::size_t left = 0;
-  for (const Measured& measured : all) left += static_cast<std::size_t>(std::max(0, rounds - measured.runs));  // at most
+  for (const Measured& measured : all) left += static_cast<std::size_t>(std::max(0, rounds - measured.runs));
   return left;
 }
 

@@ -122,12 +122,12 @@ void add_blast(CLI::App& app, Arguments& arguments) {
 }
 
 void add_precision(CLI::App& app, Arguments& arguments) {
-  CLI::App* precision = app.add_subcommand("work-precision",
-                                           "Error against CPU time: every interface law and integrator over block size "
-                                           "and time step, for the thesis' bar and a "
-                                           "pulse in a plate, beside plain explicit finite elements.\nWrites "
-                                           "work_precision.csv, work_precision.md and plots/. "
-                                           "Exit code 1 if a run failed.");
+  CLI::App* precision = app.add_subcommand(
+      "work-precision",
+      "Error against CPU time: every interface law and integrator over block size and time step, for the thesis' bar "
+      "and a pulse in a plate, beside plain explicit finite elements.\nWrites work_precision.csv, work_precision.md "
+      "and "
+      "plots/. Exit code 1 if a run failed.");
   precision->add_option("--out", arguments.precision.folder, "folder for all files; made if it is not there")
       ->required();
   precision->add_option("--rounds", arguments.precision.rounds, "runs of every job, of which the least CPU time counts")

@@ -20,6 +20,7 @@
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/lame_mode_cases.h"
 #include "verification/cases/oblique_incidence_cases.h"
+#include "verification/cases/opening_cases.h"
 #include "verification/cases/p_bar_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
 #include "verification/cases/rocking_cases.h"
@@ -64,6 +65,7 @@ constexpr std::array subjects{
     absorbing_end_cases,       // 34
     oblique_incidence_cases,   // 35
     soil_column_cases,         // 39
+    opening_cases,             // 28, 31
     blast_cases,               // 29, 40, 41
     direction_cases,           // 42
 };

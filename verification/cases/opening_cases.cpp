@@ -60,16 +60,16 @@ double mean_error(const dda::Simulation& simulation) {
 }
 
 // Hoop stress at the wall on the x axis: the parabola through the first three rings.
-double wall_stress(const dda::Simulation& simulation, int sectors) {
+double wall_stress(const dda::Simulation& simulation, std::size_t sectors) {
   double sum = 0;
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     double weight = 1;
-    const auto radius = [&](int ring) {
-      return simulation.model().blocks[static_cast<std::size_t>(ring * sectors)].moments.centroid.norm();
+    const auto radius = [&](std::size_t ring) {
+      return simulation.model().blocks[ring * sectors].moments.centroid.norm();
     };
-    for (int j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < 3; ++j)
       if (j != i) weight *= (1 - radius(j)) / (radius(i) - radius(j));
-    sum += weight * simulation.state().stress[static_cast<std::size_t>(i * sectors)][1];
+    sum += weight * simulation.state().stress[i * sectors][1];
   }
   return sum;
 }
@@ -88,7 +88,7 @@ Outcome kirsch() {
          error * std::abs(far_yy) / 1e6, 0, "Kirsch 1898", error, 0.012 * std::pow(16.0 / sectors, 2),
          "measured with margin; falls as their square"});
     if (sectors == 64) outcome.assertions.back().order = Order{order(coarser, error), 2, 0.2};
-    const double wall = wall_stress(simulation, sectors);
+    const double wall = wall_stress(simulation, static_cast<std::size_t>(sectors));
     const double expected = 3 * far_yy - far_xx;
     outcome.assertions.push_back({fmt::format("hoop stress at the wall, extrapolated, {} sectors", sectors), "MPa",
                                   wall / 1e6, expected / 1e6, "3 s_yy - s_xx (Kirsch 1898)",

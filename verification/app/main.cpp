@@ -6,6 +6,7 @@
 
 #include "dda/core/error.h"
 #include "verification/cases/all_cases.h"
+#include "verification/precision/precision_command.h"
 #include "verification/suite/run_command.h"
 #include "verification/suite/table_command.h"
 #include "verification/sweep/sweep_command.h"
@@ -26,6 +27,7 @@ struct Arguments {
   verify::JobCommand job;
   std::filesystem::path collected;
   std::filesystem::path blast;
+  verify::PrecisionCommand precision;
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
@@ -119,6 +121,21 @@ void add_blast(CLI::App& app, Arguments& arguments) {
   blast->add_option("--out", arguments.blast, "folder of the page; made if it is not there")->required();
 }
 
+void add_precision(CLI::App& app, Arguments& arguments) {
+  CLI::App* precision = app.add_subcommand(
+      "work-precision",
+      "Error against CPU time: every interface law and integrator over block size and time step, for the thesis' bar "
+      "and a pulse in a plate, beside plain explicit finite elements.\nWrites work_precision.csv, work_precision.md "
+      "and "
+      "plots/. Exit code 1 if a run failed.");
+  precision->add_option("--out", arguments.precision.folder, "folder for all files; made if it is not there")
+      ->required();
+  precision->add_option("--rounds", arguments.precision.rounds, "runs of every job, of which the least CPU time counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  precision->add_flag("--resume", arguments.precision.resume, "keep the runs of the folder");
+}
+
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
   if (app.got_subcommand("blast")) {
@@ -130,6 +147,7 @@ int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("sweep"))
     return verify::sweep(arguments.sweep, std::filesystem::canonical("/proc/self/exe"), std::cout, std::cerr);
   if (app.got_subcommand("job")) return verify::job(arguments.job);
+  if (app.got_subcommand("work-precision")) return verify::work_precision(arguments.precision, std::cout, std::cerr);
   if (app.got_subcommand("collect")) return verify::collect(arguments.collected, std::cout, std::cerr);
   if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);
   verify::list_cases(verify::select(verify::all_cases(), arguments.run.selection), std::cout);
@@ -147,6 +165,7 @@ int run(int argc, char** argv) {
   add_sweep(app, arguments);
   add_job(app, arguments);
   add_collect(app, arguments);
+  add_precision(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -21,6 +21,7 @@
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/lame_mode_cases.h"
 #include "verification/cases/oblique_incidence_cases.h"
+#include "verification/cases/opening_cases.h"
 #include "verification/cases/p_bar_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
 #include "verification/cases/rocking_cases.h"
@@ -33,6 +34,7 @@
 #include "verification/cases/statics_cases.h"
 #include "verification/cases/stick_slip_cases.h"
 #include "verification/cases/viscous_domain_cases.h"
+#include "verification/cases/work_precision_cases.h"
 
 namespace verify {
 namespace {
@@ -60,6 +62,7 @@ constexpr std::array subjects{
     cantilever_cases,          // 27
     lame_mode_cases,           // 30
     p_bar_cases,               // 32
+    work_precision_cases,      // 32
     joint_wave_cases,          // 33, 36-38
     bar_ends_cases,            // 34
     absorbing_end_cases,       // 34
@@ -68,6 +71,7 @@ constexpr std::array subjects{
     viscous_domain_cases,      // 35
     soil_column_cases,         // 39
     free_field_cases,          // 39
+    opening_cases,             // 28, 31
     blast_cases,               // 29, 40, 41
     direction_cases,           // 42
 };

@@ -33,7 +33,7 @@ dda::Ring rest_of_square(const OctagonMesh& mesh, int column, int row) {
   const double h = mesh.size;
   const dda::Vec2 lower((column - 0.5) * h, (row - 0.5) * h);
   const dda::Vec2 upper = lower + dda::Vec2(h, h);
-  const dda::Ring whole{lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
+  dda::Ring whole{lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
   const int half = (mesh.straight - 1) / 2;
   const int u = std::abs(column);
   const int v = std::abs(row);

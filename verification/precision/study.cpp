@@ -1,0 +1,137 @@
+#include "verification/precision/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "dda/record/progress.h"
+
+namespace verify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double long_run = 0.5;  // s: one is enough
+constexpr double nothing_read = std::numeric_limits<double>::quiet_NaN();
+
+void take(Measured& measured, const PrecisionResult& result) {
+  const double least = measured.runs == 0 ? result.cpu_s : std::min(measured.result.cpu_s, result.cpu_s);
+  measured.result = result;
+  measured.result.cpu_s = least;
+  ++measured.runs;
+}
+
+Json line_of(const Measured& run) {
+  return {{"job", run.job.key()},
+          {"error", run.result.error},
+          {"reading", run.result.reading},
+          {"cells", run.result.cells},
+          {"steps", run.result.steps},
+          {"solves", run.result.solves},
+          {"iterations", run.result.iterations},
+          {"cpu_s", run.result.cpu_s},
+          {"failure", run.failure}};
+}
+
+void read_line(const std::string& line, std::map<std::string, Measured*>& by_key) {
+  const Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object() || !json.contains("failure")) return;
+  const auto found = by_key.find(json.at("job").get<std::string>());
+  if (found == by_key.end()) return;
+  found->second->failure = json.at("failure");
+  if (json.at("error").is_null()) ++found->second->runs;  // not finite, or no result
+  const Json& reading = json.at("reading");
+  if (json.at("error").is_number())
+    take(*found->second,
+         {json.at("error"), reading.is_number() ? reading.get<double>() : nothing_read, json.at("cells"),
+          json.at("steps"), json.at("solves"), json.at("iterations"), json.at("cpu_s")});
+}
+
+void read_runs(const std::filesystem::path& file, std::vector<Measured>& all) {
+  std::map<std::string, Measured*> by_key;
+  for (Measured& measured : all) by_key[measured.job.key()] = &measured;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) read_line(line, by_key);
+}
+
+Measured run_once(const PrecisionJob& job) {
+  try {
+    const PrecisionResult result = run_job(job);
+    return {job, result, 1, ""};
+  } catch (const std::exception& reason) {
+    PrecisionResult nothing;
+    nothing.error = nothing_read;
+    return {job, nothing, 1, reason.what()};
+  }
+}
+
+// "precision: 123 of 4567 runs, 0:42 left", drawn over once a second.
+class RunCount {
+ public:
+  RunCount(std::size_t runs, bool shown) : runs_(runs), shown_(shown) {}
+  ~RunCount() {
+    if (shown_ && done_ > 0) std::cerr << "\n";
+  }
+  RunCount(const RunCount&) = delete;
+  RunCount& operator=(const RunCount&) = delete;
+
+  void run_ended() {
+    ++done_;
+    const double passed = seconds(began_);
+    if (!shown_ || (seconds(drawn_) < 1 && done_ < runs_)) return;
+    drawn_ = Clock::now();
+    const double left = passed / static_cast<double>(done_) * static_cast<double>(runs_ - done_);
+    std::cerr << fmt::format("\rprecision: {} of {} runs, {} left   ", done_, runs_, dda::clock_text(left))
+              << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
+
+  std::size_t runs_;
+  bool shown_;
+  std::size_t done_ = 0;
+  Clock::time_point began_ = Clock::now(), drawn_ = Clock::now();
+};
+
+// At most: long runs are not repeated.
+std::size_t runs_left(const std::vector<Measured>& all, int rounds) {
+  std::size_t left = 0;
+  for (const Measured& measured : all) left += static_cast<std::size_t>(std::max(0, rounds - measured.runs));
+  return left;
+}
+
+}  // namespace
+
+std::vector<Measured> run_study(const std::vector<PrecisionJob>& jobs, const std::filesystem::path& folder,
+                                const StudyOptions& options) {
+  const std::filesystem::path file = folder / "runs.jsonl";
+  std::filesystem::create_directories(folder);
+  std::vector<Measured> all;
+  for (const PrecisionJob& job : jobs) all.push_back({job, {}, 0, ""});
+  if (options.resume) read_runs(file, all);
+  std::ofstream stream(file, options.resume ? std::ios::app : std::ios::trunc);
+  if (options.resume) stream << "\n";  // ends a line that was cut off
+  RunCount count(runs_left(all, options.rounds), options.progress);
+  for (int round = 0; round < options.rounds; ++round) {
+    for (Measured& measured : all) {
+      if (measured.runs > round || (measured.runs > 0 && measured.result.cpu_s > long_run)) continue;
+      const Measured run = run_once(measured.job);
+      measured.failure = run.failure;
+      take(measured, run.result);
+      stream << line_of(run).dump() << std::endl;
+      count.run_ended();
+    }
+  }
+  return all;
+}
+
+}  // namespace verify

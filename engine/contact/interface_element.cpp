@@ -26,14 +26,29 @@ Vec4 classical_stiffness(const Model& model, const Interface& interface) {
   return {springs.normal, springs.shear, second_point * springs.normal, second_point * springs.shear};
 }
 
+bool is_held(const Model& model, int block) {
+  return std::any_of(model.held_blocks.begin(), model.held_blocks.end(),
+                     [block](const HeldBlock& held) { return held.block == block; });
+}
+
+// The weight of a block's stress in the mean of both. A held block is rigid and knows of no stress: the other's counts.
+double stress_share(const Model& model, int block, int other) {
+  const bool own = is_held(model, block);
+  if (own == is_held(model, other)) return 0.5;
+  return own ? 0 : 1;
+}
+
 // Nitsche's penalty: the stiffer modulus over the smaller width, so that the bound on `penalty` holds for both blocks.
+// Beside a held block all of the other's stress acts on the gap and not half of it, which asks for twice the penalty.
 Vec4 consistent_stiffness(const Model& model, const Interface& interface) {
   const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
   const double modulus = std::max(elasticity_matrix(model.material_of(interface.block_a))(0, 0),
                                   elasticity_matrix(model.material_of(interface.block_b))(0, 0));
   const double across =
       std::min(width(model, interface.block_a, interface.normal), width(model, interface.block_b, interface.normal));
-  const double unit = modulus * interface.length / across;
+  const double share = std::max(stress_share(model, interface.block_a, interface.block_b),
+                                stress_share(model, interface.block_b, interface.block_a));
+  const double unit = 2 * share * modulus * interface.length / across;
   return {joint.penalty * unit, joint.penalty * unit, joint.stabilisation * unit, joint.stabilisation * unit};
 }
 
@@ -78,12 +93,13 @@ Mat46 rows_of(const Mat2& axes, const Vec2& from, const Vec2& to, const Vec2& ce
 Eigen::RowVector3d normal_stress_row(const Vec2& n) { return {n.x() * n.x(), n.y() * n.y(), 2 * n.x() * n.y()}; }
 
 // The stress rows of a block on the a side (side = 1) or b side (side = -1).
-Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side, const Material& material) {
+Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side, double share,
+                  const Material& material) {
   Mat43 rows = Mat43::Zero();
   const Vec2 n = axes.row(0);
   Eigen::Matrix<double, 2, 3> traction;
   traction << n.x(), 0, n.y(), 0, n.y(), n.x();
-  rows.topRows<2>() = length / 2 * axes * traction;
+  rows.topRows<2>() = share * length * axes * traction;
   if (law == InterfaceLaw::consistent) return rows;
   const Vec2 side_direction = axes.row(1);
   const Eigen::RowVector3d axial = normal_stress_row(n) - side_free_ratio(material) * normal_stress_row(side_direction);
@@ -135,8 +151,10 @@ void set_geometry(const Model& model, const InterfaceFrame& frame, InterfaceElem
   if (!has_stress_rows(element)) return;
   const Material& material_a = model.material_of(element.block_a);
   const Material& material_b = model.material_of(element.block_b);
-  element.stress_rows_a = stress_rows(axes, element.length, element.law, 1, material_a);
-  element.stress_rows_b = stress_rows(axes, element.length, element.law, -1, material_b);
+  const double share_a = stress_share(model, element.block_a, element.block_b);
+  const double share_b = stress_share(model, element.block_b, element.block_a);
+  element.stress_rows_a = stress_rows(axes, element.length, element.law, 1, share_a, material_a);
+  element.stress_rows_b = stress_rows(axes, element.length, element.law, -1, share_b, material_b);
   element.strain_rows_a = element.stress_rows_a * elasticity_matrix(material_a);
   element.strain_rows_b = element.stress_rows_b * elasticity_matrix(material_b);
 }

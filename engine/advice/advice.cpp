@@ -19,12 +19,17 @@ struct Direction {
   std::string name;
 };
 
-// Across the joints, and half-way between the first two kinds of them.
+// Across the joints, each kind once, and half-way between the first two of them.
 std::vector<Direction> directions_of(const Lattice& lattice) {
   const std::vector<Vec2> normals = lattice.face_normals();
-  if (lattice.row) return {{lattice.normal, "along the row"}};
+  if (lattice.row) return {{normals.front(), "along the row"}};
   std::vector<Direction> directions;
-  for (const Vec2& normal : normals) directions.push_back({normal, "across the joints"});
+  for (const Vec2& normal : normals) {
+    const bool known = std::any_of(directions.begin(), directions.end(), [&](const Direction& direction) {
+      return looks_the_same(lattice, direction.unit, normal);
+    });
+    if (!known) directions.push_back({normal, "across the joints"});
+  }
   if (normals.size() >= 2) directions.push_back({(normals[0] + normals[1]).normalized(), "diagonal to the joints"});
   return directions;
 }
@@ -43,11 +48,14 @@ double size_along(const Lattice& lattice, const Vec2& direction) { return extent
 class Adviser {
  public:
   Adviser(const Simulation& simulation, const AdviceQuestion& question)
-      : model_(simulation.model()), contacts_(simulation.contacts()), question_(question) {
+      : model_(simulation.model()),
+        contacts_(simulation.contacts()),
+        drawn_(make_contacts(model_)),
+        question_(question) {
     if (!question.frequency) load_ = scene_load(model_);
     frequency_ = question.frequency ? question.frequency : default_frequency();
     for (std::size_t i = 0; i < model_.materials.size(); ++i)
-      if (auto lattice = find_lattice(model_, contacts_, static_cast<int>(i))) lattices_.push_back(std::move(*lattice));
+      if (auto lattice = find_lattice(model_, drawn_, static_cast<int>(i))) lattices_.push_back(std::move(*lattice));
   }
 
   [[nodiscard]] Advice run(const BlockMatrix& matrix) const {
@@ -145,7 +153,8 @@ class Adviser {
   }
 
   const Model& model_;
-  const ContactSet& contacts_;
+  const ContactSet& contacts_;  // as they are followed
+  const ContactSet drawn_;      // joints as drawn, along which waves are predicted
   const AdviceQuestion& question_;
   std::optional<SceneLoad> load_;
   std::optional<double> frequency_;

@@ -83,26 +83,38 @@ struct Marks {
   double peak = 0, peak_time = 0, onset_time = 0;
 };
 
-// Refined between the samples by a parabola and a straight line.
-Marks marks_of(const std::vector<double>& values, double interval) {
-  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto top = static_cast<std::size_t>(std::max_element(values.begin(), values.end(), larger) - values.begin());
-  Marks marks{std::abs(values[top]), static_cast<double>(top) * interval, 0};
-  if (top > 0 && top + 1 < values.size()) {
-    const double before = std::abs(values[top - 1]), after = std::abs(values[top + 1]);
-    const double curvature = before - 2 * marks.peak + after;
-    const double shift = curvature < 0 ? (before - after) / 2 / curvature : 0;
-    marks.peak_time += shift * interval;
-    marks.peak += (after - before) * shift / 4;
-  }
-  const double level = onset_share * marks.peak;
+// The first local extreme beyond half of the largest value of its sign, which is `sign`, or that of whichever sign
+// comes first when it is 0.
+std::size_t first_peak(const std::vector<double>& values, double sign) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double now = std::abs(values[i]);
-    if (now < level) continue;
-    const double last = i > 0 ? std::abs(values[i - 1]) : 0;
-    marks.onset_time = (static_cast<double>(i) - (now > last ? (now - level) / (now - last) : 0)) * interval;
-    break;
+    const double value = values[i];
+    const double before = i > 0 ? values[i - 1] : 0, after = i + 1 < values.size() ? values[i + 1] : 0;
+    if (sign * value < 0 || value == 0) continue;
+    const double up = value > 0 ? 1 : -1;
+    const bool is_top = up * value >= up * before && up * value > up * after;
+    if (is_top && std::abs(value) >= 0.5 * std::abs(value > 0 ? *high : *low)) return i;
   }
+  return 0;
+}
+
+// Refined between the samples by a parabola and a straight line.
+Marks marks_of(const std::vector<double>& values, double interval, double sign) {
+  const std::size_t top = first_peak(values, sign);
+  Marks marks{values[top], static_cast<double>(top) * interval, 0};
+  if (top > 0 && top + 1 < values.size()) {
+    const double slope = (values[top + 1] - values[top - 1]) / 2;
+    const double curvature = values[top - 1] - 2 * values[top] + values[top + 1];
+    const double shift = curvature != 0 ? -slope / curvature : 0;
+    marks.peak_time += shift * interval;
+    marks.peak += slope * shift / 2;
+  }
+  // A tenth of the peak is passed for the last time before it.
+  const double level = onset_share * marks.peak;
+  std::size_t i = top;
+  while (i > 0 && values[i - 1] / level > 1) --i;
+  const double last = i > 0 ? values[i - 1] : 0;
+  marks.onset_time = (static_cast<double>(i) - (values[i] - level) / (values[i] - last)) * interval;
   return marks;
 }
 
@@ -119,8 +131,8 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   if (!(fit.coefficient > 0) || std::abs(lag) > 0.99 * limit) return std::nullopt;
   std::vector<double> wanted(trace.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = exact(static_cast<double>(i) * interval);
-  const Marks found = marks_of(trace, interval);
-  const Marks due = marks_of(wanted, interval);
+  const Marks due = marks_of(wanted, interval, 0);
+  const Marks found = marks_of(trace, interval, due.peak);
   ArrivalErrors errors;
   errors.speed = speed_error(on_time, lag);
   errors.amplitude = fit.factor - 1;

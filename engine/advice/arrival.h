@@ -11,9 +11,9 @@ namespace dda {
 struct ArrivalErrors {
   double speed = 0;        // by cross-correlation: the delay of the best least-squares fit
   double amplitude = 0;    // of the factor of that fit
-  double peak = 0;         // of the largest absolute value
+  double peak = 0;         // of the first peak: the first extreme beyond half of the largest value of its sign
   double peak_speed = 0;   // by the time of it
-  double onset_speed = 0;  // by the time when a tenth of it is first passed
+  double onset_speed = 0;  // by the time at which a tenth of it is passed on the way to it
 };
 
 // `trace` is sampled at 0, interval, ...; `exact` is what it should be, begins at `on_time` (s) and varies over times

@@ -189,6 +189,13 @@ class Search {
   bool row_;
 };
 
+bool have_same_stiffness(const JointMaterial& a, const JointMaterial& b) {
+  return a.law == b.law && a.penalty == b.penalty && a.stabilisation == b.stabilisation &&
+         a.normal_spring == b.normal_spring && a.spring_over_young == b.spring_over_young &&
+         a.shear_to_normal == b.shear_to_normal && a.normal_stiffness == b.normal_stiffness &&
+         a.shear_stiffness == b.shear_stiffness;
+}
+
 Ring moved(Ring ring, const Vec2& offset) {
   for (Vec2& vertex : ring) vertex += offset;
   return ring;
@@ -247,7 +254,29 @@ std::vector<Vec2> Lattice::face_normals() const {
                                    [&](const Vec2& n) { return std::abs(n.dot(coupling.normal)) > 1 - 1e-6; });
     if (!known) normals.push_back(coupling.normal);
   }
+  for (Vec2& n : normals) {
+    const bool backwards = n.x() < -relative_tolerance || (n.x() < relative_tolerance && n.y() < 0);
+    n = (backwards ? Vec2(-n) : n) + Vec2::Zero();  // and no negative zeros
+  }
   return normals;
+}
+
+bool looks_the_same(const Lattice& lattice, const Vec2& from, const Vec2& to) {
+  Mat2 turn;
+  turn << from.dot(to), from.y() * to.x() - from.x() * to.y(), from.x() * to.y() - from.y() * to.x(), from.dot(to);
+  const double tolerance = relative_tolerance * lattice.offsets.front().norm();
+  Ring turned = lattice.ring;
+  for (Vec2& vertex : turned) vertex = turn * vertex;
+  const auto middle = [](const Ring& ring) { return area_moments(Polygon{ring, {}}).centroid; };
+  if (!is_copy(turned, lattice.ring, middle(lattice.ring) - middle(turned), tolerance)) return false;
+  for (std::size_t i = 0; i < lattice.offsets.size(); ++i) {
+    bool found = false;
+    for (std::size_t j = 0; j < lattice.offsets.size() && !found; ++j)
+      found = (turn * lattice.offsets[i] - lattice.offsets[j]).norm() < tolerance &&
+              have_same_stiffness(lattice.joints[i], lattice.joints[j]);
+    if (!found) return false;
+  }
+  return true;
 }
 
 std::optional<Lattice> find_lattice(const Model& model, const ContactSet& contacts, int material) {

@@ -22,9 +22,12 @@ struct Lattice {
   bool row = false;
   std::string origin;  // what it is taken from or assumed to be, for people
 
-  // Normals of the interfaces, each pair of opposite ones once.
+  // Unit normals of the interfaces, each pair of opposite ones once: to the right, or straight up.
   [[nodiscard]] std::vector<Vec2> face_normals() const;
 };
+
+// True when turning the lattice from one direction (unit vectors) to the other makes no difference.
+bool looks_the_same(const Lattice& lattice, const Vec2& from, const Vec2& to);
 
 // The largest block of the material whose neighbours are copies of it; where there is none, squares (in a row:
 // rectangles) of the largest size across an interface. Nothing for a material without interfaces.

@@ -5,9 +5,9 @@
 namespace dda {
 namespace {
 
-constexpr double pitch = 1.5;
-constexpr int pitches = 24;  // 1.5^24 = 17,000
-constexpr int bisections = 5;
+constexpr double pitch = 2;
+constexpr int pitches = 10;  // down to a thousandth of the coarsest
+constexpr int bisections = 4;
 
 // The largest value up to `coarsest` that is within, as find_limits says.
 std::optional<double> largest_within(const std::function<bool(double)>& within, double coarsest) {

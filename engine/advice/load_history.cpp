@@ -30,7 +30,7 @@ double shortest_step(const Model& model) {
 
 std::string words_for(const TimeFunction& history) {
   if (const auto* sine = std::get_if<SineCycles>(&history))
-    return std::isfinite(sine->cycles) ? fmt::format("{:.6g} cycles of a sine of {:.6g} Hz", sine->cycles, sine->frequency)
+    return std::isfinite(sine->cycles) ? fmt::format("sine of {:.6g} Hz, cycles: {:.6g}", sine->frequency, sine->cycles)
                                        : fmt::format("a sine of {:.6g} Hz without end", sine->frequency);
   if (const auto* table = std::get_if<PiecewiseLinear>(&history))
     return fmt::format("a table of {} points", table->times.size());
@@ -70,7 +70,7 @@ std::optional<SceneLoad> load_of(const Model& model, const Load& load, const Vec
   const LoadHistory history = history_of(model, load.history);
   const std::string& block = model.blocks[static_cast<std::size_t>(load.block)].name;
   return SceneLoad{history, place,
-                   fmt::format("on block \"{}\": {}, {:.4g} Hz and more", block, words_for(load.history), 1 / history.period)};
+                   fmt::format("on block \"{}\": {}, main frequency {:.4g} Hz", block, words_for(load.history), 1 / history.period)};
 }
 
 }  // namespace

@@ -76,9 +76,12 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
     present.push_back(layer != Layer::last);
   }
   double area = 0;
-  for (const LatticeCoupling& coupling : whole.couplings)
-    if (layer_of(coupling.offset.dot(direction), row.step_) == Layer::last)
-      area += coupling.length * std::abs(coupling.normal.dot(direction));
+  for (const LatticeCoupling& coupling : whole.couplings) {
+    const Layer layer = layer_of(coupling.offset.dot(direction), row.step_);
+    if (layer == Layer::same) continue;
+    if (std::abs(coupling.normal.dot(direction)) < 1 - 1e-6) return std::nullopt;  // a staircase
+    if (layer == Layer::last) area += coupling.length;
+  }
   const auto add = [&](const LatticeMatrices& matrices, Mat6 Layers::*own) {
     row.stiffness_.*own += matrices.stiffness;
     row.inertia_.*own += matrices.inertia;
@@ -96,9 +99,9 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
     row.stiffness_.*(layer == Layer::next ? &Layers::next : &Layers::last) += coupling.stiffness;
     row.inertia_.*(layer == Layer::next ? &Layers::next : &Layers::last) += coupling.inertia;
     if (layer == Layer::next) continue;
-    // The load on the end, and the traction that the layer before exerts: minus the stress on the plane.
-    const double part = coupling.length * std::abs(coupling.normal.dot(direction)) / area;
-    row.push_ += point_load(coupling.middle, coupling.length * std::abs(coupling.normal.dot(direction)) * particles);
+    // A unit traction on the end, and the traction that the layer before exerts, along the wave's motion.
+    const double part = coupling.length / area;
+    row.push_ += point_load(coupling.middle, coupling.length * particles);
     const Vec2 tangent(-coupling.normal.y(), coupling.normal.x());
     const Vec2 weights(particles.dot(coupling.normal), particles.dot(tangent));
     row.traction_here_ += part * (coupling.traction_here.transpose() * weights);

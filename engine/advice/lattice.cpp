@@ -149,13 +149,14 @@ class Search {
     return lattice;
   }
 
-  // Across the widest interface of the material's blocks.
-  [[nodiscard]] Lattice assumed(const std::vector<std::size_t>& blocks) const {
+  // As large as the largest of the material's blocks across an interface between two of them.
+  [[nodiscard]] std::optional<Lattice> assumed(const std::vector<std::size_t>& blocks) const {
     double size = 0;
     std::size_t widest = 0;
     for (const std::size_t index : blocks) {
       for (const Side& side : sides_[index]) {
         const Interface& interface = contacts_.interfaces[side.interface];
+        if (model_.blocks[static_cast<std::size_t>(side.other)].material != material_) continue;
         const Vec2 depth = (interface.from + interface.to) / 2 - model_.blocks[index].moments.centroid;
         const double across = 2 * std::abs(depth.dot(interface.normal));
         if (across > (1 + relative_tolerance) * size) {
@@ -164,6 +165,7 @@ class Search {
         }
       }
     }
+    if (size == 0) return std::nullopt;
     return rectangles(size, contacts_.interfaces[widest], widest);
   }
 

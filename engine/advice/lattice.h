@@ -30,7 +30,7 @@ struct Lattice {
 bool looks_the_same(const Lattice& lattice, const Vec2& from, const Vec2& to);
 
 // The largest block of the material whose neighbours are copies of it; where there is none, squares (in a row:
-// rectangles) of the largest size across an interface. Nothing for a material without interfaces.
+// rectangles) of the largest size across an interface. Nothing for a material whose blocks touch none of their own.
 std::optional<Lattice> find_lattice(const Model& model, const ContactSet& contacts, int material);
 
 // Blocks `factor` times as large; those of a row as high as before.

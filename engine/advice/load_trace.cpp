@@ -9,9 +9,10 @@
 namespace dda {
 namespace {
 
-// What is left after a whole period of the transform of a motion that goes on: less than a prediction claims to know.
-constexpr double come_round = 1e-7;
-constexpr double negligible = 1e-4;
+// What is left after a whole period of the transform of a motion that goes on. Its square root is what errors of the
+// spectrum grow by towards the end of the window.
+constexpr double come_round = 1e-4;
+constexpr double negligible = 3e-5;
 
 Eigen::FFT<double> half_spectrum() {
   return Eigen::FFT<double>(Eigen::FFT<double>::impl_type(), Eigen::FFT<double>::HalfSpectrum);

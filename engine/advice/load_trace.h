@@ -20,7 +20,7 @@ class LoadSpectrum {
   [[nodiscard]] double main_frequency() const;
 
   // What the load's samples become when exp(s t) turns into transfer(s) exp(s t), s from small imaginary parts to large
-  // ones. Frequencies whose share is below 1e-4 of the largest are left out.
+  // ones. Frequencies whose share is below 3e-5 of the largest are left out.
   [[nodiscard]] std::vector<double> through(const std::function<Complex(Complex)>& transfer) const;
 
  private:

@@ -59,6 +59,8 @@ WaveSolver::Mode WaveSolver::mode_at(double wavenumber) const {
   return mode;
 }
 
+double WaveSolver::largest_wavenumber() const { return 0.98 * std::numbers::pi / shortest_step_; }
+
 PlaneWave WaveSolver::long_wave(Complex s) const {
   const Mode mode = mode_at(1e-3 / shortest_step_);
   return {Complex(0, -1) * s / speed_, mode.shape};
@@ -72,7 +74,7 @@ std::optional<PlaneWave> WaveSolver::steady(const TimeSteps& time, double omega)
   for (int i = 0; i < 100 && std::abs(mode.omega / omega - 1) > 1e-10; ++i) {
     if (!(mode.omega > 0)) return std::nullopt;
     q *= omega / mode.omega;
-    if (!(q * shortest_step_ < std::numbers::pi)) return std::nullopt;
+    if (!(q < largest_wavenumber())) return std::nullopt;
     mode = mode_at(q);
   }
   if (std::abs(mode.omega / omega - 1) > 1e-6) return std::nullopt;

@@ -41,6 +41,9 @@ class WaveSolver {
   // The solution of (stiffness(q) + square inertia(q)) shape = 0 nearest to `guess` (Newton's method).
   [[nodiscard]] std::optional<PlaneWave> near(PlaneWave guess, Complex square) const;
 
+  // 1/m, of a wave two blocks long, or close to it.
+  [[nodiscard]] double largest_wavenumber() const;
+
   // Long wave of the kind, to begin a search with.
   [[nodiscard]] PlaneWave long_wave(Complex s) const;
 

@@ -60,9 +60,9 @@ class Path {
     PlaneWave guess = last_ ? *last_ : solver_.long_wave(s);
     if (last_) guess.wavenumber += slowness_ * (s - last_s_);
     const auto found = solver_.near(guess, time_.square(s));
-    // Past its highest frequency a wave is lost: what is found then lies elsewhere, or grows on its way.
-    const bool lost = !found || found->wavenumber.imag() > 0 ||
-                      std::abs(found->wavenumber - guess.wavenumber) > 0.2 * std::abs(guess.wavenumber);
+    // Above that frequency blocks a layer apart move against each other; waves of other shapes follow, which a load on
+    // many blocks does not make.
+    const bool lost = !found || found->wavenumber.imag() > 0 || found->wavenumber.real() > solver_.largest_wavenumber();
     if (lost) {
       ended_ = true;
       return 0;

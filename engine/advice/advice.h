@@ -1,5 +1,5 @@
-// What a scene will be worth before it is run: how wrong its waves will be and why, what it will cost, and how coarse it
-// may be for a wanted error.
+// What a scene will be worth before it is run: how wrong its waves will be and why, what it will cost, and how coarse
+// it may be for a wanted error.
 #pragma once
 
 #include <optional>

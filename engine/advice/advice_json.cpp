@@ -44,9 +44,9 @@ Json to_json(const WaveAdvice& wave) {
           {"wavelength_m", wave.wavelength},
           {"block_m", wave.block_size},
           {"distance_m", wave.distance},
-          {"steady", wave.steady ? Json{{"speed", to_json(wave.steady->speed)},
-                                        {"amplitude", to_json(wave.steady->amplitude)}}
-                                 : Json(nullptr)},
+          {"steady", wave.steady
+                         ? Json{{"speed", to_json(wave.steady->speed)}, {"amplitude", to_json(wave.steady->amplitude)}}
+                         : Json(nullptr)},
           {"history", wave.history ? to_json(*wave.history) : Json(nullptr)},
           {"cause", wave.cause()},
           {"limits", limits_of(wave)}};

@@ -46,8 +46,8 @@ void add_history(const WaveAdvice& wave, Text& text) {
     return;
   }
   const HistoryErrors& history = *wave.history;
-  text.line("  the load's history, {} {:.4g} m", history.with_end ? "stress at the joint after" : "the way alone, after",
-            history.place);
+  text.line("  the load's history, {} {:.4g} m",
+            history.with_end ? "stress at the joint after" : "the way alone, after", history.place);
   text.line("    speed      {}   (by cross-correlation)", split(history.speed));
   text.line("    amplitude  {}   (least-squares fit)", split(history.amplitude));
   text.line("    peak {}; speed by peak {}, by onset {}", percent(history.arrival.peak),
@@ -62,8 +62,8 @@ void add_limits(const Advice& advice, const WaveAdvice& wave, Text& text) {
   if (!wave.limits) return;
   const WaveLimits& limits = *wave.limits;
   const auto blocks = [&](const std::optional<double>& scale) { return or_none(scale, wave.block_size, "m"); };
-  text.line("  for {:.4g} %: largest dt with these blocks {}; largest blocks with this dt {}", 100 * advice.wanted_error,
-            or_none(limits.dt, 1, "s"), blocks(limits.scale));
+  text.line("  for {:.4g} %: largest dt with these blocks {}; largest blocks with this dt {}",
+            100 * advice.wanted_error, or_none(limits.dt, 1, "s"), blocks(limits.scale));
   if (limits.both_dt)
     text.line("    neither alone is enough; both: blocks of {} and dt of {}", blocks(limits.both_scale),
               or_none(limits.both_dt, 1, "s"));
@@ -71,9 +71,10 @@ void add_limits(const Advice& advice, const WaveAdvice& wave, Text& text) {
 
 void add_wave(const Advice& advice, const WaveAdvice& wave, Text& text) {
   text.line("");
-  text.line("{} wave in \"{}\", {} [{:.3g}, {:.3g}]: {:.2f} m/s; blocks of {:.4g} m, {:.3g} in a wavelength of {:.4g} m",
-            wave.kind, wave.material, wave.direction_name, wave.direction.x(), wave.direction.y(), wave.speed,
-            wave.block_size, wave.wavelength / wave.block_size, wave.wavelength);
+  text.line(
+      "{} wave in \"{}\", {} [{:.3g}, {:.3g}]: {:.2f} m/s; blocks of {:.4g} m, {:.3g} in a wavelength of {:.4g} m",
+      wave.kind, wave.material, wave.direction_name, wave.direction.x(), wave.direction.y(), wave.speed,
+      wave.block_size, wave.wavelength / wave.block_size, wave.wavelength);
   text.line("  mesh: {}", wave.mesh);
   add_steady(advice, wave, text);
   add_history(wave, text);
@@ -117,10 +118,10 @@ std::vector<std::string> to_short_text(const Advice& advice) {
                                     wave.direction_name));
         continue;
       }
-      lines.push_back(fmt::format("{} wave in \"{}\", {}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}",
-                                  wave.kind, wave.material, wave.direction_name, wave.history->place,
-                                  percent(wave.history->speed.total()), percent(wave.history->amplitude.total()),
-                                  percent(wave.history->arrival.peak), wave.cause()));
+      lines.push_back(
+          fmt::format("{} wave in \"{}\", {}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}", wave.kind,
+                      wave.material, wave.direction_name, wave.history->place, percent(wave.history->speed.total()),
+                      percent(wave.history->amplitude.total()), percent(wave.history->arrival.peak), wave.cause()));
     }
   }
   return lines;

@@ -26,8 +26,8 @@ std::vector<double> sampled(const std::function<double(double)>& function) {
 
 TEST(Arrival, AWaveThatIsLateAndWeak) {
   for (const double lag : {3.3e-4, -7.1e-4}) {
-    const auto errors = read_arrival(
-        sampled([&](double t) { return 0.9 * cycle(t - lag); }), interval, cycle, on_time, period);
+    const auto errors =
+        read_arrival(sampled([&](double t) { return 0.9 * cycle(t - lag); }), interval, cycle, on_time, period);
     ASSERT_TRUE(errors.has_value());
     const double due = on_time / (on_time + lag) - 1;
     EXPECT_NEAR(errors->speed, due, 1e-7);

@@ -69,7 +69,8 @@ bool pair_up(Lattice& lattice, double tolerance) {
 
 bool all_parallel(const std::vector<Vec2>& offsets) {
   return std::all_of(offsets.begin(), offsets.end(), [&](const Vec2& o) {
-    return std::abs(o.x() * offsets[0].y() - o.y() * offsets[0].x()) < relative_tolerance * o.norm() * offsets[0].norm();
+    return std::abs(o.x() * offsets[0].y() - o.y() * offsets[0].x()) <
+           relative_tolerance * o.norm() * offsets[0].norm();
   });
 }
 
@@ -179,8 +180,9 @@ class Search {
     if (!row_) lattice.offsets.insert(lattice.offsets.end(), {across, -across});
     lattice.joints.assign(lattice.offsets.size(), acting_joint(model_, contacts_, index));
     lattice.normal = interface.normal;
-    lattice.origin = fmt::format("assumed: {} of {:.4g} m, the largest size across a joint (its blocks are not all alike)",
-                                 row_ ? "a row of blocks" : "square blocks", size);
+    lattice.origin =
+        fmt::format("assumed: {} of {:.4g} m, the largest size across a joint (its blocks are not all alike)",
+                    row_ ? "a row of blocks" : "square blocks", size);
     return lattice;
   }
 
@@ -229,9 +231,9 @@ void set_tractions(const Model& model, const Interface& interface, const Interfa
                    LatticeCoupling& coupling) {
   const Mat3 elasticity = elasticity_matrix(model.materials.front());
   const auto traction = [&](const Vec6& here, const Vec6& there) {
-    return mean_traction(model, interface, element,
-                         linear_state(element, Vec4::Zero(), here, there, elasticity * here.tail<3>(),
-                                      elasticity * there.tail<3>()));
+    return mean_traction(
+        model, interface, element,
+        linear_state(element, Vec4::Zero(), here, there, elasticity * here.tail<3>(), elasticity * there.tail<3>()));
   };
   for (int i = 0; i < 6; ++i) {
     coupling.traction_here.col(i) = traction(Vec6::Unit(i), Vec6::Zero());

@@ -42,11 +42,11 @@ Lattice with_consistent_joints(const Lattice& lattice);
 // One neighbour's part in the equations of the block.
 struct LatticeCoupling {
   Vec2 offset;
-  Mat6 stiffness, inertia;             // force on the block by the neighbour's unknowns and their accelerations
-  Vec2 normal;                         // of the interface, out of the block
-  Vec2 middle;                         // of the interface, from the block's centroid
-  double length = 0;                   // m
-  Mat26 traction_here, traction_there; // mean (normal, shear) traction, Pa, by the unknowns of block and neighbour
+  Mat6 stiffness, inertia;              // force on the block by the neighbour's unknowns and their accelerations
+  Vec2 normal;                          // of the interface, out of the block
+  Vec2 middle;                          // of the interface, from the block's centroid
+  double length = 0;                    // m
+  Mat26 traction_here, traction_there;  // mean (normal, shear) traction, Pa, by the unknowns of block and neighbour
 };
 
 struct LatticeMatrices {

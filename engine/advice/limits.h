@@ -22,8 +22,8 @@ struct WaveLimits {
   std::optional<double> both_dt, both_scale;
 };
 
-// Looks from coarse to fine down to a thousandth, in steps of a factor 2, and then between the last two. An error that passes zero between
-// two that are too large does not count: four fifths of a value must be within as well.
+// Looks from coarse to fine down to a thousandth, in steps of a factor 2, and then between the last two. An error that
+// passes zero between two that are too large does not count: four fifths of a value must be within as well.
 WaveLimits find_limits(const ErrorOf& error_of, double dt, const CoarseBounds& coarse, double wanted);
 
 }  // namespace dda

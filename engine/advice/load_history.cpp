@@ -56,11 +56,12 @@ LoadHistory history_of(const Model& model, const TimeFunction& function) {
   for (double t = 0; t <= end; t += interval) samples.push_back(evaluate(function, t));
   LoadHistory history;
   history.value = [function, end](double t) { return t < 0 || t > end ? 0 : evaluate(function, t); };
-  history.duration = duration_of(samples, interval);
   const auto* sine = std::get_if<SineCycles>(&function);
+  const double last = sine != nullptr ? sine->start + sine->cycles / sine->frequency : duration_of(samples, interval);
+  history.duration = std::min(last, end);
   const double slowest = history.duration > 0 ? 0.5 / history.duration : 0.5 / end;
-  history.period = 1 / (sine != nullptr ? sine->frequency
-                                        : std::max(LoadSpectrum(samples, interval).main_frequency(), slowest));
+  history.period =
+      1 / (sine != nullptr ? sine->frequency : std::max(LoadSpectrum(samples, interval).main_frequency(), slowest));
   return history;
 }
 
@@ -69,8 +70,9 @@ std::optional<SceneLoad> load_of(const Model& model, const Load& load, const Vec
   if (std::holds_alternative<Constant>(load.history)) return std::nullopt;
   const LoadHistory history = history_of(model, load.history);
   const std::string& block = model.blocks[static_cast<std::size_t>(load.block)].name;
-  return SceneLoad{history, place,
-                   fmt::format("on block \"{}\": {}, main frequency {:.4g} Hz", block, words_for(load.history), 1 / history.period)};
+  return SceneLoad{
+      history, place,
+      fmt::format("on block \"{}\": {}, main frequency {:.4g} Hz", block, words_for(load.history), 1 / history.period)};
 }
 
 }  // namespace

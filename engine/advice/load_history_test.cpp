@@ -55,7 +55,8 @@ TEST(LoadHistory, MainFrequencyOfATable) {
   for (int i = 0; i <= 600; ++i) {
     const double t = i * 1e-4;
     table.times.push_back(t);
-    table.values.push_back(std::pow(std::sin(std::numbers::pi * t / 0.06), 2) * std::sin(2 * std::numbers::pi * 100 * t));
+    table.values.push_back(std::pow(std::sin(std::numbers::pi * t / 0.06), 2) *
+                           std::sin(2 * std::numbers::pi * 100 * t));
   }
   model.edge_loads.push_back({0, {0, 0}, {0, 1}, {1, 0}, table});
   EXPECT_NEAR(1 / scene_load(model)->history.period, 100, 5);

@@ -43,7 +43,8 @@ TEST(LoadTrace, WhatRingsOnDoesNotComeRound) {
       spectrum.through([&](Complex s) { return omega * omega / (s * s + omega * omega); });
   for (std::size_t i = 1; i < trace.size(); ++i) {
     const double wanted = omega * interval * std::sin(omega * interval * static_cast<double>(i));
-    EXPECT_NEAR(trace[i], wanted, 0.02 * omega * interval) << i;  // a push of one sample has all frequencies, cut at 5 kHz
+    EXPECT_NEAR(trace[i], wanted, 0.02 * omega * interval)
+        << i;  // a push of one sample has all frequencies, cut at 5 kHz
   }
 }
 
@@ -56,18 +57,16 @@ TEST(TimeSteps, IsTheIntegratorsEquation) {
     const Complex s(30, 700);
     const Complex z = std::exp(s * dt);
     // A motion x = z^n, v, a from the two update rules; then (1 - am) a1 + am a0 = square ((1 - af) x1 + af x0).
-    const Complex acceleration =
-        1.0 / (dt * dt * (((1 - integrator.gamma) + integrator.gamma * z) / ((z - 1.0) * (z - 1.0)) +
-                          (0.5 - integrator.beta + integrator.beta * z) / (z - 1.0)));
+    const Complex acceleration = 1.0 / (dt * dt *
+                                        (((1 - integrator.gamma) + integrator.gamma * z) / ((z - 1.0) * (z - 1.0)) +
+                                         (0.5 - integrator.beta + integrator.beta * z) / (z - 1.0)));
     const Complex wanted = acceleration * ((1 - integrator.alpha_m) * z + integrator.alpha_m) /
                            ((1 - integrator.alpha_f) * z + integrator.alpha_f);
     EXPECT_LT(std::abs(stepped_square(integrator, dt, s) / wanted - 1.0), 1e-12) << integrator.name;
   }
 }
 
-TEST(TimeSteps, WithoutThemTimeIsContinuous) {
-  EXPECT_EQ(TimeSteps{}.square({3, 4}), Complex(3, 4) * Complex(3, 4));
-}
+TEST(TimeSteps, WithoutThemTimeIsContinuous) { EXPECT_EQ(TimeSteps{}.square({3, 4}), Complex(3, 4) * Complex(3, 4)); }
 
 }  // namespace
 }  // namespace dda

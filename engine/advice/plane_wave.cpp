@@ -46,6 +46,10 @@ WaveSolver::Mode WaveSolver::mode_at(double wavenumber) const {
     stiffness += phase * coupling.stiffness;
     inertia += phase * coupling.inertia;
   }
+  // Strains may have no inertia (see Stage::lateral_inertia); a trace of it keeps the problem definite, and is gone
+  // when near() has the last word.
+  const double trace = 1e-6 * matrices_.inertia.diagonal().tail<4>().maxCoeff();
+  inertia.diagonal().tail<4>().array() += trace;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> waves(stiffness, inertia);
   Mode mode;
   double most = -1;
@@ -82,6 +86,7 @@ std::optional<PlaneWave> WaveSolver::steady(const TimeSteps& time, double omega)
 }
 
 std::optional<PlaneWave> WaveSolver::near(PlaneWave guess, Complex square) const {
+  if (!guess.shape.allFinite()) return std::nullopt;
   guess.shape.normalize();
   for (int i = 0; i < 60; ++i) {
     ComplexMat6 forces = matrices_.stiffness.cast<Complex>() + square * matrices_.inertia.cast<Complex>();
@@ -94,7 +99,7 @@ std::optional<PlaneWave> WaveSolver::near(PlaneWave guess, Complex square) const
       slope += Complex(0, -distance) * part;
     }
     const ComplexVec6 moved = forces.partialPivLu().solve(slope * guess.shape);
-    const Complex share = guess.shape.dot(moved);  // conjugates the first
+    const Complex share = guess.shape.dot(moved);                               // conjugates the first
     if (!std::isfinite(std::abs(share)) || std::abs(share) == 0) return guess;  // singular to the last bit: there it is
     const Complex change = 1.0 / share;
     guess.wavenumber -= change;

@@ -42,9 +42,11 @@ constexpr auto check_details =
     "  dda check bar.json --frequency 250Hz\n";
 
 constexpr auto advise_details =
-    "Predicts, from closed forms and in well under a second for a bar, what blocks, interfaces and time steps will do to\n"
-    "the scene's load on its way, or to a steady wave of --frequency: errors of speed and amplitude by wave, direction\n"
-    "and cause; solver and cost; the largest dt and blocks that keep the error of --error.\n\n"
+    "Predicts from closed forms, without running the scene, what blocks, interfaces and time steps will do to its "
+    "load\n"
+    "on the way, or to a steady wave of --frequency: errors of speed and amplitude by wave, direction and cause; "
+    "solver\n"
+    "and cost; the largest dt and blocks that keep the error of --error.\n\n"
     "Examples:\n"
     "  dda advise bar.json\n"
     "  dda advise bar.json --distance 50m --error 0.5%\n"
@@ -116,7 +118,7 @@ void add_check(CLI::App& app, Arguments& arguments) {
   check->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
   check
       ->add_option("--frequency", arguments.frequency,
-                   "frequency of the waves to predict, e.g. 100Hz; default: the scene's target_frequency or its highest sine")
+                   "of the waves to predict, e.g. 100Hz; default: target_frequency, or the highest sine")
       ->type_name("FREQUENCY");
 }
 
@@ -126,11 +128,11 @@ void add_advise(CLI::App& app, Arguments& arguments) {
   advise->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
   advise
       ->add_option("--frequency", arguments.frequency,
-                   "of a steady wave, e.g. 100Hz; default: the whole history of the first load that has one")
+                   "of a steady wave, e.g. 100Hz; default: the history of the first load that has one")
       ->type_name("FREQUENCY");
   advise
       ->add_option("--distance", arguments.distance,
-                   "that the wave runs, e.g. 50m; default: from the load to the farthest measurement, or a wavelength")
+                   "that the wave runs, e.g. 50m; default: to the farthest measurement, or a wavelength")
       ->type_name("LENGTH");
   advise->add_option("--error", arguments.wanted_error, "error of speed and amplitude to be kept; default 1%")
       ->type_name("SHARE");
@@ -218,7 +220,8 @@ int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
 // What is wrong with the command line. The library says of an unknown command only that one is required.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
-  if (unknown_command) return "the command is \"" + std::string(argv[1]) + "\", expected check, advise, run, view or schema";
+  if (unknown_command)
+    return "the command is \"" + std::string(argv[1]) + "\", expected check, advise, run, view or schema";
   return error.what();
 }
 

@@ -148,7 +148,7 @@ struct Model {
   std::vector<Measurement> measurements;
   std::vector<Stage> stages;
   std::optional<double> target_frequency;  // Hz, the highest that matters: what predictions are made for
-  double length_tolerance = 0;  // m: points closer than this touch; set by finish_model
+  double length_tolerance = 0;             // m: points closer than this touch; set by finish_model
   double expected_pressure =
       0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
 

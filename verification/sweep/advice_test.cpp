@@ -22,7 +22,10 @@ namespace {
 // A chain and what the engine makes of it.
 struct Problem {
   explicit Problem(const JobParameters& job)
-      : parameters(job), bar(bar_of(job)), model(model_of(bar, job)), chain(chain_of(model)),
+      : parameters(job),
+        bar(bar_of(job)),
+        model(model_of(bar, job)),
+        chain(chain_of(model)),
         scheme(time_scheme_of(job.stage.integrator)),
         lattice(dda::find_lattice(model, dda::make_contacts(model), 0).value()) {}
 
@@ -56,8 +59,8 @@ TEST(Advice, PhaseSpeedAndAttenuationAreThoseOfTheClosedForm) {
   for (const Problem& p : problems()) {
     for (const double frequency : {30.0, 100.0, 180.0}) {
       const double omega = 2 * std::numbers::pi * frequency;
-      const auto wave = dda::WaveSolver(p.lattice, p.model.stages.front(), dda::WaveKind::bar, {1, 0})
-                            .steady(p.time(), omega);
+      const auto wave =
+          dda::WaveSolver(p.lattice, p.model.stages.front(), dda::WaveKind::bar, {1, 0}).steady(p.time(), omega);
       ASSERT_TRUE(wave.has_value());
       const exact::ChainWave closed = exact::chain_wave(p.chain, p.scheme, p.parameters.dt, omega);
       // Round-off of 6 x 6 problems whose entries span six digits.
@@ -85,34 +88,36 @@ TEST(Advice, WhatTheEndMakesOfALoadIsThatOfTheClosedForm) {
 }
 
 TEST(Advice, TheTraceOfALoadIsThatOfTheClosedForm) {
-  for (const Problem& p : problems()) {
+  for (Problem p : problems()) {
+    p.chain.blocks *= 4;  // nothing comes back, also of the high frequencies that run faster than sqrt(E/rho)
     const double period = 1 / p.bar.load_frequency;
     const dda::LoadHistory load{[&](double t) { return pulse_shape(Pulse::cycle, p.bar.load_frequency, t); }, period,
                                 period, pulse_window(p.bar, Pulse::cycle)};
     const dda::PredictedTrace trace = dda::predict_trace(p.question(), load);
     const std::vector<double> exact =
-        exact::finite_chain_response(
-            p.chain, p.scheme, p.parameters.dt, sampled_force(p.bar, p.parameters),
-            {{exact::ChainQuantity::interface_stress, p.model.measurements.front().block - 1}})
+        exact::finite_chain_response(p.chain, p.scheme, p.parameters.dt, sampled_force(p.bar, p.parameters),
+                                     {{exact::ChainQuantity::interface_stress, p.model.measurements.front().block - 1}})
             .front();
     const auto stride = static_cast<std::size_t>(std::lround(trace.interval / p.parameters.dt));
     EXPECT_NEAR(trace.place, p.bar.measuring_point, 1e-9);
     double worst = 0;
     for (std::size_t i = 0; i < trace.values.size() && i * stride < exact.size(); ++i)
       worst = std::max(worst, std::abs(trace.values[i] + exact[i * stride] / p.bar.incident_stress()));
-    EXPECT_LT(worst, 2e-3) << p.model.title;  // of the peak: frequencies of a share below 3e-5 are left out
+    EXPECT_LT(worst, 3e-5) << p.model.title;  // frequencies of a share below that are left out
   }
 }
 
-// Every error of velocity and amplitude is predicted within 20 % or 0.05 percentage points. The whole grid, 336 readings,
-// is docs/examples/sweeps/eta.json; README.md has its figures.
+// Every error of velocity and amplitude is predicted within 20 % or 0.05 percentage points. The whole grid, 336
+// readings, is docs/examples/sweeps/eta.json; README.md has its figures.
 TEST(Advice, ErrorsOfAThinnedSweepArePredicted) {
   for (const char* scheme :
        {R"("law": ["classical"], "integrator": ["thesis"])",
         R"("law": ["cubic"], "integrator": [{"generalized_alpha": 0.8}], "lateral_inertia": [false],
            "correct_time_dispersion": [true])"}) {
     const SweepSpec spec = parse_spec(R"({"grid": {"eta": [0.02, 0.08, 0.125, 0.2, 0.5], "cfl": [0.1, 0.3, 1, 3],
-                                          "pulse": ["cycle", "tone"], )" + std::string(scheme) + "}}", "s");
+                                          "pulse": ["cycle", "tone"], )" +
+                                          std::string(scheme) + "}}",
+                                      "s");
     int readings = 0;
     for (const JobParameters& job : spec.jobs) {
       if (job.samples_per_period() < 4) continue;

@@ -12,9 +12,6 @@ void advise_scene(const AdviseOptions& options, std::ostream& out) {
   if (options.question.error >= 1) throw InputError("", "--error", "1 or more", "a share below 1, e.g. 1%");
   try {
     const Advice advice = advise(Simulation(read_scene(options.scene)), options.question);
-    if (!advice.frequency)
-      throw InputError("", "--frequency", "missing",
-                       "a frequency, as the scene has neither target_frequency nor a load with a history");
     out << (options.json ? to_json_text(advice) : to_text(advice));
   } catch (const InputError& error) {
     throw error.in_file(options.scene.string());

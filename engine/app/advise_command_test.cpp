@@ -130,9 +130,17 @@ TEST_F(AdviseCommand, CheckHasAShortForm) {
   EXPECT_EQ(call({"check", path("scene.json"), "--frequency", "50Hz"}).out.find("whole history"), std::string::npos);
 }
 
+TEST_F(AdviseCommand, CostsAreKnownWithoutAWave) {
+  write("scene.json", without_load(bar_scene(40, 3000)));
+  const auto advice = json({});
+  EXPECT_TRUE(advice["frequency_hz"].is_null());
+  EXPECT_EQ(advice["stages"][0]["steps"], 3000);
+  EXPECT_TRUE(advice["stages"][0]["waves"].empty());
+  EXPECT_NE(call({"advise", path("scene.json")}).out.find("no frequency: give --frequency"), std::string::npos);
+}
+
 TEST_F(AdviseCommand, MistakesGetOneSentence) {
   write("scene.json", without_load(bar_scene(40, 3000)));
-  expect_refusal({}, "--frequency is missing, expected a frequency");
   expect_refusal({"--frequency", "5 m"}, "--frequency is \"5 m\", expected");
   expect_refusal({"--frequency", "100", "--distance", "-3"}, "--distance is -3, expected");
   expect_refusal({"--frequency", "100", "--error", "0%"}, "--error is ");

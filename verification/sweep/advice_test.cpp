@@ -8,6 +8,7 @@
 
 #include "dda/advice/half_row.h"
 #include "dda/advice/wave_errors.h"
+#include "verification/cases/bloch.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/half_chain.h"
@@ -66,6 +67,52 @@ TEST(Advice, PhaseSpeedAndAttenuationAreThoseOfTheClosedForm) {
       // Round-off of 6 x 6 problems whose entries span six digits.
       EXPECT_NEAR(omega / wave->wavenumber.real() / closed.speed, 1, 1e-9) << p.model.title << frequency;
       EXPECT_NEAR(-wave->wavenumber.imag(), closed.attenuation, 1e-9) << p.model.title << frequency;
+    }
+  }
+}
+
+// Five by five cells, the middle one among its own kind.
+dda::Model piece_of(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& joint) {
+  dda::Model model;
+  model.materials = {rock};
+  model.joints = {joint};
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -2; j <= 2; ++j)
+      for (dda::Ring ring : mesh.cell) {
+        for (dda::Vec2& vertex : ring) vertex += i * mesh.first + j * mesh.second;
+        model.blocks.emplace_back().shape.outer = ring;
+      }
+  dda::Stage stage;
+  stage.dt = stage.duration = 1;
+  stage.kinematics = dda::Kinematics::small;
+  model.stages = {stage};
+  dda::finish_model(model);
+  return model;
+}
+
+// At the frequency that Bloch analysis of the whole cell gives a wave, the advice finds that wave: P and S, all ways.
+TEST(Advice, WavesInMeshesAreThoseOfBlochAnalysis) {
+  const dda::Material rock{"rock", 2650, 50e9, 0.25, dda::PlaneState::stress};
+  for (const PeriodicMesh& mesh : {square_mesh(), brick_mesh(), sheared_mesh()}) {
+    for (const dda::InterfaceLaw law : {dda::InterfaceLaw::consistent, dda::InterfaceLaw::classical}) {
+      dda::JointMaterial joint;
+      joint.law = law;
+      joint.bonded = true;
+      const dda::Model model = piece_of(mesh, rock, joint);
+      const dda::Lattice lattice = dda::find_lattice(model, dda::make_contacts(model), 0).value();
+      ASSERT_NE(lattice.origin.find("everywhere"), std::string::npos);
+      for (const double degrees : {0.0, 30.0, 45.0, 77.0, 135.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const dda::Vec2 direction(std::cos(angle), std::sin(angle));
+        const double q = 2 * std::numbers::pi / (20 * mesh.longest_side());
+        const PhaseSpeeds bloch = phase_speeds(mesh, rock, joint, q * direction);
+        for (const dda::WaveKind kind : {dda::WaveKind::p, dda::WaveKind::s}) {
+          const double speed = kind == dda::WaveKind::p ? bloch.p : bloch.s;
+          const auto wave = dda::WaveSolver(lattice, model.stages[0], kind, direction).steady({}, speed * q);
+          ASSERT_TRUE(wave.has_value());
+          EXPECT_NEAR(wave->wavenumber.real() / q, 1, 1e-8) << degrees;  // square roots of eigenvalues of 1e-14
+        }
+      }
     }
   }
 }

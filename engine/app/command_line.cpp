@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 
+#include "dda/app/advise_command.h"
 #include "dda/app/run_command.h"
 #include "dda/app/scene_report.h"
 #include "dda/app/view_command.h"
@@ -25,6 +26,7 @@ constexpr int exit_bad_input = 2;
 constexpr auto program_details =
     "Examples:\n"
     "  dda check bar.json                    say what would be run, and how accurate it will be\n"
+    "  dda advise bar.json                   why, at what cost, and how coarse it may be\n"
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
     "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda run --help                        more on a command\n\n"
@@ -38,6 +40,17 @@ constexpr auto check_details =
     "Examples:\n"
     "  dda check bar.json\n"
     "  dda check bar.json --frequency 250Hz\n";
+
+constexpr auto advise_details =
+    "Predicts from closed forms, without running the scene, what blocks, interfaces and time steps will do to its "
+    "load\n"
+    "on the way, or to a steady wave of --frequency: errors of speed and amplitude by wave, direction and cause; "
+    "solver\n"
+    "and cost; the largest dt and blocks that keep the error of --error.\n\n"
+    "Examples:\n"
+    "  dda advise bar.json\n"
+    "  dda advise bar.json --distance 50m --error 0.5%\n"
+    "  dda advise wall.json --frequency 250Hz --json > advice.json\n";
 
 constexpr auto run_details =
     "DIR gets histories.csv (the measurements), summary.json (status, counters, energy), checkpoint.bin (for "
@@ -93,6 +106,9 @@ struct Arguments {
   std::string frequency;
   std::string frame_interval;
   std::int64_t frames = 0;
+  std::string distance;
+  std::string wanted_error;
+  bool json = false;
   RunOptions run;
   ViewOptions view;
 };
@@ -102,8 +118,25 @@ void add_check(CLI::App& app, Arguments& arguments) {
   check->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
   check
       ->add_option("--frequency", arguments.frequency,
-                   "frequency of the waves to predict, e.g. 100Hz; default: the highest sine in the scene")
+                   "of the waves to predict, e.g. 100Hz; default: target_frequency, or the highest sine")
       ->type_name("FREQUENCY");
+}
+
+void add_advise(CLI::App& app, Arguments& arguments) {
+  CLI::App* advise =
+      app.add_subcommand("advise", "Say how wrong waves will be and why, and what it costs")->footer(advise_details);
+  advise->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
+  advise
+      ->add_option("--frequency", arguments.frequency,
+                   "of a steady wave, e.g. 100Hz; default: the history of the first load that has one")
+      ->type_name("FREQUENCY");
+  advise
+      ->add_option("--distance", arguments.distance,
+                   "that the wave runs, e.g. 50m; default: to the farthest measurement, or a wavelength")
+      ->type_name("LENGTH");
+  advise->add_option("--error", arguments.wanted_error, "error of speed and amplitude to be kept; default 1%")
+      ->type_name("SHARE");
+  advise->add_flag("--json", arguments.json, "write JSON for programs");
 }
 
 void add_run(CLI::App& app, Arguments& arguments) {
@@ -161,6 +194,19 @@ void check_scene(const Arguments& arguments, std::ostream& out) {
   }
 }
 
+void advise_scene(const Arguments& arguments, std::ostream& out) {
+  AdviseOptions options;
+  options.scene = arguments.scene;
+  options.json = arguments.json;
+  if (!arguments.frequency.empty())
+    options.question.frequency = positive_quantity(arguments.frequency, Dimension::frequency, "--frequency");
+  if (!arguments.distance.empty())
+    options.question.distance = positive_quantity(arguments.distance, Dimension::length, "--distance");
+  if (!arguments.wanted_error.empty())
+    options.question.error = positive_quantity(arguments.wanted_error, Dimension::dimensionless, "--error");
+  advise_scene(options, out);
+}
+
 int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
   RunOptions& options = arguments.run;
   options.scene = arguments.scene;
@@ -174,13 +220,18 @@ int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
 // What is wrong with the command line. The library says of an unknown command only that one is required.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
-  if (unknown_command) return "the command is \"" + std::string(argv[1]) + "\", expected check, run, view or schema";
+  if (unknown_command)
+    return "the command is \"" + std::string(argv[1]) + "\", expected check, advise, run, view or schema";
   return error.what();
 }
 
 int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std::ostream& errors) {
   if (app.got_subcommand("check")) {
     check_scene(arguments, out);
+    return 0;
+  }
+  if (app.got_subcommand("advise")) {
+    advise_scene(arguments, out);
     return 0;
   }
   if (app.got_subcommand("run")) return run(arguments, out, errors);
@@ -202,6 +253,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   app.require_subcommand(1);
   app.get_formatter()->column_width(32);
   add_check(app, arguments);
+  add_advise(app, arguments);
   add_run(app, arguments);
   add_view(app, arguments);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);

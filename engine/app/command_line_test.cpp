@@ -43,7 +43,7 @@ class CommandLine : public FolderTest {
 };
 
 TEST_F(CommandLine, HelpOfEveryCommandHasExamples) {
-  for (const std::string command : {"", "check", "run", "view", "schema"}) {
+  for (const std::string command : {"", "check", "advise", "run", "view", "schema"}) {
     std::vector<std::string> arguments = {"--help"};
     if (!command.empty()) arguments.insert(arguments.begin(), command);
     const Outcome outcome = call(arguments);
@@ -64,7 +64,7 @@ TEST_F(CommandLine, VersionAndSchema) {
 TEST_F(CommandLine, MistakesInTheCommandItself) {
   write("scene.json", bar_scene(3, 10));
   expect_refusal({}, "subcommand is required");
-  expect_refusal({"solve", "scene.json"}, "the command is \"solve\", expected check, run, view or schema");
+  expect_refusal({"solve", "scene.json"}, "the command is \"solve\", expected check, advise, run, view or schema");
   expect_refusal({"run", path("scene.json")}, "--out is required");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "0"}, "--frames");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "abc"},

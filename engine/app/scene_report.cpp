@@ -13,6 +13,8 @@
 #include <numbers>
 #include <vector>
 
+#include "dda/advice/advice.h"
+#include "dda/advice/load_history.h"
 #include "dda/app/recording_report.h"
 #include "dda/app/stiffness_report.h"
 #include "dda/app/wave_survey.h"
@@ -221,6 +223,17 @@ void add_prediction(const Model& model, const ContactSet& contacts, double frequ
   }
 }
 
+// What the whole spectrum of the scene's load makes of that: a history holds more than its main frequency.
+void add_advice(const Simulation& simulation, Text& text) {
+  AdviceQuestion question;
+  question.limits = false;
+  const std::vector<std::string> lines = to_short_text(advise(simulation, question));
+  if (lines.empty()) return;
+  text.gap();
+  text.plain("predicted for the whole history of the load (dda advise says more)");
+  for (const std::string& line : lines) text.plain("  " + line);
+}
+
 }  // namespace
 
 std::string describe_scene(const Model& model, std::optional<double> frequency) {
@@ -237,13 +250,15 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   add_what_acts(model, text);
   add_size(model, contacts, matrix, text);
   for (const Stage& stage : model.stages) add_stage(model, stage, contacts, matrix, text);
-  if (!frequency) frequency = highest_sine_frequency(model);
+  const bool given = frequency.has_value();
+  if (!frequency) frequency = model.target_frequency ? model.target_frequency : highest_sine_frequency(model);
   if (frequency) {
     add_prediction(model, contacts, *frequency, text);
   } else {
     text.gap();
     text.plain("no sine in the scene: give --frequency for predicted errors of waves");
   }
+  if (!given) add_advice(simulation, text);
   return text.take();
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <variant>
 
 #include "dda/contact/cubic_law.h"
 
@@ -117,18 +116,6 @@ std::vector<SurveyedWave> survey_waves(const Model& model, const ContactSet& con
     }
   }
   return waves;
-}
-
-std::optional<double> highest_sine_frequency(const Model& model) {
-  std::optional<double> highest;
-  const auto visit = [&](const TimeFunction& history) {
-    if (const auto* sine = std::get_if<SineCycles>(&history)) highest = std::max(highest.value_or(0), sine->frequency);
-  };
-  for (const PointLoad& load : model.point_loads) visit(load.history);
-  for (const EdgeLoad& load : model.edge_loads) visit(load.history);
-  for (const PointSupport& support : model.supports) visit(support.history);
-  for (const HeldBlock& held : model.held_blocks) visit(held.history);
-  return highest;
 }
 
 }  // namespace dda

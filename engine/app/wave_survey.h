@@ -1,7 +1,6 @@
 // Which waves a scene carries across its joints, for predicting their errors.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,5 @@ struct SurveyedWave {
 // otherwise P and S waves square across the interfaces. None for a static stage.
 std::vector<SurveyedWave> survey_waves(const Model& model, const ContactSet& contacts, const Stage& stage,
                                        double frequency);
-
-// The highest frequency of a sine among loads and prescribed motions, Hz.
-std::optional<double> highest_sine_frequency(const Model& model);
 
 }  // namespace dda

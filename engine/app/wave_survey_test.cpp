@@ -141,16 +141,6 @@ TEST(WaveSurvey, NoneWhereNothingRuns) {
   Model model = grid(R"("bonded": true)");
   model.stages[0].integrator = static_integrator();
   EXPECT_TRUE(survey_waves(model, make_contacts(model), model.stages[0], 50).empty());
-  EXPECT_FALSE(highest_sine_frequency(model).has_value());
-}
-
-TEST(WaveSurvey, HighestSineOfLoadsAndSupports) {
-  Model model = grid(R"("bonded": true)");
-  model.point_loads.push_back({0, {0, 0}, {1, 0}, SineCycles{30, 1, 0}});
-  EXPECT_EQ(highest_sine_frequency(model), 30);
-  model.supports.push_back({0, {0, 0}, true, true, 1e9, {1, 0}, SineCycles{70, 1, 0}});
-  model.edge_loads.push_back({0, {0, 0}, {0, 1}, {1, 0}, ExponentialDecay{1e-3, 0}});
-  EXPECT_EQ(highest_sine_frequency(model), 70);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,7 +149,8 @@ struct Model {
   std::vector<ViscousEdge> viscous_edges;
   std::vector<Measurement> measurements;
   std::vector<Stage> stages;
-  double length_tolerance = 0;  // m: points closer than this touch; set by finish_model
+  std::optional<double> target_frequency;  // Hz, the highest that matters: what predictions are made for
+  double length_tolerance = 0;             // m: points closer than this touch; set by finish_model
   double expected_pressure =
       0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
 

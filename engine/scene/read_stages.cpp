@@ -89,9 +89,6 @@ Scheme read_scheme(const Field& scene) {
   scheme.name = value_or(scene, "scheme", scheme.name, [](const Field& f) {
     return f.choice({"accurate", "thesis"}) == 0 ? SchemeName::accurate : SchemeName::thesis;
   });
-  if (const auto frequency = scene.find("target_frequency")) {
-    scheme.target_frequency = frequency->positive(Dimension::frequency);
-  }
   return scheme;
 }
 

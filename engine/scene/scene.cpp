@@ -38,6 +38,8 @@ void read_what_acts(const Field& scene, const std::vector<std::string>& groups, 
 Model read_model(const Field& scene, const std::filesystem::path& folder) {
   Model model;
   const Scheme scheme = read_scheme(scene);
+  if (const auto frequency = scene.find("target_frequency"))
+    model.target_frequency = frequency->positive(Dimension::frequency);
   if (const auto title = scene.find("title")) model.title = title->text();
   const std::vector<std::string> groups = read_blocks_and_joints(scene, scheme, model);
   finish_model(model);  // what follows needs the moments, and blocks that do not overlap

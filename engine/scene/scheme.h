@@ -1,8 +1,6 @@
 // Presets: what a scene's joints and steps leave unsaid.
 #pragma once
 
-#include <optional>
-
 #include "dda/model/material.h"
 #include "dda/model/settings.h"
 
@@ -15,7 +13,6 @@ enum class SchemeName {
 
 struct Scheme {
   SchemeName name = SchemeName::accurate;
-  std::optional<double> target_frequency;  // Hz, the highest that matters
 };
 
 // A joint that says nothing.

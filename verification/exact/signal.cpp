@@ -54,6 +54,16 @@ double golden_section(const std::function<double(double)>& value, double low, do
   return (low + high) / 2;
 }
 
+// The best of the lags first, first + pitch, ..., first + count pitch.
+Correlation best_of_row(const std::function<double(double)>& value, double first, double pitch, int count) {
+  Correlation best{first, value(first)};
+  for (int i = 1; i <= count; ++i) {
+    const double lag = first + i * pitch, coefficient = value(lag);
+    if (coefficient > best.coefficient) best = {lag, coefficient};
+  }
+  return best;
+}
+
 }  // namespace
 
 Signal window(const Signal& signal, double t_a, double t_b) {
@@ -108,16 +118,17 @@ double interpolate(const Signal& signal, double t) {
 Correlation correlation_lag(const Signal& signal, const std::function<double(double)>& reference, double lag_min,
                             double lag_max) {
   const auto value = [&](double lag) { return coefficient_at(signal, reference, lag); };
-  // A lag per interval resolves whatever the samples resolve; the best one brackets the maximum.
+  // A lag per interval resolves whatever the samples resolve. Where the reference has kinks and samples are few, so has
+  // the coefficient, with summits within an interval; hence a finer row around the best of them.
   const int count = std::max(2, static_cast<int>(std::ceil((lag_max - lag_min) / signal.interval)));
   const double pitch = (lag_max - lag_min) / count;
-  Correlation best{lag_min, value(lag_min)};
-  for (int i = 1; i <= count; ++i) {
-    const double lag = lag_min + i * pitch, coefficient = value(lag);
-    if (coefficient > best.coefficient) best = {lag, coefficient};
-  }
-  if (!(best.coefficient > 0)) throw std::invalid_argument("the signal nowhere correlates with the reference");
-  const double low = std::max(lag_min, best.lag - pitch), high = std::min(lag_max, best.lag + pitch);
+  const Correlation coarse = best_of_row(value, lag_min, pitch, count);
+  if (!(coarse.coefficient > 0)) throw std::invalid_argument("the signal nowhere correlates with the reference");
+  constexpr int finer = 32;
+  const double first = std::max(lag_min, coarse.lag - pitch);
+  const double fine = (std::min(lag_max, coarse.lag + pitch) - first) / finer;
+  const Correlation best = best_of_row(value, first, fine, finer);
+  const double low = std::max(lag_min, best.lag - fine), high = std::min(lag_max, best.lag + fine);
   const double lag = golden_section(value, low, high);
   return {lag, value(lag)};
 }

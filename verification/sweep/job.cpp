@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "dda/advice/wave_errors.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/half_chain.h"
@@ -50,7 +51,7 @@ WaveErrors wave_errors(const dda::Model& model, const ThesisBar& bar, double ome
 }
 
 // What the end makes of the load and the way to the measuring point of the wave.
-WaveErrors predict(const dda::Model& model, const ThesisBar& bar, double omega) {
+WaveErrors steady_errors(const dda::Model& model, const ThesisBar& bar, double omega) {
   const dda::Stage& stage = model.stages.front();
   const std::complex<double> force(exact::half_chain_force(chain_of(model), time_scheme_of(stage.integrator), stage.dt,
                                                            omega, model.measurements.front().block));
@@ -105,6 +106,20 @@ WaveReadings read_wave(const ThesisBar& bar, Pulse pulse, const std::vector<doub
   return readings;
 }
 
+std::optional<WaveErrors> predict(const JobParameters& parameters) {
+  const ThesisBar bar = bar_of(parameters);
+  const dda::Model model = model_of(bar, parameters);
+  const auto lattice = dda::find_lattice(model, dda::make_contacts(model), 0);
+  if (!lattice) return std::nullopt;
+  const dda::WaveQuestion question{*lattice, model.stages.front(), dda::WaveKind::bar, {1, 0}, bar.measuring_point};
+  const auto value = [&](double t) { return pulse_shape(parameters.pulse, bar.load_frequency, t); };
+  const dda::LoadHistory load{value, pulse_duration(parameters.pulse, bar.load_frequency), 1 / bar.load_frequency,
+                              pulse_window(bar, parameters.pulse)};
+  const auto errors = dda::total_history_errors(question, load);
+  if (!errors) return std::nullopt;
+  return WaveErrors{100 * errors->speed, 100 * errors->amplitude};
+}
+
 JobResult run_job(const JobParameters& parameters, bool closed_form) {
   expect_samples(parameters);
   const ThesisBar bar = bar_of(parameters);
@@ -117,7 +132,8 @@ JobResult run_job(const JobParameters& parameters, bool closed_form) {
   result.counters = run.counters;
   result.measured = read_wave(bar, parameters.pulse, run.histories.front(), parameters.dt);
   const double omega = 2 * std::numbers::pi * bar.load_frequency;
-  result.predicted = predict(model, bar, omega);
+  result.predicted = predict(parameters);
+  result.steady = steady_errors(model, bar, omega);
   result.wave = wave_errors(model, bar, omega);
   if (!closed_form) return result;
   const std::vector<double> exact = closed_form_stress(model, bar, parameters);
@@ -128,16 +144,24 @@ JobResult run_job(const JobParameters& parameters, bool closed_form) {
 
 nlohmann::ordered_json to_json(const JobResult& result) {
   const WaveErrors& measured = result.measured.errors;
+  const auto predicted = [&](double WaveErrors::*error) {
+    return number_or_null(result.predicted ? std::optional((*result.predicted).*error) : std::nullopt);
+  };
+  const auto agrees = [&](double WaveErrors::*error) {
+    return result.predicted && agree(measured.*error, (*result.predicted).*error);
+  };
   const auto of_form = [&](double WaveErrors::*error) {
     return number_or_null(result.closed_form ? std::optional((*result.closed_form).*error) : std::nullopt);
   };
   nlohmann::ordered_json json = {{"place", result.place},
                                  {"velocity_error_pct", measured.velocity},
-                                 {"predicted_velocity_error_pct", result.predicted.velocity},
-                                 {"velocity_agrees", agree(measured.velocity, result.predicted.velocity)},
+                                 {"predicted_velocity_error_pct", predicted(&WaveErrors::velocity)},
+                                 {"velocity_agrees", agrees(&WaveErrors::velocity)},
                                  {"amplitude_error_pct", measured.amplitude},
-                                 {"predicted_amplitude_error_pct", result.predicted.amplitude},
-                                 {"amplitude_agrees", agree(measured.amplitude, result.predicted.amplitude)},
+                                 {"predicted_amplitude_error_pct", predicted(&WaveErrors::amplitude)},
+                                 {"amplitude_agrees", agrees(&WaveErrors::amplitude)},
+                                 {"steady_velocity_error_pct", result.steady.velocity},
+                                 {"steady_amplitude_error_pct", result.steady.amplitude},
                                  {"wave_velocity_error_pct", result.wave.velocity},
                                  {"wave_amplitude_error_pct", result.wave.amplitude},
                                  {"closed_form_velocity_error_pct", of_form(&WaveErrors::velocity)},

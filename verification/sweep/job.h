@@ -28,7 +28,8 @@ struct WaveReadings {
 struct JobResult {
   double place = 0;  // m, where the wave was measured
   WaveReadings measured;
-  WaveErrors predicted;                      // of a steady wave of the load's frequency, from the end to the place
+  std::optional<WaveErrors> predicted;       // what engine/advice says of the whole history; none: nothing arrives
+  WaveErrors steady;                         // of a steady wave of the load's frequency, from the end to the place
   WaveErrors wave;                           // of its way alone, as phase speed and attenuation have it
   std::optional<WaveErrors> closed_form;     // of the same pulse in the same discrete problem
   std::optional<double> largest_difference;  // of the two histories, over the peak
@@ -45,6 +46,9 @@ class NotMeasurable : public std::runtime_error {
 
 // `history` (Pa, tension positive) is sampled at t = i dt.
 [[nodiscard]] WaveReadings read_wave(const ThesisBar& bar, Pulse pulse, const std::vector<double>& history, double dt);
+
+// What the engine's advice expects of these readings, before anything is run.
+[[nodiscard]] std::optional<WaveErrors> predict(const JobParameters& parameters);
 
 [[nodiscard]] JobResult run_job(const JobParameters& parameters, bool closed_form);
 

@@ -116,11 +116,15 @@ void measure(dda::Model& model, const dda::GroundPlan& plan, const PrintedArriva
 
 double blast_arrival_time(const ThesisBlast& blast) { return blast.octagon_width() / blast.speed_plane_stress(); }
 
-double blast_factor(const ThesisBlast& blast, double time) {
+BlastPulse equation_18(const ThesisBlast& blast) {
   const double arrival = blast_arrival_time(blast);
-  const double since = time - 1.1 * arrival;
+  return {arrival, 1.1 * arrival};
+}
+
+double blast_factor(const BlastPulse& pulse, double time) {
+  const double since = time - pulse.start;
   if (since <= 0) return 0;
-  return since < blast_rise ? since / blast_rise : std::exp(-(since - blast_rise) / arrival);
+  return since < blast_rise ? since / blast_rise : std::exp(-(since - blast_rise) / pulse.decay_time);
 }
 
 std::vector<PrintedArrival> points_inside(const ThesisBlast& blast, const BlastMesh& mesh) {
@@ -135,11 +139,10 @@ std::vector<PrintedArrival> points_inside(const ThesisBlast& blast, const BlastM
 dda::Model blast_scene(const ThesisBlast& blast, const BlastRun& run) {
   dda::Model model = bare_rock(blast, run);
   const auto rings = dda::free_rings(model);
-  const double arrival = blast_arrival_time(blast);
   if (run.loaded) {
     for (const dda::Stretch& s : dda::ring_around(rings, {0, 0}))
       model.edge_loads.push_back({s.block, s.from, s.to, blast.peak_pressure * s.inward,
-                                  dda::ExponentialDecay{arrival, 1.1 * arrival, blast_rise}});
+                                  dda::ExponentialDecay{run.pulse.decay_time, run.pulse.start, blast_rise}});
   }
   const dda::Material& rock = model.materials.front();
   for (const dda::Stretch& s : dda::outer_rings(rings))

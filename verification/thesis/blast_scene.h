@@ -13,21 +13,28 @@ struct BlastMesh {
   int quarter_rows = 5;     // upright to 7 + 8 quarter_rows m
 };
 
+// exp(-(t - start - rise)/decay_time) after a straight line over blast_rise.
+struct BlastPulse {
+  double decay_time = 0;  // s
+  double start = 0;       // s
+};
+// In place of the jump of Eq. 18, s.
+inline constexpr double blast_rise = 20e-6;
+[[nodiscard]] double blast_factor(const BlastPulse& pulse, double time);
+
+// Eq. 18 with R = the width of the octagon: t_a, s. The pressure starts at 1.1 t_a.
+[[nodiscard]] double blast_arrival_time(const ThesisBlast& blast);
+[[nodiscard]] BlastPulse equation_18(const ThesisBlast& blast);
+
 struct BlastRun {
   dda::JointMaterial joint;
   dda::Integrator integrator;
   double dt = 0;        // s
   double duration = 0;  // s
-  bool loaded = true;   // false: the run that is subtracted
+  BlastPulse pulse;
+  bool loaded = true;  // false: the run that is subtracted
   BlastMesh mesh;
 };
-
-// Eq. 18 with R = the width of the octagon: t_a, s. The pressure starts at 1.1 t_a.
-[[nodiscard]] double blast_arrival_time(const ThesisBlast& blast);
-// In place of the jump of Eq. 18, s.
-inline constexpr double blast_rise = 20e-6;
-// Of Eq. 18, -, with the rise.
-[[nodiscard]] double blast_factor(const ThesisBlast& blast, double time);
 
 // Plane stress, small motions, viscous edges all around. Measures velocity and stress in the direction of the blast at
 // every point of Table 4.1 inside the mesh, two measurements a point.

@@ -57,7 +57,8 @@ std::vector<double> difference(const std::vector<double>& with, const std::vecto
 }
 
 BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const BlastOptions& options) {
-  BlastRun run{variant.joint, variant.integrator, blast.time_step, options.duration, true, options.mesh};
+  BlastRun run{variant.joint, variant.integrator, blast.time_step, options.duration, equation_18(blast),
+               true,          options.mesh};
   const RecordedRun with = record_run(blast_scene(blast, run));
   run.loaded = false;
   const RecordedRun without = record_run(blast_scene(blast, run));
@@ -71,16 +72,31 @@ BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const 
   return result;
 }
 
+// To 23 m each way, until the peaks have passed H1 and V1.
+DecayResult run_decay(const ThesisBlast& blast, double decay_time) {
+  const Variant dry = variants(blast).front();
+  const BlastRun run{dry.joint, dry.integrator, blast.time_step, 3.5e-3, {decay_time, 0}, true, {2, 2}};
+  const RecordedRun recorded = record_run(blast_scene(blast, run));
+  const std::vector<PrintedArrival> points = points_inside(blast, run.mesh);
+  const auto reading = [&](const std::string& name) {
+    const auto at = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.point == name; });
+    const auto i = 2 * static_cast<std::size_t>(at - points.begin());
+    return reading_of(recorded.histories.at(i), recorded.histories.at(i + 1), run.dt);
+  };
+  return {decay_time, reading("H1"), reading("V1")};
+}
+
 // The circular cavity that sends out the octagon's long waves, in endless rock without joints.
 BlastResult axisymmetric(const ThesisBlast& blast, const BlastStudy& study) {
   const double equal_area = blast.octagon_edge * std::sqrt(2 * (1 + std::numbers::sqrt2) / std::numbers::pi);
   const double p = blast.speed_plane_stress();
   const double shear = blast.young / (2 * (1 + blast.poisson));
   const exact::Cavity cavity{exact::octagon_source_radius(equal_area), blast.density * p * p, shear, blast.density};
+  const BlastPulse pulse = equation_18(blast);
   std::vector<double> radii;
   for (const PrintedArrival& point : study.points) radii.push_back(point.distance);
   const exact::CavityMotion motion = exact::pressurised_cavity(
-      cavity, [&](double t) { return blast.peak_pressure * blast_factor(blast, t); }, radii, study.duration, 100);
+      cavity, [&](double t) { return blast.peak_pressure * blast_factor(pulse, t); }, radii, study.duration, 100);
   BlastResult result{"axisymmetric", "wave equation in the radius, no joints", {}, 0, 0};
   for (const exact::RadialHistory& history : motion.histories)
     result.readings.push_back(reading_of(history.velocity, history.radial_stress, motion.interval));
@@ -94,10 +110,11 @@ BlastStudy run_blast_study(const ThesisBlast& blast, const BlastOptions& options
   study.points = points_inside(blast, options.mesh);
   study.dt = blast.time_step;
   study.duration = options.duration;
-  const BlastRun any{classical_joint(), dda::thesis_integrator(), study.dt, study.duration, false, options.mesh};
+  const BlastRun any{classical_joint(), dda::thesis_integrator(), study.dt, study.duration, {}, false, options.mesh};
   study.blocks = static_cast<int>(blast_scene(blast, any).blocks.size());
   for (const Variant& variant : variants(blast)) study.results.push_back(run_variant(blast, variant, options));
   study.results.push_back(axisymmetric(blast, study));
+  for (const double decay_time : options.decay_times) study.decays.push_back(run_decay(blast, decay_time));
   return study;
 }
 

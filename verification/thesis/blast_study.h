@@ -23,9 +23,16 @@ struct BlastResult {
   double cpu_s = 0;                    // of the run with it
 };
 
+// Dry joints and another decay time; the load starts at once. Of H1 and V1.
+struct DecayResult {
+  double decay_time = 0;  // s
+  BlastReading level, upright;
+};
+
 struct BlastStudy {
   std::vector<PrintedArrival> points;
   std::vector<BlastResult> results;
+  std::vector<DecayResult> decays;
   int blocks = 0;
   double dt = 0;        // s
   double duration = 0;  // s
@@ -33,7 +40,8 @@ struct BlastStudy {
 
 struct BlastOptions {
   BlastMesh mesh;
-  double duration = 22e-3;  // s
+  double duration = 22e-3;                                                // s
+  std::vector<double> decay_times{0.364e-3, 0.729e-3, 2e-3, 4e-3, 8e-3};  // s, on a small mesh
 };
 
 // Throws std::runtime_error, saying when and why, if a run fails.

@@ -1,0 +1,198 @@
+#include "dda/advice/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "dda/advice/load_history.h"
+#include "dda/simulation/block_terms.h"
+#include "dda/simulation/system_matrix.h"
+
+namespace dda {
+namespace {
+
+struct Direction {
+  Vec2 unit;
+  std::string name;
+};
+
+// Across the joints, each kind once, and half-way between the first two of them.
+std::vector<Direction> directions_of(const Lattice& lattice) {
+  const std::vector<Vec2> normals = lattice.face_normals();
+  if (lattice.row) return {{normals.front(), "along the row"}};
+  std::vector<Direction> directions;
+  for (const Vec2& normal : normals) {
+    const bool known = std::any_of(directions.begin(), directions.end(), [&](const Direction& direction) {
+      return looks_the_same(lattice, direction.unit, normal);
+    });
+    if (!known) directions.push_back({normal, "across the joints"});
+  }
+  if (normals.size() >= 2) directions.push_back({(normals[0] + normals[1]).normalized(), "diagonal to the joints"});
+  return directions;
+}
+
+const char* to_text(WaveKind kind) {
+  switch (kind) {
+    case WaveKind::bar: return "bar";
+    case WaveKind::p: return "P";
+    case WaveKind::s: return "S";
+  }
+  return "";
+}
+
+double size_along(const Lattice& lattice, const Vec2& direction) { return extent_along(lattice.ring, direction); }
+
+class Adviser {
+ public:
+  Adviser(const Simulation& simulation, const AdviceQuestion& question)
+      : model_(simulation.model()),
+        contacts_(simulation.contacts()),
+        drawn_(make_contacts(model_)),
+        question_(question) {
+    if (!question.frequency) load_ = scene_load(model_);
+    frequency_ = question.frequency ? question.frequency : default_frequency();
+    for (std::size_t i = 0; i < model_.materials.size(); ++i)
+      if (auto lattice = find_lattice(model_, drawn_, static_cast<int>(i))) lattices_.push_back(std::move(*lattice));
+  }
+
+  [[nodiscard]] Advice run(const BlockMatrix& matrix) const {
+    Advice advice;
+    advice.frequency = frequency_;
+    advice.load = load_ ? load_->description : "";
+    advice.wanted_error = question_.error;
+    advice.size = size_of(contacts_, matrix);
+    advice.joints_may_open = contacts_.can_change;
+    for (const Stage& stage : model_.stages) {
+      advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
+      advice.stages.push_back(of_stage(stage, matrix, advice.size));
+    }
+    return advice;
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> default_frequency() const {
+    if (model_.target_frequency) return model_.target_frequency;
+    if (const auto sine = highest_sine_frequency(model_)) return sine;
+    if (load_) return 1 / load_->history.period;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] StageAdvice of_stage(const Stage& stage, const BlockMatrix& matrix, const SceneSize& size) const {
+    const BlockTerms terms = make_block_terms(model_, stage.strain_inertia);
+    const StepPlan plan =
+        make_plan(model_, stage, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, stage.dt));
+    StageAdvice advice;
+    advice.name = stage.name;
+    advice.integrator = stage.integrator.name;
+    advice.dt = stage.dt;
+    advice.chi = plan.chi;
+    advice.solver = to_string(plan.solver);
+    advice.cost = cost_of(size, plan, std::llround(stage.duration / stage.dt));
+    if (stage.integrator.is_static || !frequency_) return advice;
+    for (const Lattice& lattice : lattices_)
+      for (const WaveKind kind : lattice.row ? std::vector{WaveKind::bar} : std::vector{WaveKind::p, WaveKind::s})
+        for (const Direction& direction : directions_of(lattice))
+          advice.waves.push_back(of_wave(lattice, stage, kind, direction));
+    return advice;
+  }
+
+  [[nodiscard]] double distance_for(double wavelength) const {
+    if (question_.distance) return *question_.distance;
+    double farthest = 0;
+    if (load_)
+      for (const Measurement& measurement : model_.measurements)
+        if (measurement.bolt < 0) farthest = std::max(farthest, (measurement.point - load_->place).norm());
+    return farthest > 0 ? farthest : wavelength;
+  }
+
+  [[nodiscard]] WaveAdvice of_wave(const Lattice& lattice, const Stage& stage, WaveKind kind,
+                                   const Direction& direction) const {
+    WaveAdvice advice;
+    advice.material = lattice.material.name;
+    advice.kind = to_text(kind);
+    advice.mesh = lattice.origin;
+    advice.direction = direction.unit;
+    advice.direction_name = direction.name;
+    advice.speed = continuum_speed(lattice.material, kind);
+    advice.wavelength = advice.speed / *frequency_;
+    advice.block_size = size_along(lattice, direction.unit);
+    advice.distance = distance_for(advice.wavelength);
+    const WaveQuestion question{lattice, stage, kind, direction.unit, advice.distance};
+    advice.steady = steady_errors(question, *frequency_);
+    advice.asked_history = load_.has_value();
+    if (load_) advice.history = history_errors(question, load_->history);
+    if (question_.limits) advice.limits = limits_of(question, advice);
+    return advice;
+  }
+
+  [[nodiscard]] WaveLimits limits_of(const WaveQuestion& question, const WaveAdvice& advice) const {
+    const auto error_of = [&](double dt, double scale) -> std::optional<double> {
+      WaveQuestion changed = question;
+      changed.stage.dt = dt;
+      if (scale != 1) changed.lattice = scaled(question.lattice, scale);
+      return load_ ? history_error(changed) : steady_error(changed);
+    };
+    const double period = load_ ? load_->history.period : 1 / *frequency_;
+    const CoarseBounds coarse{period / 4, advice.speed * period / 4 / advice.block_size};
+    return find_limits(error_of, question.stage.dt, coarse, question_.error);
+  }
+
+  [[nodiscard]] std::optional<double> steady_error(const WaveQuestion& question) const {
+    const auto errors = total_steady_errors(question, *frequency_);
+    if (!errors) return std::nullopt;
+    return std::max(std::abs(errors->speed), std::abs(errors->amplitude));
+  }
+
+  [[nodiscard]] std::optional<double> history_error(const WaveQuestion& question) const {
+    const auto errors = total_history_errors(question, load_->history);
+    if (!errors) return std::nullopt;
+    return std::max(std::abs(errors->speed), std::abs(errors->amplitude));
+  }
+
+  const Model& model_;
+  const ContactSet& contacts_;  // as they are followed
+  const ContactSet drawn_;      // joints as drawn, along which waves are predicted
+  const AdviceQuestion& question_;
+  std::optional<SceneLoad> load_;
+  std::optional<double> frequency_;
+  std::vector<Lattice> lattices_;
+};
+
+double size_of(const ErrorTerms& terms, double ErrorTerms::*term) { return std::abs(terms.*term); }
+
+}  // namespace
+
+const ErrorTerms* WaveAdvice::speed_error() const {
+  if (asked_history) return history ? &history->speed : nullptr;
+  return steady ? &steady->speed : nullptr;
+}
+
+const ErrorTerms* WaveAdvice::amplitude_error() const {
+  if (asked_history) return history ? &history->amplitude : nullptr;
+  return steady ? &steady->amplitude : nullptr;
+}
+
+std::string WaveAdvice::cause() const {
+  const ErrorTerms* speed_terms = speed_error();
+  const ErrorTerms* amplitude_terms = amplitude_error();
+  if (speed_terms == nullptr || amplitude_terms == nullptr) return "";
+  const auto weight = [&](double ErrorTerms::*term) {
+    return std::max(size_of(*speed_terms, term), size_of(*amplitude_terms, term));
+  };
+  const double blocks = weight(&ErrorTerms::blocks);
+  const double interfaces = weight(&ErrorTerms::interfaces);
+  const double time = weight(&ErrorTerms::time);
+  if (time >= std::max(blocks, interfaces)) return "time steps";
+  return interfaces >= blocks ? "interfaces" : "block size";
+}
+
+Advice advise(const Simulation& simulation, const AdviceQuestion& question) {
+  const BlockMatrix matrix = make_system_matrix(static_cast<int>(simulation.model().blocks.size()),
+                                                simulation.contacts(), simulation.bolts().pairs());
+  return Adviser(simulation, question).run(matrix);
+}
+
+}  // namespace dda

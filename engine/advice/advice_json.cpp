@@ -1,0 +1,89 @@
+#include <nlohmann/json.hpp>
+
+#include "dda/advice/advice.h"
+
+namespace dda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json to_json(const ErrorTerms& terms) {
+  return {{"total", terms.total()}, {"blocks", terms.blocks}, {"interfaces", terms.interfaces}, {"time", terms.time}};
+}
+
+Json to_json(const HistoryErrors& history) {
+  return {{"place_m", history.place},
+          {"with_end", history.with_end},
+          {"speed", to_json(history.speed)},
+          {"amplitude", to_json(history.amplitude)},
+          {"peak", history.arrival.peak},
+          {"peak_speed", history.arrival.peak_speed},
+          {"onset_speed", history.arrival.onset_speed}};
+}
+
+Json limits_of(const WaveAdvice& wave) {
+  if (!wave.limits) return nullptr;
+  const auto blocks = [&](const std::optional<double>& scale) {
+    return scale ? Json(*scale * wave.block_size) : Json(nullptr);
+  };
+  return {{"dt_s", or_null(wave.limits->dt)},
+          {"block_m", blocks(wave.limits->scale)},
+          {"both_dt_s", or_null(wave.limits->both_dt)},
+          {"both_block_m", blocks(wave.limits->both_scale)}};
+}
+
+Json to_json(const WaveAdvice& wave) {
+  return {{"kind", wave.kind},
+          {"material", wave.material},
+          {"direction", Json::array({wave.direction.x(), wave.direction.y()})},
+          {"direction_name", wave.direction_name},
+          {"mesh", wave.mesh},
+          {"speed_m_per_s", wave.speed},
+          {"wavelength_m", wave.wavelength},
+          {"block_m", wave.block_size},
+          {"distance_m", wave.distance},
+          {"steady", wave.steady
+                         ? Json{{"speed", to_json(wave.steady->speed)}, {"amplitude", to_json(wave.steady->amplitude)}}
+                         : Json(nullptr)},
+          {"history", wave.history ? to_json(*wave.history) : Json(nullptr)},
+          {"cause", wave.cause()},
+          {"limits", limits_of(wave)}};
+}
+
+Json to_json(const StageAdvice& stage) {
+  Json waves = Json::array();
+  for (const WaveAdvice& wave : stage.waves) waves.push_back(to_json(wave));
+  return {{"name", stage.name},
+          {"integrator", stage.integrator},
+          {"dt_s", stage.dt},
+          {"chi", stage.chi},
+          {"solver", stage.solver},
+          {"steps", stage.cost.steps},
+          {"factorizations", stage.cost.factorizations},
+          {"factorizations_at_least", stage.cost.at_least},
+          {"solver_iterations", stage.cost.iterations},
+          {"rough_cpu_s", stage.cost.seconds},
+          {"waves", waves}};
+}
+
+}  // namespace
+
+std::string to_json_text(const Advice& advice) {
+  Json stages = Json::array();
+  for (const StageAdvice& stage : advice.stages) stages.push_back(to_json(stage));
+  const Json json = {{"frequency_hz", or_null(advice.frequency)},
+                     {"load", advice.load.empty() ? Json(nullptr) : Json(advice.load)},
+                     {"wanted_error", advice.wanted_error},
+                     {"blocks", advice.size.blocks},
+                     {"interfaces", advice.size.interfaces},
+                     {"coupled_pairs", advice.size.coupled_pairs},
+                     {"factor_nonzeros", advice.size.factor.nonzeros},
+                     {"joints_may_open", advice.joints_may_open},
+                     {"damped", advice.damped},
+                     {"stages", stages}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace dda

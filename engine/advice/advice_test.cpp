@@ -1,0 +1,123 @@
+#include "dda/advice/advice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "dda/advice/lattice_test_support.h"
+
+namespace dda {
+namespace {
+
+WaveQuestion question_of(const Lattice& lattice, const Integrator& integrator, double dt) {
+  return {lattice, steps(integrator, dt), WaveKind::bar, {1, 0}, 20};
+}
+
+JointMaterial springs(double over_young) {
+  JointMaterial joint = bonded(InterfaceLaw::classical);
+  joint.spring_over_young = over_young;
+  joint.shear_to_normal = 0;
+  return joint;
+}
+
+// Each cause alone to leading order, at 40 blocks in a wavelength: eta_s/2, theta^2/12, and Omega^2/24 less what the
+// inertia of the sideways strain takes (Love), (nu k h)^2/24.
+TEST(WaveErrors, EveryCauseHasItsTerm) {
+  const Lattice lattice = lattice_of(row_of_blocks(springs(40)));
+  const double speed = continuum_speed(lattice.material, WaveKind::bar);
+  const double frequency = speed / 40;
+  const double theta = 0.1;
+  const double dt = theta / (2 * std::numbers::pi * frequency);
+  const auto errors = steady_errors(question_of(lattice, trapezoidal_integrator(), dt), frequency);
+  ASSERT_TRUE(errors.has_value());
+  const double blocks = std::pow(2 * std::numbers::pi / 40, 2) / 24 * (1 - std::pow(0.25 * 0.8, 2));
+  const double interfaces = -0.8 / (2 * 40) / 2;  // E area/(k L) with two springs of 40 E on 0.8 m
+  EXPECT_NEAR(errors->speed.blocks / blocks, 1, 0.02);
+  EXPECT_NEAR(errors->speed.interfaces / interfaces, 1, 0.03);
+  EXPECT_NEAR(errors->speed.time / (-theta * theta / 12), 1, 0.03);
+  EXPECT_NEAR(errors->amplitude.total(), 0, 1e-9);
+  // Eq. 5 of the thesis: exp(-omega^2 dt t/4).
+  const auto damped = steady_errors(question_of(lattice, thesis_integrator(), dt), frequency);
+  const double time = 20 / speed;
+  EXPECT_NEAR(damped->amplitude.time / std::expm1(-std::pow(2 * std::numbers::pi * frequency, 2) * dt * time / 4), 1,
+              0.03);
+}
+
+// A narrow band is as wrong as its middle: 20 cycles whose band of 5 % blurs errors in proportion to frequency squared.
+TEST(WaveErrors, ALongToneIsAsWrongAsASteadyWave) {
+  const Lattice row = lattice_of(row_of_blocks(springs(40)));
+  const Lattice squares = lattice_of(courses(bonded(InterfaceLaw::consistent), 0));
+  const auto compare = [](WaveQuestion question) {
+    const double speed = continuum_speed(question.lattice.material, question.kind);
+    const double frequency = speed / 15;
+    question.stage.dt = 0.05 / (2 * std::numbers::pi * frequency);
+    question.distance = 30;
+    const double duration = 20 / frequency;
+    const LoadHistory load{[=](double t) {
+                             return t <= 0 || t >= duration ? 0
+                                                            : std::pow(std::sin(std::numbers::pi * t / duration), 2) *
+                                                                  std::sin(2 * std::numbers::pi * frequency * t);
+                           },
+                           duration, 1 / frequency, 0};
+    const auto history = history_errors(question, load);
+    const auto steady = steady_errors(question, frequency);
+    ASSERT_TRUE(history && steady);
+    EXPECT_NEAR(history->speed.total() / steady->speed.total(), 1, 0.1);
+  };
+  compare(question_of(row, thesis_integrator(), 0));
+  for (const WaveKind kind : {WaveKind::p, WaveKind::s})
+    for (const Vec2& direction : {Vec2(0, 1), Vec2(1, 1).normalized(), Vec2(std::cos(0.3), std::sin(0.3))})
+      compare({squares, steps(trapezoidal_integrator(), 1), kind, direction, 0});
+}
+
+TEST(WaveErrors, NothingWithoutTwoStepsInAPeriod) {
+  const Lattice lattice = lattice_of(row_of_blocks(springs(40)));
+  EXPECT_FALSE(steady_errors(question_of(lattice, trapezoidal_integrator(), 0.1), 5).has_value());
+  EXPECT_TRUE(steady_errors(question_of(lattice, trapezoidal_integrator(), 0.1), 4.9).has_value());
+}
+
+Simulation bar(const JointMaterial& joint) {
+  Model model = row_of_blocks(joint, 1, 30);
+  model.stages[0].duration = 0.05;
+  model.edge_loads.push_back({0, {0, 0.8}, {0, 0}, {1, 0}, SineCycles{20, 1, 0}});
+  finish_model(model);
+  return Simulation(model);
+}
+
+TEST(Advice, NamesTheLargestCause) {
+  AdviceQuestion question;
+  question.limits = false;
+  question.distance = 15;
+  EXPECT_EQ(advise(bar(springs(2)), question).stages[0].waves[0].cause(), "interfaces");
+  EXPECT_EQ(advise(bar(bonded(InterfaceLaw::consistent)), question).stages[0].waves[0].cause(), "block size");
+}
+
+TEST(Advice, CountsWhatItCan) {
+  AdviceQuestion question;
+  question.limits = false;
+  const Advice advice = advise(bar(springs(10)), question);
+  EXPECT_EQ(advice.size.blocks, 30);
+  EXPECT_EQ(advice.size.interfaces, 29);
+  EXPECT_EQ(advice.size.coupled_pairs, 29);
+  EXPECT_EQ(advice.stages[0].cost.steps, 500);
+  EXPECT_EQ(advice.stages[0].cost.factorizations, 1);
+  EXPECT_GT(advice.stages[0].cost.seconds, 0);
+  EXPECT_FALSE(advice.stages[0].cost.at_least);
+}
+
+// A factor each step where blocks move; iterations where PCG is asked for.
+TEST(Cost, FollowsFromThePlan) {
+  SceneSize size;
+  size.blocks = 100;
+  StepPlan plan;
+  plan.finite_kinematics = true;
+  plan.chi = 1;
+  EXPECT_EQ(cost_of(size, plan, 50).factorizations, 50);
+  plan.solver = SolverKind::pcg;
+  EXPECT_EQ(cost_of(size, plan, 50).factorizations, 0);
+  EXPECT_EQ(cost_of(size, plan, 50).iterations, 50 * 70);  // 3 + 67 sqrt(chi), as in engine/linear
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,25 @@
+// When a wave arrives and how large it is, against the wave that should have come.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace dda {
+
+// Relative errors; of speeds positive when the wave is too fast, measured over the time it should have taken.
+struct ArrivalErrors {
+  double speed = 0;        // by cross-correlation: the delay of the best least-squares fit
+  double amplitude = 0;    // of the factor of that fit
+  double peak = 0;         // of the first peak: the first extreme beyond half of the largest value of its sign
+  double peak_speed = 0;   // by the time of it
+  double onset_speed = 0;  // by the time at which a tenth of it is passed on the way to it
+};
+
+// `trace` is sampled at 0, interval, ...; `exact` is what it should be, begins at `on_time` (s) and varies over times
+// not much shorter than `period` (s). Nothing where the trace nowhere resembles it, or comes 0.45 periods off its time:
+// beyond half a period a wave is mistaken for the next swing.
+std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
+                                          const std::function<double(double)>& exact, double on_time, double period);
+
+}  // namespace dda

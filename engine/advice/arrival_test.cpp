@@ -1,0 +1,70 @@
+#include "dda/advice/arrival.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dda {
+namespace {
+
+constexpr double period = 0.01;
+constexpr double on_time = 0.02;
+constexpr double interval = 1e-4;
+
+// One sine cycle from `on_time` on.
+double cycle(double t) {
+  const double phase = (t - on_time) / period;
+  return phase <= 0 || phase >= 1 ? 0 : std::sin(2 * std::numbers::pi * phase);
+}
+
+std::vector<double> sampled(const std::function<double(double)>& function) {
+  std::vector<double> samples;
+  for (int i = 0; i < 500; ++i) samples.push_back(function(i * interval));
+  return samples;
+}
+
+TEST(Arrival, AWaveThatIsLateAndWeak) {
+  for (const double lag : {3.3e-4, -7.1e-4}) {
+    const auto errors =
+        read_arrival(sampled([&](double t) { return 0.9 * cycle(t - lag); }), interval, cycle, on_time, period);
+    ASSERT_TRUE(errors.has_value());
+    const double due = on_time / (on_time + lag) - 1;
+    EXPECT_NEAR(errors->speed, due, 1e-7);
+    EXPECT_NEAR(errors->amplitude, -0.1, 1e-7);
+    EXPECT_NEAR(errors->peak, -0.1, 1e-5);  // parabolas through a sine of 100 samples: fourth order, 4e-6
+    EXPECT_NEAR(errors->peak_speed, due, 1e-5);
+    EXPECT_NEAR(errors->onset_speed, due, 1e-4);  // straight lines through a kink
+  }
+}
+
+// A swing of the other sign before the wave moves neither its first peak nor its onset.
+TEST(Arrival, TheFirstPeakOfItsSign) {
+  const auto ringing = [](double t) {
+    const double before = (t - on_time + 0.004) / 0.004;
+    return cycle(t) - (before > 0 && before < 1 ? 0.7 * std::sin(std::numbers::pi * before) : 0);
+  };
+  const auto errors = read_arrival(sampled(ringing), interval, cycle, on_time, period);
+  ASSERT_TRUE(errors.has_value());
+  EXPECT_NEAR(errors->peak, 0, 1e-5);
+  EXPECT_NEAR(errors->peak_speed, 0, 1e-5);
+  EXPECT_NEAR(errors->onset_speed, 0, 1e-3);
+}
+
+TEST(Arrival, NothingWhereTheWaveIsHalfAPeriodOffItsTime) {
+  EXPECT_FALSE(read_arrival(sampled([](double t) { return cycle(t - 0.006); }), interval, cycle, on_time, period));
+  EXPECT_FALSE(read_arrival(std::vector<double>(500, 0.0), interval, cycle, on_time, period));
+}
+
+// With four samples in a period the coefficient has summits side by side; the larger counts.
+TEST(Arrival, TheLargestOfSeveralSummits) {
+  const double coarse = period / 4;
+  std::vector<double> trace;
+  for (int i = 0; i < 20; ++i) trace.push_back(cycle(i * coarse - 2e-4));
+  const auto errors = read_arrival(trace, coarse, cycle, on_time, period);
+  ASSERT_TRUE(errors.has_value());
+  EXPECT_NEAR(errors->speed, on_time / (on_time + 2e-4) - 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace dda

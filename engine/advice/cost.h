@@ -1,0 +1,33 @@
+// What a stage will cost, counted where it can be and estimated where not.
+#pragma once
+
+#include <cstdint>
+
+#include "dda/contact/contact_set.h"
+#include "dda/linear/block_matrix.h"
+#include "dda/linear/cholesky_solver.h"
+#include "dda/simulation/step_plan.h"
+
+namespace dda {
+
+// Facts of a scene that costs follow from.
+struct SceneSize {
+  std::int64_t blocks = 0;
+  std::int64_t interfaces = 0;
+  std::int64_t coupled_pairs = 0;
+  CholeskySolver::FactorFacts factor;
+};
+
+SceneSize size_of(const ContactSet& contacts, const BlockMatrix& matrix);
+
+struct StageCost {
+  std::int64_t steps = 0;
+  std::int64_t factorizations = 0;
+  bool at_least = false;        // contacts may change: more factorizations and passes than these
+  std::int64_t iterations = 0;  // of PCG, in all
+  double seconds = 0;           // CPU time of the steps, rough: see README.md
+};
+
+StageCost cost_of(const SceneSize& size, const StepPlan& plan, std::int64_t steps);
+
+}  // namespace dda

@@ -1,0 +1,185 @@
+#include "dda/advice/wave_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "dda/advice/half_row.h"
+#include "dda/advice/load_trace.h"
+
+namespace dda {
+namespace {
+
+constexpr double most_samples = 2048;  // of a trace
+
+enum class Causes { blocks, space, all };
+
+bool has_springs(const Lattice& lattice) {
+  return std::any_of(lattice.joints.begin(), lattice.joints.end(),
+                     [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
+}
+
+TimeSteps time_of(const WaveQuestion& question, Causes causes) {
+  if (causes != Causes::all) return {};
+  return {question.stage.integrator, question.stage.dt};
+}
+
+Stage stage_of(const WaveQuestion& question, Causes causes) {
+  Stage stage = question.stage;
+  if (causes != Causes::all) stage.correct_time_dispersion = false;
+  return stage;
+}
+
+Lattice lattice_of(const WaveQuestion& question, Causes causes) {
+  return causes == Causes::blocks && has_springs(question.lattice) ? with_consistent_joints(question.lattice)
+                                                                   : question.lattice;
+}
+
+std::optional<TotalErrors> steady(const WaveQuestion& question, double omega, Causes causes) {
+  const WaveSolver solver(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
+  const auto wave = solver.steady(time_of(question, causes), omega);
+  if (!wave) return std::nullopt;
+  const double exact = omega / continuum_speed(question.lattice.material, question.kind);
+  return TotalErrors{exact / wave->wavenumber.real() - 1, std::expm1(wave->wavenumber.imag() * question.distance)};
+}
+
+ErrorTerms terms(double blocks, double space, double all) { return {blocks, space - blocks, all - space}; }
+
+// Follows a wave from frequency to frequency; above the highest that the blocks carry, nothing arrives.
+class Path {
+ public:
+  Path(const WaveQuestion& question, Causes causes)
+      : solver_(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction),
+        time_(time_of(question, causes)),
+        distance_(question.distance),
+        slowness_(Complex(0, -1) / continuum_speed(question.lattice.material, question.kind)) {}
+
+  Complex operator()(Complex s) {
+    if (ended_) return 0;
+    PlaneWave guess = last_ ? *last_ : solver_.long_wave(s);
+    if (last_) guess.wavenumber += slowness_ * (s - last_s_);
+    const auto found = solver_.near(guess, time_.square(s));
+    // Above that frequency blocks a layer apart move against each other; waves of other shapes follow, which a load on
+    // many blocks does not make.
+    const bool lost = !found || found->wavenumber.imag() > 0 || found->wavenumber.real() > solver_.largest_wavenumber();
+    if (lost) {
+      ended_ = true;
+      return 0;
+    }
+    last_ = found;
+    last_s_ = s;
+    return std::exp(Complex(0, -distance_) * found->wavenumber);
+  }
+
+ private:
+  WaveSolver solver_;
+  TimeSteps time_;
+  double distance_;
+  Complex slowness_;
+  std::optional<PlaneWave> last_;
+  Complex last_s_ = 0;
+  bool ended_ = false;
+};
+
+// What is looked at: a joint of the row, or a place on the way where there are no flat layers.
+struct Place {
+  double distance = 0;
+  int joint = 0;
+  bool with_end = false;
+};
+
+Place place_of(const WaveQuestion& question) {
+  const auto row = HalfRow::make(question.lattice, question.stage, question.kind, question.direction);
+  if (!row) return {question.distance, 0, false};
+  const int joint = std::max(1, static_cast<int>(std::lround(question.distance / row->step())));
+  return {joint * row->step(), joint, true};
+}
+
+double on_time(const WaveQuestion& question, const Place& place) {
+  return place.distance / continuum_speed(question.lattice.material, question.kind);
+}
+
+LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place) {
+  const double margin = load.period + 0.2 * on_time(question, place);
+  const double window = load.window > 0 ? load.window : on_time(question, place) + load.duration + margin;
+  const double stride = std::max(1.0, std::ceil(window / question.stage.dt / most_samples));
+  const double interval = stride * question.stage.dt;
+  std::vector<double> samples(static_cast<std::size_t>(std::floor(window / interval + 1e-6)) + 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = load.value(static_cast<double>(i) * interval);
+  return {samples, interval};
+}
+
+std::vector<double> trace_of(const WaveQuestion& question, const LoadSpectrum& spectrum, const Place& place,
+                             Causes causes) {
+  if (!place.with_end) return spectrum.through(Path(question, causes));
+  const auto row =
+      HalfRow::make(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
+  const TimeSteps time = time_of(question, causes);
+  return spectrum.through([&](Complex s) { return row->traction(time.square(s), place.joint); });
+}
+
+class Reader {
+ public:
+  Reader(const WaveQuestion& question, const LoadHistory& load)
+      : question_(question), load_(load), place_(place_of(question)), spectrum_(spectrum_of(question, load, place_)) {}
+
+  [[nodiscard]] const Place& place() const { return place_; }
+
+  [[nodiscard]] std::optional<ArrivalErrors> read(Causes causes) const {
+    const double due = on_time(question_, place_);
+    const auto exact = [&](double t) { return t > due ? load_.value(t - due) : 0.0; };
+    return read_arrival(trace_of(question_, spectrum_, place_, causes), spectrum_.interval(), exact, due, load_.period);
+  }
+
+ private:
+  const WaveQuestion& question_;
+  const LoadHistory& load_;
+  Place place_;
+  LoadSpectrum spectrum_;
+};
+
+}  // namespace
+
+std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double frequency) {
+  const double omega = 2 * std::numbers::pi * frequency;
+  if (omega * question.stage.dt >= std::numbers::pi) return std::nullopt;
+  const auto all = steady(question, omega, Causes::all);
+  const auto space = steady(question, omega, Causes::space);
+  const auto blocks = steady(question, omega, Causes::blocks);
+  if (!all || !space || !blocks) return std::nullopt;
+  return SteadyErrors{terms(blocks->speed, space->speed, all->speed),
+                      terms(blocks->amplitude, space->amplitude, all->amplitude)};
+}
+
+PredictedTrace predict_trace(const WaveQuestion& question, const LoadHistory& load) {
+  const Place place = place_of(question);
+  const LoadSpectrum spectrum = spectrum_of(question, load, place);
+  return {trace_of(question, spectrum, place, Causes::all), spectrum.interval(), place.distance, place.with_end};
+}
+
+std::optional<TotalErrors> total_steady_errors(const WaveQuestion& question, double frequency) {
+  const double omega = 2 * std::numbers::pi * frequency;
+  if (omega * question.stage.dt >= std::numbers::pi) return std::nullopt;
+  return steady(question, omega, Causes::all);
+}
+
+std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, const LoadHistory& load) {
+  const auto read = Reader(question, load).read(Causes::all);
+  if (!read) return std::nullopt;
+  return TotalErrors{read->speed, read->amplitude};
+}
+
+std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const LoadHistory& load) {
+  const Reader reader(question, load);
+  const auto all = reader.read(Causes::all);
+  if (!all) return std::nullopt;
+  const auto space = reader.read(Causes::space);
+  const auto blocks = has_springs(question.lattice) ? reader.read(Causes::blocks) : space;
+  if (!space || !blocks) return std::nullopt;
+  return HistoryErrors{terms(blocks->speed, space->speed, all->speed),
+                       terms(blocks->amplitude, space->amplitude, all->amplitude), *all, reader.place().distance,
+                       reader.place().with_end};
+}
+
+}  // namespace dda

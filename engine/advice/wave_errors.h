@@ -1,0 +1,74 @@
+// Errors of a wave in a lattice before anything is run, split by cause: of a steady wave, and of a load history, which
+// is as good as the whole of its spectrum.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "dda/advice/arrival.h"
+#include "dda/advice/lattice.h"
+#include "dda/advice/plane_wave.h"
+
+namespace dda {
+
+struct WaveQuestion {
+  Lattice lattice;
+  Stage stage;  // integrator, dt, inertia
+  WaveKind kind = WaveKind::bar;
+  Vec2 direction = Vec2::UnitX();
+  double distance = 0;  // m, that the wave has run when it is looked at
+};
+
+// What each cause adds to a relative error, in this order: `blocks` is the error in continuous time with the accurate
+// law of the joints, or their own when it is not springs; `interfaces` what springs add; `time` what time steps add.
+struct ErrorTerms {
+  double blocks = 0, interfaces = 0, time = 0;
+
+  [[nodiscard]] double total() const { return blocks + interfaces + time; }
+};
+
+struct SteadyErrors {
+  ErrorTerms speed;      // of the phase
+  ErrorTerms amplitude;  // at the distance
+};
+
+// Nothing where the blocks carry no such wave or fewer than two steps make a period.
+std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double frequency);
+
+// All causes together, for a fifth of the work or less.
+struct TotalErrors {
+  double speed = 0, amplitude = 0;
+};
+std::optional<TotalErrors> total_steady_errors(const WaveQuestion& question, double frequency);
+
+struct LoadHistory {
+  std::function<double(double)> value;  // dimensionless, 0 before time 0
+  double duration = 0;                  // s, that matters
+  double period = 0;                    // s, of its main frequency
+  double window = 0;                    // s, that is looked at; 0: until the wave has passed
+};
+
+struct HistoryErrors {
+  ErrorTerms speed, amplitude;  // by cross-correlation and fit
+  ArrivalErrors arrival;        // all readings of all causes together
+  double place = 0;             // m, of the joint where the wave is looked at
+  bool with_end = false;        // counts what the loaded end does; else the way alone
+};
+
+// Nothing where what arrives does not resemble the load (see read_arrival). Stress at the joint nearest to the distance
+// where the mesh has flat layers across the direction, loaded along the wave's motion on the face of the first of them.
+std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const LoadHistory& load);
+
+std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, const LoadHistory& load);
+
+// The stress there that the blocks, interfaces and time steps make of the load, over the load's amplitude.
+struct PredictedTrace {
+  std::vector<double> values;
+  double interval = 0;  // s: the time step, or a multiple where that gives thousands of samples
+  double place = 0;     // m
+  bool with_end = false;
+};
+PredictedTrace predict_trace(const WaveQuestion& question, const LoadHistory& load);
+
+}  // namespace dda

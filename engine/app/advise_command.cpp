@@ -1,0 +1,21 @@
+#include "dda/app/advise_command.h"
+
+#include <ostream>
+
+#include "dda/core/error.h"
+#include "dda/scene/scene.h"
+#include "dda/simulation/simulation.h"
+
+namespace dda {
+
+void advise_scene(const AdviseOptions& options, std::ostream& out) {
+  if (options.question.error >= 1) throw InputError("", "--error", "1 or more", "a share below 1, e.g. 1%");
+  try {
+    const Advice advice = advise(Simulation(read_scene(options.scene)), options.question);
+    out << (options.json ? to_json_text(advice) : to_text(advice));
+  } catch (const InputError& error) {
+    throw error.in_file(options.scene.string());
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,153 @@
+#include "dda/app/advise_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "dda/app/app_test_support.h"
+#include "dda/app/command_line.h"
+
+namespace dda {
+namespace {
+
+struct Outcome {
+  int code;
+  std::string out, errors;
+};
+
+Outcome call(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv = {"dda"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  std::ostringstream out, errors;
+  const int code = run_command_line(static_cast<int>(argv.size()), argv.data(), out, errors);
+  return {code, out.str(), errors.str()};
+}
+
+class AdviseCommand : public FolderTest {
+ protected:
+  [[nodiscard]] nlohmann::json json(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"advise", path("scene.json"), "--json"});
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.out);
+  }
+  void expect_refusal(const std::vector<std::string>& more, const std::string& sentence) const {
+    std::vector<std::string> arguments = {"advise", path("scene.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+    EXPECT_NE(outcome.errors.find(sentence), std::string::npos) << outcome.errors;
+  }
+};
+
+std::string without_load(std::string scene) {
+  const auto from = scene.find("\"loads\"");
+  return scene.erase(from, scene.find("\"measurements\"") - from);
+}
+
+TEST_F(AdviseCommand, ALoadHistoryIsTakenFromTheScene) {
+  write("scene.json", bar_scene(40, 3000));
+  const auto advice = json({"--distance", "20m"});
+  EXPECT_EQ(advice["frequency_hz"], 100);
+  const auto& stage = advice["stages"][0];
+  EXPECT_EQ(stage["steps"], 3000);
+  EXPECT_EQ(stage["factorizations"], 1);
+  EXPECT_EQ(stage["solver"], "cholesky");
+  const auto& wave = stage["waves"][0];
+  EXPECT_EQ(wave["kind"], "bar");
+  EXPECT_NEAR(wave["speed_m_per_s"], 4343.72, 0.01);
+  EXPECT_EQ(wave["history"]["place_m"], 20);
+  EXPECT_TRUE(wave["history"]["with_end"]);
+  for (const char* of : {"speed", "amplitude"}) {
+    const auto& terms = wave["history"][of];
+    EXPECT_NEAR(terms["total"].get<double>(),
+                terms["blocks"].get<double>() + terms["interfaces"].get<double>() + terms["time"].get<double>(), 1e-15);
+    EXPECT_LT(std::abs(terms["total"].get<double>()), 1e-3);
+  }
+}
+
+// What keeps the wanted error does when it is asked about again, and half as much again does not.
+TEST_F(AdviseCommand, LimitsHold) {
+  const std::string scene = bar_scene(40, 3000);
+  write("scene.json", scene);
+  const double dt = json({"--distance", "20m", "--error", "0.5%"})["stages"][0]["waves"][0]["limits"]["dt_s"];
+  const auto errors_at = [&](double step) {
+    std::string changed = scene;
+    changed.replace(changed.find("\"dt\": 1e-5"), 10, fmt::format("\"dt\": {:.9g}", step));
+    const auto duration = changed.find("\"duration\": ");
+    changed.replace(duration, changed.find(',', duration) - duration,
+                    fmt::format("\"duration\": {:.12g}", std::ceil(0.03 / step) * step));
+    write("scene.json", changed);
+    const auto history = json({"--distance", "20m"})["stages"][0]["waves"][0]["history"];
+    return std::max(std::abs(history["speed"]["total"].get<double>()),
+                    std::abs(history["amplitude"]["total"].get<double>()));
+  };
+  EXPECT_LE(errors_at(dt), 0.005 * 1.0001);  // dt in nine digits
+  EXPECT_GT(errors_at(1.5 * dt), 0.005);
+}
+
+TEST_F(AdviseCommand, FrequencyOfASteadyWave) {
+  write("scene.json", without_load(bar_scene(40, 3000)));
+  const auto advice = json({"--frequency", "200Hz"});
+  EXPECT_EQ(advice["frequency_hz"], 200);
+  EXPECT_TRUE(advice["load"].is_null());
+  const auto& wave = advice["stages"][0]["waves"][0];
+  EXPECT_TRUE(wave["history"].is_null());
+  EXPECT_NEAR(wave["distance_m"], 43.4372 / 2, 1e-3);  // a wavelength
+  EXPECT_FALSE(wave["steady"].is_null());
+}
+
+TEST_F(AdviseCommand, TargetFrequencyIsTheDefault) {
+  std::string scene = without_load(bar_scene(40, 3000));
+  scene.insert(1, "\"target_frequency\": \"0.15 kHz\", ");
+  write("scene.json", scene);
+  EXPECT_EQ(json({})["frequency_hz"], 150);
+  const Outcome check = call({"check", path("scene.json")});
+  EXPECT_NE(check.out.find("predicted for waves of 150 Hz"), std::string::npos) << check.out;
+}
+
+TEST_F(AdviseCommand, TextNamesTheCause) {
+  std::string scene = bar_scene(40, 3000);
+  scene.insert(1, "\"scheme\": \"thesis\", ");
+  write("scene.json", scene);
+  const Outcome outcome = call({"advise", path("scene.json"), "--distance", "20 m"});
+  EXPECT_EQ(outcome.code, 0);
+  for (const char* part : {"40 blocks, 39 interfaces", "sine of 100 Hz", "1 factorizations", "of CPU time",
+                           "bar wave in \"rock\", along the row", "everywhere", "a steady wave of 100 Hz, after 20 m",
+                           "the load's history, stress at the joint after 20 m", "mostly by: interfaces", "for 1 %"})
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+}
+
+TEST_F(AdviseCommand, CheckHasAShortForm) {
+  write("scene.json", bar_scene(40, 3000));
+  const Outcome outcome = call({"check", path("scene.json")});
+  EXPECT_NE(outcome.out.find("predicted for the whole history of the load"), std::string::npos);
+  EXPECT_NE(outcome.out.find("mostly by block size"), std::string::npos) << outcome.out;
+  EXPECT_EQ(call({"check", path("scene.json"), "--frequency", "50Hz"}).out.find("whole history"), std::string::npos);
+}
+
+TEST_F(AdviseCommand, CostsAreKnownWithoutAWave) {
+  write("scene.json", without_load(bar_scene(40, 3000)));
+  const auto advice = json({});
+  EXPECT_TRUE(advice["frequency_hz"].is_null());
+  EXPECT_EQ(advice["stages"][0]["steps"], 3000);
+  EXPECT_TRUE(advice["stages"][0]["waves"].empty());
+  EXPECT_NE(call({"advise", path("scene.json")}).out.find("no frequency: give --frequency"), std::string::npos);
+}
+
+TEST_F(AdviseCommand, MistakesGetOneSentence) {
+  write("scene.json", without_load(bar_scene(40, 3000)));
+  expect_refusal({"--frequency", "5 m"}, "--frequency is \"5 m\", expected");
+  expect_refusal({"--frequency", "100", "--distance", "-3"}, "--distance is -3, expected");
+  expect_refusal({"--frequency", "100", "--error", "0%"}, "--error is ");
+  expect_refusal({"--frequency", "100", "--error", "150%"}, "--error is ");
+  write("scene.json", "{");
+  expect_refusal({"--frequency", "100"}, "scene.json");
+}
+
+}  // namespace
+}  // namespace dda

@@ -15,7 +15,7 @@
 namespace verify {
 namespace {
 
-const PrecisionScheme yardstick_scheme{std::string(yardstick_law), "central differences"};
+const PrecisionScheme yardstick_scheme{std::string(yardstick_law), std::string(central_differences)};
 
 std::vector<double> wave(Problem problem, double dt, double lag, double factor) {
   const ThesisBar& bar = thesis_reference().bar;

@@ -51,15 +51,15 @@ TEST(BarErrors, NothingIsReadOffAFewSamples) {
 
 // What the study calls so is what a scene gets.
 TEST(Schemes, AreTheEnginesPresets) {
-  const dda::Stage accurate = dda::preset_stage({dda::SchemeName::accurate, {}}, dda::Kinematics::small, true);
+  const dda::Stage accurate = dda::preset_stage(dda::Scheme{}, dda::Kinematics::small, true);
   const PrecisionScheme scheme = accurate_scheme(Problem::bar);
   const dda::Integrator integrator = integrator_named(scheme.integrator);
-  EXPECT_EQ(joint_of(scheme).law, dda::preset_joint({}).law);
+  EXPECT_EQ(joint_of(scheme).law, dda::preset_joint(dda::Scheme{}).law);
   EXPECT_EQ(scheme.corrected, accurate.correct_time_dispersion);
   EXPECT_EQ(scheme.strain_inertia, accurate.strain_inertia);
   EXPECT_EQ(integrator.alpha_m, accurate.integrator.alpha_m);
   EXPECT_EQ(integrator.beta, accurate.integrator.beta);
-  const dda::Scheme thesis{dda::SchemeName::thesis, {}};
+  const dda::Scheme thesis{.name = dda::SchemeName::thesis};
   EXPECT_EQ(joint_of(thesis_scheme()).law, dda::preset_joint(thesis).law);
   EXPECT_EQ(joint_of(thesis_scheme()).spring_over_young, dda::preset_joint(thesis).spring_over_young);
   EXPECT_EQ(joint_of(thesis_scheme()).shear_to_normal, dda::preset_joint(thesis).shear_to_normal);

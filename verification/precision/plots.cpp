@@ -27,9 +27,9 @@ std::vector<CostAndError> front_points(const std::vector<Measured>& runs, Cost c
   return front;
 }
 
-// One point in each 1/16 of a decade of cost and of error: a small file that looks the same.
+// One point in each 1/7 of a decade of cost and of error: a small file that looks the same.
 std::vector<CostAndError> thinned(const std::vector<CostAndError>& points) {
-  constexpr double cells = 16;
+  constexpr double cells = 7;
   std::map<std::pair<int, int>, CostAndError> kept;
   for (const CostAndError& point : points)
     kept.try_emplace({static_cast<int>(std::floor(cells * std::log10(point.cost))),

@@ -44,6 +44,22 @@ TEST(WaveErrors, EveryCauseHasItsTerm) {
               0.03);
 }
 
+// What the correction of cubic joints takes out of the period error belongs to time: blocks are as they were, and the
+// rest is of fourth order, theta^4/10 or less (see engine/app/prediction_test.cpp).
+TEST(WaveErrors, CorrectedTimeStepsAreTime) {
+  const Lattice lattice = lattice_of(row_of_blocks(bonded(InterfaceLaw::cubic)));
+  const double frequency = continuum_speed(lattice.material, WaveKind::bar) / 20;
+  const double theta = 0.2;
+  WaveQuestion question = question_of(lattice, trapezoidal_integrator(), theta / (2 * std::numbers::pi * frequency));
+  const auto plain = steady_errors(question, frequency);
+  question.stage.correct_time_dispersion = true;
+  const auto corrected = steady_errors(question, frequency);
+  ASSERT_TRUE(plain && corrected);
+  EXPECT_NEAR(plain->speed.time, -theta * theta / 12, std::pow(theta, 4) / 10);
+  EXPECT_NEAR(corrected->speed.time, 0, std::pow(theta, 4) / 10);
+  EXPECT_NEAR(corrected->speed.blocks, plain->speed.blocks, 1e-12);
+}
+
 // A narrow band is as wrong as its middle: 20 cycles whose band of 5 % blurs errors in proportion to frequency squared.
 TEST(WaveErrors, ALongToneIsAsWrongAsASteadyWave) {
   const Lattice row = lattice_of(row_of_blocks(springs(40)));

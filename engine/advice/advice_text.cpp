@@ -86,8 +86,8 @@ void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
   text.line("");
   text.line("stage \"{}\": {} steps of {:.6g} s, {}; chi = {:.3g}, so {}", stage.name, stage.cost.steps, stage.dt,
             stage.integrator, stage.chi, stage.solver);
-  text.line("  cost: {}{} factorizations{}; roughly {:.2g} s of CPU time{}", stage.cost.at_least ? "at least " : "",
-            stage.cost.factorizations,
+  text.line("  cost: {}{} factorization{}{}; roughly {:.2g} s of CPU time{}", stage.cost.at_least ? "at least " : "",
+            stage.cost.factorizations, stage.cost.factorizations == 1 ? "" : "s",
             stage.cost.iterations > 0 ? fmt::format(", {} iterations", stage.cost.iterations) : "", stage.cost.seconds,
             stage.cost.at_least ? " while contacts rest, many times that while they slide and open" : "");
   for (const WaveAdvice& wave : stage.waves) add_wave(advice, wave, text);

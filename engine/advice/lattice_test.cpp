@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dda/advice/lattice_test_support.h"
 
 namespace dda {
@@ -29,6 +31,21 @@ TEST(Lattice, OfSquaresAndOfARunningBond) {
   EXPECT_EQ(bond.offsets.size(), 6U);
   EXPECT_FALSE(looks_the_same(bond, {1, 0}, {0, 1}));
   EXPECT_EQ(bond.face_normals().size(), 2U);
+  // Square blocks, but not in a square pattern; and square patterns of joints that differ.
+  EXPECT_FALSE(looks_the_same(lattice_of(courses(bonded(InterfaceLaw::consistent), 0.5)), {1, 0}, {0, 1}));
+  Lattice striped = squares;
+  for (std::size_t i = 0; i < striped.offsets.size(); ++i)
+    if (std::abs(striped.offsets[i].x()) > 0.5) striped.joints[i].law = InterfaceLaw::classical;
+  EXPECT_FALSE(looks_the_same(striped, {1, 0}, {0, 1}));
+}
+
+// What a block has on its right its copy has on its left.
+TEST(Lattice, OppositeNeighboursHaveOneJoint) {
+  Model model = row_of_blocks(bonded(InterfaceLaw::consistent));
+  model.joints.push_back(bonded(InterfaceLaw::classical));
+  for (const int left : {0, 2, 4}) model.joint_of_block_pair[{left, left + 1}] = 1;
+  const Lattice lattice = lattice_of(model);
+  EXPECT_EQ(lattice.joints[0].law, lattice.joints[1].law);
 }
 
 TEST(Lattice, IsAssumedWhereBlocksAreNotAlike) {

@@ -116,7 +116,7 @@ TEST_F(AdviseCommand, TextNamesTheCause) {
   write("scene.json", scene);
   const Outcome outcome = call({"advise", path("scene.json"), "--distance", "20 m"});
   EXPECT_EQ(outcome.code, 0);
-  for (const char* part : {"40 blocks, 39 interfaces", "sine of 100 Hz", "1 factorizations", "of CPU time",
+  for (const char* part : {"40 blocks, 39 interfaces", "sine of 100 Hz", "1 factorization;", "of CPU time",
                            "bar wave in \"rock\", along the row", "everywhere", "a steady wave of 100 Hz, after 20 m",
                            "the load's history, stress at the joint after 20 m", "mostly by: interfaces", "for 1 %"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;

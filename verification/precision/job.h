@@ -16,6 +16,9 @@ enum class Problem {
 };
 
 inline constexpr std::string_view yardstick_law = "explicit finite elements";
+inline constexpr std::string_view central_differences = "central differences";
+inline constexpr std::string_view limit_differences =
+    "central differences at c dt = h";  // exact in a uniform bar alone
 
 struct PrecisionScheme {
   std::string law;         // "classical", "consistent", "cubic", or yardstick_law

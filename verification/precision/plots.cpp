@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "dda/record/atomic_file.h"
 #include "verification/harness/gnuplot.h"
@@ -24,6 +27,19 @@ std::vector<CostAndError> front_points(const std::vector<Measured>& runs, Cost c
   return front;
 }
 
+// One point in each 1/7 of a decade of cost and of error: a small file that looks the same.
+std::vector<CostAndError> thinned(const std::vector<CostAndError>& points) {
+  constexpr double cells = 7;
+  std::map<std::pair<int, int>, CostAndError> kept;
+  for (const CostAndError& point : points)
+    kept.try_emplace({static_cast<int>(std::floor(cells * std::log10(point.cost))),
+                      static_cast<int>(std::floor(cells * std::log10(point.error)))},
+                     point);
+  std::vector<CostAndError> rest;
+  for (const auto& [cell, point] : kept) rest.push_back(point);
+  return rest;
+}
+
 bool is_other_system(const PrecisionScheme& scheme) { return !scheme.is_engine() && !scheme.is_yardstick(); }
 
 std::vector<Measured> other_runs(const std::vector<Measured>& all, Problem problem) {
@@ -36,13 +52,13 @@ std::vector<Measured> other_runs(const std::vector<Measured>& all, Problem probl
 std::vector<Curve> curves_of(const std::vector<Measured>& all, Problem problem, Cost cost) {
   std::vector<Curve> curves;
   curves.push_back({"every run of the engine", "points pointtype 7 pointsize 0.25 linecolor rgb '#cccccc'",
-                    points_of(engine_runs(all, problem), cost)});
+                    thinned(points_of(engine_runs(all, problem), cost))});
   const std::vector<std::pair<std::string, PrecisionScheme>> shown = {
       {"thesis (classical springs, Eq. 5)", thesis_scheme()},
       {"classical springs, trapezoidal", {"classical", "trapezoidal"}},
       {"consistent, generalized-α", {"consistent", "generalized_alpha 0.8"}},
       {"cubic, generalized-α, corrected", {"cubic", "generalized_alpha 0.8", 1, true}},
-      {"yardstick: explicit finite elements", {std::string(yardstick_law), "central differences"}}};
+      {"yardstick: explicit finite elements", {std::string(yardstick_law), std::string(central_differences)}}};
   int style = 1;
   for (const auto& [title, scheme] : shown) {
     std::vector<CostAndError> front = front_points(runs_of(all, problem, scheme), cost);
@@ -50,7 +66,7 @@ std::vector<Curve> curves_of(const std::vector<Measured>& all, Problem problem, 
     ++style;
   }
   if (cost == Cost::cpu && !other_runs(all, problem).empty())
-    curves.push_back({"CalculiX", "points linestyle 6 pointsize 1.2", points_of(other_runs(all, problem), cost)});
+    curves.push_back({"CalculiX", "points linestyle 6 pointsize 1.0", points_of(other_runs(all, problem), cost)});
   curves.push_back({"front of the engine", "lines linestyle 9", front_points(engine_runs(all, problem), cost)});
   return curves;
 }
@@ -71,11 +87,12 @@ std::string data_of(const std::vector<Curve>& curves) {
 }
 
 std::string script_of(const std::string& name, Problem problem, Cost cost, const std::vector<Curve>& curves) {
-  std::string text = gnuplot_style(720, 460);
+  std::string text = gnuplot_style(640, 520);
   text += fmt::format(
       "set output '{0}.svg'\nset title \"{1}\"\nset logscale xy\nset format '10^{{%L}}'\nset xlabel '{2}'\n"
-      "set ylabel 'relative L_2 error'\nset key outside right top\nplot ",
-      name, title_of(problem), cost == Cost::cpu ? "CPU time (s)" : "passes over a block or element");
+      "set ylabel 'relative L_2 error'\nset yrange [{3}:1]\nset key outside below maxcols 2\nplot ",
+      name, title_of(problem), cost == Cost::cpu ? "CPU time (s)" : "passes over a block or element",
+      problem == Problem::plane ? "0.01" : "1e-4");
   for (std::size_t i = 0; i < curves.size(); ++i)
     text += fmt::format("{}'{}.dat' index {} with {} title \"{}\"", i == 0 ? "" : ", \\\n  ", name, i, curves[i].look,
                         curves[i].title);

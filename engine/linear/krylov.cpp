@@ -4,7 +4,7 @@
 
 namespace dda {
 
-void Gmres::reserve(Eigen::Index unknowns) {
+void Gmres::resize(Eigen::Index unknowns) {
   const auto vectors = static_cast<std::size_t>(basis_) + 1;
   u_.resize(vectors);
   v_.resize(vectors);
@@ -12,6 +12,7 @@ void Gmres::reserve(Eigen::Index unknowns) {
     u_[i].resize(unknowns);
     v_[i].resize(unknowns);
   }
+  work_.resize(unknowns);
   hessenberg_.resize(vectors * static_cast<std::size_t>(basis_));
   cosine_.resize(vectors);
   sine_.resize(vectors);

@@ -22,6 +22,9 @@ class ConjugateGradients {
     for (Eigen::VectorXd* vector : {&residual_, &preconditioned_, &direction_, &image_}) vector->resize(unknowns);
   }
 
+  // b - A x of the last solution.
+  [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
+
   // Solves A x = b from the x given to |r| <= relative |b|. multiply(v, w): w = A v; precondition(r, z): z = P^-1 r,
   // returns r . z. Allocates nothing.
   template <typename Multiply, typename Precondition>
@@ -29,12 +32,11 @@ class ConjugateGradients {
                      double relative, int most, Eigen::VectorXd& x) {
     const double rhs_norm = precondition(b, preconditioned_);
     if (!std::isfinite(rhs_norm)) return {Status::not_finite, 0};
-    if (rhs_norm == 0) {
-      x.setZero();
-      return {};
-    }
+    residual_ = b;
+    if (rhs_norm == 0) x.setZero();
+    if (x.isZero(0)) return iterate(multiply, precondition, rhs_norm, relative * relative * rhs_norm, most, x);
     multiply(x, image_);
-    residual_ = b - image_;
+    residual_ -= image_;
     const double norm = precondition(residual_, preconditioned_);
     return iterate(multiply, precondition, norm, relative * relative * rhs_norm, most, x);
   }
@@ -76,12 +78,13 @@ class Gmres {
  public:
   explicit Gmres(int basis) : basis_(basis) {}
 
+  void resize(Eigen::Index unknowns);
+
   // As ConjugateGradients::solve, but from x = 0; for `most` iterations at most, and not more than the basis holds:
-  // not_converged then leaves the best x found.
+  // not_converged then leaves the best x found. Allocates nothing.
   template <typename Multiply, typename Precondition>
   KrylovResult solve(const Multiply& multiply, const Precondition& precondition, const Eigen::VectorXd& b,
                      double relative, int most, Eigen::VectorXd& x) {
-    reserve(b.size());
     x.setZero();
     work_ = b;
     const double norm = std::sqrt(precondition(work_, v_[0]));
@@ -101,7 +104,6 @@ class Gmres {
   }
 
  private:
-  void reserve(Eigen::Index unknowns);
   double rotate(int k);
   void combine(int k, Eigen::VectorXd& x);
   double& h(int row, int column) {

@@ -38,6 +38,7 @@ TEST(Gmres, SolvesWhatIsNotSymmetric) {
   const RandomSystem system = random_system(20, grid_couplings(5, 4), 2);
   const Preconditioned problem = preconditioned(lopsided(system, 0.8));
   Gmres gmres(120);
+  gmres.resize(120);
   Eigen::VectorXd x(120);
   const KrylovResult result = gmres.solve(problem.multiply(), problem.precondition(), system.rhs, 1e-12, 120, x);
   EXPECT_EQ(result.status, Status::ok);
@@ -50,6 +51,7 @@ TEST(Gmres, KnowsItsResidual) {
   const RandomSystem system = random_system(20, grid_couplings(5, 4), 2);
   const Preconditioned problem = preconditioned(lopsided(system, 0.8));
   Gmres gmres(60);
+  gmres.resize(120);
   Eigen::VectorXd x(120);
   const auto norm = [&](const Eigen::VectorXd& r) {
     return std::sqrt(r.dot(problem.inverse_diagonal.cwiseProduct(r)));
@@ -68,6 +70,7 @@ TEST(Gmres, StopsWhereItsBasisEndsWithTheBestFound) {
   const RandomSystem system = random_system(20, grid_couplings(5, 4), 2);
   const Preconditioned problem = preconditioned(lopsided(system, 0.8));
   Gmres gmres(5);
+  gmres.resize(120);
   Eigen::VectorXd x(120);
   const KrylovResult result = gmres.solve(problem.multiply(), problem.precondition(), system.rhs, 1e-12, 50, x);
   EXPECT_EQ(result.status, Status::not_converged);
@@ -78,6 +81,7 @@ TEST(Gmres, StopsWhereItsBasisEndsWithTheBestFound) {
 TEST(Gmres, HasNothingToDoWithoutLoadAndReportsWhatIsNotFinite) {
   const Preconditioned problem = preconditioned(Eigen::MatrixXd::Identity(6, 6));
   Gmres gmres(5);
+  gmres.resize(6);
   Eigen::VectorXd x = Eigen::VectorXd::Ones(6);
   const KrylovResult none =
       gmres.solve(problem.multiply(), problem.precondition(), Eigen::VectorXd::Zero(6), 1e-12, 5, x);
@@ -93,6 +97,7 @@ TEST(Gmres, TakesAsManyIterationsAsConjugateGradients) {
   const RandomSystem system = random_system(100, grid_couplings(10, 10), 3);
   const Preconditioned problem = preconditioned(system.dense);
   Gmres gmres(200);
+  gmres.resize(600);
   ConjugateGradients gradients;
   gradients.resize(600);
   Eigen::VectorXd x(600);
@@ -109,6 +114,7 @@ TEST(Gmres, AllocatesNothingWhenWarm) {
   const RandomSystem system = random_system(20, grid_couplings(5, 4), 2);
   const Preconditioned problem = preconditioned(lopsided(system, 0.8));
   Gmres gmres(60);
+  gmres.resize(120);
   Eigen::VectorXd x(120);
   const auto solve = [&] {
     return gmres.solve(problem.multiply(), problem.precondition(), system.rhs, 1e-6, 60, x).status;

@@ -18,6 +18,8 @@ struct PcgOptions {
   int max_iterations = 5000;
   // Generations of fill in the incomplete factor; IncompleteCholesky::diagonal takes the diagonal blocks only.
   int fill_level = IncompleteCholesky::diagonal;
+  // Not converged beyond this residual, measured at the end, in the same norm: what round-off has left is of no use.
+  double true_residual = 1e-8;
 };
 
 class PcgSolver final : public LinearSolver {
@@ -30,10 +32,13 @@ class PcgSolver final : public LinearSolver {
   Status do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) override;
   double do_precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) override;
 
+  Status check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
+
   PcgOptions options_;
   const BlockMatrix* matrix_ = nullptr;
   IncompleteCholesky factor_;
   ConjugateGradients iteration_;
+  Eigen::VectorXd residual_, preconditioned_;
 };
 
 }  // namespace dda

@@ -33,6 +33,7 @@ struct SolverScene {
 // this folder. Never dense: that one is the oracle of tests. A chi that is not a number or infinite gives cholesky.
 SolverKind choose_solver(const SolverScene& scene);
 
-std::unique_ptr<LinearSolver> make_solver(SolverKind kind);
+// `chi` decides on the fill of PCG's preconditioner.
+std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi = 0);
 
 }  // namespace dda

@@ -19,11 +19,13 @@ TEST(ChooseSolver, ReusesAFactorOfAConstantMatrix) {
 
 TEST(ChooseSolver, IteratesWhereTheMatrixChangesEveryStepUnlessItIsStiff) {
   EXPECT_EQ(choose_solver({200, 199, 0.02, true}), SolverKind::pcg);
-  EXPECT_EQ(choose_solver({200, 199, 2.0, true}), SolverKind::cholesky);
+  EXPECT_EQ(choose_solver({200, 199, 200.0, true}), SolverKind::cholesky);
   EXPECT_EQ(choose_solver({2500, 4900, 2.0, true}), SolverKind::pcg);
-  EXPECT_EQ(choose_solver({2500, 4900, 200.0, true}), SolverKind::cholesky);
+  EXPECT_EQ(choose_solver({2500, 4900, 200.0, true}), SolverKind::pcg);
+  EXPECT_EQ(choose_solver({2500, 4900, 2e4, true}), SolverKind::cholesky);
   EXPECT_EQ(choose_solver({10000, 19800, 2.0, true}), SolverKind::pcg);
-  EXPECT_EQ(choose_solver({10000, 19800, 200.0, true}), SolverKind::cholesky);
+  EXPECT_EQ(choose_solver({10000, 19800, 200.0, true}), SolverKind::pcg);
+  EXPECT_EQ(choose_solver({10000, 19800, 1e5, true}), SolverKind::cholesky);
 }
 
 TEST(ChooseSolver, FactorsStaticSteps) {

@@ -132,7 +132,7 @@ void BoltSet::add_rhs(double factor, Eigen::VectorXd& rhs) const {
   for (const Link& link : links_) {
     const Vec2 reached = link.gap - link.state.gap;
     const Vec2 constant =
-        link.force - link.active.cwiseProduct(link.law.stiffness).cwiseProduct(reached) - link.state.force;
+        link.force - link.matrix_rows.cwiseProduct(link.law.stiffness).cwiseProduct(reached) - link.state.force;
     rhs.segment<6>(6 * link.block_a).noalias() -= factor * link.rows.a.transpose() * constant;
     rhs.segment<6>(6 * link.block_b).noalias() -= factor * link.rows.b.transpose() * constant;
   }

@@ -21,6 +21,13 @@ class HeldBlocks {
 
   [[nodiscard]] bool empty() const { return increments_.empty(); }
 
+  [[nodiscard]] bool holds(int block) const {
+    return !place_.empty() && place_[static_cast<std::size_t>(block)] >= 0;
+  }
+
+  // Not all of them stand still.
+  [[nodiscard]] bool move() const { return move_; }
+
   // The increments (d_p) that bring the blocks from `state` to where they are to be at `time`.
   void aim(const Model& model, const State& state, double time);
 

@@ -57,8 +57,13 @@ double zero_of(const Slope& slope, double at_zero, double at_one) {
 
 Status Simulation::find_contact_statuses() {
   start_trials();
-  target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
-  increment_.setZero();
+  if (newton_.matrix_amended) matrix_is_current_ = false;
+  if (plan_.contacts_can_change) {
+    guess_increments();
+  } else {
+    target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
+    increment_.setZero();
+  }
   int rises = 0;
   while (true) {
     const Status status = settle_contacts();
@@ -79,6 +84,18 @@ bool Simulation::dilations_stand_still() {
   return change <= negligible_force();
 }
 
+// Back to the start of the step, but for what broke or rose since.
+void Simulation::restart_trials() {
+  increment_.setZero();
+  target_.setZero();
+  matrix_is_current_ = false;
+  for (std::size_t i = 0; i < trial_.size(); ++i) {
+    trial_[i].gap = trial_[i].start;
+    if (!is_whole(contacts_.elements[i], trial_[i])) update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]);
+  }
+  bolts_.start_trials();
+}
+
 void Simulation::start_trials() {
   trial_.resize(contacts_.elements.size());
   for (std::size_t i = 0; i < trial_.size(); ++i)
@@ -89,6 +106,10 @@ void Simulation::start_trials() {
 // Newton's method with line search. Capacities follow the normal forces after every pass at first, which is quickest
 // where it works, and then only when the statuses have settled for the capacities at hand, which is sure.
 Status Simulation::settle_contacts() {
+  if (plan_.contacts_can_change) {
+    if (newton_finds_balance()) return Status::ok;
+    restart_trials();
+  }
   for (int pass = 0; pass < stage().max_open_close_iterations; ++pass) {
     if (plan_.contacts) ++counters_.open_close_iterations;
     const Status status = solve_pass();
@@ -138,7 +159,7 @@ Status Simulation::solve_pass() {
     if (status != Status::ok) return status;
   }
   rhs_ = constant_rhs_;
-  if (plan_.contacts_can_change) add_contact_rhs();
+  if (plan_.contacts_can_change) add_contact_rhs(rhs_);
   return solve_for_increment(target_);
 }
 
@@ -159,17 +180,17 @@ bool Simulation::active_rows_changed() {
 
 // Forces at the end of the step are force + K_active (gap at the end - gap reached); what of that does not depend on
 // the unknowns goes to the right, beside the forces carried over in constant_rhs_.
-void Simulation::add_contact_rhs() {
+void Simulation::add_contact_rhs(Eigen::VectorXd& rhs) const {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     if (has_stress_rows(element)) continue;
     const InterfaceTrial& trial = trial_[i];
     const Vec4 reached = trial.gap - contacts_.states[i].gap;  // dilation has moved the force, not the gap
     const Vec4 constant =
-        trial.force - trial.active.cwiseProduct(element.stiffness).cwiseProduct(reached) - contacts_.states[i].force;
-    if (!constant.isZero(0)) add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs_);
+        trial.force - matrix_rows_[i].cwiseProduct(element.stiffness).cwiseProduct(reached) - contacts_.states[i].force;
+    if (!constant.isZero(0)) add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs);
   }
-  bolts_.add_rhs(coefficients_.stiffness, rhs_);
+  bolts_.add_rhs(coefficients_.stiffness, rhs);
 }
 
 // Moves along the Newton step as far as the potential falls. True when it was taken whole and the forces became what it
@@ -305,6 +326,7 @@ bool Simulation::weaken_consistent(std::size_t i) {
   trial_[i].broken = broken;
   respond(element, trial_[i]);
   matrix_rows_[i].setConstant(-1);
+  matrix_is_current_ = false;
   audit_.interface_replaced(energy_before - interface_energy(element, contacts_.states[i]));
   return true;
 }

@@ -54,7 +54,7 @@ Simulation::Simulation(Model model)
   turned_.assign(model_.blocks.size(), 0);
   static_out_of_balance_.assign(model_.stages.size(), std::numeric_limits<double>::quiet_NaN());
   for (Eigen::VectorXd* vector :
-       {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
+       {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_, &last_increment_})
     vector->setZero(unknowns);
   if (contacts_move(model_)) {
     contacts_.can_change = true;
@@ -84,15 +84,17 @@ BlockMatrix Simulation::make_moving_matrix() const {
 
 void Simulation::begin_stage() {
   step_in_stage_ = 0;
+  last_increment_.setZero();
   stage_start_ = state_.time;
   for (Inertia& inertia : terms_.inertia) inertia.strain_inertia = stage().strain_inertia;
   const StepPlan next =
       make_plan(model_, stage(), contacts_, matrix_.couplings(), stiffness_number(contacts_, terms_, stage().dt));
   if (linear_ && !next.linear) end_linear_stage();
   plan_ = next;
+  if (plan_.contacts_can_change) newton_.resize(matrix_.unknowns());
   if (plan_.is_static) damp_velocities();
   if (solver_) counters_.solver_iterations += solver_->counts().iterations;
-  solver_ = make_solver(plan_.solver);
+  solver_ = make_solver(plan_.solver, plan_.chi);
   solver_->analyze(matrix_);
   ++counters_.analyses;
   set_step_size(stage().dt);
@@ -303,6 +305,12 @@ Status Simulation::refactor() {
   }
   held_.take_out(matrix_);
   ++counters_.matrix_rebuilds;
+  newton_.matrix_amended = false;
+  return factorize();
+}
+
+Status Simulation::factorize() {
+  newton_.stale_interfaces = 0;
   const Status status = solver_->factorize(matrix_);
   ++counters_.factorizations;
   matrix_is_current_ = status == Status::ok;
@@ -344,6 +352,8 @@ void Simulation::accept_step() {
   audit_held_blocks();
   damp_velocities();
   set_held_rates();
+  last_increment_ = increment_;
+  last_dt_ = coefficients_.dt;
   internal_old_.swap(internal_new_);
   load_old_.swap(load_new_);
   ++counters_.steps;

@@ -28,6 +28,7 @@
 #include "dda/simulation/contact_range.h"
 #include "dda/simulation/energy_audit.h"
 #include "dda/simulation/external_forces.h"
+#include "dda/simulation/friction_newton.h"
 #include "dda/simulation/held_blocks.h"
 #include "dda/simulation/linear_operators.h"
 #include "dda/simulation/penetration.h"
@@ -96,6 +97,7 @@ class Simulation {
   [[nodiscard]] std::string unsettled_message() const;
   void form_constant_rhs();
   [[nodiscard]] Status refactor();
+  [[nodiscard]] Status factorize();
   [[nodiscard]] Status solve_for_increment(Eigen::VectorXd& increment);
 
   // Open-close iteration (open_close_loop.cpp)
@@ -106,7 +108,8 @@ class Simulation {
   [[nodiscard]] bool dilations_stand_still();
   [[nodiscard]] Status solve_pass();
   [[nodiscard]] bool active_rows_changed();
-  void add_contact_rhs();
+  void add_contact_rhs(Eigen::VectorXd& rhs) const;
+  void restart_trials();
   [[nodiscard]] bool take_newton_step();
   [[nodiscard]] double length_of_step();
   [[nodiscard]] double mismatch_of_whole_step() const;
@@ -115,6 +118,22 @@ class Simulation {
   [[nodiscard]] Vec3 trial_stress(int block) const;
   [[nodiscard]] bool break_interfaces();
   [[nodiscard]] bool weaken_consistent(std::size_t i);
+
+  // Its quick passes (friction_newton.cpp)
+  void guess_increments();
+  [[nodiscard]] bool newton_finds_balance();
+  [[nodiscard]] bool is_balanced() const;
+  [[nodiscard]] double negligible_imbalance() const;
+  void list_live_interfaces();
+  [[nodiscard]] Status bring_matrix_up_to_date(bool anew, bool& changed);
+  void amend_matrix(std::size_t i);
+  void form_residual();
+  [[nodiscard]] double largest_entry(const Eigen::VectorXd& force) const;
+  [[nodiscard]] Status solve_newton_step(double relative);
+  void list_couplings();
+  void multiply_coupled(const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
+  void take_newton_step_with_friction(bool strictly);
+  void follow_whole_interfaces();
 
   void accept_step();
   void accept_contacts();
@@ -156,6 +175,7 @@ class Simulation {
   ContactSet contacts_;
   std::vector<InterfaceTrial> trial_;     // interfaces in the current open-close pass
   std::vector<Vec4> matrix_rows_;         // active rows whose stiffness the matrix holds
+  FrictionNewton newton_;
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   std::vector<double> turned_;            // rad, rotation of each block that its stress has followed
@@ -187,6 +207,8 @@ class Simulation {
   Eigen::VectorXd load_old_, load_new_;
   Eigen::VectorXd internal_old_, internal_new_;
   Eigen::VectorXd constant_rhs_, rhs_, increment_, target_;
+  Eigen::VectorXd last_increment_;  // of the step before in this stage
+  double last_dt_ = 1;              // s, of that step
 
   // Linear scenes, 6 entries a block: M v, M a, K u without and internal forces that u does not change.
   Eigen::VectorXd momentum_, inertia_force_, elastic_force_, internal_at_rest_;

@@ -233,9 +233,10 @@ struct SnapshotAccess {
       matrices(archive, link.rows.a, link.rows.b, gap, plastic, force);
       archive.number(ruptured);
     }
-    for (auto* vector : {&s.load_old_, &s.internal_old_, &s.increment_, &s.momentum_, &s.inertia_force_,
+    for (auto* vector : {&s.load_old_, &s.internal_old_, &s.increment_, &s.last_increment_, &s.momentum_, &s.inertia_force_,
                          &s.elastic_force_, &s.internal_at_rest_})
       archive.vector(*vector);
+    archive.number(s.last_dt_);
     archive.number(s.energy_offset_);
     for (auto& share : s.static_out_of_balance_) archive.number(share);
     archive.number(s.audit_.ledger_);
@@ -274,11 +275,12 @@ struct SnapshotAccess {
   }
 
   static void make_solver_ready(Simulation& s, const Stage& stage) {
-    s.solver_ = make_solver(s.plan_.solver);
+    s.solver_ = make_solver(s.plan_.solver, s.plan_.chi);
     s.solver_->analyze(s.matrix_);
     ++s.counters_.analyses;
     s.coefficients_ = step_coefficients(stage.integrator, stage.dt);
     s.matrix_is_current_ = false;
+    if (s.plan_.contacts_can_change) s.newton_.resize(s.matrix_.unknowns());
     s.linear_.reset();
     if (s.plan_.linear) s.linear_.emplace(make_linear_operators(s.model_, stage, s.terms_, s.contacts_, s.supports_));
   }

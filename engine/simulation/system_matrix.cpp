@@ -19,16 +19,6 @@ void add_blocks(const StepCoefficients& step, const BlockTerms& terms, BlockMatr
   }
 }
 
-void add_contacts(double factor, const ContactSet& contacts, const std::vector<Vec4>& active, BlockMatrix& matrix) {
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
-    const InterfaceStiffness k = stiffness_of(element, active[i]);
-    matrix.diagonal(element.block_a) += factor * k.aa;
-    matrix.diagonal(element.block_b) += factor * k.bb;
-    matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
-  }
-}
-
 // Of the blocks that are not held; infinite where both are.
 double least_mass(const BlockTerms& terms, int a, int b) {
   double least = std::numeric_limits<double>::infinity();
@@ -50,6 +40,14 @@ BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pair
   return {blocks, std::move(pairs)};
 }
 
+void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
+                 BlockMatrix& matrix) {
+  const InterfaceStiffness k = stiffness_of(element, mask);
+  if (in_a) matrix.diagonal(element.block_a) += factor * k.aa;
+  if (in_b) matrix.diagonal(element.block_b) += factor * k.bb;
+  if (in_a && in_b) matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
+}
+
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
               const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
               BlockMatrix& matrix) {
@@ -58,7 +56,8 @@ void assemble(const StepCoefficients& step, const BlockTerms& terms, const Block
   for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
   for (const SupportElement& support : supports)
     matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.offset, support.stiffness);
-  add_contacts(step.stiffness, contacts, active, matrix);
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    add_contact(step.stiffness, contacts.elements[i], active[i], true, true, matrix);
 }
 
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {

@@ -21,6 +21,10 @@ void assemble(const StepCoefficients& step, const BlockTerms& terms, const Block
               const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
               BlockMatrix& matrix);
 
+// Adds `mask` times the stiffness of the rows of one interface, in those of its blocks that take part.
+void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
+                 BlockMatrix& matrix);
+
 // chi = k dt^2/m: the stiffest interface of a block against its inertia, which decides on the solver. Supports do not
 // count: PCG inverts the blocks they act on.
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt);

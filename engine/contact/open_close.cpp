@@ -167,7 +167,7 @@ void lay_on(ContactPiece piece, const InterfaceElement& element, const EndStreng
   const auto e = static_cast<std::size_t>(end);
   trial.force(n) = element.stiffness(n) * trial.normal_gap(end);
   trial.active(n) = 1;
-  const double cohesion = strength.capacity(0, trial.residual[e]);
+  const double cohesion = trial.residual[e] ? strength.residual_cohesion : 0;
   trial.force(n + 1) = direction_of(piece) * (cohesion - friction_of(strength, trial, e) * trial.force(n));
   trial.active(n + 1) = 0;
 }

@@ -94,16 +94,17 @@ void Simulation::list_live_interfaces() {
   }
 }
 
-// The last step's increments are nearer to the answer than none.
-void Simulation::guess_increments() {
-  increment_ = coefficients_.dt / last_dt_ * last_increment_;
+// Held blocks go all their way at once; the others start from rest. (The increments of the step before would be no
+// nearer to the answer where contacts change, and of several answers that friction may have favour those that move.)
+void Simulation::start_from_rest() {
+  increment_.setZero();
+  if (!held_.move()) return;
   held_.put(increment_);
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     InterfaceTrial& trial = trial_[i];
-    if (is_whole(contacts_.elements[i], trial)) continue;
     const Vec4 moved = gap_increment(contacts_.elements[i], increment_);
-    if (moved.isZero(0)) continue;  // as start_trial left it: what slid goes on
-    trial.gap = contacts_.states[i].gap + moved;
+    if (is_whole(contacts_.elements[i], trial) || moved.isZero(0)) continue;
+    trial.gap += moved;
     respond_with_friction(contacts_.elements[i], contacts_.strengths[i], trial);
   }
   bolts_.aim(increment_);

@@ -59,7 +59,7 @@ Status Simulation::find_contact_statuses() {
   start_trials();
   if (newton_.matrix_amended) matrix_is_current_ = false;
   if (plan_.contacts_can_change) {
-    guess_increments();
+    start_from_rest();
   } else {
     target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
     increment_.setZero();

@@ -54,7 +54,7 @@ Simulation::Simulation(Model model)
   turned_.assign(model_.blocks.size(), 0);
   static_out_of_balance_.assign(model_.stages.size(), std::numeric_limits<double>::quiet_NaN());
   for (Eigen::VectorXd* vector :
-       {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_, &last_increment_})
+       {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
     vector->setZero(unknowns);
   if (contacts_move(model_)) {
     contacts_.can_change = true;
@@ -84,7 +84,6 @@ BlockMatrix Simulation::make_moving_matrix() const {
 
 void Simulation::begin_stage() {
   step_in_stage_ = 0;
-  last_increment_.setZero();
   stage_start_ = state_.time;
   for (Inertia& inertia : terms_.inertia) inertia.strain_inertia = stage().strain_inertia;
   const StepPlan next =
@@ -352,8 +351,6 @@ void Simulation::accept_step() {
   audit_held_blocks();
   damp_velocities();
   set_held_rates();
-  last_increment_ = increment_;
-  last_dt_ = coefficients_.dt;
   internal_old_.swap(internal_new_);
   load_old_.swap(load_new_);
   ++counters_.steps;

@@ -120,7 +120,7 @@ class Simulation {
   [[nodiscard]] bool weaken_consistent(std::size_t i);
 
   // Its quick passes (friction_newton.cpp)
-  void guess_increments();
+  void start_from_rest();
   [[nodiscard]] bool newton_finds_balance();
   [[nodiscard]] bool is_balanced() const;
   [[nodiscard]] double negligible_imbalance() const;
@@ -207,8 +207,6 @@ class Simulation {
   Eigen::VectorXd load_old_, load_new_;
   Eigen::VectorXd internal_old_, internal_new_;
   Eigen::VectorXd constant_rhs_, rhs_, increment_, target_;
-  Eigen::VectorXd last_increment_;  // of the step before in this stage
-  double last_dt_ = 1;              // s, of that step
 
   // Linear scenes, 6 entries a block: M v, M a, K u without and internal forces that u does not change.
   Eigen::VectorXd momentum_, inertia_force_, elastic_force_, internal_at_rest_;

@@ -233,10 +233,9 @@ struct SnapshotAccess {
       matrices(archive, link.rows.a, link.rows.b, gap, plastic, force);
       archive.number(ruptured);
     }
-    for (auto* vector : {&s.load_old_, &s.internal_old_, &s.increment_, &s.last_increment_, &s.momentum_, &s.inertia_force_,
+    for (auto* vector : {&s.load_old_, &s.internal_old_, &s.increment_, &s.momentum_, &s.inertia_force_,
                          &s.elastic_force_, &s.internal_at_rest_})
       archive.vector(*vector);
-    archive.number(s.last_dt_);
     archive.number(s.energy_offset_);
     for (auto& share : s.static_out_of_balance_) archive.number(share);
     archive.number(s.audit_.ledger_);

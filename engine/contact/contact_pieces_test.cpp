@@ -1,0 +1,135 @@
+// The linear pieces of what ends answer, as Newton's method with friction takes them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dda/contact/open_close.h"
+#include "dda/contact/open_close_models.h"
+
+namespace dda {
+namespace {
+
+const EndStrength dry{0, 0, 0.5};
+
+// A dry end at these gaps (normal and shear springs 100 and 40 N/m), the other end pressed.
+InterfaceTrial trial_at(double normal_gap, double shear_gap, const EndStrength& strength = dry) {
+  InterfaceTrial trial = start_trial(classical_element(), strength, start_with(true));
+  trial.broken = {true, true};
+  trial.gap << normal_gap, shear_gap, -1, 0;
+  respond_with_friction(classical_element(), strength, trial);
+  return trial;
+}
+
+ContactPiece piece_at(double normal_gap, double shear_gap) { return pieces_of(trial_at(normal_gap, shear_gap))[0]; }
+
+TEST(ContactPieces, AreReadOffTheAnswer) {
+  EXPECT_EQ(piece_at(0.01, 0.3), ContactPiece::open);
+  EXPECT_EQ(piece_at(-0.04, 0.049), ContactPiece::stuck);  // 1.96 N of 2 N
+  EXPECT_EQ(piece_at(-0.04, 0.051), ContactPiece::slides_forth);
+  EXPECT_EQ(piece_at(-0.04, -0.051), ContactPiece::slides_back);
+}
+
+TEST(ContactPieces, OfAWholeEndIsStuck) {
+  InterfaceTrial trial = trial_at(0.01, 0.3);
+  trial.broken[0] = false;
+  EXPECT_EQ(pieces_of(trial)[0], ContactPiece::stuck);
+}
+
+// The capacity is that of the normal force at the same gap, as if update_capacity had followed.
+TEST(ContactPieces, AnswerWithFrictionIsTheFixedPointOverCapacities) {
+  for (const double normal_gap : {-0.1, -0.04, 0.0, 0.02}) {
+    for (const double shear_gap : {-0.3, -0.01, 0.02, 0.2}) {
+      InterfaceTrial trial = trial_at(normal_gap, shear_gap);
+      const Vec4 force = trial.force;
+      EXPECT_EQ(update_capacity(classical_element(), dry, trial), 0);
+      EXPECT_EQ(trial.force, force);
+    }
+  }
+}
+
+TEST(ContactPieces, SlipDoesNotTurnWithoutSticking) {
+  InterfaceTrial trial = trial_at(-0.04, -0.3);
+  ContactPieces pieces{ContactPiece::slides_forth, ContactPiece::stuck};
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, false, trial, pieces));
+  EXPECT_EQ(pieces[0], ContactPiece::stuck);
+  EXPECT_DOUBLE_EQ(trial.force(1), shear_spring * -0.3);  // what it would answer if it stuck
+  EXPECT_DOUBLE_EQ(trial.active(1), 1);
+  EXPECT_DOUBLE_EQ(trial.force(0), -4);
+}
+
+TEST(ContactPieces, OfTheSecondEndToo) {
+  InterfaceTrial trial = trial_at(-0.04, 0);
+  trial.gap(3) = 2;
+  respond_with_friction(classical_element(), dry, trial);
+  ContactPieces pieces{ContactPiece::stuck, ContactPiece::slides_back};
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, false, trial, pieces));
+  EXPECT_EQ(pieces[1], ContactPiece::stuck);
+  EXPECT_DOUBLE_EQ(trial.force(3), shear_spring * 2);
+}
+
+TEST(ContactPieces, BorderingOnesAreLeftAlone) {
+  const auto stays = [](ContactPiece before, double normal_gap, double shear_gap) {
+    InterfaceTrial trial = trial_at(normal_gap, shear_gap);
+    const Vec4 force = trial.force;
+    ContactPieces pieces{before, ContactPiece::stuck};
+    return !keep_to_bordering_pieces(classical_element(), dry, true, trial, pieces) && trial.force == force &&
+           pieces == pieces_of(trial);
+  };
+  EXPECT_TRUE(stays(ContactPiece::stuck, -0.04, 0.3));         // starts to slide
+  EXPECT_TRUE(stays(ContactPiece::slides_forth, -0.04, 0.3));  // slides on
+  EXPECT_TRUE(stays(ContactPiece::slides_back, -0.04, 0.01));  // sticks
+  EXPECT_TRUE(stays(ContactPiece::slides_back, 0.04, 0.01));   // opens
+  EXPECT_TRUE(stays(ContactPiece::open, -0.04, -0.3));         // closes and slides
+}
+
+// Strictly, an end slides between open and stuck, on the line through what it answers at a gap of zero.
+TEST(ContactPieces, OpenEndsSlideBeforeTheyStick) {
+  for (const double side : {-1.0, 1.0}) {
+    InterfaceTrial trial = trial_at(-0.04, side * 0.01);
+    ContactPieces pieces{ContactPiece::open, ContactPiece::stuck};
+    EXPECT_FALSE(keep_to_bordering_pieces(classical_element(), dry, false, trial, pieces));
+    pieces[0] = ContactPiece::open;
+    EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, true, trial, pieces));
+    EXPECT_EQ(pieces[0], side < 0 ? ContactPiece::slides_back : ContactPiece::slides_forth);
+    EXPECT_DOUBLE_EQ(trial.force(0), -4);
+    EXPECT_DOUBLE_EQ(trial.force(1), side * 2);
+    EXPECT_EQ(trial.active(1), 0);
+  }
+}
+
+TEST(ContactPieces, StuckEndsSlideBeforeTheyOpen) {
+  InterfaceTrial trial = trial_at(0.02, 0.01);
+  ContactPieces pieces{ContactPiece::stuck, ContactPiece::stuck};
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, true, trial, pieces));
+  EXPECT_EQ(pieces[0], ContactPiece::slides_forth);
+  EXPECT_DOUBLE_EQ(trial.force(0), 2);   // the line of the closed end goes on
+  EXPECT_DOUBLE_EQ(trial.force(1), -1);  // and that of friction with it
+  EXPECT_EQ(trial.active(0), 1);
+}
+
+// Residual friction and cohesion count.
+TEST(ContactPieces, LieWhereTheStrengthPutsThem) {
+  InterfaceTrial trial = trial_at(-0.04, 0.01, weakening);
+  trial.residual[0] = true;
+  ContactPieces pieces{ContactPiece::open, ContactPiece::stuck};
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), weakening, true, trial, pieces));
+  EXPECT_DOUBLE_EQ(trial.force(1), 0.6 + (0.5 - 0.2) * 4);
+}
+
+TEST(ShearByNormalGap, IsTheDerivativeOfTheAnswer) {
+  constexpr double difference = 1e-6;
+  for (const double shear_gap : {-0.3, 0.01, 0.3}) {
+    for (const double normal_gap : {-0.05, 0.05}) {
+      InterfaceTrial trial = trial_at(normal_gap, shear_gap);
+      const Vec4 slopes = shear_by_normal_gap(classical_element(), dry, trial, pieces_of(trial));
+      const double more = trial_at(normal_gap + difference, shear_gap).force(1);
+      const double less = trial_at(normal_gap - difference, shear_gap).force(1);
+      // The answer is piecewise linear: round-off of 2 N over the difference.
+      EXPECT_NEAR(slopes(1), (more - less) / (2 * difference), 1e-8) << normal_gap << " " << shear_gap;
+      EXPECT_EQ(slopes(0), 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dda

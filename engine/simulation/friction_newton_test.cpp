@@ -1,0 +1,66 @@
+// Newton's method with friction in it: how many passes it takes, and that it ends where the sure way ends.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dda/simulation/simulation_models.h"
+
+namespace dda {
+namespace {
+
+JointMaterial dry(double friction_angle) {
+  JointMaterial joint = bond(InterfaceLaw::classical);
+  joint.bonded = false;
+  joint.friction_angle = friction_angle;
+  return joint;
+}
+
+// A block slides at a steady rate of growth: friction follows the normal force within the one pass that it takes.
+TEST(FrictionNewton, TakesOnePassForABlockThatSlides) {
+  Model model = model_of({{box_ring(-5, -1, 5, 0), {}}, {box_ring(0, 0, 1, 0.5), {}}});
+  model.joints = {dry(0.3)};
+  model.gravity = {5, -8.5};
+  model.held_blocks.emplace_back();
+  model.blocks[1].initial_velocity = {1, 0};
+  model.stages = {stage_of(thesis_integrator(), 1e-4, 300, Kinematics::small)};
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 200);
+  const std::int64_t before = simulation.counters().open_close_iterations;
+  run(simulation, 100);
+  EXPECT_LE(simulation.counters().open_close_iterations - before, 110);
+}
+
+Model falling_wall(double friction_angle, SolverRequest solver) {
+  Model model = grid_of(6, dry(friction_angle), Pattern::running_bond);
+  model.gravity = {1, -9.81};
+  model.blocks.emplace_back().shape.outer = box_ring(-1, -1, 7, 0);
+  model.held_blocks.emplace_back().block = static_cast<int>(model.blocks.size()) - 1;
+  model.stages = {stage_of(thesis_integrator(), 1e-3, 100, Kinematics::finite)};
+  model.stages[0].solver = solver;
+  return model;
+}
+
+// Bricks that gravity is switched on for at once: hundreds of contacts open, close and slide in every step.
+TEST(FrictionNewton, EndsInTheSameStateWithEverySolver) {
+  for (const double angle : {0.0, 0.2, 0.6}) {
+    Simulation one = simulation_of(falling_wall(angle, SolverRequest::cholesky));
+    Simulation other = simulation_of(falling_wall(angle, SolverRequest::pcg));
+    run(one, 100);
+    run(other, 100);
+    EXPECT_GT(one.counters().contact_state_changes, 1000);
+    EXPECT_LT(static_cast<double>(one.counters().open_close_iterations), 1000);
+    double difference = 0, largest = 0;
+    for (std::size_t i = 0; i < one.state().displacement.size(); ++i) {
+      difference = std::max(difference, (one.state().displacement[i] - other.state().displacement[i]).norm());
+      largest = std::max(largest, one.state().displacement[i].norm());
+    }
+    // Balances to 1e-11 of the largest contact force in each of a hundred steps, of which 1e-9 are the sum.
+    EXPECT_LT(difference, 1e-7 * largest) << angle;
+    EXPECT_LT(std::abs(one.energy().relative_residual()), 1e-9);
+    EXPECT_LT(std::abs(other.energy().relative_residual()), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace dda

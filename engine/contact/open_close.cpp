@@ -151,7 +151,8 @@ ContactPiece piece_between(ContactPiece from, ContactPiece to, double slide) {
 }
 
 bool has_linear_pieces(const InterfaceElement& element, const InterfaceTrial& trial) {
-  return !trial.rule.conserves_energy && element.dashpot.isZero(0) && trial.hardening[0] == 0 && trial.hardening[1] == 0;
+  return !trial.rule.conserves_energy && element.dashpot.isZero(0) && trial.hardening[0] == 0 &&
+         trial.hardening[1] == 0;
 }
 
 // Forces and slopes as if the end were on that piece.

@@ -26,9 +26,7 @@ double affordable_iterations(const SolverScene& scene) {
   return factor_leaves_cache ? 20 : 4;
 }
 
-int fill_level(double chi) {
-  return chi < 0.1 ? IncompleteCholesky::diagonal : 1;
-}
+int fill_level(double chi) { return chi < 0.1 ? IncompleteCholesky::diagonal : 1; }
 
 }  // namespace
 

@@ -2,9 +2,9 @@
 //
 // The forces of the interfaces are piecewise linear in the increments. With the pieces of the point reached, a pass
 // solves (A + C) step = residual, where A is the symmetric matrix of the active rows and C lets the shear force of ends
-// that slide follow their normal force. C is not symmetric, so the solver is GMRES, with what is known of the inverse of
-// A as its preconditioner, and a step is only solved for as well as its pieces are likely to hold. No potential falls
-// with such a step, and nothing assures that the passes end: mostly they do after a few, and where they do not,
+// that slide follow their normal force. C is not symmetric, so the solver is GMRES, with what is known of the inverse
+// of A as its preconditioner, and a step is only solved for as well as its pieces are likely to hold. No potential
+// falls with such a step, and nothing assures that the passes end: mostly they do after a few, and where they do not,
 // settle_contacts goes the sure way.
 #include "dda/simulation/friction_newton.h"
 
@@ -71,9 +71,7 @@ bool Simulation::newton_finds_balance() {
   return true;
 }
 
-bool Simulation::is_balanced() const {
-  return !newton_.between_pieces && newton_.imbalance <= negligible_imbalance();
-}
+bool Simulation::is_balanced() const { return !newton_.between_pieces && newton_.imbalance <= negligible_imbalance(); }
 
 double Simulation::negligible_imbalance() const {
   return std::max(balance_tolerance * newton_.largest_force, round_off * constant_rhs_.cwiseAbs().maxCoeff());

@@ -21,9 +21,7 @@ class HeldBlocks {
 
   [[nodiscard]] bool empty() const { return increments_.empty(); }
 
-  [[nodiscard]] bool holds(int block) const {
-    return !place_.empty() && place_[static_cast<std::size_t>(block)] >= 0;
-  }
+  [[nodiscard]] bool holds(int block) const { return !place_.empty() && place_[static_cast<std::size_t>(block)] >= 0; }
 
   // Not all of them stand still.
   [[nodiscard]] bool move() const { return move_; }

@@ -91,7 +91,8 @@ void Simulation::restart_trials() {
   matrix_is_current_ = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     trial_[i].gap = trial_[i].start;
-    if (!is_whole(contacts_.elements[i], trial_[i])) update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]);
+    if (!is_whole(contacts_.elements[i], trial_[i]))
+      update_capacity(contacts_.elements[i], contacts_.strengths[i], trial_[i]);
   }
   bolts_.start_trials();
 }

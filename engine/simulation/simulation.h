@@ -173,8 +173,8 @@ class Simulation {
   Model model_;
   State state_;
   ContactSet contacts_;
-  std::vector<InterfaceTrial> trial_;     // interfaces in the current open-close pass
-  std::vector<Vec4> matrix_rows_;         // active rows whose stiffness the matrix holds
+  std::vector<InterfaceTrial> trial_;  // interfaces in the current open-close pass
+  std::vector<Vec4> matrix_rows_;      // active rows whose stiffness the matrix holds
   FrictionNewton newton_;
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes

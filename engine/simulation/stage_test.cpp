@@ -153,7 +153,8 @@ TEST(StepReduction, GivesUpAtTheLimitWithTheStateOfTheLastStep) {
   EXPECT_LT(simulation.state().time, before.time + 2e-4);
 }
 
-// PCG gives up on a grid this stiff (on a chain its incomplete factor would be complete); the smaller steps that follow are then smaller, not more whole ones.
+// PCG gives up on a grid this stiff (on a chain its incomplete factor would be complete); the smaller steps that follow
+// are then smaller, not more whole ones.
 TEST(StepReduction, IsOneStepAlsoInALinearScene) {
   Model model = grid_of(6, bond(InterfaceLaw::classical));
   model.joints[0].spring_over_young = 1e6;

@@ -188,11 +188,11 @@ Outcome laminated_roof() {
   const Bracket got = bisect({0.98 * alone, 1.12 * alone}, 0.0025 * alone, [&](double friction) {
     return roof_stands({5, 0.5}, friction, outcome);
   });
-  outcome.assertions.push_back({"coefficient of friction with which five beds of 0.5 m just stand", "-", got.middle(),
-                                alone, "4 z/S of one bed, z = t (exact/voussoir_beam)", bracket_error(got, alone),
-                                0.025,
-                                "bracket of 0.25 %; beds that still hold each other lose thrust: measured 1.2 to 1.9 %, by "
-                                "the path of the open-close iteration"});
+  outcome.assertions.push_back(
+      {"coefficient of friction with which five beds of 0.5 m just stand", "-", got.middle(), alone,
+       "4 z/S of one bed, z = t (exact/voussoir_beam)", bracket_error(got, alone), 0.025,
+       "bracket of 0.25 %; beds that still hold each other lose thrust: measured 1.2 to 1.9 %, by "
+       "the path of the open-close iteration"});
   return outcome;
 }
 

@@ -35,6 +35,7 @@
 #include "verification/cases/stick_slip_cases.h"
 #include "verification/cases/viscous_domain_cases.h"
 #include "verification/cases/work_precision_cases.h"
+#include "verification/cases/wall_cases.h"
 
 namespace verify {
 namespace {
@@ -73,6 +74,7 @@ constexpr std::array subjects{
     free_field_cases,          // 39
     opening_cases,             // 28, 31
     blast_cases,               // 29, 40, 41
+    wall_cases,                // 8, 26
     direction_cases,           // 42
 };
 

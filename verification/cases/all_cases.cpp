@@ -34,8 +34,8 @@
 #include "verification/cases/statics_cases.h"
 #include "verification/cases/stick_slip_cases.h"
 #include "verification/cases/viscous_domain_cases.h"
-#include "verification/cases/work_precision_cases.h"
 #include "verification/cases/wall_cases.h"
+#include "verification/cases/work_precision_cases.h"
 
 namespace verify {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dda/contact/open_close.h"
+#include "dda/contact/contact_pieces.h"
 #include "dda/contact/open_close_models.h"
 
 namespace dda {

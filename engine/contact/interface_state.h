@@ -46,6 +46,8 @@ struct EndStrength {
   double dilation_slip = std::numeric_limits<double>::infinity();  // m
 
   [[nodiscard]] bool is_dry() const { return cohesion == 0 && tension == 0; }
+  // Tangent of the friction angle before or after failure.
+  [[nodiscard]] double friction_now(bool residual) const { return residual ? friction - friction_drop : friction; }
   // Largest shear force of a broken end that carries `normal_force`.
   [[nodiscard]] double capacity(double normal_force, bool residual) const {
     if (normal_force >= 0) return 0;

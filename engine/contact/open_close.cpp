@@ -133,51 +133,11 @@ double yielded(const InterfaceElement& element, const InterfaceTrial& trial, int
   return elastic_gap(beyond, row.stiffness + row.dashpot, 0);
 }
 
-double friction_of(const EndStrength& strength, const InterfaceTrial& trial, std::size_t end) {
-  return trial.residual[end] ? strength.friction - strength.friction_drop : strength.friction;
-}
-
-bool slides(ContactPiece piece) { return piece == ContactPiece::slides_forth || piece == ContactPiece::slides_back; }
-
-double direction_of(ContactPiece piece) { return piece == ContactPiece::slides_forth ? 1 : -1; }
-
-// The piece that an end passes through from one on the way to another: open - sliding - stuck - sliding the other way.
-ContactPiece piece_between(ContactPiece from, ContactPiece to, double slide) {
-  if (slides(from) && slides(to)) return from == to ? to : ContactPiece::stuck;
-  const bool open_and_stuck = (from == ContactPiece::open && to == ContactPiece::stuck) ||
-                              (from == ContactPiece::stuck && to == ContactPiece::open);
-  if (!open_and_stuck) return to;
-  return slide < 0 ? ContactPiece::slides_back : ContactPiece::slides_forth;
-}
-
-bool has_linear_pieces(const InterfaceElement& element, const InterfaceTrial& trial) {
-  return !trial.rule.conserves_energy && element.dashpot.isZero(0) && trial.hardening[0] == 0 &&
-         trial.hardening[1] == 0;
-}
-
-// Forces and slopes as if the end were on that piece.
-void lay_on(ContactPiece piece, const InterfaceElement& element, const EndStrength& strength, int end,
-            InterfaceTrial& trial) {
-  const Eigen::Index n = normal_row(end);
-  const Row row = row_of(element, trial, n + 1);
-  if (piece == ContactPiece::stuck) {
-    trial.force(n + 1) = stuck_force(row, trial.gap(n + 1));
-    trial.active(n + 1) = 1 + (row.dashpot > 0 ? row.dashpot / row.stiffness : 0);
-    return;
-  }
-  const auto e = static_cast<std::size_t>(end);
-  trial.force(n) = element.stiffness(n) * trial.normal_gap(end);
-  trial.active(n) = 1;
-  const double cohesion = trial.residual[e] ? strength.residual_cohesion : 0;
-  trial.force(n + 1) = direction_of(piece) * (cohesion - friction_of(strength, trial, e) * trial.force(n));
-  trial.active(n + 1) = 0;
-}
-
 // What the capacity gains for each metre of slip where every metre of rise presses by `stiffness` more.
 double hardening_by(double stiffness, const EndStrength& strength, const InterfaceTrial& trial, std::size_t end,
                     double slip) {
   if (std::abs(slip) >= strength.dilation_slip) return 0;
-  return friction_of(strength, trial, end) * strength.dilation * stiffness;
+  return strength.friction_now(trial.residual[end]) * strength.dilation * stiffness;
 }
 
 void expect_full_stiffness(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
@@ -257,53 +217,6 @@ double update_capacity(const InterfaceElement& element, const EndStrength& stren
   set_capacity(element, strength, trial);
   respond(element, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();
-}
-
-ContactPieces pieces_of(const InterfaceTrial& trial) {
-  ContactPieces pieces{ContactPiece::stuck, ContactPiece::stuck};
-  for (int end = 0; end < 2; ++end) {
-    const auto e = static_cast<std::size_t>(end);
-    const Eigen::Index n = normal_row(end);
-    if (!trial.broken[e]) continue;
-    if (trial.active(n) == 0) {
-      pieces[e] = ContactPiece::open;
-    } else if (trial.active(n + 1) < 1) {
-      pieces[e] = std::signbit(trial.force(n + 1)) ? ContactPiece::slides_back : ContactPiece::slides_forth;
-    }
-  }
-  return pieces;
-}
-
-bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, bool strictly,
-                              InterfaceTrial& trial, ContactPieces& pieces) {
-  const ContactPieces before = pieces;
-  pieces = pieces_of(trial);
-  if (pieces == before) return false;
-  bool kept = false;
-  for (int end = 0; end < ends_of(element); ++end) {
-    const auto e = static_cast<std::size_t>(end);
-    const ContactPiece between = piece_between(before[e], pieces[e], trial.gap(normal_row(end) + 1));
-    if (between == pieces[e] || (between != ContactPiece::stuck && !(strictly && has_linear_pieces(element, trial))))
-      continue;
-    pieces[e] = between;
-    lay_on(between, element, strength, end, trial);
-    kept = true;
-  }
-  return kept;
-}
-
-Vec4 shear_by_normal_gap(const InterfaceElement& element, const EndStrength& strength, const InterfaceTrial& trial,
-                         const ContactPieces& pieces) {
-  Vec4 slopes = Vec4::Zero();
-  if (trial.rule.sticks) return slopes;
-  for (int end = 0; end < ends_of(element); ++end) {
-    const auto e = static_cast<std::size_t>(end);
-    const Eigen::Index n = normal_row(end);
-    if (!slides(pieces[e]) || trial.active(n + 1) != 0) continue;
-    const double friction = friction_of(strength, trial, e);
-    slopes(n + 1) = -direction_of(pieces[e]) * friction * trial.active(n) * element.stiffness(n);
-  }
-  return slopes;
 }
 
 double update_dilation(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {

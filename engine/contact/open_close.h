@@ -15,7 +15,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include "dda/contact/interface_element.h"
 #include "dda/contact/interface_state.h"
@@ -81,24 +80,6 @@ void respond_with_friction(const InterfaceElement& element, const EndStrength& s
 
 // Sets capacities to those of the normal forces; returns the largest change of a force that this makes at this gap.
 double update_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
-
-// The linear pieces of what the ends of an interface answer.
-enum class ContactPiece : std::int8_t { open, stuck, slides_forth, slides_back };
-using ContactPieces = std::array<ContactPiece, 2>;
-
-ContactPieces pieces_of(const InterfaceTrial& trial);
-
-// Where an end has left its piece for one that does not border on it, lays its answer on the one between: an end does
-// not turn its slip without sticking, nor, if `strictly`, close and stick at once or open before it slides. Newton's
-// method goes in circles otherwise. True when there is such an end; its forces are then not what it answers. `pieces`
-// come as those of the pass before and go as those of the next.
-bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, bool strictly,
-                              InterfaceTrial& trial, ContactPieces& pieces);
-
-// Slopes of the shear forces (rows 1 and 3) over the normal gaps of the same ends that capacities make where ends slide
-// (N/m per m of thickness); 0 elsewhere.
-Vec4 shear_by_normal_gap(const InterfaceElement& element, const EndStrength& strength, const InterfaceTrial& trial,
-                         const ContactPieces& pieces);
 
 // Sets dilations to those of the slips; returns the largest change of a force that this makes at this gap. For
 // capacities that stand still.

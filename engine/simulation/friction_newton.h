@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "dda/contact/contact_pieces.h"
 #include "dda/contact/interface_element.h"
-#include "dda/contact/open_close.h"
 #include "dda/linear/krylov.h"
 
 namespace dda {

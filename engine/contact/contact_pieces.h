@@ -1,0 +1,33 @@
+// The linear pieces of what an interface answers to a gap when capacities follow normal forces, and the way that
+// Newton's method takes between them.
+//
+// An end is open, sticks or slides to one of two sides, and is linear in its gaps while it does. In the order
+//   slides back - sticks - slides forth, with open bordering on both ends of the row
+// the answer is continuous from each piece to the next.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "dda/contact/open_close.h"
+
+namespace dda {
+
+enum class ContactPiece : std::int8_t { open, stuck, slides_forth, slides_back };
+using ContactPieces = std::array<ContactPiece, 2>;
+
+ContactPieces pieces_of(const InterfaceTrial& trial);
+
+// Where an end has left its piece for one that does not border on it, lays its answer on the one between: an end does
+// not turn its slip without sticking, nor, if `strictly`, close and stick at once or open before it slides. Newton's
+// method goes in circles otherwise. True when there is such an end; its forces are then not what it answers. `pieces`
+// come as those of the pass before and go as those of the next.
+bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, bool strictly,
+                              InterfaceTrial& trial, ContactPieces& pieces);
+
+// Slopes of the shear forces (rows 1 and 3) over the normal gaps of the same ends that capacities make where ends slide
+// (N/m per m of thickness); 0 elsewhere.
+Vec4 shear_by_normal_gap(const InterfaceElement& element, const EndStrength& strength, const InterfaceTrial& trial,
+                         const ContactPieces& pieces);
+
+}  // namespace dda

@@ -39,9 +39,6 @@ constexpr int free_passes = 4;
 constexpr double step_tolerance = 1e-3;
 constexpr double last_step_margin = 0.1;
 
-// Interfaces that may change in the matrix before it is factored again: an iteration more for each is cheaper.
-constexpr int most_stale_interfaces = 8;
-
 constexpr int most_iterations = 400;
 
 }  // namespace
@@ -107,31 +104,6 @@ void Simulation::start_from_rest() {
   }
   bolts_.aim(increment_);
   bolts_.follow_trials(1);
-}
-
-// Interface by interface, unless `anew`; held blocks that move would need what was taken out of the matrix anew.
-Status Simulation::bring_matrix_up_to_date(bool anew, bool& changed) {
-  const bool whole = !matrix_is_current_ || matrix_rows_.size() != trial_.size();
-  if (matrix_rows_.size() != trial_.size()) matrix_rows_.assign(trial_.size(), Vec4::Constant(-1));
-  changed = bolts_.active_rows_changed();
-  anew = anew || whole || changed || held_.move();
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (matrix_rows_[i] == trial_[i].active) continue;
-    if (!anew) amend_matrix(i);
-    matrix_rows_[i] = trial_[i].active;
-    ++counters_.contact_state_changes;
-    changed = true;
-  }
-  if (anew && (whole || changed)) return refactor();
-  return newton_.stale_interfaces > most_stale_interfaces ? factorize() : Status::ok;
-}
-
-void Simulation::amend_matrix(std::size_t i) {
-  const InterfaceElement& element = contacts_.elements[i];
-  add_contact(coefficients_.stiffness, element, trial_[i].active - matrix_rows_[i], !held_.holds(element.block_a),
-              !held_.holds(element.block_b), matrix_);
-  ++newton_.stale_interfaces;
-  newton_.matrix_amended = true;
 }
 
 // What the balance leaves at the increments reached. Where interfaces are linear the matrix gives their forces.

@@ -295,45 +295,6 @@ void Simulation::form_constant_rhs() {
   add_dashpot_and_support_rhs();
 }
 
-Status Simulation::refactor() {
-  if (plan_.linear) {
-    assemble(coefficients_, *linear_, damping_, matrix_);
-  } else {
-    assemble(coefficients_, terms_, damping_, supports_, contacts_, matrix_rows_, matrix_);
-    bolts_.add_stiffness(coefficients_.stiffness, matrix_);
-  }
-  held_.take_out(matrix_);
-  ++counters_.matrix_rebuilds;
-  newton_.matrix_amended = false;
-  return factorize();
-}
-
-Status Simulation::factorize() {
-  newton_.stale_interfaces = 0;
-  const Status status = solver_->factorize(matrix_);
-  ++counters_.factorizations;
-  matrix_is_current_ = status == Status::ok;
-  if (status != Status::ok)
-    message_ = "the system matrix is not positive definite: a block is not held, or data overflow";
-  return status;
-}
-
-Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
-  ++counters_.solves;
-  held_.move_to_right(rhs_);
-  held_.put(increment);
-  const Status status = solver_->solve(rhs_, increment);
-  held_.put(increment);
-  if (status != Status::ok) {
-    message_ = "the linear solver failed";
-    return status;
-  }
-  // 0 times anything not finite is NaN, and so is a sum with a NaN: allFinite(), vectorized.
-  if ((0 * increment).sum() == 0) return Status::ok;
-  message_ = "a displacement is not finite";
-  return Status::not_finite;
-}
-
 void Simulation::accept_step() {
   const double work = inertia_work(coefficients_, terms_, state_, increment_);
   audit_.dashpots_worked(coefficients_, damping_, state_, increment_);

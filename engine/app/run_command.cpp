@@ -127,6 +127,8 @@ class Run {
     }
     progress.finish(simulation_.state().time, simulation_.state().step);
     phases_.emplace_back("steps", wall_seconds() - begin - writing);
+    for (const PhaseField& field : phase_fields)
+      phases_.emplace_back(fmt::format("of steps: {}", field.name), simulation_.phase_times().*field.value);
     phases_.emplace_back("write", writing);
     return status;
   }

@@ -45,7 +45,6 @@ constexpr int most_iterations = 400;
 
 bool Simulation::newton_finds_balance() {
   FrictionNewton& n = newton_;
-  list_live_interfaces();
   bool changed = false;
   // As a whole at first: what a step does is to depend on the state alone, and not on the round-off of steps before.
   if (bring_matrix_up_to_date(true, changed) != Status::ok) return false;
@@ -74,6 +73,12 @@ double Simulation::negligible_imbalance() const {
   return std::max(balance_tolerance * newton_.largest_force, round_off * constant_rhs_.cwiseAbs().maxCoeff());
 }
 
+// False where every interface is linear, whatever comes: one solve is then all there is to do.
+bool Simulation::has_something_to_settle() {
+  list_live_interfaces();
+  return !newton_.live.empty() || !bolts_.empty();
+}
+
 void Simulation::list_live_interfaces() {
   FrictionNewton& n = newton_;
   n.live.clear();
@@ -91,8 +96,7 @@ void Simulation::list_live_interfaces() {
 
 // Held blocks go all their way at once; the others start from rest. (The increments of the step before would be no
 // nearer to the answer where contacts change, and of several answers that friction may have favour those that move.)
-void Simulation::start_from_rest() {
-  increment_.setZero();
+void Simulation::move_held_blocks() {
   if (!held_.move()) return;
   held_.put(increment_);
   for (std::size_t i = 0; i < trial_.size(); ++i) {
@@ -133,6 +137,7 @@ double Simulation::largest_entry(const Eigen::VectorXd& force) const {
 
 Status Simulation::solve_newton_step(double relative) {
   FrictionNewton& n = newton_;
+  const PhaseTimer timer(phase_times_.solution);
   list_couplings();
   ++counters_.solves;
   const auto precondition = [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) {

@@ -58,12 +58,9 @@ double zero_of(const Slope& slope, double at_zero, double at_one) {
 Status Simulation::find_contact_statuses() {
   start_trials();
   if (newton_.matrix_amended) matrix_is_current_ = false;
-  if (plan_.contacts_can_change) {
-    start_from_rest();
-  } else {
-    target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
-    increment_.setZero();
-  }
+  target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
+  increment_.setZero();
+  if (has_something_to_settle()) move_held_blocks();
   int rises = 0;
   while (true) {
     const Status status = settle_contacts();
@@ -107,7 +104,7 @@ void Simulation::start_trials() {
 // Newton's method with line search. Capacities follow the normal forces after every pass at first, which is quickest
 // where it works, and then only when the statuses have settled for the capacities at hand, which is sure.
 Status Simulation::settle_contacts() {
-  if (plan_.contacts_can_change) {
+  if (has_something_to_settle()) {
     if (newton_finds_balance()) return Status::ok;
     restart_trials();
   }

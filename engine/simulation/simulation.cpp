@@ -255,6 +255,7 @@ void Simulation::follow_contacts() {
 
 void Simulation::follow_geometry() {
   if (moved_ <= geometry_tolerance) return;
+  const PhaseTimer timer(phase_times_.geometry);
   moved_ = 0;
   turn_stresses(state_, turned_);
   update_geometry(model_, state_, terms_);

@@ -17,6 +17,7 @@
 #include "dda/contact/moving_contacts.h"
 #include "dda/contact/open_close.h"
 #include "dda/core/counters.h"
+#include "dda/core/phase_times.h"
 #include "dda/core/status.h"
 #include "dda/linear/block_matrix.h"
 #include "dda/linear/solver.h"
@@ -61,6 +62,8 @@ class Simulation {
   [[nodiscard]] const StepPlan& plan() const { return plan_; }
   [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }
   [[nodiscard]] Counters counters() const;
+  // Since this object was made; what a step does besides is in none of them.
+  [[nodiscard]] const PhaseTimes& phase_times() const { return phase_times_; }
   // Of all steps with contacts that can change.
   [[nodiscard]] const Penetration& deepest_penetration() const { return deepest_; }
 
@@ -97,6 +100,7 @@ class Simulation {
   [[nodiscard]] std::string unsettled_message() const;
   void form_constant_rhs();
   [[nodiscard]] Status refactor();
+  void assemble_matrix();
   [[nodiscard]] Status factorize();
   [[nodiscard]] Status solve_for_increment(Eigen::VectorXd& increment);
 
@@ -120,7 +124,8 @@ class Simulation {
   [[nodiscard]] bool weaken_consistent(std::size_t i);
 
   // Its quick passes (friction_newton.cpp)
-  void start_from_rest();
+  [[nodiscard]] bool has_something_to_settle();
+  void move_held_blocks();
   [[nodiscard]] bool newton_finds_balance();
   [[nodiscard]] bool is_balanced() const;
   [[nodiscard]] double negligible_imbalance() const;
@@ -200,6 +205,7 @@ class Simulation {
   bool matrix_is_current_ = false;
   std::optional<LinearOperators> linear_;  // only in a linear stage
   Counters counters_;
+  PhaseTimes phase_times_;
   Penetration deepest_;
   std::string message_;
 

@@ -14,6 +14,12 @@ constexpr int most_stale_interfaces = 8;
 }  // namespace
 
 Status Simulation::refactor() {
+  assemble_matrix();
+  return factorize();
+}
+
+void Simulation::assemble_matrix() {
+  const PhaseTimer timer(phase_times_.assembly);
   if (plan_.linear) {
     assemble(coefficients_, *linear_, damping_, matrix_);
   } else {
@@ -23,10 +29,10 @@ Status Simulation::refactor() {
   held_.take_out(matrix_);
   ++counters_.matrix_rebuilds;
   newton_.matrix_amended = false;
-  return factorize();
 }
 
 Status Simulation::factorize() {
+  const PhaseTimer timer(phase_times_.factorization);
   newton_.stale_interfaces = 0;
   const Status status = solver_->factorize(matrix_);
   ++counters_.factorizations;
@@ -37,6 +43,7 @@ Status Simulation::factorize() {
 }
 
 Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
+  const PhaseTimer timer(phase_times_.solution);
   ++counters_.solves;
   held_.move_to_right(rhs_);
   held_.put(increment);

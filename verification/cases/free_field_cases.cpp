@@ -42,8 +42,10 @@ dda::Model layers(int columns, double block) {
   model.joints = {bond};
   const int rows = rows_of(block);
   dda::append_grid(model, {.columns = columns, .rows = rows, .block_width = block, .block_height = block});
-  for (int i = 0; i < columns * rows; ++i)
-    model.blocks[static_cast<std::size_t>(i)].material = soil_at((i / columns + 0.5) * block);
+  for (int i = 0; i < columns * rows; ++i) {
+    const int row = i / columns;
+    model.blocks[static_cast<std::size_t>(i)].material = soil_at((row + 0.5) * block);
+  }
   const double right = columns * block;
   model.blocks.emplace_back().shape.outer = {{0, -1}, {right, -1}, {right, 0}, {0, 0}};
   dda::PiecewiseLinear shaking;
@@ -106,7 +108,7 @@ void add_side(double block, bool right, const RecordedRun* field, dda::Model& mo
     const double normal = soil.density * dda::p_wave_speed(soil);
     model.viscous_edges.push_back({at, from, to, normal, soil.density * dda::s_wave_speed(soil)});
     if (field == nullptr) continue;
-    const auto velocity = static_cast<std::size_t>(2 * row);
+    const auto velocity = 2 * static_cast<std::size_t>(row);
     model.edge_loads.push_back({at, from, to, {normal, 0}, table_of(field->histories[velocity])});
     model.edge_loads.push_back({at, from, to, {0, right ? 1.0 : -1.0}, table_of(field->histories[velocity + 1])});
   }

@@ -28,14 +28,11 @@ bool has_linear_pieces(const InterfaceElement& element, const InterfaceTrial& tr
 // Forces and slopes as if the end were on that piece.
 void lay_on(ContactPiece piece, const InterfaceElement& element, const EndStrength& strength, int end,
             InterfaceTrial& trial) {
-  const Eigen::Index n = 2 * end;
   if (piece == ContactPiece::stuck) {
-    const double dashpot = element.dashpot(n + 1) * trial.rule.dashpot_rate;
-    trial.force(n + 1) =
-        element.stiffness(n + 1) * trial.gap(n + 1) + dashpot * (trial.gap(n + 1) - trial.start(n + 1));
-    trial.active(n + 1) = 1 + (dashpot > 0 ? dashpot / element.stiffness(n + 1) : 0);
+    respond_as_stuck(element, end, trial);
     return;
   }
+  const Eigen::Index n = 2 * end;
   const auto e = static_cast<std::size_t>(end);
   trial.force(n) = element.stiffness(n) * trial.normal_gap(end);
   trial.active(n) = 1;
@@ -67,7 +64,7 @@ bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength
   pieces = pieces_of(trial);
   if (pieces == before) return false;
   bool kept = false;
-  for (int end = 0; end < (element.length > 0 ? 2 : 1); ++end) {
+  for (int end = 0; end < ends_of(element); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const ContactPiece between = piece_between(before[e], pieces[e], trial.gap(2 * end + 1));
     if (between == pieces[e] || (between != ContactPiece::stuck && !(strictly && has_linear_pieces(element, trial))))
@@ -83,7 +80,7 @@ Vec4 shear_by_normal_gap(const InterfaceElement& element, const EndStrength& str
                          const ContactPieces& pieces) {
   Vec4 slopes = Vec4::Zero();
   if (trial.rule.sticks) return slopes;
-  for (int end = 0; end < (element.length > 0 ? 2 : 1); ++end) {
+  for (int end = 0; end < ends_of(element); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;
     if (!slides(pieces[e]) || trial.active(n + 1) != 0) continue;

@@ -35,6 +35,9 @@ struct InterfaceElement {
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set in the classical law
 };
 
+// A lone vertex has one.
+inline int ends_of(const InterfaceElement& element) { return element.length > 0 ? 2 : 1; }
+
 inline bool has_stress_rows(const InterfaceElement& element) { return element.law != InterfaceLaw::classical; }
 
 // The frame of an interface: its ends as seen by each block, its normal, and where the blocks' centroids are.

@@ -69,9 +69,11 @@ double stuck_force(const Row& row, double gap) {
   return row.stiffness * gap + (row.broken ? row.dashpot * (gap - row.start) : 0);
 }
 
+double stuck_slope(const Row& row) { return 1 + (row.broken && row.dashpot > 0 ? row.dashpot / row.stiffness : 0); }
+
 Answer shear(const Row& row, double gap, const InterfaceTrial& trial, std::size_t end) {
   const double stuck = stuck_force(row, gap);
-  const double slope = 1 + (row.broken && row.dashpot > 0 ? row.dashpot / row.stiffness : 0);
+  const double slope = stuck_slope(row);
   if (!row.broken) return {stuck, slope};
   const auto [yield, hardening] = yield_of(trial, end, std::copysign(1, stuck));
   // A joint that slid in the last step starts this one right at its capacity: it slides on unless it turns back.
@@ -85,8 +87,6 @@ Row row_of(const InterfaceElement& element, const InterfaceTrial& trial, Eigen::
   return {element.stiffness(row), element.dashpot(row) * trial.rule.dashpot_rate, trial.start(row),
           trial.broken[static_cast<std::size_t>(row / 2)]};
 }
-
-int ends_of(const InterfaceElement& element) { return element.length > 0 ? 2 : 1; }
 
 Eigen::Index normal_row(int end) { return 2 * end; }
 
@@ -189,6 +189,13 @@ void respond(const InterfaceElement& element, InterfaceTrial& trial) {
     respond_normal(element, end, trial);
     respond_tangent(element, end, trial);
   }
+}
+
+void respond_as_stuck(const InterfaceElement& element, int end, InterfaceTrial& trial) {
+  const Eigen::Index t = normal_row(end) + 1;
+  const Row row = row_of(element, trial, t);
+  trial.force(t) = stuck_force(row, trial.gap(t));
+  trial.active(t) = stuck_slope(row);
 }
 
 void respond_with_friction(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {

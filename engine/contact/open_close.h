@@ -75,6 +75,9 @@ void respond(const InterfaceElement& element, InterfaceTrial& trial);
 // Work rate direction . force at a share `t` of the Newton step.
 double force_along(const InterfaceElement& element, const InterfaceTrial& trial, double t);
 
+// Shear of an end that does not slide, whatever its capacity.
+void respond_as_stuck(const InterfaceElement& element, int end, InterfaceTrial& trial);
+
 // respond() with the capacities of the normal forces there.
 void respond_with_friction(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
 

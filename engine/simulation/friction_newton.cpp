@@ -14,17 +14,13 @@
 
 #include "dda/contact/open_close.h"
 #include "dda/simulation/simulation.h"
-#include "dda/simulation/system_matrix.h"
 
 namespace dda {
 namespace {
 
 // The balance holds when no block is out of it by more than this share of the largest contact force: far below what a
-// stress or displacement is read to,
+// stress or displacement is read to.
 constexpr double balance_tolerance = 1e-11;
-
-// or of the largest entry of the right-hand side: round-off of blocks that only just touch.
-constexpr double round_off = 1e-13;
 
 // Measured on walls of 1,600 bricks that gravity is switched on for: where passes settle they take 5 to 20, and hardly
 // any step that has not come nearer to the balance in ten passes does.
@@ -63,18 +59,20 @@ bool Simulation::newton_finds_balance() {
     best = n.imbalance;
     best_pass = pass;
   }
-  follow_whole_interfaces();
+  for (std::size_t i = 0; i < trial_.size(); ++i)
+    if (is_whole(contacts_.elements[i], trial_[i])) follow_whole(i);
   return true;
 }
 
 bool Simulation::is_balanced() const { return !newton_.between_pieces && newton_.imbalance <= negligible_imbalance(); }
 
 double Simulation::negligible_imbalance() const {
-  return std::max(balance_tolerance * newton_.largest_force, round_off * constant_rhs_.cwiseAbs().maxCoeff());
+  return std::max(balance_tolerance * newton_.largest_force, round_off_of_forces());
 }
 
 // False where every interface is linear, whatever comes: one solve is then all there is to do.
 bool Simulation::has_something_to_settle() {
+  if (!plan_.contacts_can_change) return false;
   list_live_interfaces();
   return !newton_.live.empty() || !bolts_.empty();
 }
@@ -97,7 +95,6 @@ void Simulation::list_live_interfaces() {
 // Held blocks go all their way at once; the others start from rest. (The increments of the step before would be no
 // nearer to the answer where contacts change, and of several answers that friction may have favour those that move.)
 void Simulation::move_held_blocks() {
-  if (!held_.move()) return;
   held_.put(increment_);
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     InterfaceTrial& trial = trial_[i];
@@ -194,21 +191,6 @@ void Simulation::take_newton_step_with_friction(bool strictly) {
   bolts_.aim(n.step);
   bolts_.follow_trials(1);
   form_residual();
-}
-
-// Gaps and forces of the interfaces that no pass looks at.
-void Simulation::follow_whole_interfaces() {
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const InterfaceElement& element = contacts_.elements[i];
-    InterfaceTrial& trial = trial_[i];
-    if (!is_whole(element, trial)) continue;
-    trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
-    if (has_stress_rows(element)) {
-      trial.force = elastic_force(element, trial.gap, trial_stress(element.block_a), trial_stress(element.block_b));
-    } else {
-      respond(element, trial);
-    }
-  }
 }
 
 }  // namespace dda

@@ -23,10 +23,6 @@ namespace {
 // or displacement is read to.
 constexpr double force_tolerance = 1e-10;
 
-// Or by no more than this share of the largest entry of the right-hand side: what round-off of a solve makes of blocks
-// that only just touch.
-constexpr double round_off = 1e-13;
-
 // Passes after each of which capacities follow the normal forces.
 constexpr int eager_passes = 10;
 
@@ -60,7 +56,7 @@ Status Simulation::find_contact_statuses() {
   if (newton_.matrix_amended) matrix_is_current_ = false;
   target_.swap(increment_);  // the last step's increments, as a first guess for an iterative solver
   increment_.setZero();
-  if (has_something_to_settle()) move_held_blocks();
+  if (held_.move() && has_something_to_settle()) move_held_blocks();
   int rises = 0;
   while (true) {
     const Status status = settle_contacts();
@@ -151,29 +147,12 @@ bool Simulation::capacities_stand_still() {
 }
 
 Status Simulation::solve_pass() {
-  if (active_rows_changed()) matrix_is_current_ = false;
-  if (!matrix_is_current_) {
-    const Status status = refactor();
-    if (status != Status::ok) return status;
-  }
+  bool changed = false;
+  const Status status = bring_matrix_up_to_date(true, changed);
+  if (status != Status::ok) return status;
   rhs_ = constant_rhs_;
   if (plan_.contacts_can_change) add_contact_rhs(rhs_);
   return solve_for_increment(target_);
-}
-
-// The matrix holds the stiffness of `matrix_rows_`; it must be that of the rows active now.
-bool Simulation::active_rows_changed() {
-  if (matrix_rows_.size() != trial_.size()) {
-    matrix_rows_.assign(trial_.size(), Vec4::Constant(-1));
-  }
-  bool changed = bolts_.active_rows_changed();
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (matrix_rows_[i] == trial_[i].active) continue;
-    matrix_rows_[i] = trial_[i].active;
-    ++counters_.contact_state_changes;
-    changed = true;
-  }
-  return changed;
 }
 
 // Forces at the end of the step are force + K_active (gap at the end - gap reached); what of that does not depend on
@@ -230,7 +209,13 @@ double Simulation::mismatch_of_whole_step() const {
 double Simulation::negligible_force() const {
   double largest = bolts_.largest_force();
   for (const InterfaceTrial& trial : trial_) largest = std::max(largest, trial.force.cwiseAbs().maxCoeff());
-  return std::max(force_tolerance * largest, round_off * constant_rhs_.cwiseAbs().maxCoeff());
+  return std::max(force_tolerance * largest, round_off_of_forces());
+}
+
+// What a solve leaves of the forces on blocks that only just touch.
+double Simulation::round_off_of_forces() const {
+  constexpr double share = 1e-13;  // of the largest entry of the right-hand side
+  return share * constant_rhs_.cwiseAbs().maxCoeff();
 }
 
 double Simulation::length_of_step() {
@@ -264,18 +249,23 @@ double Simulation::length_of_step() {
 void Simulation::follow_trials(double share) {
   bolts_.follow_trials(share);
   for (std::size_t i = 0; i < trial_.size(); ++i) {
-    const InterfaceElement& element = contacts_.elements[i];
-    InterfaceTrial& trial = trial_[i];
-    if (has_stress_rows(element)) {
-      trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
-      trial.force = elastic_force(element, trial.gap, trial_stress(element.block_a), trial_stress(element.block_b));
+    if (has_stress_rows(contacts_.elements[i]) || !plan_.contacts_can_change) {
+      follow_whole(i);
       continue;
     }
-    if (plan_.contacts_can_change) {
-      trial.gap += share * trial.direction;
-    } else {
-      trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
-    }
+    trial_[i].gap += share * trial_[i].direction;
+    respond(contacts_.elements[i], trial_[i]);
+  }
+}
+
+// Of an interface that is linear in its gaps.
+void Simulation::follow_whole(std::size_t i) {
+  const InterfaceElement& element = contacts_.elements[i];
+  InterfaceTrial& trial = trial_[i];
+  trial.gap = contacts_.states[i].gap + gap_increment(element, increment_);
+  if (has_stress_rows(element)) {
+    trial.force = elastic_force(element, trial.gap, trial_stress(element.block_a), trial_stress(element.block_b));
+  } else {
     respond(element, trial);
   }
 }

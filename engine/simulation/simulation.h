@@ -111,14 +111,15 @@ class Simulation {
   [[nodiscard]] bool capacities_stand_still();
   [[nodiscard]] bool dilations_stand_still();
   [[nodiscard]] Status solve_pass();
-  [[nodiscard]] bool active_rows_changed();
   void add_contact_rhs(Eigen::VectorXd& rhs) const;
   void restart_trials();
   [[nodiscard]] bool take_newton_step();
   [[nodiscard]] double length_of_step();
   [[nodiscard]] double mismatch_of_whole_step() const;
   void follow_trials(double share);
+  void follow_whole(std::size_t i);
   [[nodiscard]] double negligible_force() const;
+  [[nodiscard]] double round_off_of_forces() const;
   [[nodiscard]] Vec3 trial_stress(int block) const;
   [[nodiscard]] bool break_interfaces();
   [[nodiscard]] bool weaken_consistent(std::size_t i);
@@ -138,7 +139,6 @@ class Simulation {
   void list_couplings();
   void multiply_coupled(const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void take_newton_step_with_friction(bool strictly);
-  void follow_whole_interfaces();
 
   void accept_step();
   void accept_contacts();

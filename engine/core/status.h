@@ -12,6 +12,7 @@ enum class Status {
   singular,            // the system matrix is not positive definite: a block has neither inertia nor support
   not_in_equilibrium,  // a static stage ended out of balance; the state is the one reached
   left_contact_range,  // blocks meet where they did not at the start, which is not followed; the state is the first so
+  finished,            // there was no step left to take; the state is that of the end
   stopped,             // the user asked to stop; the state is complete and can be resumed
 };
 
@@ -23,6 +24,7 @@ constexpr std::string_view to_string(Status status) {
     case Status::singular: return "singular";
     case Status::not_in_equilibrium: return "not_in_equilibrium";
     case Status::left_contact_range: return "left_contact_range";
+    case Status::finished: return "finished";
     case Status::stopped: return "stopped";
   }
   return "unknown";

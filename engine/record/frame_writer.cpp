@@ -80,7 +80,10 @@ FrameWriter::FrameWriter(const Model& model, std::filesystem::path index) : mode
   const std::size_t cells = cell_block_.size();
   std::vector<std::int32_t> materials;
   for (const int block : cell_block_) materials.push_back(model.blocks[at(block)].material);
-  data_.cell_data = {{"block", 1, cell_block_}, {"material", 1, std::move(materials)}};
+  std::vector<std::string> names;
+  for (const int block : cell_block_) names.push_back(model.blocks[at(block)].name);
+  data_.cell_data = {
+      {"block", 1, cell_block_}, {"material", 1, std::move(materials)}, {"block_name", 1, std::move(names)}};
   for (const ScalarOfBlock& scalar : scalars_of_block) data_.cell_data.push_back(doubles(scalar.name, 1, cells));
   data_.cell_data.push_back(doubles("velocity [m/s]", 3, cells));
   data_.cell_data.push_back(doubles("displacement [m]", 3, cells));
@@ -146,7 +149,7 @@ void FrameWriter::fill_points(const State& state) {
 }
 
 void FrameWriter::fill_cells(const State& state) {
-  std::size_t array = 2;  // after block and material
+  std::size_t array = 3;  // after block, material and name
   for (const ScalarOfBlock& scalar : scalars_of_block) {
     std::vector<double>& values = values_of(data_.cell_data[array++]);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = scalar.value(state, at(cell_block_[i]));

@@ -17,7 +17,8 @@ namespace dda {
 // its vertices covers it (all convex blocks, and e.g. L-shaped ones), because that is how VTK draws polygons. Any other
 // block is triangles, and its rings are closed lines, the outer one first: only those are its edges. Each block has its
 // own points: edges between blocks stay visible.
-//   cell data: block, material (indices), stress_xx, _yy, _xy and principal stresses stress_1 >= stress_2 [Pa, tension
+//   cell data: block, material (indices), block_name (text), stress_xx, _yy, _xy and principal stresses stress_1 >=
+//   stress_2 [Pa, tension
 //     positive], velocity [m/s] and displacement [m] of the centroid, rotation [rad]
 //   point data: displacement [m] and velocity [m/s] of the material point, e.g. to exaggerate by "Warp By Vector"
 class FrameWriter {

@@ -89,6 +89,16 @@ TEST_F(FrameWriterTest, ArraysHaveATupleForEveryCellOrPoint) {
   EXPECT_EQ(vtp.array("Points/Points").size(), 3U * 18U);
 }
 
+TEST_F(FrameWriterTest, EveryCellHasTheNameOfItsBlock) {
+  const std::vector<std::string> names = {"wall 1.1", "L <&> \u00fc", ""};
+  for (std::size_t i = 0; i < 3; ++i) model_.blocks[i].name = names[i];
+  const VtpReader vtp = frame(initial_state(model_));
+  const std::vector<std::string>& written = vtp.texts("CellData/block_name");
+  ASSERT_EQ(written.size(), 12U);
+  for (std::size_t cell = 0; cell < 12; ++cell)
+    EXPECT_EQ(written[cell], names[static_cast<std::size_t>(vtp.cell("block")[cell])]) << cell;
+}
+
 TEST_F(FrameWriterTest, BlocksAsDrawnCoverTheirAreaAndNoHole) {
   const VtpReader vtp = frame(initial_state(model_));
   const std::map<int, double> expected = {{0, 1}, {1, 3}, {2, 8}};  // small integers: exact

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <deque>
 #include <iterator>
 #include <span>
 
@@ -21,15 +22,23 @@ std::string_view bytes_of(std::span<const Number> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
+// VTK's array of texts: each ends with a zero byte.
+std::string zero_ended(std::span<const std::string> texts) {
+  std::string bytes;
+  for (const std::string& text : texts) bytes.append(text).push_back('\0');
+  return bytes;
+}
+
 // The XML text, and the arrays it refers to in the order in which they are appended.
 class VtpText {
  public:
   template <typename Number>
   void array(std::string_view name, int components, std::span<const Number> values, std::string_view more = "") {
-    line(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"{}/>)",
-                     type_name(Number{}), xml_escaped(name), components, offset_, more));
-    appended_.push_back(bytes_of(values));
-    offset_ += sizeof(std::uint64_t) + values.size_bytes();
+    append(type_name(Number{}), name, components, bytes_of(values), more);
+  }
+
+  void array(std::string_view name, int components, std::span<const std::string> texts) {
+    append("String", name, components, texts_.emplace_back(zero_ended(texts)));
   }
 
   void array(const VtkArray& array) {
@@ -59,11 +68,20 @@ class VtpText {
   }
 
  private:
+  void append(std::string_view type, std::string_view name, int components, std::string_view bytes,
+              std::string_view more = "") {
+    line(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"{}/>)",
+                     type, xml_escaped(name), components, offset_, more));
+    appended_.push_back(bytes);
+    offset_ += sizeof(std::uint64_t) + bytes.size();
+  }
+
   void line(std::string_view content) {
     fmt::format_to(std::back_inserter(text_), "{:{}}{}\n", "", 2 * depth_, content);
   }
 
   std::string text_;
+  std::deque<std::string> texts_;  // what of `appended_` is nobody else's; stays where it is as it grows
   std::vector<std::string_view> appended_;
   std::size_t offset_ = 0;
   int depth_ = 0;

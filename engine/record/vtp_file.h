@@ -15,7 +15,9 @@ namespace dda {
 struct VtkArray {
   std::string name;
   int components = 1;  // of each tuple
-  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>> values;
+  // Texts have one component and hold no zero byte.
+  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<std::string>>
+      values;
 };
 
 // Cell i goes through points[connectivity[offsets[i - 1] .. offsets[i])].

@@ -91,6 +91,8 @@ class Reader {
       array.values = numbers<std::int32_t>(bytes);
     else if (type == "Int64")
       array.values = numbers<std::int64_t>(bytes);
+    else if (type == "String")
+      array.values = texts(array.name, bytes);
     else
       refuse(path_, "with numbers of type \"" + type + "\"");
     return array;
@@ -100,6 +102,14 @@ class Reader {
   static std::vector<Number> numbers(std::string_view bytes) {
     std::vector<Number> result(bytes.size() / sizeof(Number));
     if (!result.empty()) std::memcpy(result.data(), bytes.data(), result.size() * sizeof(Number));
+    return result;
+  }
+
+  [[nodiscard]] std::vector<std::string> texts(const std::string& name, std::string_view bytes) const {
+    std::vector<std::string> result;
+    for (std::size_t end; (end = bytes.find('\0')) != std::string_view::npos; bytes.remove_prefix(end + 1))
+      result.emplace_back(bytes.substr(0, end));
+    if (!bytes.empty()) refuse(path_, "damaged (" + name + ")");
     return result;
   }
 

@@ -19,7 +19,8 @@ PolyData sample() {
   data.lines = {{0, 1}, {2}};
   data.polygons = {{0, 1, 2}, {3}};
   data.point_data = {{"force <&\"> [N]", 3, std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}}};
-  data.cell_data = {{"block", 1, std::vector<std::int32_t>{5, 6, 7}}};
+  data.cell_data = {{"block", 1, std::vector<std::int32_t>{5, 6, 7}},
+                    {"name", 1, std::vector<std::string>{"a b", "", "\u00fc<"}}};
   return data;
 }
 
@@ -58,6 +59,7 @@ TEST_F(VtpFileTest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(*find_array<double>(read.point_data, "force <&\"> [N]", 3),
             std::get<std::vector<double>>(written.point_data[0].values));
   EXPECT_EQ(*find_array<std::int32_t>(read.cell_data, "block", 1), (std::vector<std::int32_t>{5, 6, 7}));
+  EXPECT_EQ(*find_array<std::string>(read.cell_data, "name", 1), (std::vector<std::string>{"a b", "", "\u00fc<"}));
   EXPECT_EQ(find_array<double>(read.cell_data, "block", 1), nullptr);
   EXPECT_EQ(find_array<std::int32_t>(read.cell_data, "block", 3), nullptr);
   EXPECT_EQ(find_array<std::int32_t>(read.cell_data, "stress", 1), nullptr);
@@ -78,6 +80,8 @@ TEST_F(VtpFileTest, SaysWhatIsWrongAndWhatToDo) {
   EXPECT_NE(refusal(with("LittleEndian", "BigEndian")).find("another byte order"), std::string::npos);
   EXPECT_NE(refusal(with("Int32", "Int31")).find("type \"Int31\""), std::string::npos);
   EXPECT_NE(refusal(with("offset=\"0\"", "offset=\"x\"")).find("damaged"), std::string::npos);
+  EXPECT_NE(refusal(with(std::string("a b\0", 4), "a bc")).find("(name)"), std::string::npos) << "a text too few";
+  EXPECT_NE(refusal(with(std::string("<\0", 2), "<c")).find("(name)"), std::string::npos) << "a text without end";
   EXPECT_NE(refusal(with("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"")).find("force"), std::string::npos);
 }
 

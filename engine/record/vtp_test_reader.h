@@ -114,6 +114,8 @@ class VtpReader {
   const std::vector<double>& array(const std::string& name) const { return arrays_.at(name); }
   const std::vector<double>& cell(const std::string& name) const { return array("CellData/" + name); }
   const std::vector<double>& point(const std::string& name) const { return array("PointData/" + name); }
+  // The texts of an array of texts.
+  const std::vector<std::string>& texts(const std::string& name) const { return texts_.at(name); }
   std::size_t components(const std::string& name) const { return components_.at(name); }
   const Element& file() const { return file_; }
   std::size_t count(const std::string& what) const { return std::stoul(piece_.attributes.at(what)); }
@@ -163,7 +165,17 @@ class VtpReader {
     const std::string parent = element.parents.substr(0, element.parents.size() - 1);
     const std::string name = parent.substr(parent.rfind('/') + 1) + "/" + attributes.at("Name");
     components_[name] = std::stoul(attributes.at("NumberOfComponents"));
-    arrays_[name] = numbers(raw, attributes.at("type"));
+    if (attributes.at("type") == "String")
+      texts_[name] = texts_of(raw);
+    else
+      arrays_[name] = numbers(raw, attributes.at("type"));
+  }
+
+  static std::vector<std::string> texts_of(const std::string& raw) {
+    if (!raw.empty() && raw.back() != '\0') throw std::runtime_error("text without end");
+    std::vector<std::string> result;
+    for (std::size_t at = 0; at < raw.size(); at += result.back().size() + 1) result.emplace_back(raw.c_str() + at);
+    return result;
   }
 
   static std::vector<double> numbers(const std::string& raw, const std::string& type) {
@@ -189,6 +201,7 @@ class VtpReader {
   Element file_;
   Element piece_;
   std::map<std::string, std::vector<double>> arrays_;
+  std::map<std::string, std::vector<std::string>> texts_;
   std::map<std::string, std::size_t> components_;
 };
 

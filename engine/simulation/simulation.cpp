@@ -128,6 +128,10 @@ std::int64_t Simulation::steps_in_all_stages() const {
 }
 
 Status Simulation::step() {
+  if (finished()) {
+    message_ = "all stages are done";
+    return Status::finished;
+  }
   const Status status = advance(stage().dt, stage().max_step_reductions);
   if (status != Status::ok) return status;
   ++step_in_stage_;

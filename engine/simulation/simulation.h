@@ -45,7 +45,8 @@ class Simulation {
   explicit Simulation(Model model);
 
   // Advances by one time step of the current stage, and on to the next stage after the last step of one. Anything but
-  // ok leaves the state at the last converged moment; message() says why.
+  // ok leaves the state at the last converged moment; message() says why. When finished() it does nothing and returns
+  // Status::finished.
   [[nodiscard]] Status step();
 
   [[nodiscard]] bool finished() const { return stage_ >= model_.stages.size(); }

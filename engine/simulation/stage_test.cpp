@@ -26,6 +26,23 @@ TEST(StaticStage, StartsFromRestWhateverCameBefore) {
   }
 }
 
+TEST(Stages, AfterTheLastStepThereIsNone) {
+  for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
+    Model model = bar_of(3, bond(InterfaceLaw::consistent));
+    for (Block& block : model.blocks) block.initial_velocity = {5, 0};
+    model.stages = {stage_of(trapezoidal_integrator(), 1e-3, 2, kinematics)};
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, 2);
+    ASSERT_TRUE(simulation.finished());
+    const double moved = simulation.state().displacement[0](0);
+    EXPECT_EQ(simulation.step(), Status::finished);
+    EXPECT_EQ(simulation.message(), "all stages are done");
+    EXPECT_EQ(simulation.state().step, 2);
+    EXPECT_EQ(simulation.state().displacement[0](0), moved);
+    EXPECT_EQ(simulation.counters().steps, 2);
+  }
+}
+
 // A bar swings with its end held, first as drawn, then with moving geometry: nothing jumps.
 Model swinging_bar(InterfaceLaw law, Kinematics first, Kinematics second) {
   Model model = bar_of(3, bond(law));

@@ -162,6 +162,7 @@ Json PackedRun::header() const {
   const Vec2 origin = drawing_.reference.empty() ? Vec2(0, 0) : drawing_.reference[0];
   return {{"times", times_},
           {"blocks", drawing_.blocks()},
+          {"block_names", drawing_.names},
           {"vertices", drawing_.reference.size()},
           {"origin", {origin.x(), origin.y()}},
           {"ring_begin", drawing_.ring_begin},

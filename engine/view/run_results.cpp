@@ -69,6 +69,7 @@ RunResults::RunResults(const std::filesystem::path& folder) : frames_(frames_in(
 // A block is one polygon, or triangles with rings as closed lines; see FrameWriter.
 void RunResults::read_outlines(const std::filesystem::path& path, const PolyData& first) {
   const auto& block_of = need_array<std::int32_t>(path, first.cell_data, "block", 1);
+  const auto& name_of = need_array<std::string>(path, first.cell_data, "block_name", 1);
   const std::size_t lines = first.lines.size();
   if (first.vertices.size() != 0 || block_of.empty()) refuse(path, "without blocks");
   points_in_file_ = first.points.size() / 3;
@@ -85,6 +86,7 @@ void RunResults::read_outlines(const std::filesystem::path& path, const PolyData
   for (const auto& own : cells) {
     if (own.empty()) refuse(path, "damaged (a block is missing)");
     cell_.push_back(own[0]);
+    drawing_.names.push_back(name_of[own[0]]);
     if (own[0] >= lines) add_ring(path, first, first.polygons.cell(own[0] - lines));
     for (const std::size_t cell : own) {
       if (cell >= lines) break;

@@ -13,6 +13,7 @@ namespace dda {
 
 // What stays from frame to frame: the true outlines of the blocks, holes included.
 struct Drawing {
+  std::vector<std::string> names;         // of the blocks
   std::vector<Vec2> reference;            // m, all vertices as drawn at the start, those of a ring one after the other
   std::vector<std::uint32_t> ring_begin;  // ring r has the vertices ring_begin[r] to ring_begin[r + 1]
   std::vector<std::uint32_t>

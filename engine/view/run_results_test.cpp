@@ -30,6 +30,7 @@ TEST_F(RunResultsTest, OutlinesAreThoseOfTheModel) {
   const Drawing& drawing = results.drawing();
   EXPECT_EQ(results.times(), (std::vector<double>{0, 0.5, 1}));
   ASSERT_EQ(drawing.blocks(), 3U);
+  EXPECT_EQ(drawing.names, (std::vector<std::string>{"square", "U", "frame"}));
   EXPECT_EQ(drawing.block_begin, (std::vector<std::uint32_t>{0, 1, 2, 4}));
   ASSERT_EQ(drawing.rings(), 4U);
   const Polygon& frame = model_.blocks[2].shape;

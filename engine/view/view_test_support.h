@@ -50,6 +50,9 @@ inline Model model_to_view() {
   model.materials = {{"rock", 2600, 1e9, 0.25, PlaneState::stress}};
   model.joints.resize(1);
   model.blocks.resize(3);
+  model.blocks[0].name = "square";
+  model.blocks[1].name = "U";
+  model.blocks[2].name = "frame";
   model.blocks[0].shape.outer = square_ring(0, 0, 1);
   model.blocks[1].shape.outer = {{2, 0}, {5, 0}, {5, 2}, {4, 2}, {4, 1}, {3, 1}, {3, 2}, {2, 2}};
   model.blocks[2].shape = {square_ring(6, 0, 3), {square_ring(7, 1, 1)}};

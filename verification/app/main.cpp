@@ -26,7 +26,7 @@ struct Arguments {
   verify::SweepCommand sweep;
   verify::JobCommand job;
   std::filesystem::path collected;
-  std::filesystem::path blast;
+  std::filesystem::path blast, blast_page;
   verify::PrecisionCommand precision;
 };
 
@@ -95,13 +95,14 @@ void add_sweep(CLI::App& app, Arguments& arguments) {
   sweep->add_option("--out", arguments.sweep.folder, "folder for all files; made if it is not there")->required();
   sweep->add_option("--jobs", arguments.sweep.jobs, "jobs at once; default: as many as there are cores")
       ->check(CLI::PositiveNumber);
-  sweep->add_flag("--resume", arguments.sweep.resume, "keep the jobs of the folder that are done");
+  sweep->add_flag("--resume", arguments.sweep.resume, "go on in a folder that has jobs, and keep those that are done");
   sweep->add_flag("--job-list", arguments.sweep.job_list,
                   "run nothing: write jobs.txt, a command a line, and slurm.sh, a job array");
 }
 
 void add_job(CLI::App& app, Arguments& arguments) {
-  CLI::App* job = app.add_subcommand("job", "Runs one job of a sweep and writes DIR/jobs/INDEX.json.");
+  CLI::App* job = app.add_subcommand(
+      "job", "Runs one job of a sweep and writes DIR/jobs/INDEX.json.\nExit code 1 if it failed; the file says why.");
   job->add_option("spec", arguments.job.spec, "JSON file of the sweep")->required()->type_name("SPEC");
   job->add_option("index", arguments.job.index, "which job, from 0")->required()->type_name("INDEX");
   job->add_option("--out", arguments.job.folder, "folder of the sweep")->required()->type_name("DIR");
@@ -117,8 +118,10 @@ void add_blast(CLI::App& app, Arguments& arguments) {
   CLI::App* blast = app.add_subcommand(
       "blast",
       "The blast of Zelig (2015), chapter 4, as far as its text defines it: Table 4.1 and peak stresses beside this "
-      "engine's, with three kinds of joints and by the radial wave equation.\nWrites blast.md; about a minute.");
-  blast->add_option("--out", arguments.blast, "folder of the page; made if it is not there")->required();
+      "engine's, with three kinds of joints and by the radial wave equation.\nWrites blast.md; about a minute. Exit "
+      "code 1 with --check if the page is stale.");
+  require_one_of(*blast, blast->add_option("--out", arguments.blast, "folder of the page; made if it is not there"),
+                 blast->add_option("--check", arguments.blast_page, "page to compare; nothing is written"));
 }
 
 void add_precision(CLI::App& app, Arguments& arguments) {
@@ -133,12 +136,13 @@ void add_precision(CLI::App& app, Arguments& arguments) {
   precision->add_option("--rounds", arguments.precision.rounds, "runs of every job, of which the least CPU time counts")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  precision->add_flag("--resume", arguments.precision.resume, "keep the runs of the folder");
+  precision->add_flag("--resume", arguments.precision.resume, "go on in a folder that has runs, and keep them");
 }
 
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
   if (app.got_subcommand("blast")) {
+    if (!arguments.blast_page.empty()) return verify::check_blast_page(arguments.blast_page, std::cerr);
     verify::report_blast(arguments.blast);
     return 0;
   }
@@ -146,7 +150,7 @@ int carry_out(const CLI::App& app, const Arguments& arguments) {
     return verify::make_table(verify::all_cases(), arguments.table, std::cout, std::cerr);
   if (app.got_subcommand("sweep"))
     return verify::sweep(arguments.sweep, std::filesystem::canonical("/proc/self/exe"), std::cout, std::cerr);
-  if (app.got_subcommand("job")) return verify::job(arguments.job);
+  if (app.got_subcommand("job")) return verify::job(arguments.job, std::cout);
   if (app.got_subcommand("work-precision")) return verify::work_precision(arguments.precision, std::cout, std::cerr);
   if (app.got_subcommand("collect")) return verify::collect(arguments.collected, std::cout, std::cerr);
   if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);

@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "dda/core/error.h"
 #include "dda/record/progress.h"
 
 namespace verify {
@@ -102,6 +103,10 @@ class RunCount {
   Clock::time_point began_ = Clock::now(), drawn_ = Clock::now();
 };
 
+bool has_runs(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) && !std::filesystem::is_empty(file);
+}
+
 // At most: long runs are not repeated.
 std::size_t runs_left(const std::vector<Measured>& all, int rounds) {
   std::size_t left = 0;
@@ -114,11 +119,14 @@ std::size_t runs_left(const std::vector<Measured>& all, int rounds) {
 std::vector<Measured> run_study(const std::vector<PrecisionJob>& jobs, const std::filesystem::path& folder,
                                 const StudyOptions& options) {
   const std::filesystem::path file = folder / "runs.jsonl";
+  if (!options.resume && has_runs(file))
+    throw dda::InputError("", "--out", "\"" + folder.string() + "\", which has runs of an earlier study",
+                          "another folder, or --resume to keep them");
   std::filesystem::create_directories(folder);
   std::vector<Measured> all;
   for (const PrecisionJob& job : jobs) all.push_back({job, {}, 0, ""});
   if (options.resume) read_runs(file, all);
-  std::ofstream stream(file, options.resume ? std::ios::app : std::ios::trunc);
+  std::ofstream stream(file, std::ios::app);
   if (options.resume) stream << "\n";  // ends a line that was cut off
   RunCount count(runs_left(all, options.rounds), options.progress);
   for (int round = 0; round < options.rounds; ++round) {

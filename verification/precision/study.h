@@ -19,12 +19,12 @@ struct Measured {
 
 struct StudyOptions {
   int rounds = 3;         // runs of every job, in turn; what takes more than half a second runs once
-  bool resume = false;    // keep the runs that the folder has
+  bool resume = false;    // go on in a folder that has runs, and keep them
   bool progress = false;  // a line on standard error
 };
 
 // Runs what FOLDER/runs.jsonl, a line a run, has not yet; a line that is not whole (the program was stopped) does not
-// count. In the order of `jobs`.
+// count. In the order of `jobs`. dda::InputError for a folder that has runs, unless they are to be kept.
 [[nodiscard]] std::vector<Measured> run_study(const std::vector<PrecisionJob>& jobs,
                                               const std::filesystem::path& folder, const StudyOptions& options);
 

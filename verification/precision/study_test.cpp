@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "dda/core/error.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/other_systems.h"
 #include "verification/precision/summary.h"
@@ -65,9 +66,9 @@ TEST_F(Study, ResumesAfterALineCutOff) {
   EXPECT_EQ(lines().size(), 4U);
 }
 
-TEST_F(Study, StartsAnewWithoutResume) {
+TEST_F(Study, EarlierRunsAreNotThrownAway) {
   (void)run(1, false);
-  (void)run(1, false);
+  EXPECT_THROW((void)run(1, false), dda::InputError);
   EXPECT_EQ(lines().size(), 3U);
 }
 

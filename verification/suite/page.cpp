@@ -60,11 +60,18 @@ std::string section_text(const Problem& problem, const std::vector<Case>& cases,
   return text.empty() ? "" : fmt::format("{}{}. {}\n\n{}", section_mark, problem.number, problem.title, text);
 }
 
+std::string coverage_text(std::size_t covered, std::size_t cases) {
+  const std::size_t problems = catalogue().size();
+  if (covered == problems) return fmt::format("All {} problems are covered, by {} cases.", problems, cases);
+  return fmt::format("{} of the {} problems are covered, by {} cases; the others are listed at the end.", covered,
+                     problems, cases);
+}
+
 std::string uncovered_text(const std::set<int>& numbers) {
   std::string text;
   for (const Problem& problem : catalogue())
     if (!numbers.contains(problem.number)) text += fmt::format("- {} {}\n", problem.number, problem.title);
-  return fmt::format("{}Not yet covered\n\n{}", section_mark, text.empty() ? "Nothing.\n" : text);
+  return text.empty() ? "" : fmt::format("{}Not yet covered\n\n{}", section_mark, text);
 }
 
 Lines lines_of(const std::string& text) {
@@ -114,8 +121,7 @@ std::string first_difference(const Lines& printed, const Lines& expected) {
 std::string page_of(const std::vector<Case>& cases, const Tables& tables) {
   const std::set<int> numbers = covered(cases);
   std::string text = head;
-  text += fmt::format("\n{} of the {} problems are covered, by {} cases; the others are listed at the end.\n\n",
-                      numbers.size(), catalogue().size(), cases.size());
+  text += fmt::format("\n{}\n\n", coverage_text(numbers.size(), cases.size()));
   for (const Problem& problem : catalogue()) text += section_text(problem, cases, tables);
   return text + uncovered_text(numbers);
 }

@@ -133,6 +133,18 @@ TEST_F(TablePage, HasEveryCaseAndWhatIsNotCovered) {
   EXPECT_EQ(table({rocking_, incline_}, true), 0) << errors_.str();
 }
 
+TEST_F(TablePage, SaysSoWhereNothingIsLeft) {
+  std::vector<int> all;
+  for (const Problem& problem : catalogue()) all.push_back(problem.number);
+  const Case everything = case_of("incline", {assertion_of(2.1, 2, 0.1)}, CaseLabel::fast, all);
+  measure({everything});
+  ASSERT_EQ(table({everything}, false), 0) << errors_.str();
+  EXPECT_TRUE(says("All 42 problems are covered, by 1 cases.\n"));
+  EXPECT_FALSE(says("listed at the end"));
+  EXPECT_FALSE(says("Not yet covered"));
+  EXPECT_EQ(table({everything}, true), 0) << errors_.str();
+}
+
 TEST_F(TablePage, KeepsTheTablesOfCasesThatWereNotRun) {
   measure({rocking_, incline_});
   ASSERT_EQ(table({rocking_, incline_}, false), 0);

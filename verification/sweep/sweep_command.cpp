@@ -35,6 +35,11 @@ JobFile outcome_of(const JobParameters& parameters, bool closed_form) {
   }
 }
 
+std::string described(std::size_t index, const JobFile& job) {
+  return fmt::format("job {} {}{}{}", index, job.status == "missing" ? "is missing" : job.status,
+                     job.message.empty() ? "" : ": ", job.message);
+}
+
 int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 void run_jobs(const SweepCommand& command, const std::filesystem::path& program, const SweepSpec& spec,
@@ -56,7 +61,9 @@ int sweep(const SweepCommand& command, const std::filesystem::path& program, std
   const std::string text = spec_text(command.spec);
   const SweepSpec spec = parse_spec(text, command.spec.string());
   const SweepFolder folder(command.folder);
-  if (!command.resume) folder.remove_jobs();
+  if (!command.resume && folder.has_jobs())
+    throw dda::InputError("", "--out", "\"" + command.folder.string() + "\", which has jobs of an earlier sweep",
+                          "another folder, or --resume to keep the jobs that are done");
   folder.prepare(text);
   const std::vector<std::size_t> open = folder.open_jobs(spec);
   if (command.job_list) {
@@ -69,15 +76,17 @@ int sweep(const SweepCommand& command, const std::filesystem::path& program, std
   return collect(command.folder, out, errors);
 }
 
-int job(const JobCommand& command) {
+int job(const JobCommand& command, std::ostream& out) {
   const SweepSpec spec = read_spec(command.spec);
   if (command.index >= spec.jobs.size())
     throw dda::InputError("", "INDEX", std::to_string(command.index),
                           fmt::format("a job of the sweep, 0 to {}", spec.jobs.size() - 1));
   const SweepFolder folder(command.folder);
   std::filesystem::create_directories(folder.job_file(command.index).parent_path());
-  folder.write(command.index, outcome_of(spec.jobs[command.index], spec.closed_form));
-  return 0;
+  const JobFile outcome = outcome_of(spec.jobs[command.index], spec.closed_form);
+  folder.write(command.index, outcome);
+  out << described(command.index, outcome) << "\n";
+  return outcome.failed() ? 1 : 0;
 }
 
 int collect(const std::filesystem::path& path, std::ostream& out, std::ostream& errors) {
@@ -90,8 +99,7 @@ int collect(const std::filesystem::path& path, std::ostream& out, std::ostream& 
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!jobs[i].failed()) continue;
     complete = false;
-    errors << fmt::format("dda-verify: job {} {}{}{}\n", i, jobs[i].status == "missing" ? "is missing" : jobs[i].status,
-                          jobs[i].message.empty() ? "" : ": ", jobs[i].message);
+    errors << "dda-verify: " << described(i, jobs[i]) << "\n";
   }
   if (spec.plots.empty()) return complete ? 0 : 1;
   if (!gnuplot_is_installed()) {

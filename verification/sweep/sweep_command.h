@@ -10,7 +10,7 @@ struct SweepCommand {
   std::filesystem::path spec;
   std::filesystem::path folder;
   int jobs = 0;           // at once; 0: as many as there are cores
-  bool resume = false;    // keep what jobs have left behind
+  bool resume = false;    // go on in a folder that has jobs, and keep those that are done
   bool job_list = false;  // write jobs.txt and slurm.sh, run nothing
 };
 
@@ -26,8 +26,8 @@ struct JobCommand {
 // `program` is what is started for each job.
 int sweep(const SweepCommand& command, const std::filesystem::path& program, std::ostream& out, std::ostream& errors);
 
-// A job that fails is told in its file, and is no failure of the command.
-int job(const JobCommand& command);
+// Says on `out` how the job ended, which its file has too.
+int job(const JobCommand& command, std::ostream& out);
 
 // results.csv and plots/ from the files of the jobs.
 int collect(const std::filesystem::path& folder, std::ostream& out, std::ostream& errors);

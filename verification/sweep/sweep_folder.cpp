@@ -30,7 +30,9 @@ void SweepFolder::prepare(std::string_view spec_text) const {
   dda::write_file(spec_file(), spec_text);
 }
 
-void SweepFolder::remove_jobs() const { std::filesystem::remove_all(path_ / "jobs"); }
+bool SweepFolder::has_jobs() const {
+  return std::filesystem::exists(path_ / "jobs") && !std::filesystem::is_empty(path_ / "jobs");
+}
 
 void SweepFolder::write(std::size_t index, const JobFile& job) const {
   const Json json = {{"index", index},

@@ -34,7 +34,7 @@ class SweepFolder {
 
   // Makes the folder and keeps the spec's text in it, so that jobs and collecting need nothing else.
   void prepare(std::string_view spec_text) const;
-  void remove_jobs() const;
+  [[nodiscard]] bool has_jobs() const;  // of whatever sweep, whole or not
 
   void write(std::size_t index, const JobFile& job) const;
   // What is no whole job file, or one of other parameters, is missing.

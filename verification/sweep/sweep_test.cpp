@@ -66,6 +66,8 @@ class Sweep : public testing::Test {
   [[nodiscard]] std::string started() const { return dda::read_file(out() / "started"); }
   [[nodiscard]] SweepSpec spec() const { return read_spec(file()); }
 
+  int run_job(std::size_t index) { return job({file(), index, out()}, said_); }
+
   int run(bool resume, bool list = false) {
     std::ostringstream said;
     errors_.str("");
@@ -73,7 +75,7 @@ class Sweep : public testing::Test {
   }
 
   TemporaryFolder temporary_;
-  std::ostringstream errors_;
+  std::ostringstream said_, errors_;
 };
 
 TEST_F(Sweep, AJobThatDiesIsARowThatSaysWhy) {
@@ -87,30 +89,60 @@ TEST_F(Sweep, AJobThatDiesIsARowThatSaysWhy) {
 
 TEST_F(Sweep, ResumingRunsWhatHasNotEnded) {
   EXPECT_EQ(run(false), 1);
-  EXPECT_EQ(job({file(), 0, out()}), 0);
-  EXPECT_EQ(job({file(), 2, out()}), 0);
+  EXPECT_EQ(run_job(0), 0);
+  EXPECT_EQ(run_job(2), 0);
   std::filesystem::remove(out() / "started");
   EXPECT_EQ(run(true), 1);
   EXPECT_EQ(started(), "1\n");
-  EXPECT_EQ(job({file(), 1, out()}), 0);
+  EXPECT_EQ(run_job(1), 0);
   EXPECT_EQ(run(true), 0);
   EXPECT_EQ(started(), "1\n");
 }
 
 TEST_F(Sweep, ResumingRunsJobsOfOtherParametersAgain) {
   EXPECT_EQ(run(false), 1);
-  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(job({file(), i, out()}), 0);
+  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(run_job(i), 0);
   std::filesystem::remove(out() / "started");
   std::ofstream(file()) << R"({"grid": {"block_length": [10], "dt": [2e-4, 2.5e-4, 4e-3], "law": ["consistent"]}})";
   EXPECT_EQ(run(true), 1);
   EXPECT_EQ(started(), "1\n");
+}
+
+TEST_F(Sweep, JobsOfAnEarlierSweepAreNotThrownAway) {
   EXPECT_EQ(run(false), 1);
-  EXPECT_EQ(started(), "1\n0\n1\n2\n");
+  const std::string before = dda::read_file(SweepFolder(out()).job_file(1));
+  for (const bool list : {false, true}) {
+    try {
+      static_cast<void>(run(false, list));
+      FAIL() << "ran";
+    } catch (const dda::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(out().string()), std::string::npos);
+      EXPECT_NE(error.expected().find("--resume"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(started(), "0\n1\n2\n");
+  EXPECT_EQ(dda::read_file(SweepFolder(out()).job_file(1)), before);
+}
+
+TEST_F(Sweep, AJobSaysHowItEnded) {
+  std::ofstream(file()) << R"({"grid": {"block_length": [10], "dt": [2e-4, 4e-3], "spring_over_young": [10, 1e30]}})";
+  EXPECT_EQ(run_job(0), 0);
+  EXPECT_EQ(run_job(2), 0) << "a job that cannot be measured has done what it could";
+  EXPECT_EQ(run_job(1), 1) << "springs that overflow";
+  std::string line;
+  std::istringstream said(said_.str());
+  std::getline(said, line);
+  EXPECT_EQ(line, "job 0 ok");
+  std::getline(said, line);
+  EXPECT_TRUE(line.starts_with("job 2 not_measurable: time steps of")) << line;
+  std::getline(said, line);
+  EXPECT_TRUE(line.starts_with("job 1 failed: ")) << line;
+  EXPECT_EQ(SweepFolder(out()).read(1, spec().jobs[1]).status, "failed");
 }
 
 TEST_F(Sweep, HalfAJobFileIsNone) {
   static_cast<void>(run(false));
-  EXPECT_EQ(job({file(), 0, out()}), 0);
+  EXPECT_EQ(run_job(0), 0);
   const SweepFolder folder(out());
   EXPECT_EQ(folder.read(0, spec().jobs[0]).status, "ok");
   const std::string text = dda::read_file(folder.job_file(0));
@@ -120,7 +152,7 @@ TEST_F(Sweep, HalfAJobFileIsNone) {
 
 TEST_F(Sweep, TheTableHasARowAJobAndEveryColumnOfIt) {
   static_cast<void>(run(false));
-  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(job({file(), i, out()}), 0);
+  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(run_job(i), 0);
   std::ostringstream said, errors;
   EXPECT_EQ(collect(out(), said, errors), 0);
   EXPECT_NE(said.str().find("3 jobs: 2 ok 1 not_measurable\n"), std::string::npos);
@@ -139,7 +171,7 @@ TEST_F(Sweep, TheListHasTheOpenJobs) {
   const std::string line = program().string() + " job " + (out() / "sweep.json").string() + " ";
   EXPECT_EQ(dda::read_file(out() / "jobs.txt"), line + "0 --out " + out().string() + "\n" + line + "1 --out " +
                                                     out().string() + "\n" + line + "2 --out " + out().string() + "\n");
-  EXPECT_EQ(job({file(), 1, out()}), 0);
+  EXPECT_EQ(run_job(1), 0);
   EXPECT_EQ(run(true, true), 0);
   EXPECT_EQ(dda::read_file(out() / "jobs.txt").find(" 1 --out"), std::string::npos);
   EXPECT_NE(dda::read_file(out() / "slurm.sh").find("#SBATCH --array=1-2\n"), std::string::npos);
@@ -149,7 +181,7 @@ TEST_F(Sweep, BadSpecsLeaveNothingBehind) {
   std::ofstream(file()) << R"({"grid": {"eta": [2], "cfl": [1]}})";
   EXPECT_THROW(run(false), dda::InputError);
   EXPECT_FALSE(std::filesystem::exists(out()));
-  EXPECT_THROW(static_cast<void>(job({file(), 0, out()})), dda::InputError);
+  EXPECT_THROW(static_cast<void>(run_job(0)), dda::InputError);
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 

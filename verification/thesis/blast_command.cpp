@@ -1,15 +1,33 @@
 #include "verification/thesis/blast_command.h"
 
+#include <ostream>
+#include <string>
+
 #include "dda/record/atomic_file.h"
 #include "verification/harness/markdown.h"
+#include "verification/harness/page_check.h"
 #include "verification/thesis/blast_report.h"
 
 namespace verify {
+namespace {
+
+std::string made_page() {
+  const ThesisBlast& blast = thesis_blast();
+  return to_markdown(blast_report(blast, run_blast_study(blast, {})));
+}
+
+}  // namespace
 
 void report_blast(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const ThesisBlast& blast = thesis_blast();
-  dda::write_file(folder / "blast.md", to_markdown(blast_report(blast, run_blast_study(blast, {}))));
+  dda::write_file(folder / "blast.md", made_page());
+}
+
+int check_blast_page(const std::filesystem::path& page, std::ostream& errors) {
+  const std::string printed = std::filesystem::exists(page) ? dda::read_file(page) : "";
+  const auto stale = stale_lines(printed, made_page());
+  for (const std::string& line : stale) errors << "dda-verify: " << page.string() << " is stale: " << line << "\n";
+  return stale.empty() ? 0 : 1;
 }
 
 }  // namespace verify

@@ -44,6 +44,8 @@ class VtpFrame:
             attribute = dict(re.findall(r'(\w+)="([^"]*)"', tag[1]))
             offset = int(attribute["offset"])
             size = struct.unpack_from("<Q", data, offset)[0]
+            if attribute["type"] == "String":
+                continue
             letter = self.TYPES[attribute["type"]]
             count = size // struct.calcsize(letter)
             self.arrays[f"{section}/{attribute['Name']}"] = struct.unpack_from(f"<{count}{letter}", data, offset + 8)
@@ -221,7 +223,7 @@ def check_controls(page):
     page.press("0")
     near(page.evaluate("dda.stage.camera.scale"), scale, 1e-9 * scale, "fit")
     page.move(*on_screen(page, 5, 0.3))
-    assert page.evaluate("document.getElementById('readout').textContent").startswith("Block 1: stress")
+    assert page.evaluate("document.getElementById('readout').textContent").startswith("frame: stress")
     page.move(*on_screen(page, 5, 1))  # in the hole of block 1
     assert page.evaluate("document.getElementById('readout').textContent") == ""
 

@@ -55,7 +55,7 @@ const dda = (() => {
     stage.hovered = hovered;
     const quantity = run.quantities[show.quantity];
     byId("readout").textContent = hovered < 0 ? "" :
-      `Block ${hovered}: ${quantity.title.toLowerCase()} ${withUnit(run.value(show.quantity, show.frame, hovered), quantity.unit)}`;
+      `${run.header.block_names[hovered]}: ${quantity.title.toLowerCase()} ${withUnit(run.value(show.quantity, show.frame, hovered), quantity.unit)}`;
   }
 
   function fit() {

@@ -61,12 +61,17 @@ std::vector<std::string> describe_recordings(const Model& model) {
   return lines;
 }
 
-std::vector<std::string> warn_of_recordings(const Model& model, const Stage& stage) {
+std::vector<std::string> warn_of_recordings(const Model& model, std::size_t stage) {
   constexpr double slack = 1 + 1e-6;  // times in files are rounded
+  double begin = 0;
+  for (std::size_t i = 0; i < stage; ++i) begin += model.stages[i].duration;
+  const double dt = model.stages[stage].dt;
   std::set<std::string> lines;
   for (const Use& use : uses_of(model)) {
     const Recording& recording = *use.recorded.recording;
-    if (stage.dt <= slack * recording.mean_interval()) continue;
+    const double first = recording.times().front() + use.recorded.start;
+    const bool runs = first < begin + model.stages[stage].duration && first + recording.duration() > begin;
+    if (!runs || dt <= slack * recording.mean_interval()) continue;
     lines.insert(fmt::format("warning: dt does not resolve \"{}\", which has a sample every {:.3g} s", recording.name(),
                              recording.mean_interval()));
   }

@@ -46,13 +46,27 @@ TEST(RecordingReport, OfALoadAndOfAPoint) {
 }
 
 TEST(RecordingReport, WarnsOfStepsThatPassOverSamples) {
-  Stage stage;
-  stage.dt = 0.01;
-  EXPECT_TRUE(warn_of_recordings(shaken(), stage).empty());
-  stage.dt = 0.011;
-  const std::vector<std::string> lines = warn_of_recordings(shaken(), stage);
+  Model model = shaken();
+  model.stages.resize(1);
+  model.stages[0].duration = 3;
+  model.stages[0].dt = 0.01;
+  EXPECT_TRUE(warn_of_recordings(model, 0).empty());
+  model.stages[0].dt = 0.011;
+  const std::vector<std::string> lines = warn_of_recordings(model, 0);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NE(lines[0].find("dt does not resolve \"quake.csv\", which has a sample every 0.01 s"), std::string::npos);
+}
+
+TEST(RecordingReport, WarnsOfStagesInWhichTheRecordingRuns) {
+  Model model = shaken();  // from 2 s to 2.02 s
+  model.stages.resize(3);
+  for (Stage& stage : model.stages) stage.dt = 1;
+  model.stages[0].duration = 2;
+  model.stages[1].duration = 0.02;
+  model.stages[2].duration = 1;
+  EXPECT_TRUE(warn_of_recordings(model, 0).empty());
+  EXPECT_EQ(warn_of_recordings(model, 1).size(), 1U);
+  EXPECT_TRUE(warn_of_recordings(model, 2).empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "dda/app/frame_clock.h"
 #include "dda/app/run_files.h"
 #include "dda/app/run_position.h"
 #include "dda/app/stop_signal.h"
@@ -93,7 +94,8 @@ class Run {
 
   [[nodiscard]] FileOptions file_options() const {
     FileOptions files{options_.folder, options_.rows_every, options_.frame_interval};
-    if (options_.frames) files.frame_interval = end_time(simulation_.model()) / static_cast<double>(*options_.frames);
+    if (options_.frames)
+      files.frame_interval = moving_time(simulation_.model()) / static_cast<double>(*options_.frames);
     return files;
   }
 

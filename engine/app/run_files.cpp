@@ -1,6 +1,5 @@
 #include "dda/app/run_files.h"
 
-#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -51,7 +50,8 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
     frames_->go_on_after(frame_times_);
     contact_frames_ = std::make_unique<ContactFrameWriter>(in_folder(contacts_name));
     contact_frames_->go_on_after(frame_times_);
-    if (!frame_times_.empty()) next_frame_ = std::llround(frame_times_.back() / *options_.frame_interval) + 1;
+    frame_clock_.emplace(simulation.model(), *options_.frame_interval);
+    if (!frame_times_.empty()) frame_clock_->taken(frame_times_.back());
   }
   if (!resumed) {
     sample();
@@ -72,11 +72,8 @@ void RunFiles::sample() {
 }
 
 void RunFiles::write_frame_when_due() {
-  if (!frames_) return;
-  // A step ends within round-off of where a frame is due.
-  const double intervals = simulation_.state().time / *options_.frame_interval + 1e-6;
-  if (intervals < static_cast<double>(next_frame_)) return;
-  next_frame_ = static_cast<std::int64_t>(intervals) + 1;
+  if (!frame_clock_ || !frame_clock_->is_due(simulation_.state().time)) return;
+  frame_clock_->taken(simulation_.state().time);
   write_frame();
 }
 

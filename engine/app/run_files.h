@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "dda/app/frame_clock.h"
 #include "dda/app/run_position.h"
 #include "dda/record/contact_frame_writer.h"
 #include "dda/record/frame_writer.h"
@@ -62,7 +63,7 @@ class RunFiles {
   std::unique_ptr<FrameWriter> frames_;
   std::unique_ptr<ContactFrameWriter> contact_frames_;
   std::vector<double> frame_times_;
-  std::int64_t next_frame_ = 0;  // in frame intervals
+  std::optional<FrameClock> frame_clock_;
   std::chrono::steady_clock::time_point last_checkpoint_;
 };
 

@@ -159,8 +159,9 @@ void add_what_acts(const Model& model, Text& text) {
               to_string(measurement.quantity), place_of(model, measurement));
 }
 
-void add_stage(const Model& model, const Stage& stage, const ContactSet& contacts, const BlockMatrix& matrix,
+void add_stage(const Model& model, std::size_t index, const ContactSet& contacts, const BlockMatrix& matrix,
                Text& text) {
+  const Stage& stage = model.stages[index];
   const BlockTerms terms = make_block_terms(model, stage.strain_inertia);
   const StepPlan plan =
       make_plan(model, stage, contacts, matrix.couplings(), stiffness_number(contacts, terms, stage.dt));
@@ -169,7 +170,7 @@ void add_stage(const Model& model, const Stage& stage, const ContactSet& contact
                          std::llround(stage.duration / stage.dt), stage.dt, stage.duration, stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
-  for (const std::string& line : warn_of_recordings(model, stage)) text.plain("  " + line);
+  for (const std::string& line : warn_of_recordings(model, index)) text.plain("  " + line);
 }
 
 double megabytes(const Model& model, const ContactSet& contacts, const BlockMatrix& matrix, double factor_nonzeros) {
@@ -249,7 +250,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   add_stiffness(model, text);
   add_what_acts(model, text);
   add_size(model, contacts, matrix, text);
-  for (const Stage& stage : model.stages) add_stage(model, stage, contacts, matrix, text);
+  for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(model, i, contacts, matrix, text);
   const bool given = frequency.has_value();
   if (!frequency) frequency = model.target_frequency ? model.target_frequency : highest_sine_frequency(model);
   if (frequency) {

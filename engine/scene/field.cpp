@@ -1,7 +1,9 @@
 #include "dda/scene/field.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -13,13 +15,16 @@
 namespace dda {
 namespace {
 
+// Each word once: names of blocks are those of groups too.
 std::string quoted_list(const std::vector<std::string>& words) {
   constexpr std::size_t most_listed = 8;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(words.size(), most_listed); ++i) {
-    list += fmt::format("{}\"{}\"", i > 0 ? ", " : "", words[i]);
+  std::vector<std::string> listed;
+  for (const std::string& word : words) {
+    if (std::find(listed.begin(), listed.end(), word) != listed.end()) continue;
+    if (listed.size() == most_listed) return fmt::format("\"{}\", ...", fmt::join(listed, "\", \""));
+    listed.push_back(word);
   }
-  return words.size() > most_listed ? list + ", ..." : list;
+  return fmt::format("\"{}\"", fmt::join(listed, "\", \""));
 }
 
 }  // namespace

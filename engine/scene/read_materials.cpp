@@ -141,12 +141,16 @@ JointMaterial read_joint(const std::string& name, const Field& field, const Sche
 }
 
 // A joint under another name than "default" that no pair or line uses would silently do nothing.
+// Misspelt references come first: they are why joints seem to be without use.
 void refuse_unused_joints(const Field& scene, const Field& joints) {
+  std::vector<std::string> names = {"default"};
+  for (const auto& [name, field] : joints.members())
+    if (name != "default") names.push_back(name);
   std::set<std::string> used = {"default"};
   for (const char* key : {"joint_pairs", "joint_lines"}) {
     const auto entries = scene.find(key);
     if (!entries) continue;
-    for (const Field& entry : entries->items()) used.insert(entry.at("joint").text());
+    for (const Field& entry : entries->items()) used.insert(names[entry.at("joint").choice(names)]);
   }
   for (const auto& [name, field] : joints.members()) {
     if (!used.contains(name))

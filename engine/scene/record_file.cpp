@@ -90,7 +90,7 @@ class RecordReader {
     constexpr const char* expected = "a CSV file with a header and columns of time and value";
     std::error_code error;
     const auto status = std::filesystem::status(request_.file, error);
-    const std::string path = shown(request_.file.string());
+    const std::string path = shown(std::filesystem::absolute(request_.file).lexically_normal().string());
     if (!std::filesystem::exists(status)) fail(place_, "missing (" + path + ")", expected);
     if (!std::filesystem::is_regular_file(status)) fail(place_, "no regular file (" + path + ")", expected);
     std::ifstream stream(request_.file, std::ios::binary);

@@ -178,7 +178,9 @@ std::string record(const std::string& text) {
 }
 
 const std::vector<BadPart> bad_parts = {
-    {"unknown fixed block", R"("fixed": ["bse"])", {"fixed[0] is \"bse\"", "perhaps \"base\""}},
+    {"unknown fixed block",
+     R"("fixed": ["bse"])",
+     {"fixed[0] is \"bse\"", "one of \"base\", \"wall\", \"wall 1.1\"", "perhaps \"base\""}},
     {"fixed twice", R"("fixed": ["base", "base"])", {"fixed[1] is \"base\"", "not held already"}},
     {"fixed and moved", R"("fixed": ["wall"], )" + support(R"("block": "wall 1.1")"), {"supports[0].block", "already"}},
     {"no place", support(R"("displacement": [1, 0])"), {"supports[0] is without a place"}},

@@ -173,8 +173,7 @@ Status Simulation::end_stage() {
   if (balanced) return Status::ok;
   message_ = fmt::format(
       "static stage \"{}\" ended with forces out of balance by {:.2g} of the largest load, {:.2g} were asked for: give "
-      "it "
-      "more steps or a larger dt",
+      "it more steps or a larger dt; blocks that nothing holds have no equilibrium",
       ended.name, imbalance, ended.equilibrium);
   return Status::not_in_equilibrium;
 }

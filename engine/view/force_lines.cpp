@@ -76,10 +76,17 @@ std::vector<Resultant> resultants_of(const Drawing& drawing, const std::vector<D
   return all;
 }
 
+// Thrust goes through a block from one joint to the other; two forces to the same side are borne by something else,
+// such as a support.
+bool is_thrust(const Resultant& one, const Resultant& other, int block) {
+  const auto on_block = [&](const Resultant& joint) { return joint.blocks[1] == block ? 1.0 : -1.0; };
+  return on_block(one) * on_block(other) * one.force.dot(other.force) < 0;
+}
+
 // The end of a joint's line in one of its blocks.
 Vec2 end_in(const Drawing& drawing, const std::vector<Vec2>& points, const Resultant& joint, int block,
             const std::vector<const Resultant*>& joints) {
-  if (joints.size() == 2) {
+  if (joints.size() == 2 && is_thrust(*joints[0], *joints[1], block)) {
     Vec2 half_way = (joints[0]->point + joints[1]->point) / 2;
     if ((half_way - joint.point).norm() <= joint.size) return half_way;
   }

@@ -25,8 +25,8 @@ std::vector<ForceLine> contact_lines(const Drawing& drawing, const std::vector<D
                                      double deformation_scale);
 
 // The resultant of all contacts of two blocks, a line in each of the blocks from its point of action. Where just two
-// joints load a block, their lines meet half-way between them: the line of thrust. Elsewhere a line follows the
-// direction of its force towards the block's centroid. `points` are the vertices as drawn, with the same
+// joints load a block from opposite sides, their lines meet half-way between them: the line of thrust. Elsewhere a line
+// follows the direction of its force towards the block's centroid. `points` are the vertices as drawn, with the same
 // deformation_scale.
 std::vector<ForceLine> joint_lines(const Drawing& drawing, const std::vector<Vec2>& points,
                                    const std::vector<DrawnContact>& contacts, double deformation_scale);

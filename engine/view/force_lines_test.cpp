@@ -95,6 +95,18 @@ TEST(ForceLines, ThrustGoesFromJointToJoint) {
   EXPECT_EQ(meeting, 2);
 }
 
+// Two stones on one that a support bears: no thrust from stone to stone.
+TEST(ForceLines, ForcesToTheSameSideDoNotMeet) {
+  const Drawing drawing = column(3);
+  for (const bool exchanged : {false, true}) {
+    const DrawnContact left =
+        exchanged ? contact(1, 0, Vec2(0.4, 2), Vec2(0, 20)) : contact(0, 1, Vec2(0.4, 2), Vec2(0, -20));
+    const auto lines = joint_lines(drawing, drawing.reference, {left, contact(1, 2, Vec2(1.6, 4), Vec2(0, 20))}, 1);
+    ASSERT_EQ(lines.size(), 4U);
+    for (const ForceLine& line : lines) EXPECT_NEAR(line.to.x(), line.from.x(), round_off);
+  }
+}
+
 TEST(ForceLines, SmallForcesAreNotDrawnAndTensionIsMarked) {
   const Drawing drawing = column(3);
   DrawnContact pulled = contact(1, 2, Vec2(1, 4), Vec2(0, -1000));

@@ -21,8 +21,8 @@ function contactLines(run, contacts) {
   });
 }
 
-// All contacts of two blocks together have one resultant. Where just two joints load a block, their lines meet half-way
-// between them: the line of thrust. Elsewhere a line follows the direction of its force towards the block's centroid.
+// All contacts of two blocks together have one resultant. Where just two joints load a block from opposite sides,
+// their lines meet half-way between them: the line of thrust. Elsewhere a line follows the direction of its force towards the block's centroid.
 function jointLines(run, points, contacts) {
   const joints = new Map();
   for (const contact of contacts) {
@@ -65,9 +65,16 @@ function resultant(run, { blocks, parts }) {
            pulls: pull > 0 };
 }
 
+// Thrust goes through a block from one joint to the other; two forces to the same side are borne by something else, such
+// as a support.
+function isThrust([a, b], block) {
+  const sign = (a.blocks[1] === block) === (b.blocks[1] === block) ? 1 : -1;
+  return sign * (a.dx * b.dx + a.dy * b.dy) < 0;
+}
+
 // The part of a joint's line that lies in one of its blocks: direction and length from the point of action.
 function armInto(run, points, { x, y, dx, dy, size }, block, joints) {
-  if (joints.length === 2) {
+  if (joints.length === 2 && isThrust(joints, block)) {
     const [a, b] = joints;
     const [ax, ay] = [(a.x + b.x) / 2 - x, (a.y + b.y) / 2 - y];
     const length = Math.hypot(ax, ay);

@@ -1,0 +1,41 @@
+// When the frames of a run are due.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dda/model/model.h"
+
+namespace dda {
+
+// Frames lie evenly over the time in which blocks move. A static stage that ends at equilibrium has no such time (its
+// clock jumps to its end once forces balance): it gets one frame, at its end. Only where all stages are of that kind
+// their time counts.
+class FrameClock {
+ public:
+  // `interval`: s between frames, above 0.
+  FrameClock(const Model& model, double interval);
+
+  // At the end of a step, or at the start.
+  [[nodiscard]] bool is_due(double time) const;
+
+  // A frame of that time has been written.
+  void taken(double time);
+
+ private:
+  struct Settling {
+    double begin, end;  // s
+  };
+
+  [[nodiscard]] double moving_time(double time) const;
+  [[nodiscard]] bool has_settled_at(double time) const;
+
+  std::vector<Settling> settlings_;
+  double interval_;
+  std::int64_t next_ = 0;  // in intervals of moving time
+};
+
+// The time over which frames are spread, s.
+[[nodiscard]] double moving_time(const Model& model);
+
+}  // namespace dda

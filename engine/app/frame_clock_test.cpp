@@ -1,0 +1,69 @@
+#include "dda/app/frame_clock.h"
+
+#include <gtest/gtest.h>
+
+#include "dda/model/settings.h"
+
+namespace dda {
+namespace {
+
+Stage stage_of(const Integrator& integrator, double duration, double equilibrium = 0) {
+  Stage stage;
+  stage.integrator = integrator;
+  stage.duration = duration;
+  stage.equilibrium = equilibrium;
+  return stage;
+}
+
+const Stage settle = stage_of(static_integrator(), 100, 1e-9);
+
+// Which of these times have a frame.
+std::vector<double> framed(const Model& model, int frames, const std::vector<double>& times) {
+  FrameClock clock(model, moving_time(model) / frames);
+  std::vector<double> found;
+  for (const double time : times) {
+    if (!clock.is_due(time)) continue;
+    found.push_back(time);
+    clock.taken(time);
+  }
+  return found;
+}
+
+TEST(FrameClock, FramesLieEvenlyOverTheTimeOfMotion) {
+  Model model;
+  model.stages = {settle, stage_of(thesis_integrator(), 2)};
+  EXPECT_EQ(moving_time(model), 2);
+  EXPECT_EQ(framed(model, 4, {0, 1, 2, 100, 100.25, 100.5, 100.75, 101, 101.25, 101.5, 101.75, 102}),
+            (std::vector<double>{0, 100, 100.5, 101, 101.5, 102}));
+}
+
+TEST(FrameClock, SettlingThatEndsLateOrComesLaterHasOneFrameToo) {
+  Model model;
+  model.stages = {stage_of(thesis_integrator(), 1), settle, stage_of(thesis_integrator(), 1)};
+  EXPECT_EQ(framed(model, 2, {0, 0.5, 1, 50, 99, 101 - 1e-12, 101.5, 102}),
+            (std::vector<double>{0, 1, 101 - 1e-12, 102}));
+}
+
+TEST(FrameClock, AStaticStageOfGivenLengthCounts) {
+  Model model;
+  model.stages = {stage_of(static_integrator(), 2), stage_of(thesis_integrator(), 2)};
+  EXPECT_EQ(framed(model, 4, {0, 0.5, 1, 2, 3, 4}), (std::vector<double>{0, 1, 2, 3, 4}));
+}
+
+TEST(FrameClock, TimeCountsWhereAllStagesSettle) {
+  Model model;
+  model.stages = {settle, settle};
+  EXPECT_EQ(framed(model, 2, {0, 1, 2, 100, 101, 200}), (std::vector<double>{0, 100, 200}));
+}
+
+TEST(FrameClock, GoesOnBehindTheLastFrame) {
+  Model model;
+  model.stages = {settle, stage_of(thesis_integrator(), 2)};
+  FrameClock clock(model, 0.5);
+  clock.taken(100.5);
+  EXPECT_FALSE(clock.is_due(100.75));
+  EXPECT_TRUE(clock.is_due(101));
+}
+
+}  // namespace
+}  // namespace dda

@@ -53,7 +53,7 @@ TEST(FrameClock, AStaticStageOfGivenLengthCounts) {
 TEST(FrameClock, TimeCountsWhereAllStagesSettle) {
   Model model;
   model.stages = {settle, settle};
-  EXPECT_EQ(framed(model, 2, {0, 1, 2, 100, 101, 200}), (std::vector<double>{0, 100, 200}));
+  EXPECT_EQ(framed(model, 4, {0, 1, 50, 100, 101, 150, 200}), (std::vector<double>{0, 50, 100, 150, 200}));
 }
 
 TEST(FrameClock, GoesOnBehindTheLastFrame) {

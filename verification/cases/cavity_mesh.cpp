@@ -9,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "dda/scene/free_outline.h"
 #include "dda/scene/generators.h"
 #include "verification/exact/wave_speeds.h"
 
@@ -87,18 +86,6 @@ double octagon_source_radius(const OctagonMesh& mesh) {
   const double side = mesh.straight + 2 * mesh.slant;
   const double area = mesh.size * mesh.size * (side * side - 2 * mesh.slant * mesh.slant);
   return exact::octagon_source_radius(std::sqrt(area / pi));
-}
-
-void press_wall(dda::Model& model, double pressure, const dda::TimeFunction& history) {
-  for (const dda::Stretch& s : dda::ring_around(dda::free_rings(model), {0, 0}))
-    model.edge_loads.push_back({s.block, s.from, s.to, pressure * s.inward, history});
-}
-
-void absorb_outside(dda::Model& model) {
-  const dda::Material& rock = model.materials.front();
-  for (const dda::Stretch& s : dda::outer_rings(dda::free_rings(model)))
-    model.viscous_edges.push_back(
-        {s.block, s.from, s.to, rock.density * dda::p_wave_speed(rock), rock.density * dda::s_wave_speed(rock)});
 }
 
 void set_stage(dda::Model& model, const dda::Integrator& integrator, double dt, double duration) {

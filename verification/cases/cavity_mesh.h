@@ -7,6 +7,7 @@
 #include "dda/model/model.h"
 #include "dda/model/time_function.h"
 #include "verification/exact/pressurised_cavity.h"
+#include "verification/harness/cavity.h"
 #include "verification/harness/recorded_run.h"
 
 namespace verify {
@@ -33,11 +34,6 @@ struct OctagonMesh {
 [[nodiscard]] dda::Model octagon_mesh(const OctagonMesh& mesh);
 // Of the circular cavity that sends out the same long waves, m.
 [[nodiscard]] double octagon_source_radius(const OctagonMesh& mesh);
-
-// `pressure` (Pa) times history on the wall around the origin.
-void press_wall(dda::Model& model, double pressure, const dda::TimeFunction& history);
-// Dashpots of P and S waves on the whole outside.
-void absorb_outside(dda::Model& model);
 
 // One stage of small motions.
 void set_stage(dda::Model& model, const dda::Integrator& integrator, double dt, double duration);

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "dda/scene/free_outline.h"
 #include "dda/scene/ground_plan.h"
+#include "verification/harness/cavity.h"
 
 namespace verify {
 namespace {
@@ -138,16 +138,9 @@ std::vector<PrintedArrival> points_inside(const ThesisBlast& blast, const BlastM
 
 dda::Model blast_scene(const ThesisBlast& blast, const BlastRun& run) {
   dda::Model model = bare_rock(blast, run);
-  const auto rings = dda::free_rings(model);
-  if (run.loaded) {
-    for (const dda::Stretch& s : dda::ring_around(rings, {0, 0}))
-      model.edge_loads.push_back({s.block, s.from, s.to, blast.peak_pressure * s.inward,
-                                  dda::ExponentialDecay{run.pulse.decay_time, run.pulse.start, blast_rise}});
-  }
-  const dda::Material& rock = model.materials.front();
-  for (const dda::Stretch& s : dda::outer_rings(rings))
-    model.viscous_edges.push_back(
-        {s.block, s.from, s.to, rock.density * dda::p_wave_speed(rock), rock.density * dda::s_wave_speed(rock)});
+  if (run.loaded)
+    press_wall(model, blast.peak_pressure, dda::ExponentialDecay{run.pulse.decay_time, run.pulse.start, blast_rise});
+  absorb_outside(model);
   const dda::GroundPlan plan(model);
   for (const PrintedArrival& point : points_inside(blast, run.mesh)) measure(model, plan, point);
   dda::Stage stage;

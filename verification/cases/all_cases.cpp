@@ -3,6 +3,7 @@
 #include <array>
 
 #include "verification/cases/absorbing_end_cases.h"
+#include "verification/cases/advised_wave_cases.h"
 #include "verification/cases/arch_cases.h"
 #include "verification/cases/bar_ends_cases.h"
 #include "verification/cases/base_shaking_cases.h"
@@ -76,6 +77,7 @@ constexpr std::array subjects{
     blast_cases,               // 29, 40, 41
     wall_cases,                // 8, 26
     direction_cases,           // 42
+    advised_wave_cases,        // 42
 };
 
 std::vector<Case> collect() {

@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
-#include <string>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "dda/advice/advice.h"
@@ -223,8 +223,7 @@ Outcome passing_waves(const Mesh& mesh, const std::vector<double>& directions, c
   for (const dda::WaveKind kind : {dda::WaveKind::p, dda::WaveKind::s})
     for (const double degrees : directions) {
       Comparison comparison;
-      for (const Steps& steps : all_steps)
-        compare(field_of(mesh, kind, degrees, steps), steps, comparison, outcome);
+      for (const Steps& steps : all_steps) compare(field_of(mesh, kind, degrees, steps), steps, comparison, outcome);
       comparison.assert_both(fmt::format("{} wave, {} deg", name_of(kind), degrees), outcome);
     }
   return outcome;
@@ -260,10 +259,10 @@ Outcome pushed_faces(const Mesh& mesh, double degrees, const std::vector<Steps>&
       for (const Steps& steps : all_steps) {
         Mesh sized = mesh;
         sized.blocks = blocks;
-        compare_scene(
-            field_of(sized, kind, degrees, steps),
-            fmt::format("{} blocks a wavelength, {}, {} steps a period", blocks, steps.integrator.name, steps.in_period),
-            comparison, outcome);
+        compare_scene(field_of(sized, kind, degrees, steps),
+                      fmt::format("{} blocks a wavelength, {}, {} steps a period", blocks, steps.integrator.name,
+                                  steps.in_period),
+                      comparison, outcome);
       }
     comparison.assert_both(fmt::format("{} pulse on a face", name_of(kind)), outcome);
   }

@@ -16,8 +16,8 @@ namespace {
 using dda::Vec2;
 
 constexpr double cycles = 2;
-constexpr double line_width = 0.7;                 // standard deviation of the forces across the line, in block sides
-constexpr double head_start = 0.4;                 // wavelengths: half the width of the line
+constexpr double line_width = 0.7;  // standard deviation of the forces across the line, in block sides
+constexpr double head_start = 0.4;  // wavelengths: half the width of the line
 
 // Periods after which the pulse has passed a place.
 double passed_by(const OpenField& field, double place) { return place / field.slowest + cycles + 0.4; }

@@ -25,20 +25,32 @@ bool has_linear_pieces(const InterfaceElement& element, const InterfaceTrial& tr
          trial.hardening[1] == 0;
 }
 
-// Forces and slopes as if the end were on that piece.
+// Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to stick.
 void lay_on(ContactPiece piece, const InterfaceElement& element, const EndStrength& strength, int end,
             InterfaceTrial& trial) {
+  const Eigen::Index n = 2 * end;
+  const auto e = static_cast<std::size_t>(end);
+  if (piece == ContactPiece::open) {
+    trial.force.segment<2>(n).setZero();
+    trial.active.segment<2>(n).setZero();
+    return;
+  }
+  if (trial.active(n) == 0 || piece != ContactPiece::stuck) {
+    trial.force(n) = element.stiffness(n) * trial.normal_gap(end);
+    trial.active(n) = 1;
+  }
   if (piece == ContactPiece::stuck) {
     respond_as_stuck(element, end, trial);
     return;
   }
-  const Eigen::Index n = 2 * end;
-  const auto e = static_cast<std::size_t>(end);
-  trial.force(n) = element.stiffness(n) * trial.normal_gap(end);
-  trial.active(n) = 1;
   const double cohesion = trial.residual[e] ? strength.residual_cohesion : 0;
   trial.force(n + 1) = direction_of(piece) * (cohesion - strength.friction_now(trial.residual[e]) * trial.force(n));
   trial.active(n + 1) = 0;
+}
+
+// By how much forces differ at an end.
+double difference(const InterfaceTrial& one, const InterfaceTrial& other, int end) {
+  return (one.force - other.force).segment<2>(2 * end).cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -58,20 +70,35 @@ ContactPieces pieces_of(const InterfaceTrial& trial) {
   return pieces;
 }
 
-bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, bool strictly,
+bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, const PieceRule& rule,
                               InterfaceTrial& trial, ContactPieces& pieces) {
   const ContactPieces before = pieces;
   pieces = pieces_of(trial);
   if (pieces == before) return false;
+  const bool linear = has_linear_pieces(element, trial);
   bool kept = false;
   for (int end = 0; end < ends_of(element); ++end) {
     const auto e = static_cast<std::size_t>(end);
+    if (pieces[e] == before[e]) continue;
+    const auto laid_on = [&](ContactPiece piece) {
+      InterfaceTrial laid = trial;
+      lay_on(piece, element, strength, end, laid);
+      return laid;
+    };
+    if (linear) {
+      const InterfaceTrial as_before = laid_on(before[e]);
+      if (difference(as_before, trial, end) <= rule.negligible_force) {
+        trial = as_before;
+        pieces[e] = before[e];
+        continue;
+      }
+    }
     const ContactPiece between = piece_between(before[e], pieces[e], trial.gap(2 * end + 1));
-    if (between == pieces[e] || (between != ContactPiece::stuck && !(strictly && has_linear_pieces(element, trial))))
-      continue;
+    if (between == pieces[e] || (between != ContactPiece::stuck && !(rule.strict && linear))) continue;
+    const InterfaceTrial laid = laid_on(between);
+    if (difference(laid, trial, end) > rule.negligible_force) kept = true;
+    trial = laid;
     pieces[e] = between;
-    lay_on(between, element, strength, end, trial);
-    kept = true;
   }
   return kept;
 }

@@ -18,11 +18,18 @@ using ContactPieces = std::array<ContactPiece, 2>;
 
 ContactPieces pieces_of(const InterfaceTrial& trial);
 
-// Where an end has left its piece for one that does not border on it, lays its answer on the one between: an end does
-// not turn its slip without sticking, nor, if `strictly`, close and stick at once or open before it slides. Newton's
-// method goes in circles otherwise. True when there is such an end; its forces are then not what it answers. `pieces`
-// come as those of the pass before and go as those of the next.
-bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, bool strictly,
+struct PieceRule {
+  bool strict = false;
+  double negligible_force = 0;  // N per m of thickness
+};
+
+// Says on which pieces the next pass takes the ends to be; `pieces` come as those of the pass before.
+//
+// An end that has left its piece for one that does not border on it is laid on the one between: no slip turns without
+// sticking, nor, if the rule is strict, does an end close and stick at once or open before it slides. Newton's method
+// goes in circles otherwise. Its forces are then not what the end answers, which returns true. An end for which the old
+// piece makes no more than a negligible difference stays on it: where blocks just touch, ends would hop for ever.
+bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, const PieceRule& rule,
                               InterfaceTrial& trial, ContactPieces& pieces);
 
 // Slopes of the shear forces (rows 1 and 3) over the normal gaps of the same ends that capacities make where ends slide

@@ -50,7 +50,7 @@ TEST(ContactPieces, AnswerWithFrictionIsTheFixedPointOverCapacities) {
 TEST(ContactPieces, SlipDoesNotTurnWithoutSticking) {
   InterfaceTrial trial = trial_at(-0.04, -0.3);
   ContactPieces pieces{ContactPiece::slides_forth, ContactPiece::stuck};
-  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, false, trial, pieces));
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, {}, trial, pieces));
   EXPECT_EQ(pieces[0], ContactPiece::stuck);
   EXPECT_DOUBLE_EQ(trial.force(1), shear_spring * -0.3);  // what it would answer if it stuck
   EXPECT_DOUBLE_EQ(trial.active(1), 1);
@@ -62,7 +62,7 @@ TEST(ContactPieces, OfTheSecondEndToo) {
   trial.gap(3) = 2;
   respond_with_friction(classical_element(), dry, trial);
   ContactPieces pieces{ContactPiece::stuck, ContactPiece::slides_back};
-  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, false, trial, pieces));
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, {}, trial, pieces));
   EXPECT_EQ(pieces[1], ContactPiece::stuck);
   EXPECT_DOUBLE_EQ(trial.force(3), shear_spring * 2);
 }
@@ -72,7 +72,7 @@ TEST(ContactPieces, BorderingOnesAreLeftAlone) {
     InterfaceTrial trial = trial_at(normal_gap, shear_gap);
     const Vec4 force = trial.force;
     ContactPieces pieces{before, ContactPiece::stuck};
-    return !keep_to_bordering_pieces(classical_element(), dry, true, trial, pieces) && trial.force == force &&
+    return !keep_to_bordering_pieces(classical_element(), dry, {.strict = true}, trial, pieces) && trial.force == force &&
            pieces == pieces_of(trial);
   };
   EXPECT_TRUE(stays(ContactPiece::stuck, -0.04, 0.3));         // starts to slide
@@ -87,9 +87,9 @@ TEST(ContactPieces, OpenEndsSlideBeforeTheyStick) {
   for (const double side : {-1.0, 1.0}) {
     InterfaceTrial trial = trial_at(-0.04, side * 0.01);
     ContactPieces pieces{ContactPiece::open, ContactPiece::stuck};
-    EXPECT_FALSE(keep_to_bordering_pieces(classical_element(), dry, false, trial, pieces));
+    EXPECT_FALSE(keep_to_bordering_pieces(classical_element(), dry, {}, trial, pieces));
     pieces[0] = ContactPiece::open;
-    EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, true, trial, pieces));
+    EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, {.strict = true}, trial, pieces));
     EXPECT_EQ(pieces[0], side < 0 ? ContactPiece::slides_back : ContactPiece::slides_forth);
     EXPECT_DOUBLE_EQ(trial.force(0), -4);
     EXPECT_DOUBLE_EQ(trial.force(1), side * 2);
@@ -100,7 +100,7 @@ TEST(ContactPieces, OpenEndsSlideBeforeTheyStick) {
 TEST(ContactPieces, StuckEndsSlideBeforeTheyOpen) {
   InterfaceTrial trial = trial_at(0.02, 0.01);
   ContactPieces pieces{ContactPiece::stuck, ContactPiece::stuck};
-  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, true, trial, pieces));
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), dry, {.strict = true}, trial, pieces));
   EXPECT_EQ(pieces[0], ContactPiece::slides_forth);
   EXPECT_DOUBLE_EQ(trial.force(0), 2);   // the line of the closed end goes on
   EXPECT_DOUBLE_EQ(trial.force(1), -1);  // and that of friction with it
@@ -112,7 +112,7 @@ TEST(ContactPieces, LieWhereTheStrengthPutsThem) {
   InterfaceTrial trial = trial_at(-0.04, 0.01, weakening);
   trial.residual[0] = true;
   ContactPieces pieces{ContactPiece::open, ContactPiece::stuck};
-  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), weakening, true, trial, pieces));
+  EXPECT_TRUE(keep_to_bordering_pieces(classical_element(), weakening, {.strict = true}, trial, pieces));
   EXPECT_DOUBLE_EQ(trial.force(1), 0.6 + (0.5 - 0.2) * 4);
 }
 

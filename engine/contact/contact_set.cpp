@@ -27,6 +27,20 @@ InterfaceLaw usable_law(InterfaceLaw wanted, const Interface& interface, bool ca
   return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
 }
 
+template <int rows>
+InterfaceStiffness stiffness_of_rows(const InterfaceElement& element, const Vec4& mask) {
+  const auto stiffness = element.stiffness.cwiseProduct(mask).head<rows>().asDiagonal();
+  const auto a = element.rows_a.topRows<rows>();
+  const auto b = element.rows_b.topRows<rows>();
+  const Eigen::Matrix<double, 6, rows> weighted_a = a.transpose() * stiffness;
+  const Eigen::Matrix<double, 6, rows> weighted_b = b.transpose() * stiffness;
+  InterfaceStiffness k;
+  k.aa.noalias() = weighted_a * a;
+  k.bb.noalias() = weighted_b * b;
+  k.ba.noalias() = weighted_b * a;
+  return k;
+}
+
 }  // namespace
 
 InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface) {
@@ -111,6 +125,11 @@ void add_interface_force(const InterfaceElement& element, const Vec4& interface_
                          Eigen::VectorXd& force) {
   Segment6 on_a = force.segment<6>(6 * element.block_a);
   Segment6 on_b = force.segment<6>(6 * element.block_b);
+  if (is_lone_vertex(element)) {
+    on_a.noalias() += element.rows_a.topRows<2>().transpose() * interface_force.head<2>();
+    on_b.noalias() += element.rows_b.topRows<2>().transpose() * interface_force.head<2>();
+    return;
+  }
   on_a.noalias() += element.rows_a.transpose() * interface_force;
   on_b.noalias() += element.rows_b.transpose() * interface_force;
   if (!has_stress_rows(element)) return;
@@ -124,17 +143,17 @@ void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force) {
 }
 
 Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {
-  return element.rows_a * d.segment<6>(6 * element.block_a) + element.rows_b * d.segment<6>(6 * element.block_b);
+  const auto of_a = d.segment<6>(6 * element.block_a);
+  const auto of_b = d.segment<6>(6 * element.block_b);
+  if (!is_lone_vertex(element)) return element.rows_a * of_a + element.rows_b * of_b;
+  Vec4 gap = Vec4::Zero();
+  gap.head<2>() = element.rows_a.topRows<2>() * of_a + element.rows_b.topRows<2>() * of_b;
+  return gap;
 }
 
 InterfaceStiffness stiffness_of(const InterfaceElement& element, const Vec4& mask) {
-  const auto stiffness = element.stiffness.cwiseProduct(mask).asDiagonal();
-  const Eigen::Matrix<double, 6, 4> weighted_a = element.rows_a.transpose() * stiffness;
-  const Eigen::Matrix<double, 6, 4> weighted_b = element.rows_b.transpose() * stiffness;
-  InterfaceStiffness k;
-  k.aa.noalias() = weighted_a * element.rows_a;
-  k.bb.noalias() = weighted_b * element.rows_b;
-  k.ba.noalias() = weighted_b * element.rows_a;
+  InterfaceStiffness k =
+      is_lone_vertex(element) ? stiffness_of_rows<2>(element, mask) : stiffness_of_rows<4>(element, mask);
   if (!has_stress_rows(element)) return k;
   const Eigen::Matrix<double, 6, 3> a = element.rows_a.transpose() * element.strain_rows_a;
   const Eigen::Matrix<double, 6, 3> b = element.rows_b.transpose() * element.strain_rows_b;

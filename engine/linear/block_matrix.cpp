@@ -117,4 +117,18 @@ void BlockMatrix::multiply(const Vector& x, Vector& y) const {
   }
 }
 
+void BlockMatrix::multiply(const BlockPart& part, const Vector& x, Vector& y) const {
+  y.setZero();
+  for (int column = 0; column < size(); ++column) {
+    const bool inside = part.contains(column);
+    const int first = column_starts_[index(column)];
+    if (inside) y.segment<6>(6 * column) += block(first) * x.segment<6>(6 * column);
+    for (int k = first + 1; k < column_starts_[index(column) + 1]; ++k) {
+      const int row = block_rows_[index(k)];
+      if (inside) y.segment<6>(6 * row) += block(k) * x.segment<6>(6 * column);
+      if (part.contains(row)) y.segment<6>(6 * column) += block(k).transpose() * x.segment<6>(6 * row);
+    }
+  }
+}
+
 }  // namespace dda

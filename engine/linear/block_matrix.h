@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dda/core/types.h"
+#include "dda/linear/block_part.h"
 
 namespace dda {
 
@@ -50,6 +51,9 @@ class BlockMatrix {
 
   // y = A x; x and y hold 6n numbers each and are different vectors. Allocates nothing.
   void multiply(const Vector& x, Vector& y) const;
+
+  // The same where x is zero outside of a part: reads only what meets it.
+  void multiply(const BlockPart& part, const Vector& x, Vector& y) const;
 
   // The block pattern: block column j holds the block rows block_rows()[k] for k in [column_starts()[j],
   // column_starts()[j + 1]), the first of them j itself.

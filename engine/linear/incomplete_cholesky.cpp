@@ -50,6 +50,10 @@ void fill_row(int most, const std::vector<std::vector<Fill>>& columns, std::vect
 
 void IncompleteCholesky::analyze(const BlockMatrix& matrix, int level) {
   order_ = cuthill_mckee_order(matrix);
+  position_.resize(order_.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) position_[at(order_[k])] = static_cast<int>(k);
+  places_.reserve(order_.size());
+  is_factored_.resize(order_.size());
   lay_out(matrix, level);
   find_sources(matrix);
   find_targets();
@@ -60,12 +64,10 @@ void IncompleteCholesky::analyze(const BlockMatrix& matrix, int level) {
 
 void IncompleteCholesky::lay_out(const BlockMatrix& matrix, int level) {
   const std::size_t n = order_.size();
-  std::vector<int> position(n);
-  for (std::size_t k = 0; k < n; ++k) position[at(order_[k])] = static_cast<int>(k);
   std::vector<std::vector<Fill>> rows(n);
   for (int j = 0; j < (level == diagonal ? 0 : matrix.size()); ++j) {
     for (int k = matrix.column_starts()[at(j)] + 1; k < matrix.column_starts()[at(j) + 1]; ++k) {
-      const auto [low, high] = std::minmax(position[at(matrix.block_rows()[at(k)])], position[at(j)]);
+      const auto [low, high] = std::minmax(position_[at(matrix.block_rows()[at(k)])], position_[at(j)]);
       rows[at(high)].push_back({low, 0});
     }
   }
@@ -91,13 +93,11 @@ int IncompleteCholesky::entry(int row, int column) const {
 }
 
 void IncompleteCholesky::find_sources(const BlockMatrix& matrix) {
-  std::vector<int> position(order_.size());
-  for (std::size_t k = 0; k < order_.size(); ++k) position[at(order_[k])] = static_cast<int>(k);
   sources_.clear();
   for (int j = 0; j < (rows_.empty() ? 0 : matrix.size()); ++j) {
     for (int k = matrix.column_starts()[at(j)] + 1; k < matrix.column_starts()[at(j) + 1]; ++k) {
-      const int row = position[at(matrix.block_rows()[at(k)])];
-      const int column = position[at(j)];
+      const int row = position_[at(matrix.block_rows()[at(k)])];
+      const int column = position_[at(j)];
       sources_.push_back({k, entry(std::max(row, column), std::min(row, column)), row < column});
     }
   }
@@ -118,22 +118,23 @@ void IncompleteCholesky::find_targets() {
   unscaled_.resize(most);
 }
 
-void IncompleteCholesky::load(const BlockMatrix& matrix, double shift) {
-  for (Mat6& block : blocks_) block.setZero();
-  for (std::size_t k = 0; k < order_.size(); ++k) {
-    diagonal_[k] = matrix.diagonal(order_[k]);
-    diagonal_[k].diagonal() *= 1 + shift;
-  }
-  for (const Source& source : sources_) {
-    if (source.transposed) {
-      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot).transpose();
-    } else {
-      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot);
-    }
-  }
+bool IncompleteCholesky::factorize(const BlockMatrix& matrix) {
+  places_.resize(order_.size());
+  std::iota(places_.begin(), places_.end(), 0);
+  std::fill(is_factored_.begin(), is_factored_.end(), 1);
+  return factorize_places(matrix);
 }
 
-bool IncompleteCholesky::factorize(const BlockMatrix& matrix) {
+bool IncompleteCholesky::factorize(const BlockMatrix& matrix, const BlockPart& part) {
+  places_.clear();
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    is_factored_[k] = part.contains(order_[k]) ? 1 : 0;
+    if (is_factored_[k] != 0) places_.push_back(static_cast<int>(k));
+  }
+  return factorize_places(matrix);
+}
+
+bool IncompleteCholesky::factorize_places(const BlockMatrix& matrix) {
   for (const double shift : {0.0, 1e-2, 1e-1}) {
     shift_ = shift;
     load(matrix, shift);
@@ -143,8 +144,35 @@ bool IncompleteCholesky::factorize(const BlockMatrix& matrix) {
   return take_diagonal_only(matrix);
 }
 
+void IncompleteCholesky::clear_column(int column) {
+  for (int k = column_starts_[at(column)]; k < column_starts_[at(column) + 1]; ++k) blocks_[at(k)].setZero();
+}
+
+void IncompleteCholesky::load(const BlockMatrix& matrix, double shift) {
+  for (const int k : places_) {
+    clear_column(k);
+    diagonal_[at(k)] = matrix.diagonal(order_[at(k)]);
+    diagonal_[at(k)].diagonal() *= 1 + shift;
+  }
+  if (rows_.empty()) return;
+  for (const int k : places_) load_column(matrix, order_[at(k)]);
+}
+
+void IncompleteCholesky::load_column(const BlockMatrix& matrix, int block) {
+  const int first = matrix.column_starts()[at(block)] + 1;
+  for (int k = first; k < matrix.column_starts()[at(block) + 1]; ++k) {
+    if (is_factored_[at(position_[at(matrix.block_rows()[at(k)])])] == 0) continue;
+    const Source& source = sources_[at(k - block - 1)];  // block + 1 diagonal blocks have gone before
+    if (source.transposed) {
+      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot).transpose();
+    } else {
+      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot);
+    }
+  }
+}
+
 bool IncompleteCholesky::eliminate_all() {
-  for (int column = 0; column < static_cast<int>(order_.size()); ++column) {
+  for (const int column : places_) {
     Mat6 inverse;
     if (!invert(diagonal_[at(column)], inverse)) return false;
     diagonal_[at(column)] = inverse;
@@ -155,9 +183,10 @@ bool IncompleteCholesky::eliminate_all() {
 
 bool IncompleteCholesky::take_diagonal_only(const BlockMatrix& matrix) {
   shift_ = 0;
-  for (Mat6& block : blocks_) block.setZero();
-  for (std::size_t k = 0; k < order_.size(); ++k)
-    if (!invert(matrix.diagonal(order_[k]), diagonal_[k])) return false;
+  for (const int k : places_) {
+    clear_column(k);
+    if (!invert(matrix.diagonal(order_[at(k)]), diagonal_[at(k)])) return false;
+  }
   return true;
 }
 
@@ -166,33 +195,37 @@ void IncompleteCholesky::eliminate(int column) {
   const int first = column_starts_[at(column)];
   const int count = column_starts_[at(column) + 1] - first;
   const int* target = targets_.data() + target_starts_[at(column)];
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; target += i, ++i) {
+    if (is_factored_[at(rows_[at(first + i)])] == 0) continue;
     Mat6& block = blocks_[at(first + i)];
     unscaled_[at(i)] = block;
     block.setZero();
     add_product(unscaled_[at(i)], diagonal_[at(column)], block);
-    for (int j = 0; j < i; ++j, ++target)
-      if (*target >= 0) subtract_product_transposed(unscaled_[at(i)], blocks_[at(first + j)], blocks_[at(*target)]);
+    for (int j = 0; j < i; ++j)
+      if (target[j] >= 0 && is_factored_[at(rows_[at(first + j)])] != 0)
+        subtract_product_transposed(unscaled_[at(i)], blocks_[at(first + j)], blocks_[at(target[j])]);
     subtract_product_transposed(unscaled_[at(i)], block, diagonal_[at(rows_[at(first + i)])]);
   }
 }
 
 double IncompleteCholesky::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
-  const int n = static_cast<int>(order_.size());
-  for (int j = 0; j < n; ++j) work_.segment<6>(6 * j) = r.segment<6>(6 * order_[at(j)]);
+  for (const int j : places_) work_.segment<6>(6 * j) = r.segment<6>(6 * order_[at(j)]);
+  if (places_.size() < order_.size()) z.setZero();
   double product = 0;
-  for (int j = 0; j < n; ++j) {
+  for (const int j : places_) {
     const Vec6 known = work_.segment<6>(6 * j);
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
-      work_.segment<6>(6 * rows_[at(k)]) -= blocks_[at(k)] * known;
+      if (is_factored_[at(rows_[at(k)])] != 0) work_.segment<6>(6 * rows_[at(k)]) -= blocks_[at(k)] * known;
     const Vec6 scaled = diagonal_[at(j)] * known;
     product += known.dot(scaled);
     work_.segment<6>(6 * j) = scaled;
   }
-  for (int j = n - 1; j >= 0; --j) {
+  for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
+    const int j = *place;
     Vec6 result = work_.segment<6>(6 * j);
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
-      result -= blocks_[at(k)].transpose() * work_.segment<6>(6 * rows_[at(k)]);
+      if (is_factored_[at(rows_[at(k)])] != 0)
+        result -= blocks_[at(k)].transpose() * work_.segment<6>(6 * rows_[at(k)]);
     work_.segment<6>(6 * j) = result;
     z.segment<6>(6 * order_[at(j)]) = result;
   }

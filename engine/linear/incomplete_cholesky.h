@@ -23,8 +23,11 @@ class IncompleteCholesky {
   // Takes the values of a matrix of the analyzed pattern. False where a diagonal block of it is not positive definite.
   // Allocates nothing.
   [[nodiscard]] bool factorize(const BlockMatrix& matrix);
+  // The same for the rows and columns of a part alone, as if the others were not there.
+  [[nodiscard]] bool factorize(const BlockMatrix& matrix, const BlockPart& part);
 
-  // z = (M D M^T)^-1 r; returns r . z. Allocates nothing.
+  // z = (M D M^T)^-1 r; returns r . z. Outside of the part that was factored r is not looked at and z is zero.
+  // Allocates nothing.
   double apply(const Eigen::VectorXd& r, Eigen::VectorXd& z);
 
   // Off-diagonal blocks of M.
@@ -40,21 +43,27 @@ class IncompleteCholesky {
     bool transposed;
   };
 
+  [[nodiscard]] bool factorize_places(const BlockMatrix& matrix);
   void lay_out(const BlockMatrix& matrix, int level);
   void find_sources(const BlockMatrix& matrix);
   void find_targets();
   [[nodiscard]] int entry(int row, int column) const;
+  void clear_column(int column);
   void load(const BlockMatrix& matrix, double shift);
+  void load_column(const BlockMatrix& matrix, int block);
   [[nodiscard]] bool eliminate_all();
   void eliminate(int column);
   [[nodiscard]] bool take_diagonal_only(const BlockMatrix& matrix);
 
   std::vector<int> order_;          // order_[k]: the block eliminated as the k-th
+  std::vector<int> position_;       // of each block in order_
+  std::vector<int> places_;         // positions of the blocks that are factored, ascending
+  std::vector<char> is_factored_;   // by position
   std::vector<int> column_starts_;  // n + 1, into rows_
   std::vector<int> rows_;           // by column, ascending
   std::vector<Mat6> blocks_;        // M, as in rows_
   std::vector<Mat6> diagonal_;      // of A, then of D^-1
-  std::vector<Source> sources_;
+  std::vector<Source> sources_;  // of all couplings, in the order of the matrix
   // For each column with rows a_0 < a_1 < ...: entry (a_i, a_j) for all j < i, row by row; -1 where it is dropped.
   std::vector<int> targets_;
   std::vector<int> target_starts_;

@@ -14,6 +14,10 @@ Status PcgSolver::do_factorize(const BlockMatrix& matrix) {
   return factor_.factorize(matrix) ? Status::ok : Status::singular;
 }
 
+Status PcgSolver::do_factorize_part(const BlockMatrix& matrix, const BlockPart& part) {
+  return factor_.factorize(matrix, part) ? Status::ok : Status::singular;
+}
+
 Status PcgSolver::do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
   const auto multiply = [this](const Eigen::VectorXd& v, Eigen::VectorXd& w) { matrix_->multiply(v, w); };
   const auto precondition = [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) { return factor_.apply(r, z); };

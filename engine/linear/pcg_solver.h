@@ -26,9 +26,12 @@ class PcgSolver final : public LinearSolver {
  public:
   explicit PcgSolver(const PcgOptions& options = {}) : options_(options) {}
 
+  [[nodiscard]] bool takes_parts() const override { return true; }
+
  private:
   void do_analyze(const BlockMatrix& matrix) override;
   Status do_factorize(const BlockMatrix& matrix) override;
+  Status do_factorize_part(const BlockMatrix& matrix, const BlockPart& part) override;
   Status do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) override;
   double do_precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) override;
 

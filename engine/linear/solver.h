@@ -36,6 +36,11 @@ class LinearSolver {
   // (or not finite); there is then no factor to solve with.
   [[nodiscard]] Status factorize(const BlockMatrix& matrix);
 
+  // For the rows and columns of a part alone, as if the others were not there: precondition() then keeps to it, and
+  // solve() needs a factorize of the whole first. Of solvers that take_parts().
+  [[nodiscard]] Status factorize(const BlockMatrix& matrix, const BlockPart& part);
+  [[nodiscard]] virtual bool takes_parts() const { return false; }
+
   // Solves for x, which comes in with 6n numbers: the starting guess of an iterative solver, ignored by a direct one.
   // `rhs` and `x` are different vectors. not_converged: x holds the last iterate; not_finite: x is of no use.
   [[nodiscard]] Status solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
@@ -52,15 +57,18 @@ class LinearSolver {
  private:
   virtual void do_analyze(const BlockMatrix& matrix) = 0;
   virtual Status do_factorize(const BlockMatrix& matrix) = 0;
+  virtual Status do_factorize_part(const BlockMatrix& matrix, const BlockPart& part);
   virtual Status do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) = 0;
   virtual double do_precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z);
 
-  void check_vectors(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) const;
+  void check_matrix(const BlockMatrix& matrix) const;
+  void check_vectors(bool factored, const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) const;
 
   SolverCounts counts_;
   Eigen::Index unknowns_ = -1;  // -1: not analyzed
   int couplings_ = 0;
   bool factored_ = false;
+  bool part_factored_ = false;
 };
 
 }  // namespace dda

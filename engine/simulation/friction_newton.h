@@ -8,11 +8,20 @@
 
 #include "dda/contact/contact_pieces.h"
 #include "dda/contact/interface_element.h"
+#include "dda/linear/block_part.h"
 #include "dda/linear/krylov.h"
 
 namespace dda {
 
 struct FrictionNewton {
+  // An interface with a broken end; the others are linear.
+  struct LiveContact {
+    std::size_t interface;
+    int block_a, block_b;
+    ContactPieces pieces;  // what the pass takes its ends to be
+    bool between;          // its forces are not what it answers: keep_to_bordering_pieces
+  };
+
   // How friction ties the shear forces of sliding ends to their normal gaps.
   struct Coupling {
     std::size_t interface;
@@ -21,10 +30,11 @@ struct FrictionNewton {
 
   static constexpr int basis = 40;  // of GMRES
 
-  std::vector<std::size_t> live;      // interfaces with a broken end: the others are linear
-  std::vector<ContactPieces> pieces;  // as live: what the pass takes them to be
+  std::vector<LiveContact> live;
   std::vector<Coupling> couplings;
-  bool between_pieces = false;  // some forces are not what the ends answer: keep_to_bordering_pieces
+  BlockPart part;               // the blocks that a local pass moves
+  bool is_local = false;        // the pass, and with it the factor at hand
+  bool between_pieces = false;  // some live contact is
 
   // 6 entries a block.
   Eigen::VectorXd residual;  // what is left of the balance at the increments reached
@@ -34,9 +44,13 @@ struct FrictionNewton {
   Gmres gmres{basis};
 
   double imbalance = 0;         // largest entry of the residual, N per m of thickness
-  double largest_force = 0;     // of interfaces and bolts, N per m of thickness
+  double largest_force = 0;     // of contacts and bolts, N per m of thickness
   int stale_interfaces = 0;     // that changed in the matrix since it was factored
   bool matrix_amended = false;  // interface by interface since it was assembled
+
+  [[nodiscard]] bool takes_in(const LiveContact& contact) const {
+    return !is_local || part.contains(contact.block_a) || part.contains(contact.block_b);
+  }
 
   void resize(Eigen::Index unknowns) {
     for (Eigen::VectorXd* vector : {&residual, &step, &image}) vector->setZero(unknowns);

@@ -129,17 +129,26 @@ class Simulation {
   [[nodiscard]] bool has_something_to_settle();
   void move_held_blocks();
   [[nodiscard]] bool newton_finds_balance();
+  [[nodiscard]] bool goes_in_circles(int stalled_passes) const;
+  [[nodiscard]] double work_of_pass() const;
   [[nodiscard]] bool is_balanced() const;
   [[nodiscard]] double negligible_imbalance() const;
   void list_live_interfaces();
   [[nodiscard]] Status bring_matrix_up_to_date(bool anew, bool& changed);
   void amend_matrix(std::size_t i);
   void form_residual();
+  [[nodiscard]] double largest_entry(const Eigen::VectorXd& force, std::size_t block) const;
   [[nodiscard]] double largest_entry(const Eigen::VectorXd& force) const;
   [[nodiscard]] Status solve_newton_step(double relative);
   void list_couplings();
   void multiply_coupled(const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
+  void multiply_in_pass(const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void take_newton_step_with_friction(bool strictly);
+  // Its local passes (local_pass.cpp)
+  [[nodiscard]] Status prepare_pass(bool& changed);
+  [[nodiscard]] bool choose_part();
+  void add_neighbours();
+  void follow_residual(const FrictionNewton::LiveContact& contact, const Vec4& moved, const Vec4& force_before);
 
   void accept_step();
   void accept_contacts();

@@ -6,13 +6,6 @@
 #include "dda/simulation/system_matrix.h"
 
 namespace dda {
-namespace {
-
-// Interfaces that may change in the matrix before it is factored again: an iteration more for each is cheaper.
-constexpr int most_stale_interfaces = 8;
-
-}  // namespace
-
 Status Simulation::refactor() {
   assemble_matrix();
   return factorize();
@@ -34,6 +27,7 @@ void Simulation::assemble_matrix() {
 Status Simulation::factorize() {
   const PhaseTimer timer(phase_times_.factorization);
   newton_.stale_interfaces = 0;
+  newton_.is_local = false;
   const Status status = solver_->factorize(matrix_);
   ++counters_.factorizations;
   matrix_is_current_ = status == Status::ok;
@@ -59,8 +53,9 @@ Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
   return Status::not_finite;
 }
 
-// The matrix holds the stiffness of `matrix_rows_`; it must be that of the rows active now. Interface by interface,
-// unless `anew`; held blocks that move would need what was taken out of the matrix anew.
+// The matrix holds the stiffness of `matrix_rows_`; it must be that of the rows active now. Assembled and factored where
+// something changed, if `anew`; else interface by interface, and the factor stays behind. (Held blocks that move would
+// need what was taken out of the matrix anew.)
 Status Simulation::bring_matrix_up_to_date(bool anew, bool& changed) {
   const bool whole = !matrix_is_current_ || matrix_rows_.size() != trial_.size();
   if (matrix_rows_.size() != trial_.size()) matrix_rows_.assign(trial_.size(), Vec4::Constant(-1));
@@ -73,8 +68,7 @@ Status Simulation::bring_matrix_up_to_date(bool anew, bool& changed) {
     ++counters_.contact_state_changes;
     changed = true;
   }
-  if (anew && (whole || changed)) return refactor();
-  return newton_.stale_interfaces > most_stale_interfaces ? factorize() : Status::ok;
+  return anew && (whole || changed || newton_.is_local) ? refactor() : Status::ok;
 }
 
 void Simulation::amend_matrix(std::size_t i) {

@@ -107,6 +107,32 @@ TEST(ContactPieces, StuckEndsSlideBeforeTheyOpen) {
   EXPECT_EQ(trial.active(0), 1);
 }
 
+// Where the old piece makes no more than a negligible difference the end stays on it, with its forces and slopes.
+TEST(ContactPieces, AreKeptWhereTheDifferenceIsNegligible) {
+  struct Way {
+    ContactPiece before;
+    double normal_gap, shear_gap, difference;
+  };
+  for (const Way& way :
+       {Way{ContactPiece::open, -0.04, 0, 4}, Way{ContactPiece::stuck, 0.02, 0.01, 2},
+        Way{ContactPiece::slides_forth, -0.04, 0.04, 0.4}, Way{ContactPiece::stuck, -0.04, 0.06, 0.4}}) {
+    InterfaceTrial trial = trial_at(way.normal_gap, way.shear_gap);
+    const InterfaceTrial answer = trial;
+    ContactPieces pieces{way.before, ContactPiece::stuck};
+    const PieceRule generous{.strict = true, .negligible_force = 1.001 * way.difference};
+    EXPECT_FALSE(keep_to_bordering_pieces(classical_element(), dry, generous, trial, pieces));
+    EXPECT_EQ(pieces[0], way.before);
+    EXPECT_NEAR((trial.force - answer.force).cwiseAbs().maxCoeff(), way.difference, 1e-12);
+    EXPECT_EQ(trial.active(0), way.before == ContactPiece::open ? 0 : 1);
+
+    trial = answer;
+    pieces[0] = way.before;
+    const PieceRule narrow{.strict = true, .negligible_force = 0.999 * way.difference};
+    static_cast<void>(keep_to_bordering_pieces(classical_element(), dry, narrow, trial, pieces));
+    EXPECT_NE(pieces[0], way.before);
+  }
+}
+
 // Residual friction and cohesion count.
 TEST(ContactPieces, LieWhereTheStrengthPutsThem) {
   InterfaceTrial trial = trial_at(-0.04, 0.01, weakening);

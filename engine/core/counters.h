@@ -10,10 +10,11 @@ struct Counters {
   std::int64_t steps = 0;
   std::int64_t matrix_rebuilds = 0;        // times the values of the system matrix were assembled from all terms
   std::int64_t analyses = 0;               // symbolic factorizations
-  std::int64_t factorizations = 0;         // numeric factorizations
+  std::int64_t factorizations = 0;         // numeric factorizations, of the whole matrix or a part
   std::int64_t solves = 0;                 // linear systems solved
   std::int64_t solver_iterations = 0;      // iterations of the iterative solver, summed over solves
   std::int64_t open_close_iterations = 0;  // passes of the open-close iteration, at least one a step with contacts
+  std::int64_t local_passes = 0;           // of them, those that moved a part of the blocks
   std::int64_t contact_searches = 0;
   std::int64_t contact_state_changes = 0;
 };
@@ -31,6 +32,7 @@ inline constexpr std::array counter_fields{
     CounterField{"solves", &Counters::solves},
     CounterField{"solver_iterations", &Counters::solver_iterations},
     CounterField{"open_close_iterations", &Counters::open_close_iterations},
+    CounterField{"local_passes", &Counters::local_passes},
     CounterField{"contact_searches", &Counters::contact_searches},
     CounterField{"contact_state_changes", &Counters::contact_state_changes},
 };

@@ -94,6 +94,40 @@ TEST(BlockMatrix, MultipliesAsTheDenseMatrix) {
   }
 }
 
+// A vector that is zero outside of a part: nothing of the product is lost, in the part or beside it.
+TEST(BlockMatrix, MultipliesWhatIsNotZeroInAPartAlone) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const RandomSystem system = random_system(9, random_couplings(9, 12, seed), seed);
+    BlockPart part;
+    part.clear(9);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(54);
+    for (const int block : {7, 2, 3}) {
+      part.add(block);
+      x.segment<6>(6 * block) = system.rhs.segment<6>(6 * block);
+    }
+    Eigen::VectorXd expected(54), product = Eigen::VectorXd::Constant(54, 7.0);
+    system.matrix.multiply(x, expected);
+    system.matrix.multiply(part, x, product);
+    const Eigen::VectorXd bound = system.dense.cwiseAbs() * x.cwiseAbs() * (54 * 2.3e-16);
+    EXPECT_TRUE(((product - expected).cwiseAbs().array() <= bound.array()).all());
+  }
+}
+
+TEST(BlockPart, KeepsTheOrderAndNoBlockTwice) {
+  BlockPart part;
+  part.clear(5);
+  for (const int block : {3, 1, 3, 4}) part.add(block);
+  EXPECT_EQ(part.blocks(), (std::vector<int>{3, 1, 4}));
+  EXPECT_TRUE(part.contains(4));
+  EXPECT_FALSE(part.contains(0));
+  EXPECT_TRUE(part.among_first(2, 1));
+  EXPECT_FALSE(part.among_first(2, 4));
+  EXPECT_FALSE(part.among_first(2, 0));
+  part.clear(5);
+  EXPECT_EQ(part.size(), 0);
+  EXPECT_FALSE(part.contains(3));
+}
+
 TEST(PermutedTriangle, IsTheMatrixInTheOrderOfElimination) {
   const RandomSystem system = random_system(6, random_couplings(6, 9, 3), 3);
   const std::vector<int> order = {4, 0, 5, 2, 1, 3};

@@ -133,6 +133,32 @@ TEST(IncompleteCholesky, StaysPositiveDefiniteWhereDroppingWouldNot) {
   }
 }
 
+// The factor of a part is that of the matrix with its rows and columns alone: here with all fill, so that the answer is
+// known. What another part or the whole left in the factor before is of no effect.
+TEST(IncompleteCholesky, OfAPartIsThatOfItsRowsAndColumns) {
+  const RandomSystem system = random_system(15, random_couplings(15, 30, 4), 4);
+  IncompleteCholesky factor = factored(system.matrix, 15);
+  for (const std::vector<int>& blocks : {std::vector<int>{12, 3, 4, 8}, {0, 1, 2, 3, 5, 7, 11, 13, 14}, {6}}) {
+    BlockPart part;
+    part.clear(15);
+    for (const int block : blocks) part.add(block);
+    ASSERT_TRUE(factor.factorize(system.matrix, part));
+    Eigen::MatrixXd alone = Eigen::MatrixXd::Identity(90, 90);
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(90);
+    for (const int i : blocks) {
+      rhs.segment<6>(6 * i) = system.rhs.segment<6>(6 * i);
+      for (const int j : blocks) alone.block<6, 6>(6 * i, 6 * j) = system.dense.block<6, 6>(6 * i, 6 * j);
+    }
+    const Eigen::VectorXd expected = alone.llt().solve(rhs);
+    Eigen::VectorXd z = Eigen::VectorXd::Constant(90, 7);
+    EXPECT_NEAR(factor.apply(system.rhs, z), rhs.dot(expected), 1e-12 * rhs.norm() * expected.norm());
+    EXPECT_LE((z - expected).norm(), 10 * system.tolerance() * expected.norm());
+  }
+  ASSERT_TRUE(factor.factorize(system.matrix));
+  const Eigen::VectorXd whole = system.dense.llt().solve(system.rhs);
+  EXPECT_LE((applied(factor, system.rhs) - whole).norm(), 10 * system.tolerance() * whole.norm());
+}
+
 TEST(IncompleteCholesky, ReportsAnIndefiniteDiagonalBlock) {
   RandomSystem system = random_system(4, grid_couplings(4, 1), 1);
   system.matrix.diagonal(2).setZero();

@@ -95,6 +95,26 @@ TEST_P(EverySolver, RefusesCallsOutOfOrder) {
   EXPECT_THROW(static_cast<void>(solver_->solve(x, x)), std::logic_error);
 }
 
+TEST_P(EverySolver, TakesPartsOrSaysThatItDoesNot) {
+  const RandomSystem system = random_system(6, grid_couplings(6, 1), 1);
+  BlockPart part;
+  part.clear(6);
+  part.add(2);
+  Eigen::VectorXd z = Eigen::VectorXd::Ones(36);
+  solver_->analyze(system.matrix);
+  if (!solver_->takes_parts()) {
+    EXPECT_THROW(static_cast<void>(solver_->factorize(system.matrix, part)), std::logic_error);
+    return;
+  }
+  ASSERT_EQ(solver_->factorize(system.matrix, part), Status::ok);
+  solver_->precondition(system.rhs, z);
+  EXPECT_NE(z.segment<6>(12).norm(), 0);
+  z.segment<6>(12).setZero();
+  EXPECT_EQ(z.norm(), 0);
+  EXPECT_THROW(static_cast<void>(solver_->solve(system.rhs, z)), std::logic_error);
+  expect_solves(system);  // with the whole factored again
+}
+
 // Block 2 of the chain has lost its inertia and its springs hold three of its six unknowns only.
 TEST_P(EverySolver, ReportsASingularBlockAndRecovers) {
   RandomSystem system = random_system(4, {{0, 1}, {2, 3}}, 1);

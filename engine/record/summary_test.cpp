@@ -58,7 +58,7 @@ TEST(Summary, HoldsEverything) {
   summary.title = "bar";
   summary.time_s = 0.1;
   summary.steps = 12;
-  summary.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  summary.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   summary.energy = balanced_ledger();
   summary.cpu_s = 1.5;
   summary.wall_s = 2.5;
@@ -78,7 +78,8 @@ TEST(Summary, HoldsEverything) {
     "phases": {"solve": 1.25, "assembly": 0.25},
     "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
-      "solver_iterations": 6, "open_close_iterations": 7, "contact_searches": 8, "contact_state_changes": 9},
+      "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "contact_searches": 9,
+      "contact_state_changes": 10},
     "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0, "bolts": 78.0,
       "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "initial_bolts": 37.0, "external_work": 172.0,
       "gravity_work": 31.0, "friction": 17.0, "plastic": 43.0, "dashpot": 19.0, "damping": 23.0, "numerical": 29.0,

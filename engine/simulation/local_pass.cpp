@@ -31,6 +31,7 @@ Status Simulation::prepare_pass(bool& changed) {
   if (!choose_part()) return n.is_local || n.stale_interfaces > most_stale_interfaces ? factorize() : Status::ok;
   const PhaseTimer timer(phase_times_.factorization);
   ++counters_.factorizations;
+  ++counters_.local_passes;
   n.is_local = true;
   n.matrix_amended = true;  // the next step starts with matrix and factor of the whole
   return solver_->factorize(matrix_, n.part);
@@ -47,23 +48,25 @@ bool Simulation::choose_part() {
     if (largest_entry(n.residual, i) > small) n.part.add(static_cast<int>(i));
   for (const FrictionNewton::LiveContact& contact : n.live) {
     if (!contact.between) continue;
-    n.part.add(contact.block_a);
-    n.part.add(contact.block_b);
+    if (!held_.holds(contact.block_a)) n.part.add(contact.block_a);
+    if (!held_.holds(contact.block_b)) n.part.add(contact.block_b);
   }
   const double most = largest_part * static_cast<double>(blocks);
   for (int ring = 0; ring < rings && n.part.size() <= most; ++ring) add_neighbours();
   return n.part.size() <= most;
 }
 
+// Not those beyond a held block: nothing passes through it.
 void Simulation::add_neighbours() {
   BlockPart& part = newton_.part;
   const int inside = part.size();
+  const auto spreads_to = [&](int from, int to) { return part.among_first(inside, from) && !held_.holds(to); };
   for (int column = 0; column < matrix_.size(); ++column) {
     const auto at = static_cast<std::size_t>(column);
     for (int k = matrix_.column_starts()[at] + 1; k < matrix_.column_starts()[at + 1]; ++k) {
       const int row = matrix_.block_rows()[static_cast<std::size_t>(k)];
-      if (part.among_first(inside, column)) part.add(row);
-      if (part.among_first(inside, row)) part.add(column);
+      if (spreads_to(column, row)) part.add(row);
+      if (spreads_to(row, column)) part.add(column);
     }
   }
 }

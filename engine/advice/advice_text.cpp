@@ -111,17 +111,18 @@ std::string to_text(const Advice& advice) {
 std::vector<std::string> to_short_text(const Advice& advice) {
   std::vector<std::string> lines;
   for (const StageAdvice& stage : advice.stages) {
+    const std::string where = advice.stages.size() > 1 ? fmt::format("stage \"{}\": ", stage.name) : "";
     for (const WaveAdvice& wave : stage.waves) {
       if (!wave.asked_history) continue;
       if (!wave.history) {
-        lines.push_back(fmt::format("{} wave in \"{}\", {}: does not arrive in its shape", wave.kind, wave.material,
-                                    wave.direction_name));
+        lines.push_back(fmt::format("{}{} wave in \"{}\", {}: does not arrive in its shape", where, wave.kind,
+                                    wave.material, wave.direction_name));
         continue;
       }
-      lines.push_back(
-          fmt::format("{} wave in \"{}\", {}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}", wave.kind,
-                      wave.material, wave.direction_name, wave.history->place, percent(wave.history->speed.total()),
-                      percent(wave.history->amplitude.total()), percent(wave.history->arrival.peak), wave.cause()));
+      lines.push_back(fmt::format(
+          "{}{} wave in \"{}\", {}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}", where, wave.kind,
+          wave.material, wave.direction_name, wave.history->place, percent(wave.history->speed.total()),
+          percent(wave.history->amplitude.total()), percent(wave.history->arrival.peak), wave.cause()));
     }
   }
   return lines;

@@ -130,6 +130,32 @@ TEST_F(AdviseCommand, CheckHasAShortForm) {
   EXPECT_EQ(call({"check", path("scene.json"), "--frequency", "50Hz"}).out.find("whole history"), std::string::npos);
 }
 
+TEST_F(AdviseCommand, TheShortFormNamesStagesWhereThereAreSeveral) {
+  std::string scene = bar_scene(40, 3000);
+  const auto steps = scene.find("\"steps\"");
+  scene.replace(steps, scene.find('}', steps) - steps + 1,
+                R"("steps": [{"name": "one", "dt": 1e-5, "duration": 0.02, "kinematics": "small"},
+                {"name": "two", "dt": 1e-4, "duration": 0.01, "kinematics": "small"}])");
+  write("scene.json", scene);
+  const Outcome outcome = call({"check", path("scene.json")});
+  EXPECT_NE(outcome.out.find("  stage \"one\": bar wave"), std::string::npos) << outcome.out << outcome.errors;
+  EXPECT_NE(outcome.out.find("  stage \"two\": bar wave"), std::string::npos);
+}
+
+TEST_F(AdviseCommand, CheckAsksForAFrequencyWhereItHasNone) {
+  const std::string asked = "no load with a history in the scene: give --frequency";
+  write("scene.json", without_load(bar_scene(40, 3000)));
+  EXPECT_NE(call({"check", path("scene.json")}).out.find(asked), std::string::npos);
+  std::string decay = bar_scene(40, 3000);
+  const auto sine = decay.find("{\"sine\"");
+  decay.replace(sine, decay.find("}}", sine) - sine + 2, R"({"decay": {"decay_time": "1 ms", "rise": "1 ms"}})");
+  write("scene.json", decay);
+  const Outcome outcome = call({"check", path("scene.json")});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.out.find(asked), std::string::npos);
+  EXPECT_NE(outcome.out.find("predicted for the whole history"), std::string::npos) << outcome.out;
+}
+
 TEST_F(AdviseCommand, CostsAreKnownWithoutAWave) {
   write("scene.json", without_load(bar_scene(40, 3000)));
   const auto advice = json({});

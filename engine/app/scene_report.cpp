@@ -224,15 +224,17 @@ void add_prediction(const Model& model, const ContactSet& contacts, double frequ
   }
 }
 
-// What the whole spectrum of the scene's load makes of that: a history holds more than its main frequency.
-void add_advice(const Simulation& simulation, Text& text) {
+// What the whole spectrum of the scene's load makes of that: a history holds more than its main frequency. False where
+// there is nothing to say.
+bool add_advice(const Simulation& simulation, Text& text) {
   AdviceQuestion question;
   question.limits = false;
   const std::vector<std::string> lines = to_short_text(advise(simulation, question));
-  if (lines.empty()) return;
+  if (lines.empty()) return false;
   text.gap();
   text.plain("predicted for the whole history of the load (dda advise says more)");
   for (const std::string& line : lines) text.plain("  " + line);
+  return true;
 }
 
 }  // namespace
@@ -253,13 +255,12 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(model, i, contacts, matrix, text);
   const bool given = frequency.has_value();
   if (!frequency) frequency = model.target_frequency ? model.target_frequency : highest_sine_frequency(model);
-  if (frequency) {
-    add_prediction(model, contacts, *frequency, text);
-  } else {
+  if (frequency) add_prediction(model, contacts, *frequency, text);
+  const bool advised = !given && add_advice(simulation, text);
+  if (!frequency && !advised) {
     text.gap();
-    text.plain("no sine in the scene: give --frequency for predicted errors of waves");
+    text.plain("no load with a history in the scene: give --frequency for predicted errors of waves");
   }
-  if (!given) add_advice(simulation, text);
   return text.take();
 }
 

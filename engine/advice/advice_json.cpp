@@ -23,6 +23,10 @@ Json to_json(const HistoryErrors& history) {
           {"onset_speed", history.arrival.onset_speed}};
 }
 
+Json sliding_of(const StageCost& cost) {
+  return cost.sliding ? Json{{"least", cost.sliding->least}, {"most", cost.sliding->most}} : Json(nullptr);
+}
+
 Json limits_of(const WaveAdvice& wave) {
   if (!wave.limits) return nullptr;
   const auto blocks = [&](const std::optional<double>& scale) {
@@ -65,6 +69,7 @@ Json to_json(const StageAdvice& stage) {
           {"factorizations_at_least", stage.cost.at_least},
           {"solver_iterations", stage.cost.iterations},
           {"rough_cpu_s", stage.cost.seconds},
+          {"sliding_cpu_s", sliding_of(stage.cost)},
           {"waves", waves}};
 }
 

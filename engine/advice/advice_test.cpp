@@ -135,5 +135,48 @@ TEST(Cost, FollowsFromThePlan) {
   EXPECT_EQ(cost_of(size, plan, 50).iterations, 50 * 70);  // 3 + 67 sqrt(chi), as in engine/linear
 }
 
+// Dry walls of bricks on a held floor (5 GPa, springs of 10 E, friction 35 deg, dt = 1 ms): seconds a step as measured
+// on the machine of engine/linear/README.md, at rest and after gravity is switched on at once; docs/speed.md has the
+// last.
+TEST(Cost, OfWallsIsThatOfTheirRuns) {
+  struct Wall {
+    SceneSize size;
+    double at_rest, falling;  // s
+  };
+  const Wall walls[] = {{{28, 134, 67, {.nonzeros = 4620}}, 5.9e-6, 2.0e-4},
+                        {{106, 570, 285, {.nonzeros = 29982}}, 3.6e-5, 1.06e-3},
+                        {{411, 2340, 1170, {.nonzeros = 181575}}, 2.5e-4, 6.6e-3},
+                        {{1621, 9480, 4740, {.nonzeros = 1069185}}, 0, 2.77e-2}};
+  StepPlan plan;
+  plan.contacts_can_change = plan.finite_kinematics = true;
+  plan.chi = 77;
+  plan.solver = SolverKind::pcg;
+  for (const Wall& wall : walls) {
+    constexpr int steps = 1000;
+    const StageCost cost = cost_of(wall.size, plan, steps);
+    ASSERT_TRUE(cost.sliding.has_value());
+    const double middle = std::sqrt(cost.sliding->least * cost.sliding->most);
+    EXPECT_LT(std::abs(std::log(middle / (steps * wall.falling))), std::log(3)) << wall.size.blocks;
+    EXPECT_LE(cost.sliding->least, steps * wall.falling);
+    EXPECT_GE(cost.sliding->most, steps * wall.falling);
+    if (wall.at_rest == 0) continue;
+    EXPECT_LT(std::abs(std::log(cost.seconds / (steps * wall.at_rest))), std::log(2)) << wall.size.blocks;
+  }
+}
+
+// A slide costs no less than rest does, and what cannot change has no range.
+TEST(Cost, OnlyContactsThatCanChangeHaveARange) {
+  SceneSize size;
+  size.blocks = 10;
+  size.factor.nonzeros = 1e6;
+  StepPlan plan;
+  EXPECT_FALSE(cost_of(size, plan, 10).sliding.has_value());
+  plan.contacts_can_change = true;
+  const StageCost cost = cost_of(size, plan, 10);
+  ASSERT_TRUE(cost.sliding.has_value());
+  EXPECT_GE(cost.sliding->least, cost.seconds);
+  EXPECT_GE(cost.sliding->most, cost.sliding->least);
+}
+
 }  // namespace
 }  // namespace dda

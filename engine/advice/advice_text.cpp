@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 
 #include "dda/advice/advice.h"
@@ -8,7 +10,8 @@
 namespace dda {
 namespace {
 
-std::string percent(double value) { return fmt::format("{:+.3f} %", 100 * value); }
+// No sign before a zero.
+std::string percent(double value) { return std::abs(value) < 5e-6 ? "0.000 %" : fmt::format("{:+.3f} %", 100 * value); }
 
 class Text {
  public:
@@ -50,23 +53,37 @@ void add_history(const WaveAdvice& wave, Text& text) {
             history.with_end ? "stress at the joint after" : "the way alone, after", history.place);
   text.line("    speed      {}   (by cross-correlation)", split(history.speed));
   text.line("    amplitude  {}   (least-squares fit)", split(history.amplitude));
+  if (std::abs(history.arrival.peak_speed) > 0.5) {
+    text.line("    no peak to read: the load does not turn back");
+    return;
+  }
   text.line("    peak {}; speed by peak {}, by onset {}", percent(history.arrival.peak),
             percent(history.arrival.peak_speed), percent(history.arrival.onset_speed));
 }
 
-std::string or_none(const std::optional<double>& value, double unit_value, const char* format_unit) {
-  return value ? fmt::format("{:.3g} {}", *value * unit_value, format_unit) : "none";
+std::string blocks_of(const WaveAdvice& wave, double scale) {
+  return fmt::format("{:.3g} m ({:.2g} times these)", scale * wave.block_size, scale);
 }
 
 void add_limits(const Advice& advice, const WaveAdvice& wave, Text& text) {
   if (!wave.limits) return;
   const WaveLimits& limits = *wave.limits;
-  const auto blocks = [&](const std::optional<double>& scale) { return or_none(scale, wave.block_size, "m"); };
-  text.line("  for {:.4g} %: largest dt with these blocks {}; largest blocks with this dt {}",
-            100 * advice.wanted_error, or_none(limits.dt, 1, "s"), blocks(limits.scale));
-  if (limits.both_dt)
-    text.line("    neither alone is enough; both: blocks of {} and dt of {}", blocks(limits.both_scale),
-              or_none(limits.both_dt, 1, "s"));
+  const double wanted = 100 * advice.wanted_error;
+  if (limits.dt || limits.scale) {
+    text.line("  for {:.4g} %: {}; {}", wanted,
+              limits.dt ? fmt::format("dt up to {:.3g} s with these blocks", *limits.dt)
+                        : "with these blocks no dt is small enough",
+              limits.scale ? fmt::format("blocks up to {} with this dt", blocks_of(wave, *limits.scale))
+                           : "with this dt no blocks are small enough");
+  } else if (limits.both_dt) {
+    text.line("  for {:.4g} %: smaller blocks and a smaller dt together: {} and {:.3g} s", wanted,
+              blocks_of(wave, *limits.both_scale), *limits.both_dt);
+  } else {
+    text.line(
+        "  for {:.4g} %: no blocks and dt down to a thousandth of a wave; what jumps or has kinks holds all "
+        "frequencies",
+        wanted);
+  }
 }
 
 void add_wave(const Advice& advice, const WaveAdvice& wave, Text& text) {
@@ -82,14 +99,33 @@ void add_wave(const Advice& advice, const WaveAdvice& wave, Text& text) {
   add_limits(advice, wave, text);
 }
 
+void add_cost(const StageCost& cost, Text& text) {
+  if (cost.sliding) {
+    text.line(
+        "  cost: roughly {:.2g} s of CPU time while contacts rest; {:.2g} to {:.2g} s if they slide and open in every "
+        "step",
+        cost.seconds, cost.sliding->least, cost.sliding->most);
+    return;
+  }
+  text.line("  cost: {} factorization{}{}; roughly {:.2g} s of CPU time", cost.factorizations,
+            cost.factorizations == 1 ? "" : "s",
+            cost.iterations > 0 ? fmt::format(", {} iterations", cost.iterations) : "", cost.seconds);
+}
+
+bool has_waves(const Advice& advice) {
+  return std::any_of(advice.stages.begin(), advice.stages.end(),
+                     [](const StageAdvice& stage) { return !stage.waves.empty(); });
+}
+
+std::string counted(std::int64_t number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
 void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
   text.line("");
   text.line("stage \"{}\": {} steps of {:.6g} s, {}; chi = {:.3g}, so {}", stage.name, stage.cost.steps, stage.dt,
             stage.integrator, stage.chi, stage.solver);
-  text.line("  cost: {}{} factorization{}{}; roughly {:.2g} s of CPU time{}", stage.cost.at_least ? "at least " : "",
-            stage.cost.factorizations, stage.cost.factorizations == 1 ? "" : "s",
-            stage.cost.iterations > 0 ? fmt::format(", {} iterations", stage.cost.iterations) : "", stage.cost.seconds,
-            stage.cost.at_least ? " while contacts rest, many times that while they slide and open" : "");
+  add_cost(stage.cost, text);
   for (const WaveAdvice& wave : stage.waves) add_wave(advice, wave, text);
 }
 
@@ -97,13 +133,16 @@ void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
 
 std::string to_text(const Advice& advice) {
   Text text;
-  text.line("{} blocks, {} interfaces, {} coupled pairs, {:.0f} numbers in a factor", advice.size.blocks,
-            advice.size.interfaces, advice.size.coupled_pairs, advice.size.factor.nonzeros);
+  text.line("{}, {}, {}, {:.0f} numbers in a factor of the matrix", counted(advice.size.blocks, "block"),
+            counted(advice.size.interfaces, "interface"), counted(advice.size.coupled_pairs, "coupled pair"),
+            advice.size.factor.nonzeros);
   if (!advice.load.empty()) text.line("load {}", advice.load);
   if (!advice.frequency)
-    text.line("no frequency: give --frequency, or \"target_frequency\" or a load with a history in the scene");
-  if (advice.joints_may_open) text.line("waves are predicted as if all joints stayed closed and stuck");
-  if (advice.damped) text.line("damping of velocities is not counted");
+    text.line(
+        "nothing is said of waves: give --frequency, or \"target_frequency\" or a load with a history in the scene");
+  if (has_waves(advice) && advice.joints_may_open)
+    text.line("waves are predicted as if all joints stayed closed and stuck");
+  if (has_waves(advice) && advice.damped) text.line("damping of velocities is not counted");
   for (const StageAdvice& stage : advice.stages) add_stage(advice, stage, text);
   return text.take();
 }

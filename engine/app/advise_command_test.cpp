@@ -162,7 +162,35 @@ TEST_F(AdviseCommand, CostsAreKnownWithoutAWave) {
   EXPECT_TRUE(advice["frequency_hz"].is_null());
   EXPECT_EQ(advice["stages"][0]["steps"], 3000);
   EXPECT_TRUE(advice["stages"][0]["waves"].empty());
-  EXPECT_NE(call({"advise", path("scene.json")}).out.find("no frequency: give --frequency"), std::string::npos);
+  EXPECT_NE(call({"advise", path("scene.json")}).out.find("nothing is said of waves: give --frequency"),
+            std::string::npos);
+}
+
+// The fenced block of the page that begins with these words.
+std::string quoted(const std::string& page, const std::string& beginning) {
+  const auto from = page.find("```\n" + beginning);
+  if (from == std::string::npos) return "";
+  return page.substr(from + 4, page.find("```", from + 4) - from - 4);
+}
+
+TEST_F(AdviseCommand, TheDocumentationQuotesWhatIsSaid) {
+  const std::string examples = DDA_EXAMPLES;
+  const std::string page = read_file(std::filesystem::path(DDA_EXAMPLES).parent_path() / "running.md");
+  const std::string scene = examples + "/p_bar_2m_thesis.json";
+  const std::string advised = quoted(page, "bar wave in");
+  const std::string checked = quoted(page, "predicted for waves of");
+  ASSERT_GT(advised.size(), 100U);
+  ASSERT_GT(checked.size(), 100U);
+  const std::string advice = call({"advise", scene}).out;
+  EXPECT_NE(advice.find(advised), std::string::npos) << advice;
+  const std::string check = call({"check", scene}).out;
+  EXPECT_NE(check.find(checked), std::string::npos) << check;
+}
+
+TEST_F(AdviseCommand, LooseBlocksHaveARangeOfCosts) {
+  const Outcome outcome = call({"advise", std::string(DDA_EXAMPLES) + "/dry_wall.json"});
+  EXPECT_NE(outcome.out.find("while contacts rest; "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("as if all joints"), std::string::npos) << "nothing is said of waves";
 }
 
 TEST_F(AdviseCommand, MistakesGetOneSentence) {

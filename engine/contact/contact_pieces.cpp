@@ -25,7 +25,8 @@ bool has_linear_pieces(const InterfaceElement& element, const InterfaceTrial& tr
          trial.hardening[1] == 0;
 }
 
-// Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to stick.
+// Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to
+// stick.
 void lay_on(ContactPiece piece, const InterfaceElement& element, const EndStrength& strength, int end,
             InterfaceTrial& trial) {
   const Eigen::Index n = 2 * end;

@@ -72,8 +72,8 @@ TEST(ContactPieces, BorderingOnesAreLeftAlone) {
     InterfaceTrial trial = trial_at(normal_gap, shear_gap);
     const Vec4 force = trial.force;
     ContactPieces pieces{before, ContactPiece::stuck};
-    return !keep_to_bordering_pieces(classical_element(), dry, {.strict = true}, trial, pieces) && trial.force == force &&
-           pieces == pieces_of(trial);
+    return !keep_to_bordering_pieces(classical_element(), dry, {.strict = true}, trial, pieces) &&
+           trial.force == force && pieces == pieces_of(trial);
   };
   EXPECT_TRUE(stays(ContactPiece::stuck, -0.04, 0.3));         // starts to slide
   EXPECT_TRUE(stays(ContactPiece::slides_forth, -0.04, 0.3));  // slides on

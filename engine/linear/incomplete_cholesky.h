@@ -63,7 +63,7 @@ class IncompleteCholesky {
   std::vector<int> rows_;           // by column, ascending
   std::vector<Mat6> blocks_;        // M, as in rows_
   std::vector<Mat6> diagonal_;      // of A, then of D^-1
-  std::vector<Source> sources_;  // of all couplings, in the order of the matrix
+  std::vector<Source> sources_;     // of all couplings, in the order of the matrix
   // For each column with rows a_0 < a_1 < ...: entry (a_i, a_j) for all j < i, row by row; -1 where it is dropped.
   std::vector<int> targets_;
   std::vector<int> target_starts_;

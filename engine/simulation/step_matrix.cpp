@@ -53,9 +53,9 @@ Status Simulation::solve_for_increment(Eigen::VectorXd& increment) {
   return Status::not_finite;
 }
 
-// The matrix holds the stiffness of `matrix_rows_`; it must be that of the rows active now. Assembled and factored where
-// something changed, if `anew`; else interface by interface, and the factor stays behind. (Held blocks that move would
-// need what was taken out of the matrix anew.)
+// The matrix holds the stiffness of `matrix_rows_`; it must be that of the rows active now. Assembled and factored
+// where something changed, if `anew`; else interface by interface, and the factor stays behind. (Held blocks that move
+// would need what was taken out of the matrix anew.)
 Status Simulation::bring_matrix_up_to_date(bool anew, bool& changed) {
   const bool whole = !matrix_is_current_ || matrix_rows_.size() != trial_.size();
   if (matrix_rows_.size() != trial_.size()) matrix_rows_.assign(trial_.size(), Vec4::Constant(-1));

@@ -21,6 +21,7 @@
 #include "dda/contact/contact_set.h"
 #include "dda/geometry/box.h"
 #include "dda/linear/cholesky_solver.h"
+#include "dda/model/free_field_side.h"
 #include "dda/model/quantity_names.h"
 #include "dda/simulation/block_terms.h"
 #include "dda/simulation/probes.h"
@@ -159,6 +160,28 @@ void add_what_acts(const Model& model, Text& text) {
               to_string(measurement.quantity), place_of(model, measurement));
 }
 
+const Block& block_held(const Model& model, int held) {
+  return model.blocks[static_cast<std::size_t>(model.held_blocks[static_cast<std::size_t>(held)].block)];
+}
+
+// The columns beside sides with a free field, which are no blocks of the model: in the order of the sides.
+void add_free_field(const Model& model, const Simulation& columns, Text& text) {
+  std::size_t first = 0;
+  for (const FreeFieldSide& side : model.free_field_sides) {
+    const Vec2 foot = foot_of(model, side);
+    const Vec2 head = head_of(model, side);
+    const int base = held_base_of(model, side);
+    const Box box = bounding_box(columns.model().blocks[first].shape);
+    const std::size_t number = side.viscous_edges.size();
+    text.line("free field", "{} side, x = {:.6g} m: column of {}, {:.6g} m wide, y = {:.6g} m to {:.6g} m, on {}",
+              side.outward < 0 ? "left" : "right", foot.x(), count(number, "block"), (box.upper - box.lower).x(),
+              foot.y(), head.y(),
+              base < 0 ? "the supports and viscous edges below"
+                       : fmt::format("a copy of \"{}\"", block_held(model, base).name));
+    first += number + (base < 0 ? 0 : 1);
+  }
+}
+
 void add_stage(const Model& model, std::size_t index, const ContactSet& contacts, const BlockMatrix& matrix,
                Text& text) {
   const Stage& stage = model.stages[index];
@@ -251,6 +274,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   add_contacts(model, contacts, text);
   add_stiffness(model, text);
   add_what_acts(model, text);
+  if (const Simulation* columns = simulation.free_field_columns()) add_free_field(model, *columns, text);
   add_size(model, contacts, matrix, text);
   for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(model, i, contacts, matrix, text);
   const bool given = frequency.has_value();

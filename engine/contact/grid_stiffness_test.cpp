@@ -151,7 +151,7 @@ TEST_P(BondedGrid, SupportedStiffnessIsPositive) {
     // Both lower corners of the first block held as stiffly as rock of its size.
     for (const double x : {0.0, 0.5 * GetParam().width})
       k.topLeftCorner<6, 6>() +=
-          support_stiffness(Vec2(x, 0) - model.blocks[0].moments.centroid, young * Mat2::Identity());
+          support_stiffness(displacement_rows(Vec2(x, 0) - model.blocks[0].moments.centroid), young * Mat2::Identity());
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(k, Eigen::EigenvaluesOnly);
     // A square of n blocks bends with a stiffness that falls as 1/n^2 and more; 1e-12 is round-off of the solver.
     EXPECT_GT(modes.eigenvalues()(0), 1e-8 * modes.eigenvalues().tail<1>()(0)) << size << " blocks a side";

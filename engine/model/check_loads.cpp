@@ -93,6 +93,9 @@ void check_support(const Model& model, const Item& item, const PointSupport& sup
     item.within("direction length", support.direction.norm(), 1 - 1e-9, 1 + 1e-9);
   }
   if (support.last_stage != -1) item.index("last stage", support.last_stage, model.stages.size());
+  if (support.partner) check_point(model, item, support.block, *support.partner);
+  if (support.partner && support.last_stage != -1)
+    item.fail("last stage", fmt::format("{}", support.last_stage), "-1 for a spring between two points of a block");
   if (!support.holds_x && !support.holds_y) item.fail("hold", "neither x nor y", "at least one direction");
   check_history(item, support.history);
 }

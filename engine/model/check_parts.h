@@ -1,6 +1,8 @@
 // The parts of finish_model. Each throws InputError (without a file) for the first thing wrong.
 #pragma once
 
+#include <cstddef>
+
 #include "dda/model/model.h"
 
 namespace dda::model_checks {
@@ -13,6 +15,8 @@ void check_loads(const Model& model);     // needs length_tolerance, as the foll
 void check_supports(const Model& model);
 void check_viscous_edges(const Model& model);
 void check_held_blocks(const Model& model);
+void check_free_field_side(const Model& model, std::size_t index);  // after all that acts on blocks
+void check_free_field_sides(const Model& model);
 void check_bolts(const Model& model);
 void check_measurements(const Model& model);
 void check_stages(const Model& model);

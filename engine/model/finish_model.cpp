@@ -65,6 +65,7 @@ void finish_model(Model& model) {
   check_supports(model);
   check_viscous_edges(model);
   check_held_blocks(model);
+  check_free_field_sides(model);
   check_bolts(model);
   check_measurements(model);
   check_stages(model);

@@ -60,6 +60,7 @@ struct PointSupport {
   MotionKind kind = MotionKind::displacement;
   Vec2 direction = Vec2::Zero();  // unit; holds along it alone when it is not zero (a roller)
   int last_stage = -1;            // let go at the end of this stage, its force stays; -1: never
+  std::optional<Vec2> partner = {};  // another point of the block: the spring holds the way from there to `point` instead
 };
 
 // A block held, or moved, as a rigid whole: exactly as prescribed whatever forces act on it. It belongs to the
@@ -105,6 +106,14 @@ struct ViscousEdge {
   int first_stage = 0;          // acts from the start of this stage on
 };
 
+// A vertical side that goes with the ground beyond it (free field; Cundall et al. 1980). Beside it stands a column of
+// the blocks along it, which deforms in one dimension on the base of the side. Its viscous edges act on the motion
+// relative to that of the column and carry the column's stress; the column does not feel the model.
+struct FreeFieldSide {
+  std::vector<int> viscous_edges;  // the side, from below, end to end; all from the same first stage on
+  double outward = 1;              // x of its outward normal: -1 on the left, 1 on the right
+};
+
 enum class Quantity {
   stress_xx,
   stress_yy,
@@ -147,6 +156,7 @@ struct Model {
   std::vector<HeldBlock> held_blocks;
   std::vector<Bolt> bolts;
   std::vector<ViscousEdge> viscous_edges;
+  std::vector<FreeFieldSide> free_field_sides;
   std::vector<Measurement> measurements;
   std::vector<Stage> stages;
   std::optional<double> target_frequency;  // Hz, the highest that matters: what predictions are made for

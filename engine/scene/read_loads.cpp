@@ -1,6 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "dda/core/error.h"
+#include "dda/model/check_parts.h"
 #include "dda/scene/places.h"
 #include "dda/scene/sections.h"
 
@@ -69,6 +74,36 @@ Vec2 initial_traction(const Stretch& stretch, const Model& model) {
   return {stress(0) * outward.x() + stress(2) * outward.y(), stress(2) * outward.x() + stress(1) * outward.y()};
 }
 
+bool is_held(const Model& model, int block) {
+  return std::any_of(model.held_blocks.begin(), model.held_blocks.end(),
+                     [block](const HeldBlock& held) { return held.block == block; });
+}
+
+// Of the blocks along a free-field side, from below. Held blocks among them are what the side stands on.
+std::vector<Stretch> read_free_side(const Field& field, const GroundPlan& plan, const Model& model) {
+  refuse(field, {"carries_initial_stress"}, "beside free_field, which brings the stress of its column");
+  std::vector<Stretch> stretches = read_edge(field, plan, model);
+  std::erase_if(stretches, [&](const Stretch& s) { return is_held(model, s.block); });
+  if (stretches.empty()) field.at("edge").fail("an edge of blocks that are not held");
+  const Vec2 inward = stretches.front().inward;
+  for (const Stretch& s : stretches)
+    if (std::abs(s.inward.y()) > 1e-6 || s.inward.x() * inward.x() < 0)
+      field.at("edge").fail(fmt::format("along the side of \"{}\" that is not vertical or faces the other way",
+                                        model.blocks[static_cast<std::size_t>(s.block)].name),
+                            "one vertical side for a free field");
+  std::sort(stretches.begin(), stretches.end(),
+            [](const Stretch& a, const Stretch& b) { return a.from.y() + a.to.y() < b.from.y() + b.to.y(); });
+  return stretches;
+}
+
+void append_free_field_side(const std::vector<Stretch>& stretches, Model& model) {
+  FreeFieldSide side;
+  const std::size_t first = model.viscous_edges.size() - stretches.size();
+  for (std::size_t i = 0; i < stretches.size(); ++i) side.viscous_edges.push_back(static_cast<int>(first + i));
+  side.outward = stretches.front().inward.x() > 0 ? -1 : 1;
+  model.free_field_sides.push_back(std::move(side));
+}
+
 void read_viscous_boundary(const Field& field, const GroundPlan& plan, Model& model) {
   if (field.has("normal_impedance")) refuse(field, {"normal_speed"}, "beside normal_impedance");
   if (field.has("shear_impedance")) refuse(field, {"shear_speed"}, "beside shear_impedance");
@@ -77,13 +112,28 @@ void read_viscous_boundary(const Field& field, const GroundPlan& plan, Model& mo
   const int first_stage =
       value_or(field, "from_stage", 0, [&](const Field& f) { return read_stage_reference(f, model); });
   const bool carries = value_or(field, "carries_initial_stress", false, [](const Field& f) { return f.truth(); });
-  for (const Stretch& s : read_edge(field, plan, model)) {
+  const bool free_field = value_or(field, "free_field", false, [](const Field& f) { return f.truth(); });
+  const std::vector<Stretch> stretches =
+      free_field ? read_free_side(field, plan, model) : read_edge(field, plan, model);
+  for (const Stretch& s : stretches) {
     const Material& material = model.material_of(s.block);
     const double normal =
         read_impedance(field, "normal_impedance", material.density * read_normal_speed(field, material));
     const double shear = read_impedance(field, "shear_impedance", material.density * read_shear_speed(field, material));
     model.viscous_edges.push_back({s.block, s.from, s.to, ratio * normal, ratio * shear, first_stage});
     if (carries) model.edge_loads.push_back({s.block, s.from, s.to, initial_traction(s, model), Constant{}});
+  }
+  if (free_field) append_free_field_side(stretches, model);
+}
+
+// Only when all that acts has been read; what is wrong is said of the edge that asked for a free field.
+void check_free_field(const std::vector<Field>& edges, const Model& model) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    try {
+      model_checks::check_free_field_side(model, i);
+    } catch (const InputError& error) {
+      edges[i].fail(error.value(), error.expected());
+    }
   }
 }
 
@@ -107,7 +157,13 @@ void read_loads(const Field& scene, const GroundPlan& plan, RecordFiles& records
 }
 
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model) {
-  read_each(scene, "viscous_boundaries", [&](const Field& edge) { read_viscous_boundary(edge, plan, model); });
+  std::vector<Field> free_edges;
+  read_each(scene, "viscous_boundaries", [&](const Field& edge) {
+    const std::size_t before = model.free_field_sides.size();
+    read_viscous_boundary(edge, plan, model);
+    if (model.free_field_sides.size() > before) free_edges.push_back(edge.at("edge"));
+  });
+  check_free_field(free_edges, model);
 }
 
 }  // namespace dda

@@ -241,6 +241,26 @@ TEST(Scene, ViscousBoundariesMatchTheWavesOfTheirBlock) {
   EXPECT_DOUBLE_EQ(model.viscous_edges[3].normal_impedance, 5e6);
 }
 
+// The base stands out of the box' sides as well: it is what they stand on.
+TEST(Scene, FreeFieldSidesFromBelow) {
+  const std::string text = R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": [{"grid": {"columns": 2, "rows": 3, "block_width": 1, "block_height": 2}},
+               {"polygon": {"name": "base", "vertices": [[0, -1], [2, -1], [2, 0], [0, 0]]}}],
+    "fixed": ["base"],
+    "viscous_boundaries": [{"edge": "top"}, {"edge": "right", "free_field": true},
+                           {"edge": {"from": [0, 0], "to": [0, 4]}, "free_field": true, "from_stage": "wave"}],
+    "steps": [{"dt": 1, "duration": 1}, {"name": "wave", "dt": 1, "duration": 1}]})";
+  const Model model = parse_scene(text, "scene.json");
+  ASSERT_EQ(model.free_field_sides.size(), 2U);
+  EXPECT_EQ(model.free_field_sides[0].viscous_edges, (std::vector{2, 3, 4}));
+  EXPECT_EQ(model.free_field_sides[0].outward, 1);
+  EXPECT_EQ(model.free_field_sides[1].viscous_edges, (std::vector{5, 6}));
+  EXPECT_EQ(model.free_field_sides[1].outward, -1);
+  EXPECT_EQ(model.viscous_edges[4].block, 5);
+  EXPECT_EQ(model.viscous_edges[6].block, 2);
+  EXPECT_EQ(model.viscous_edges[6].first_stage, 1);
+}
+
 TEST(Scene, SupportsEndAndViscousBoundariesBeginWithAStage) {
   const std::string text = R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
     "blocks": {"bar": {"length": 2, "height": 1, "block_length": 1, "initial_stress": {"xx": -3, "yy": -2, "xy": 0.5}}},

@@ -89,7 +89,7 @@ void Simulation::end_linear_stage() {
 }
 
 Status Simulation::linear_step() {
-  if (plan_.loads) external_.loads_at(state_.time + coefficients_.dt, load_new_);
+  if (plan_.loads) loads_at(state_.time + coefficients_.dt, load_new_);
   form_linear_rhs();
   held_.aim(model_, state_, state_.time + coefficients_.dt);
   Status status = matrix_is_current_ ? Status::ok : refactor();
@@ -142,7 +142,7 @@ void Simulation::linear_internal_forces(Eigen::VectorXd& force) {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     const SupportElement& support = supports_[i];
     const Vec2 moved = support.prescribed - prescribed_displacement(model_.supports[i], stage_start_);
-    force.segment<6>(6 * support.block) -= displacement_rows(support.offset).transpose() * (support.stiffness * moved);
+    force.segment<6>(6 * support.block) -= support.rows.transpose() * (support.stiffness * moved);
   }
 }
 

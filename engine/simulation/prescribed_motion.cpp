@@ -1,7 +1,8 @@
-// Supports, dashpots and held blocks in a step of Simulation.
+// Supports, dashpots, free-field sides and held blocks in a step of Simulation.
 #include <algorithm>
 #include <cstddef>
 
+#include "dda/simulation/free_field.h"
 #include "dda/simulation/simulation.h"
 
 namespace dda {
@@ -18,7 +19,7 @@ void Simulation::add_dashpot_and_support_rhs() {
     const SupportElement& support = supports_[i];
     const Vec2 motion = prescribed_displacement(model_.supports[i], state_.time + c.dt) - support.prescribed;
     constant_rhs_.segment<6>(6 * support.block) +=
-        c.stiffness * displacement_rows(support.offset).transpose() * (support.stiffness * motion);
+        c.stiffness * support.rows.transpose() * (support.stiffness * motion);
   }
 }
 
@@ -40,7 +41,7 @@ void Simulation::let_go_of_supports() {
     if (model_.supports[i].last_stage != static_cast<int>(stage_)) continue;
     SupportElement& support = supports_[i];
     const Vec2 force = -support.stiffness * support.gap;
-    const Vec6 on_block = displacement_rows(support.offset).transpose() * force;
+    const Vec6 on_block = support.rows.transpose() * force;
     audit_.support_let_go(support_energy(support));
     support.stiffness.setZero();
     external_.keep_reaction(i, support.offset, force);
@@ -53,7 +54,25 @@ void Simulation::let_go_of_supports() {
 void Simulation::begin_viscous_edges() {
   const auto begins = [&](const ViscousEdge& edge) { return edge.first_stage == static_cast<int>(stage_); };
   if (stage_ == 0 || std::none_of(model_.viscous_edges.begin(), model_.viscous_edges.end(), begins)) return;
-  update_geometry(model_, geometry_moves() ? state_ : initial_state(model_), stage_, damping_);
+  const State& geometry = geometry_moves() ? state_ : initial_state(model_);
+  update_geometry(model_, geometry, stage_, damping_);
+  if (free_field_ && free_field_->begin_stage(model_, geometry, stage_)) loads_at(state_.time, load_old_);
+}
+
+const Simulation* Simulation::free_field_columns() const { return free_field_ ? &free_field_->columns() : nullptr; }
+
+// The columns go first: what they do at the end of the step is then known.
+Status Simulation::step_free_field() {
+  if (!free_field_) return Status::ok;
+  const Status status =
+      free_field_->advance_to(stage_start_ + static_cast<double>(step_in_stage_ + 1) * stage().dt);
+  if (status != Status::ok) message_ = "columns of the free field: " + free_field_->message();
+  return status;
+}
+
+void Simulation::loads_at(double time, Eigen::VectorXd& force) const {
+  external_.loads_at(time, force);
+  if (free_field_) free_field_->add_loads_at(time, force);
 }
 
 // What moves the held blocks works against all other forces on them.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "dda/simulation/free_field.h"
 #include "dda/simulation/kinematic_update.h"
 #include "dda/simulation/system_matrix.h"
 #include "dda/terms/elasticity.h"
@@ -62,10 +63,15 @@ Simulation::Simulation(Model model)
     matrix_ = make_moving_matrix();
   }
   sum_internal_forces(internal_old_);
-  external_.loads_at(state_.time, load_old_);
+  if (!model_.free_field_sides.empty()) free_field_ = std::make_unique<FreeField>(model_, contacts_, state_);
+  loads_at(state_.time, load_old_);
   begin_stage();
   start_energy_audit();
 }
+
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
 
 void Simulation::start_energy_audit() { audit_.start(plan_.linear ? linear_stored_energy() : stored_energy_now()); }
 
@@ -132,6 +138,7 @@ Status Simulation::step() {
     message_ = "all stages are done";
     return Status::finished;
   }
+  if (const Status ahead = step_free_field(); ahead != Status::ok) return ahead;
   const Status status = advance(stage().dt, stage().max_step_reductions);
   if (status != Status::ok) return status;
   ++step_in_stage_;
@@ -153,7 +160,8 @@ bool Simulation::reached_equilibrium() {
 
 bool Simulation::loads_stand_still_until(double time) {
   if (plan_.loads) {
-    external_.loads_at(time, load_new_);
+    if (free_field_ && !free_field_->stands_still_until(time)) return false;
+    loads_at(time, load_new_);
     if (load_new_ != load_old_) return false;
   }
   for (std::size_t i = 0; plan_.moving_supports && i < supports_.size(); ++i)
@@ -216,7 +224,7 @@ Status Simulation::try_step(double dt) {
 
 void Simulation::prepare_step() {
   if (plan_.finite_kinematics) follow_geometry();
-  if (plan_.loads) external_.loads_at(state_.time + coefficients_.dt, load_new_);
+  if (plan_.loads) loads_at(state_.time + coefficients_.dt, load_new_);
   form_constant_rhs();
   held_.aim(model_, state_, state_.time + coefficients_.dt);
 }
@@ -269,7 +277,8 @@ void Simulation::follow_geometry() {
   if (plan_.viscous_edges) update_geometry(model_, state_, stage_, damping_);
   if (plan_.loads) {
     external_.update_geometry(model_, state_);
-    external_.loads_at(state_.time, load_old_);
+    if (free_field_) free_field_->update_geometry(model_, state_, stage_);
+    loads_at(state_.time, load_old_);
   }
   refresh_tractions(state_, contacts_);
   sum_internal_forces(internal_old_);

@@ -39,10 +39,15 @@
 
 namespace dda {
 
+class FreeField;
+
 class Simulation {
  public:
   // The model must be finished (finish_model) and have at least one stage.
   explicit Simulation(Model model);
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
 
   // Advances by one time step of the current stage, and on to the next stage after the last step of one. Anything but
   // ok leaves the state at the last converged moment; message() says why. When finished() it does nothing and returns
@@ -59,6 +64,8 @@ class Simulation {
   [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
   // The state of one interface now. (In a linear scene it is not kept from step to step but computed here.)
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
+  // The columns beside free-field sides, stepped along; nullptr where there are none.
+  [[nodiscard]] const Simulation* free_field_columns() const;
   [[nodiscard]] const BoltSet& bolts() const { return bolts_; }
   [[nodiscard]] const StepPlan& plan() const { return plan_; }
   [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }
@@ -167,6 +174,8 @@ class Simulation {
   void audit_held_blocks();
   [[nodiscard]] bool contacts_are_in_range();
   void add_dashpot_and_support_rhs();
+  [[nodiscard]] Status step_free_field();
+  void loads_at(double time, Eigen::VectorXd& force) const;
   void start_energy_audit();
 
   // Linear step (linear_step.cpp)
@@ -200,6 +209,7 @@ class Simulation {
   BlockTerms terms_;
   BlockDamping damping_;
   ExternalForces external_;
+  std::unique_ptr<FreeField> free_field_;  // only where a side has one
   EnergyAudit audit_;
 
   std::size_t stage_ = 0;

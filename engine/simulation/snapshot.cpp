@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "dda/core/error.h"
+#include "dda/simulation/free_field.h"
 #include "dda/simulation/step_coefficients.h"
 #include "dda/simulation/system_matrix.h"
 
@@ -72,6 +73,15 @@ class Reader {
     values.resize(size);
     raw(values.data(), static_cast<std::size_t>(size) * sizeof(double));
   }
+  // The bytes of a part that begins with their number.
+  std::span<const std::byte> part() {
+    std::size_t size = 0;
+    number(size);
+    if (size > bytes_.size()) throw InputError("", "checkpoint", "cut off", "the whole state of a simulation");
+    const std::span<const std::byte> first = bytes_.first(size);
+    bytes_ = bytes_.subspan(size);
+    return first;
+  }
   void expect_end() const {
     if (!bytes_.empty()) throw InputError("", "checkpoint", "too long", "the state of one simulation");
   }
@@ -120,6 +130,7 @@ struct SnapshotAccess {
     archive.same(s.bolts_.links_.size(), "links of bolts");
     archive.same(s.external_.loads_.size(), "loads");
     archive.same(s.damping_.size(), "blocks with viscous edges");
+    archive.same(s.model_.free_field_sides.size(), "free-field sides");
     archive.number(s.stage_);
     archive.number(s.step_in_stage_);
     archive.number(s.stage_start_);
@@ -218,6 +229,40 @@ struct SnapshotAccess {
     for (auto& deformation : s.contact_range_.checked_deformation_) matrices(archive, deformation);
   }
 
+  template <typename Archive, typename AnyState>
+  static void whole_state(Archive& archive, AnyState& state) {
+    archive.number(state.time);
+    archive.number(state.step);
+    for (auto* list : {&state.displacement, &state.velocity, &state.acceleration})
+      for (auto& entry : *list) matrices(archive, entry);
+    for (auto& stress : state.stress) matrices(archive, stress);
+    for (auto& deformation : state.deformation) matrices(archive, deformation);
+  }
+
+  static void columns(const Simulation& columns, Writer& writer) {
+    const std::vector<std::byte> bytes = save(columns);
+    whole_state(writer, columns.state_);
+    writer.number(bytes.size());
+    writer.raw(bytes.data(), bytes.size());
+  }
+
+  static void columns(Simulation& columns, Reader& reader) {
+    State state = columns.state_;
+    whole_state(reader, state);
+    restore(columns, std::move(state), Reader(reader.part()));
+  }
+
+  // The columns' run, and what the model last knew of it.
+  template <typename AnyFreeField, typename Archive>
+  static void free_field(AnyFreeField& field, Archive& archive) {
+    columns(field.columns_, archive);
+    archive.number(field.time_old_);
+    archive.number(field.time_);
+    for (auto& contact : field.contacts_)
+      matrices(archive, contact.dashpots, contact.traction, contact.stress_before, contact.old.velocity,
+               contact.old.stress, contact.now.velocity, contact.now.stress);
+  }
+
   template <typename AnySimulation, typename Archive>
   static void the_rest(AnySimulation& s, Archive& archive) {
     const bool moves = s.geometry_moves();
@@ -225,9 +270,14 @@ struct SnapshotAccess {
     if (moves) moved_geometry(s, archive);
     for (auto& [block, matrix] : s.damping_) matrices(archive, matrix);
     for (auto& load : s.external_.loads_) matrices(archive, load.force);
+    if constexpr (std::is_const_v<AnySimulation>) {
+      if (s.free_field_) free_field(std::as_const(*s.free_field_), archive);
+    } else {
+      if (s.free_field_) free_field(*s.free_field_, archive);
+    }
     for (auto& reaction : s.external_.reactions_) matrices(archive, reaction.force);
     for (auto& support : s.supports_)
-      matrices(archive, support.offset, support.stiffness, support.gap, support.prescribed);
+      matrices(archive, support.offset, support.rows, support.stiffness, support.gap, support.prescribed);
     for (auto& link : s.bolts_.links_) {
       auto& [gap, plastic, force, ruptured] = link.state;
       matrices(archive, link.rows.a, link.rows.b, gap, plastic, force);

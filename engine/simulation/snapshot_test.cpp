@@ -131,6 +131,28 @@ Model bolted_bar() {
   return model;
 }
 
+// Two blocks on a shaken base with a column beside their left side, which begins to act at step 40.
+Model beside_a_column(Kinematics kinematics) {
+  Model model = bare_model(InterfaceLaw::classical, kinematics);
+  model.joints[0].friction_angle = 0.5;
+  model.joints[0].cohesion = model.joints[0].tensile_strength = 1e4;
+  model.blocks = {rectangle("base", 0, -1, 3, 1), rectangle("low", 0, 0, 1, 0.5), rectangle("high", 0, 0.5, 1, 0.5),
+                  rectangle("loose", 1.5, 0, 1, 0.5)};
+  model.blocks[3].initial_velocity = {0.2, 0.1};
+  model.gravity = {0, -300};
+  model.held_blocks = {HeldBlock{}};
+  model.held_blocks[0].amplitude = {1, 0.2};
+  model.held_blocks[0].kind = MotionKind::acceleration;
+  model.held_blocks[0].history = ground_motion();
+  model.viscous_edges = {{1, {0, 0.5}, {0, 0}, 1e6, 5e5, 1}, {2, {0, 1}, {0, 0.5}, 1e6, 5e5, 1}};
+  model.free_field_sides = {{{0, 1}, -1}};
+  model.stages[0].duration = 40e-4;
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].duration = 60e-4;
+  finish_model(model);
+  return model;
+}
+
 Model bonded_finite() {
   Model model = bar(InterfaceLaw::consistent);
   model.stages[0].kinematics = Kinematics::finite;
@@ -257,6 +279,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"bolts_small", [] { return bolted_stack(Kinematics::small); }, true},
                     Case{"bolted_bar", bolted_bar, false}, Case{"two_stages", two_stages, true},
                     Case{"bar_first_finite", bar_first_finite, false}, Case{"bonded_finite", bonded_finite, false},
+                    Case{"free_field", [] { return beside_a_column(Kinematics::small); }, true},
+                    Case{"free_field_finite", [] { return beside_a_column(Kinematics::finite); }, true},
                     Case{"let_go", [] { return let_go(Kinematics::small); }, false},
                     Case{"let_go_finite", [] { return let_go(Kinematics::finite); }, false}),
     [](const auto& test) { return std::string(test.param.name); });

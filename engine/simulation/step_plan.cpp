@@ -23,7 +23,8 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
 
 StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& contacts, int couplings, double chi) {
   StepPlan plan;
-  plan.loads = !model.point_loads.empty() || !model.edge_loads.empty() ||
+  plan.free_field = !model.free_field_sides.empty();
+  plan.loads = plan.free_field || !model.point_loads.empty() || !model.edge_loads.empty() ||
                std::any_of(model.supports.begin(), model.supports.end(),
                            [](const PointSupport& support) { return support.last_stage >= 0; });
   plan.gravity = !model.gravity.isZero();
@@ -58,6 +59,7 @@ std::vector<std::string> StepPlan::describe() const {
   add(held_blocks, "held blocks: taken out of the system");
   add(bolts, "bolts: open-close iteration");
   add(viscous_edges, "viscous boundary");
+  add(free_field, "free field: columns beside the sides, stepped first");
   add(contacts, contacts_judged ? "contacts: open-close iteration" : "contacts: bonded, never judged");
   add(dilation, "dilation of joints that slide");
   add(linear, "linear: forces by one constant matrix");

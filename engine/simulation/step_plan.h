@@ -17,6 +17,7 @@ struct StepPlan {
   bool moving_supports = false;
   bool held_blocks = false;
   bool viscous_edges = false;
+  bool free_field = false;
   bool contacts = false;
   bool contacts_judged = false;      // some joint can open, slide or break
   bool bolts = false;                // which can yield, break or go slack

@@ -22,7 +22,7 @@ Vec2 prescribed_displacement(const PointSupport& support, double time) {
 std::vector<SupportElement> make_supports(const Model& model, const State& state) {
   std::vector<SupportElement> supports;
   for (const PointSupport& support : model.supports) {
-    supports.push_back({support.block, Vec2::Zero(), stiffness_of(support)});
+    supports.push_back({support.block, Vec2::Zero(), Mat26::Zero(), stiffness_of(support)});
   }
   update_geometry(model, state, supports);
   for (std::size_t i = 0; i < supports.size(); ++i) measure_gap(model, state, i, supports[i]);
@@ -32,8 +32,11 @@ std::vector<SupportElement> make_supports(const Model& model, const State& state
 void update_geometry(const Model& model, const State& state, std::vector<SupportElement>& supports) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const int block = supports[i].block;
-    supports[i].offset =
-        current_position(model, state, block, model.supports[i].point) - current_centroid(model, state, block);
+    const Vec2 centroid = current_centroid(model, state, block);
+    supports[i].offset = current_position(model, state, block, model.supports[i].point) - centroid;
+    supports[i].rows = displacement_rows(supports[i].offset);
+    if (const auto& partner = model.supports[i].partner)
+      supports[i].rows -= displacement_rows(current_position(model, state, block, *partner) - centroid);
   }
 }
 
@@ -41,19 +44,18 @@ void measure_gap(const Model& model, const State& state, std::size_t index, Supp
   const PointSupport& prescription = model.supports[index];
   support.prescribed = prescribed_displacement(prescription, state.time);
   support.gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed;
+  if (prescription.partner) support.gap -= point_displacement(model, state, support.block, *prescription.partner);
 }
 
 void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support) {
   const Vec2 prescribed = prescribed_displacement(prescription, time);
-  support.gap +=
-      displacement_rows(support.offset) * d.segment<6>(6 * support.block) - (prescribed - support.prescribed);
+  support.gap += support.rows * d.segment<6>(6 * support.block) - (prescribed - support.prescribed);
   support.prescribed = prescribed;
 }
 
 void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force) {
   for (const SupportElement& support : supports)
-    force.segment<6>(6 * support.block) +=
-        displacement_rows(support.offset).transpose() * (support.stiffness * support.gap);
+    force.segment<6>(6 * support.block) += support.rows.transpose() * (support.stiffness * support.gap);
 }
 
 double support_energy(const SupportElement& support) { return support.gap.dot(support.stiffness * support.gap) / 2; }

@@ -12,6 +12,7 @@ namespace dda {
 struct SupportElement {
   int block = 0;
   Vec2 offset;                     // of the held point from the centroid, m
+  Mat26 rows;                      // of what is held: the point's displacement, or its way from a partner
   Mat2 stiffness;                  // N/m
   Vec2 gap = Vec2::Zero();         // m, held point minus its prescribed place
   Vec2 prescribed = Vec2::Zero();  // m, displacement asked for at the time of `gap`

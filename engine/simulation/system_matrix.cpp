@@ -55,7 +55,7 @@ void assemble(const StepCoefficients& step, const BlockTerms& terms, const Block
   add_blocks(step, terms, matrix);
   for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
   for (const SupportElement& support : supports)
-    matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.offset, support.stiffness);
+    matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.rows, support.stiffness);
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
     add_contact(step.stiffness, contacts.elements[i], active[i], true, true, matrix);
 }

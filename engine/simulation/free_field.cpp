@@ -1,0 +1,104 @@
+#include "dda/simulation/free_field.h"
+
+#include <utility>
+
+#include "dda/terms/load.h"
+#include "dda/terms/viscous_boundary.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Calls act(edge, outward, contact) for the edges of all sides and their contacts.
+template <typename Contacts, typename Act>
+void for_each_edge(const Model& model, Contacts& contacts, Act act) {
+  std::size_t next = 0;
+  for (const FreeFieldSide& side : model.free_field_sides)
+    for (const int index : side.viscous_edges)
+      act(model.viscous_edges[at(index)], side.outward, contacts[next++]);
+}
+
+}  // namespace
+
+FreeField::FreeField(const Model& model, const ContactSet& contacts, const State& state)
+    : FreeField(model, state, make_free_field_columns(model, contacts)) {}
+
+FreeField::FreeField(const Model& model, const State& state, FreeFieldColumns&& columns)
+    : contacts_(columns.blocks.size()), columns_(std::move(columns.model)) {
+  for_each_edge(model, contacts_, [&, next = std::size_t{0}](const ViscousEdge& edge, double, Contact& contact) mutable {
+    contact.block = edge.block;
+    contact.column_block = columns.blocks[next++];
+  });
+  read_columns();
+  update_geometry(model, state, 0);
+}
+
+void FreeField::read_columns() {
+  const State& state = columns_.state();
+  for (Contact& contact : contacts_) {
+    contact.old = contact.now;
+    contact.now = {state.velocity[at(contact.column_block)], state.stress[at(contact.column_block)]};
+  }
+}
+
+Status FreeField::advance_to(double time) {
+  if (time_ >= time) return Status::ok;
+  const double reached = (time_ + time) / 2;  // beyond half a step: the clocks of both may differ by round-off
+  const Status status = columns_.state().time < reached ? columns_.step() : Status::ok;
+  if (status != Status::ok) return status;
+  read_columns();
+  time_old_ = time_;
+  time_ = time;
+  return Status::ok;
+}
+
+bool FreeField::stands_still_until(double time) const { return columns_.finished() || columns_.state().time >= time; }
+
+bool FreeField::begin_stage(const Model& model, const State& state, std::size_t stage) {
+  bool any = false;
+  for_each_edge(model, contacts_, [&](const ViscousEdge& edge, double, Contact& contact) {
+    if (at(edge.first_stage) != stage || stage == 0) return;
+    contact.stress_before = contact.now.stress;
+    any = true;
+  });
+  if (any) update_geometry(model, state, stage);
+  return any;
+}
+
+void FreeField::update_geometry(const Model& model, const State& state, std::size_t stage) {
+  for_each_edge(model, contacts_, [&](const ViscousEdge& edge, double outward, Contact& contact) {
+    if (at(edge.first_stage) <= stage) place(model, state, edge, outward, contact);
+  });
+}
+
+void FreeField::place(const Model& model, const State& state, const ViscousEdge& edge, double outward,
+                      Contact& contact) {
+  const auto offset = [](const Model& own, const State& now, int block, const Vec2& point) -> Vec2 {
+    return current_position(own, now, block, point) - current_centroid(own, now, block);
+  };
+  const Vec2 from = offset(model, state, edge.block, edge.from);
+  const Vec2 to = offset(model, state, edge.block, edge.to);
+  const AreaMoments& moments = columns_.model().blocks[at(contact.column_block)].moments;
+  const auto in_column = [&](const Vec2& point) {
+    return offset(columns_.model(), columns_.state(), contact.column_block, {moments.centroid.x(), point.y()});
+  };
+  contact.dashpots = viscous_coupling(from, to, in_column(edge.from), in_column(edge.to), edge.normal_impedance,
+                                      edge.shear_impedance);
+  contact.traction.col(0) = edge_load(from, to, {outward, 0});
+  contact.traction.col(2) = edge_load(from, to, {0, outward});
+}
+
+void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
+  const double passed = time_ > time_old_ ? (time - time_old_) / (time_ - time_old_) : 1;
+  const double share = passed < 0 ? 0 : passed > 1 ? 1 : passed;
+  for (const Contact& contact : contacts_) {
+    const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
+    const Vec3 stress = (1 - share) * contact.old.stress + share * contact.now.stress - contact.stress_before;
+    auto own = force.segment<6>(6 * contact.block);
+    own.noalias() += contact.dashpots * velocity;
+    own.noalias() += contact.traction * stress;
+  }
+}
+
+}  // namespace dda

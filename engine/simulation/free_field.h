@@ -1,0 +1,72 @@
+// Free-field sides in a run: the columns beside them, stepped before the model they stand beside, and what they do to
+// it. The columns know nothing of the model, so that what they do is a load known at the end of each step.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "dda/contact/contact_set.h"
+#include "dda/core/status.h"
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+#include "dda/model/state.h"
+#include "dda/simulation/free_field_columns.h"
+#include "dda/simulation/simulation.h"
+
+namespace dda {
+
+class FreeField {
+ public:
+  // `contacts` and `state` of the drawn model, which has at least one free-field side.
+  FreeField(const Model& model, const ContactSet& contacts, const State& state);
+
+  // Steps the columns to `time` (s), one step of the stage ahead, unless they are there.
+  [[nodiscard]] Status advance_to(double time);
+  // What is to be said where the last step failed.
+  [[nodiscard]] const std::string& message() const { return columns_.message(); }
+
+  // True when the columns have come to rest in a static stage that ends at `time`.
+  [[nodiscard]] bool stands_still_until(double time) const;
+
+  // Sides that begin to act with this stage. They carry the stress that comes from now on: what was there before is
+  // held by what the model had in their place. False when none does.
+  bool begin_stage(const Model& model, const State& state, std::size_t stage);
+
+  // Moves the edges with their blocks (finite kinematics).
+  void update_geometry(const Model& model, const State& state, std::size_t stage);
+
+  // Adds the forces of the sides at `time` to `force`, 6 entries a block; linear in time between the ends of the
+  // columns' last step.
+  void add_loads_at(double time, Eigen::VectorXd& force) const;
+
+  [[nodiscard]] const Simulation& columns() const { return columns_; }
+
+ private:
+  friend struct SnapshotAccess;  // snapshot.h
+
+  struct Motion {
+    Vec6 velocity = Vec6::Zero();
+    Vec3 stress = Vec3::Zero();
+  };
+
+  // Where a block of a column acts on a block of the model.
+  struct Contact {
+    int block = 0;         // of the model
+    int column_block = 0;  // of the columns
+    Mat6 dashpots = Mat6::Zero();                                               // times the column's velocity
+    Eigen::Matrix<double, 6, 3> traction = Eigen::Matrix<double, 6, 3>::Zero();  // times the stress
+    Vec3 stress_before = Vec3::Zero();                                          // Pa, when the side began to act
+    Motion old, now;                                                            // at the ends of the columns' last step
+  };
+
+  FreeField(const Model& model, const State& state, FreeFieldColumns&& columns);
+  void read_columns();
+  void place(const Model& model, const State& state, const ViscousEdge& edge, double outward, Contact& contact);
+
+  std::vector<Contact> contacts_;  // of the edges of all sides, one after the other
+  Simulation columns_;
+  double time_old_ = 0, time_ = 0;  // s
+};
+
+}  // namespace dda

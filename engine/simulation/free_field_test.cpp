@@ -1,0 +1,260 @@
+// Sides that go with columns of their blocks.
+#include "dda/simulation/free_field.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dda/core/allocation_counter.h"
+#include "dda/core/error.h"
+#include "dda/simulation/free_field_columns.h"
+#include "dda/simulation/simulation_models.h"
+
+namespace dda {
+namespace {
+
+constexpr int columns = 5;
+constexpr int rows = 6;
+
+// Viscous edges along both sides, with a free field.
+void add_sides(int first_stage, Model& model) {
+  for (const bool right : {false, true}) {
+    FreeFieldSide side;
+    side.outward = right ? 1 : -1;
+    for (int row = 0; row < rows; ++row) {
+      const double x = right ? columns : 0;
+      const int block = row * columns + (right ? columns - 1 : 0);
+      side.viscous_edges.push_back(static_cast<int>(model.viscous_edges.size()));
+      model.viscous_edges.push_back({block, {x, 1.0 * row}, {x, row + 1.0}, 1.2e7, 7e6, first_stage});
+    }
+    model.free_field_sides.push_back(side);
+  }
+}
+
+// Blocks of 1 m on a base that jerks along x and y, both sides free; the upper half lighter and softer.
+Model shaken_grid(const JointMaterial& joint) {
+  Model model;
+  model.materials = {rock(), rock()};
+  model.materials[1].young /= 2;
+  model.materials[1].density *= 0.8;
+  model.joints = {joint};
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      model.blocks.push_back(rectangle(fmt::format("{}.{}", row, column), column, row, 1, 1));
+      model.blocks.back().material = row < rows / 2 ? 0 : 1;
+    }
+  model.blocks.push_back(rectangle("base", 0, -1, columns, 1));
+  HeldBlock base;
+  base.block = rows * columns;
+  base.amplitude = {1, 0.4};
+  base.kind = MotionKind::acceleration;
+  base.history = SineCycles{100, 1, 0};
+  model.held_blocks = {base};
+  add_sides(0, model);
+  model.stages = {stage_of(generalized_alpha_integrator(0.8), 1e-4, 200)};
+  return model;
+}
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Largest difference of the velocities of any row's centroids, in any of its blocks, from those of the columns; of the
+// columns' largest.
+double difference_from_columns(Simulation& simulation, int steps) {
+  double difference = 0, largest = 0;
+  for (int i = 0; i < steps; ++i) {
+    run(simulation, 1);
+    const State& whole = simulation.state();
+    const State& column = simulation.free_field_columns()->state();
+    for (int block = 0; block < rows * columns; ++block) {
+      const Vec2 expected = column.velocity[at(block / columns)].head<2>();
+      difference = std::max(difference, (whole.velocity[at(block)].head<2>() - expected).norm());
+      largest = std::max(largest, expected.norm());
+    }
+  }
+  return difference / largest;
+}
+
+// Every row moves as the columns do, up to what vertical joints give way in the waves of the mesh.
+TEST(FreeField, SidesGoWithTheColumns) {
+  for (const InterfaceLaw law : {InterfaceLaw::consistent, InterfaceLaw::classical})
+    for (const Integrator& integrator : dynamic_integrators()) {
+      Model model = shaken_grid(bond(law));
+      model.stages[0].integrator = integrator;
+      Simulation simulation = simulation_of(std::move(model));
+      EXPECT_LT(difference_from_columns(simulation, 200), 5e-3) << integrator.name << static_cast<int>(law);
+      EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
+    }
+}
+
+TEST(FreeField, SidesWithDashpotsAloneAreHeldBack) {
+  Simulation with = simulation_of(shaken_grid(bond(InterfaceLaw::consistent)));
+  Model model = shaken_grid(bond(InterfaceLaw::consistent));
+  model.free_field_sides.clear();
+  Simulation without = simulation_of(std::move(model));
+  EXPECT_EQ(without.free_field_columns(), nullptr);
+  double difference = 0, largest = 0;
+  for (int i = 0; i < 200; ++i) {
+    run(with, 1);
+    run(without, 1);
+    const Vec6& expected = with.state().velocity[at((rows - 1) * columns)];
+    difference = std::max(difference, (without.state().velocity[at((rows - 1) * columns)] - expected).norm());
+    largest = std::max(largest, expected.norm());
+  }
+  EXPECT_GT(difference, 0.2 * largest);
+}
+
+// The general path and moving geometry: strains of 1e-6 between the two.
+TEST(FreeField, IsTheSameInAllPaths) {
+  Simulation linear = simulation_of(shaken_grid(bond(InterfaceLaw::consistent)));
+  Simulation judged = simulation_of(shaken_grid(strong(InterfaceLaw::consistent)));
+  Model model = shaken_grid(bond(InterfaceLaw::consistent));
+  model.stages[0].kinematics = Kinematics::finite;
+  Simulation finite = simulation_of(std::move(model));
+  for (Simulation* simulation : {&linear, &judged, &finite}) run(*simulation, 150);
+  const std::size_t corner = at((rows - 1) * columns);
+  const Vec6& expected = linear.state().velocity[corner];
+  EXPECT_LT((judged.state().velocity[corner] - expected).norm(), 1e-10 * expected.norm());
+  EXPECT_LT((finite.state().velocity[corner] - expected).norm(), 1e-4 * expected.norm());
+}
+
+// Under its weight, settled with free sides from the start.
+Model heavy_grid(int first_stage) {
+  Model model = shaken_grid(bond(InterfaceLaw::consistent));
+  model.viscous_edges.clear();
+  model.free_field_sides.clear();
+  add_sides(first_stage, model);
+  model.gravity = {0, -9.81};
+  std::get<SineCycles>(model.held_blocks[0].history).start = 1000;
+  Stage settle = stage_of(static_integrator(), 10, 60);
+  settle.name = "settle";
+  settle.equilibrium = 1e-10;
+  model.stages.insert(model.stages.begin(), settle);
+  return model;
+}
+
+void expect_rest(Simulation& simulation, double settled_at) {
+  while (simulation.state().time < settled_at) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  // No strain along x anywhere: the blocks at the sides carry what those in the middle do.
+  const Vec3 foot = simulation.state().stress[2];
+  const Vec3 side = simulation.state().stress[0];
+  EXPECT_LT(foot.y(), -9.81 * 2500 * 3);
+  EXPECT_LT((side - foot).norm(), 1e-4 * foot.norm());
+  run(simulation, 200);
+  for (const Vec6& velocity : simulation.state().velocity)
+    EXPECT_LT(velocity.cwiseAbs().maxCoeff(), 1e-8 * 9.81 * 0.02);  // of a free fall for as long
+}
+
+TEST(FreeField, CarriesTheStressOfGravity) {
+  Simulation simulation = simulation_of(heavy_grid(0));
+  expect_rest(simulation, 600);
+  EXPECT_TRUE(simulation.finished());
+}
+
+// Rollers hold the sides while the weight settles; the free field brings what is new from then on.
+TEST(FreeField, BeginsWithAStageAndLeavesWhatRollersHeld) {
+  Model model = heavy_grid(1);
+  for (int row = 0; row < rows; ++row)
+    for (const bool right : {false, true})
+      for (const double y : {row + 0.0, row + 1.0}) {
+        model.supports.push_back({row * columns + (right ? columns - 1 : 0), {right ? 1.0 * columns : 0.0, y}});
+        model.supports.back().stiffness = 1e14;
+        model.supports.back().holds_y = false;
+        model.supports.back().last_stage = 0;
+      }
+  Simulation simulation = simulation_of(std::move(model));
+  expect_rest(simulation, 600);
+}
+
+// In-situ stress in equilibrium with its surroundings: nothing moves.
+TEST(FreeField, CarriesInitialStress) {
+  Model model = shaken_grid(bond(InterfaceLaw::consistent));
+  for (int i = 0; i < rows * columns; ++i) model.blocks[at(i)].initial_stress = {-3e6, 0, 0};
+  std::get<SineCycles>(model.held_blocks[0].history).start = 1000;
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 200);
+  const double speed = 3e6 / 1.2e7;  // of a side that nothing held
+  for (const Vec6& velocity : simulation.state().velocity)
+    EXPECT_LT(velocity.cwiseAbs().maxCoeff(), 1e-10 * speed);
+}
+
+TEST(FreeField, ColumnsHaveTheSidesBlocksJointsAndBase) {
+  Model model = shaken_grid(bond(InterfaceLaw::classical));
+  model.joints.push_back(strong(InterfaceLaw::consistent));
+  model.joint_of_block_pair[{columns, 2 * columns}] = 1;  // on the left, above the second row
+  finish_model(model);
+  const FreeFieldColumns made = make_free_field_columns(model, make_contacts(model));
+  ASSERT_EQ(made.model.blocks.size(), at(2 * (rows + 1)));
+  EXPECT_EQ(made.blocks.size(), at(2 * rows));
+  EXPECT_EQ(made.blocks[at(rows)], rows + 1);
+  ASSERT_EQ(made.model.held_blocks.size(), 2U);
+  EXPECT_EQ(made.model.held_blocks[0].block, rows);
+  EXPECT_EQ(made.model.held_blocks[0].kind, MotionKind::acceleration);
+  EXPECT_EQ(made.model.blocks[0].material, 0);
+  EXPECT_EQ(made.model.blocks[at(rows - 1)].material, 1);
+  EXPECT_EQ(made.model.blocks[at(rows - 1)].moments.centroid.y(), rows - 0.5);
+  EXPECT_TRUE(made.model.joint_between(0, 1).bonded);
+  EXPECT_EQ(made.model.joint_between(0, 1).law, InterfaceLaw::classical);
+  EXPECT_FALSE(made.model.joint_between(1, 2).bonded);
+  EXPECT_EQ(made.model.joint_between(1, 2).law, InterfaceLaw::consistent);
+  EXPECT_TRUE(made.model.joint_between(0, rows).bonded);
+}
+
+// What acts on the underside and the top goes along, as do the springs below, by their stiffness per length.
+TEST(FreeField, ColumnsHaveTheLoadsSupportsAndDashpotsOfTheirFootAndHead) {
+  Model model = shaken_grid(bond(InterfaceLaw::consistent));
+  model.held_blocks.clear();
+  for (int column = 0; column < columns; ++column) {
+    model.viscous_edges.push_back({column, {1.0 * column, 0}, {column + 1.0, 0}, 1e7, 6e6});
+    model.edge_loads.push_back({column, {1.0 * column, 0}, {column + 1.0, 0}, {1e5, 0}, SineCycles{100, 1, 0}});
+    model.edge_loads.push_back(
+        {(rows - 1) * columns + column, {1.0 * column, rows}, {column + 1.0, rows}, {0, -1e4}, Constant{}});
+    for (const double x : {column + 0.0, column + 1.0}) {
+      model.supports.push_back({column, {x, 0}});
+      model.supports.back().stiffness = 3e9;
+    }
+  }
+  finish_model(model);
+  const FreeFieldColumns made = make_free_field_columns(model, make_contacts(model));
+  EXPECT_EQ(made.model.blocks.size(), at(2 * rows));
+  EXPECT_EQ(made.model.viscous_edges.size(), 2U);
+  EXPECT_EQ(made.model.edge_loads.size(), 4U);
+  double below = 0;
+  for (const PointSupport& support : made.model.supports)
+    if (!support.partner && support.block == 0) below += support.stiffness;
+  EXPECT_EQ(below, 6e9);
+  Simulation simulation = simulation_of(std::move(model));
+  EXPECT_LT(difference_from_columns(simulation, 200), 5e-3);
+}
+
+TEST(FreeField, AllocatesNothingInAWarmStep) {
+  for (const JointMaterial& joint : {bond(InterfaceLaw::consistent), strong(InterfaceLaw::classical)}) {
+    Simulation simulation = simulation_of(shaken_grid(joint));
+    run(simulation, 20);
+    const long before = allocations_so_far();
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(simulation.step(), Status::ok);
+    EXPECT_EQ(allocations_so_far() - before, 0);
+  }
+}
+
+// A step cut in two lies between the ends of a step of the columns.
+TEST(FreeField, IsLinearWithinAStepOfTheColumns) {
+  Simulation simulation = simulation_of(shaken_grid(bond(InterfaceLaw::consistent)));
+  Model model = shaken_grid(bond(InterfaceLaw::consistent));
+  finish_model(model);
+  FreeField field(model, simulation.contacts(), simulation.state());
+  ASSERT_EQ(field.advance_to(1e-4), Status::ok);
+  ASSERT_EQ(field.advance_to(2e-4), Status::ok);
+  const auto unknowns = static_cast<Eigen::Index>(6 * model.blocks.size());
+  Eigen::VectorXd first = Eigen::VectorXd::Zero(unknowns), middle = first, last = first;
+  field.add_loads_at(1e-4, first);
+  field.add_loads_at(1.5e-4, middle);
+  field.add_loads_at(2e-4, last);
+  EXPECT_GT((last - first).norm(), 0);
+  EXPECT_LT((middle - (first + last) / 2).norm(), 1e-12 * last.norm());
+}
+
+}  // namespace
+}  // namespace dda

@@ -22,7 +22,7 @@ Model complete_model() {
   Model model;
   model.materials = {{"rock", 2500, 40e9, 0.25, PlaneState::strain}};
   model.blocks = {rectangle("low", 0, 0, 2, 1), rectangle("high", 0, 1, 2, 3), rectangle("base", 0, -1, 2, 0)};
-  model.held_blocks = {HeldBlock{.block = 2}};
+  model.held_blocks.emplace_back().block = 2;
   model.viscous_edges = {{0, {0, 1}, {0, 0}, 1, 1}, {1, {0, 1}, {0, 3}, 1, 1}};
   model.free_field_sides = {{{0, 1}, -1}};
   Stage stage;
@@ -33,8 +33,10 @@ Model complete_model() {
 
 TEST(FreeFieldSide, KnowsWhatStandsAlongIt) {
   Model model = complete_model();
-  model.supports = {{0, {2, 0}}, {0, {0, 0}}, {0, {2, 1}}};
-  for (PointSupport& support : model.supports) support.stiffness = 1;
+  for (const Vec2& point : {Vec2(2, 0), Vec2(0, 0), Vec2(2, 1)}) {
+    model.supports.emplace_back().point = point;
+    model.supports.back().stiffness = 1;
+  }
   finish_model(model);
   const FreeFieldSide& side = model.free_field_sides[0];
   EXPECT_EQ(foot_of(model, side), Vec2(0, 0));

@@ -28,6 +28,8 @@ FreeField::FreeField(const Model& model, const State& state, FreeFieldColumns&& 
     : contacts_(columns.blocks.size()), columns_(std::move(columns.model)) {
   for_each_edge(model, contacts_, [&, next = std::size_t{0}](const ViscousEdge& edge, double, Contact& contact) mutable {
     contact.block = edge.block;
+    contact.height = (edge.to - edge.from).norm();
+    contact.ties = columns.ties[next];
     contact.column_block = columns.blocks[next++];
   });
   read_columns();
@@ -35,11 +37,18 @@ FreeField::FreeField(const Model& model, const State& state, FreeFieldColumns&& 
 }
 
 void FreeField::read_columns() {
-  const State& state = columns_.state();
   for (Contact& contact : contacts_) {
     contact.old = contact.now;
-    contact.now = {state.velocity[at(contact.column_block)], state.stress[at(contact.column_block)]};
+    contact.now = motion_of(contact);
   }
+}
+
+// The ties hold each side of the block as the ground beyond it would.
+FreeField::Motion FreeField::motion_of(const Contact& contact) const {
+  Vec2 force = Vec2::Zero();
+  for (const std::size_t tie : {contact.ties, contact.ties + 1})
+    force -= columns_.supports()[tie].stiffness * columns_.supports()[tie].gap;
+  return {columns_.state().velocity[at(contact.column_block)], force / contact.height};
 }
 
 Status FreeField::advance_to(double time) {
@@ -59,7 +68,7 @@ bool FreeField::begin_stage(const Model& model, const State& state, std::size_t 
   bool any = false;
   for_each_edge(model, contacts_, [&](const ViscousEdge& edge, double, Contact& contact) {
     if (at(edge.first_stage) != stage || stage == 0) return;
-    contact.stress_before = contact.now.stress;
+    contact.traction_before = contact.now.traction;
     any = true;
   });
   if (any) update_geometry(model, state, stage);
@@ -79,14 +88,18 @@ void FreeField::place(const Model& model, const State& state, const ViscousEdge&
   };
   const Vec2 from = offset(model, state, edge.block, edge.from);
   const Vec2 to = offset(model, state, edge.block, edge.to);
-  const AreaMoments& moments = columns_.model().blocks[at(contact.column_block)].moments;
+  // The point of the column's block that lies in it as `point` does in the model's: blocks that shear on vertical joints
+  // which give way move along them as well.
+  const double own_centroid = model.blocks[at(edge.block)].moments.centroid.x();
+  const double column_centroid = columns_.model().blocks[at(contact.column_block)].moments.centroid.x();
   const auto in_column = [&](const Vec2& point) {
-    return offset(columns_.model(), columns_.state(), contact.column_block, {moments.centroid.x(), point.y()});
+    return offset(columns_.model(), columns_.state(), contact.column_block,
+                  {column_centroid + point.x() - own_centroid, point.y()});
   };
   contact.dashpots = viscous_coupling(from, to, in_column(edge.from), in_column(edge.to), edge.normal_impedance,
                                       edge.shear_impedance);
-  contact.traction.col(0) = edge_load(from, to, {outward, 0});
-  contact.traction.col(2) = edge_load(from, to, {0, outward});
+  contact.edge.col(0) = edge_load(from, to, {outward, 0});
+  contact.edge.col(1) = edge_load(from, to, {0, outward});
 }
 
 void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
@@ -94,10 +107,11 @@ void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
   const double share = passed < 0 ? 0 : passed > 1 ? 1 : passed;
   for (const Contact& contact : contacts_) {
     const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
-    const Vec3 stress = (1 - share) * contact.old.stress + share * contact.now.stress - contact.stress_before;
+    const Vec2 traction =
+        (1 - share) * contact.old.traction + share * contact.now.traction - contact.traction_before;
     auto own = force.segment<6>(6 * contact.block);
     own.noalias() += contact.dashpots * velocity;
-    own.noalias() += contact.traction * stress;
+    own.noalias() += contact.edge * traction;
   }
 }
 

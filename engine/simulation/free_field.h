@@ -29,7 +29,7 @@ class FreeField {
   // True when the columns have come to rest in a static stage that ends at `time`.
   [[nodiscard]] bool stands_still_until(double time) const;
 
-  // Sides that begin to act with this stage. They carry the stress that comes from now on: what was there before is
+  // Sides that begin to act with this stage. They carry the traction that comes from now on: what was there before is
   // held by what the model had in their place. False when none does.
   bool begin_stage(const Model& model, const State& state, std::size_t stage);
 
@@ -47,21 +47,24 @@ class FreeField {
 
   struct Motion {
     Vec6 velocity = Vec6::Zero();
-    Vec3 stress = Vec3::Zero();
+    Vec2 traction = Vec2::Zero();  // Pa, on the right side of the block
   };
 
   // Where a block of a column acts on a block of the model.
   struct Contact {
     int block = 0;         // of the model
     int column_block = 0;  // of the columns
-    Mat6 dashpots = Mat6::Zero();                                               // times the column's velocity
-    Eigen::Matrix<double, 6, 3> traction = Eigen::Matrix<double, 6, 3>::Zero();  // times the stress
-    Vec3 stress_before = Vec3::Zero();                                          // Pa, when the side began to act
-    Motion old, now;                                                            // at the ends of the columns' last step
+    std::size_t ties = 0;  // the first of the two supports that tie its sides
+    double height = 0;     // m
+    Mat6 dashpots = Mat6::Zero();                                            // times the column's velocity
+    Eigen::Matrix<double, 6, 2> edge = Eigen::Matrix<double, 6, 2>::Zero();  // times the traction
+    Vec2 traction_before = Vec2::Zero();                                     // Pa, when the side began to act
+    Motion old, now;                                                         // at the ends of the columns' last step
   };
 
   FreeField(const Model& model, const State& state, FreeFieldColumns&& columns);
   void read_columns();
+  [[nodiscard]] Motion motion_of(const Contact& contact) const;
   void place(const Model& model, const State& state, const ViscousEdge& edge, double outward, Contact& contact);
 
   std::vector<Contact> contacts_;  // of the edges of all sides, one after the other

@@ -16,8 +16,9 @@
 namespace dda {
 namespace {
 
-// Stiffness of the tie between the sides of a block, in Young's moduli for a square block: strains along x are then
-// 1e-5 of those that the stress along x would cause, and round-off still leaves ten digits.
+// Stiffness of the tie between the sides of a block where no springs lie between it and its neighbours, in Young's
+// moduli for a square block: strains along x are then 1e-5 of those that the stress along x would cause, and round-off
+// still leaves ten digits.
 constexpr double tie_over_young = 1e5;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -67,7 +68,7 @@ class Column {
       upper = std::max(edge(i).from.y(), edge(i).to.y());
       const int block = append_block(edge(i).block, lower, upper);
       columns_.blocks.push_back(block);
-      tie_sides(block, lower, upper);
+      tie_sides(edge(i).block, block, upper - lower);
       if (i == 0) lowest_ = block;
       if (i > 0) join(edge(i - 1).block, edge(i).block, block - 1, block, Vec2(edge(i).from.x(), lower));
     }
@@ -84,16 +85,38 @@ class Column {
     return static_cast<int>(model().blocks.size()) - 1;
   }
 
-  // The forces that the ground to the left and right exerts under the initial stress are in the ties from the start.
-  void tie_sides(int block, double lower, double upper) {
-    const Vec3& stress = model().blocks[at(block)].initial_stress;
-    PointSupport tie;
-    tie.block = block;
-    tie.point = {left_ + width_, (lower + upper) / 2};
-    tie.partner = Vec2(left_, (lower + upper) / 2);
-    tie.stiffness = tie_over_young * model().material_of(block).young * (upper - lower) / width_;
-    tie.amplitude = (upper - lower) / tie.stiffness * Vec2(stress(0), stress(2));
-    model().supports.push_back(std::move(tie));
+  // Classical springs of vertical joints give way, as they do between the blocks inside. The forces that the ground to
+  // the left and right exerts under the initial stress are in the ties from the start.
+  void tie_sides(int original, int block, double height) {
+    const Block& own = model().blocks[at(block)];
+    const Vec2 force = height * Vec2(own.initial_stress(0), own.initial_stress(2));
+    const Vec2 springs = springs_beside(original);
+    columns_.ties.push_back(model().supports.size());
+    const double rigid = tie_over_young * model().material_of(block).young * height / width_;
+    for (const int axis : {0, 1}) {
+      PointSupport tie;
+      tie.block = block;
+      tie.point = {left_ + width_, own.shape.outer[0].y() + height / 2};
+      tie.partner = Vec2(left_, tie.point.y());
+      tie.direction = Vec2::Unit(axis);
+      tie.stiffness = springs(axis) > 0 ? springs(axis) : rigid;
+      tie.amplitude = force(axis) / tie.stiffness * tie.direction;
+      model().supports.push_back(std::move(tie));
+    }
+  }
+
+  // Normal and shear stiffness (N/m) of the classical springs in the vertical joints of a block, for the width here.
+  [[nodiscard]] Vec2 springs_beside(int original) const {
+    Vec2 sum = Vec2::Zero();
+    for (std::size_t i = 0; i < contacts_.interfaces.size(); ++i) {
+      const Interface& found = contacts_.interfaces[i];
+      if ((found.block_a != original && found.block_b != original) || std::abs(found.normal.x()) < 0.7) continue;
+      const InterfaceElement& element = contacts_.elements[i];
+      if (element.law != InterfaceLaw::classical) return Vec2::Zero();
+      sum += Vec2(element.stiffness(0) + element.stiffness(2), element.stiffness(1) + element.stiffness(3));
+    }
+    const Box box = bounding_box(whole_.blocks[at(original)].shape);
+    return (box.upper - box.lower).x() / width_ * sum;
   }
 
   // The joint that two blocks of the whole have at `place`, between two blocks here.

@@ -3,6 +3,7 @@
 // each block are tied, so that a column deforms in one dimension: nothing in it depends on x.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "dda/contact/contact_set.h"
@@ -13,6 +14,7 @@ namespace dda {
 struct FreeFieldColumns {
   Model model;              // finished; with the stages of the whole and without measurements
   std::vector<int> blocks;  // in it, of the viscous edges of all sides, one after the other
+  std::vector<std::size_t> ties;  // and the first of the two supports that tie the sides of each
 };
 
 // `contacts` of the drawn model (make_contacts) say which joint lies between two blocks, and which law it has there.

@@ -66,6 +66,7 @@ class Simulation {
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
   // The columns beside free-field sides, stepped along; nullptr where there are none.
   [[nodiscard]] const Simulation* free_field_columns() const;
+  [[nodiscard]] const std::vector<SupportElement>& supports() const { return supports_; }
   [[nodiscard]] const BoltSet& bolts() const { return bolts_; }
   [[nodiscard]] const StepPlan& plan() const { return plan_; }
   [[nodiscard]] const EnergyLedger& energy() const { return audit_.ledger(); }

@@ -259,8 +259,8 @@ struct SnapshotAccess {
     archive.number(field.time_old_);
     archive.number(field.time_);
     for (auto& contact : field.contacts_)
-      matrices(archive, contact.dashpots, contact.traction, contact.stress_before, contact.old.velocity,
-               contact.old.stress, contact.now.velocity, contact.now.stress);
+      matrices(archive, contact.dashpots, contact.edge, contact.traction_before, contact.old.velocity,
+               contact.old.traction, contact.now.velocity, contact.now.traction);
   }
 
   template <typename AnySimulation, typename Archive>

@@ -69,24 +69,23 @@ double difference_from_columns(Simulation& simulation, int steps) {
     const State& whole = simulation.state();
     const State& column = simulation.free_field_columns()->state();
     for (int block = 0; block < rows * columns; ++block) {
-      if (getenv("ONLY") && block % columns != atoi(getenv("ONLY"))) continue;
       const Vec2 expected = column.velocity[at(block / columns)].head<2>();
       difference = std::max(difference, (whole.velocity[at(block)].head<2>() - expected).norm());
       largest = std::max(largest, expected.norm());
     }
   }
-  fmt::print("diff {}\n", difference / largest);
   return difference / largest;
 }
 
-// Every row moves as the columns do, up to what vertical joints give way in the waves of the mesh.
+// Every row moves as the columns do: to round-off (times the condition of the ties) where vertical joints have springs,
+// else up to what vertical joints give way in waves of 15 blocks and shorter (measured 2e-3, with margin).
 TEST(FreeField, SidesGoWithTheColumns) {
-  for (const InterfaceLaw law : {InterfaceLaw::consistent, InterfaceLaw::classical})
+  for (const auto& [law, tolerance] : {std::pair(InterfaceLaw::consistent, 5e-3), {InterfaceLaw::classical, 1e-8}})
     for (const Integrator& integrator : dynamic_integrators()) {
       Model model = shaken_grid(bond(law));
       model.stages[0].integrator = integrator;
       Simulation simulation = simulation_of(std::move(model));
-      EXPECT_LT(difference_from_columns(simulation, 200), 5e-3) << integrator.name << static_cast<int>(law);
+      EXPECT_LT(difference_from_columns(simulation, 200), tolerance) << integrator.name;
       EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
     }
 }
@@ -209,7 +208,7 @@ TEST(FreeField, ColumnsHaveTheSidesBlocksJointsAndBase) {
 
 // What acts on the underside and the top goes along, as do the springs below, by their stiffness per length.
 TEST(FreeField, ColumnsHaveTheLoadsSupportsAndDashpotsOfTheirFootAndHead) {
-  Model model = shaken_grid(bond(InterfaceLaw::consistent));
+  Model model = shaken_grid(bond(InterfaceLaw::classical));
   model.held_blocks.clear();
   model.blocks.pop_back();
   for (int column = 0; column < columns; ++column) {
@@ -234,7 +233,7 @@ TEST(FreeField, ColumnsHaveTheLoadsSupportsAndDashpotsOfTheirFootAndHead) {
     if (!support.partner && support.block == 0) below += support.stiffness;
   EXPECT_EQ(below, 6e9);
   Simulation simulation = simulation_of(std::move(model));
-  EXPECT_LT(difference_from_columns(simulation, 200), 5e-3);
+  EXPECT_LT(difference_from_columns(simulation, 200), 1e-8);  // round-off, as with a base
 }
 
 TEST(FreeField, AllocatesNothingInAWarmStep) {

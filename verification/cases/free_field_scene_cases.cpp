@@ -166,7 +166,7 @@ void assert_surface(const Ground& ground, const std::string& wave, double tolera
   alone.sides = Sides::dashpots;
   const double without = difference_from_column(alone, outcome);
   outcome.assertions.push_back({"the same with dashpots alone, over that, " + wave, "-", without / coarse, 0,
-                                "they hold the sides back; tolerance on the inverse", coarse / without, 0.05,
+                                "they hold the sides back; tolerance on the inverse", coarse / without, 0.02,
                                 "that the case tells one from the other; measured with margin"});
 }
 
@@ -181,16 +181,16 @@ Ground surface_of(const Soil& upper, bool p) {
 Outcome rising_pulse() {
   Outcome outcome;
   const std::string source = "2 incident(t - depth/speed)";
-  assert_surface(surface_of(stiff, false), "SV", 0.01, source, outcome);
-  assert_surface(surface_of(stiff, true), "P", 0.01, source, outcome);
+  assert_surface(surface_of(stiff, false), "SV", 2e-3, source, outcome);
+  assert_surface(surface_of(stiff, true), "P", 2e-3, source, outcome);
   return outcome;
 }
 
 Outcome layers() {
   Outcome outcome;
   const std::string source = "verification/exact/layered_ground.h";
-  assert_surface(surface_of(soft, false), "SV", 0.02, source, outcome);
-  assert_surface(surface_of(soft, true), "P", 0.02, source, outcome);
+  assert_surface(surface_of(soft, false), "SV", 0.012, source, outcome);
+  assert_surface(surface_of(soft, true), "P", 2e-3, source, outcome);
   return outcome;
 }
 
@@ -224,20 +224,21 @@ void assert_gravity(const std::string& kinematics, double tolerance, const std::
   const double after = largest_velocity(simulation.state());
   outcome.assertions.push_back({"largest velocity 1.3 s after the wave has left" + in, "m/s", after, 0,
                                 "the ground at rest again", after, tolerance, reason});
-  double creep = 0;
-  for (const std::size_t block : {std::size_t{0}, std::size_t{29}, std::size_t{570}, std::size_t{599}})
-    keep_largest(creep, (simulation.state().stress[block] - settled.stress[block]).norm() /
-                            settled.stress[block].norm());
-  outcome.assertions.push_back({"largest change of the stress at the corners since it settled, " + kinematics +
-                                    " kinematics (error relative)",
-                                "-", creep, 0, "no creep of the sides", creep, tolerance, reason});
+  double creep = 0, largest = 0;
+  for (std::size_t block = 0; block < settled.stress.size(); ++block) {
+    keep_largest(creep, (simulation.state().stress[block] - settled.stress[block]).norm());
+    keep_largest(largest, settled.stress[block].norm());
+  }
+  outcome.assertions.push_back({"largest change of any stress since it settled, of the largest, " + kinematics +
+                                    " kinematics",
+                                "-", creep / largest, 0, "no creep of the sides", creep / largest, tolerance, reason});
   outcome.counters += simulation.counters();
 }
 
 Outcome gravity() {
   Outcome outcome;
   assert_gravity("small", 1e-6, "equilibrium to 1e-10 of the load; what is left of the wave after 1.3 s", outcome);
-  assert_gravity("finite", 1e-3, "strains of 1e-3 under the weight; measured with margin", outcome);
+  assert_gravity("finite", 1e-4, "strains of 1e-3 under the weight; measured with margin", outcome);
   return outcome;
 }
 
@@ -274,9 +275,9 @@ Outcome scattered() {
   outcome.assertions.push_back({"largest difference of any point of the surface, of the incident wave", "-", error, 0,
                                 source, error, 0.1, "dashpots at the sides meet waves at an angle; measured with margin"});
   outcome.assertions.push_back({"the same, of the largest scattered velocity", "-", error / scattering, 0, source,
-                                error / scattering, 0.5, "the same"});
+                                error / scattering, 0.25, "the same"});
   outcome.assertions.push_back({"with dashpots alone, over that", "-", error_alone / error, 0,
-                                "they hold the sides back; tolerance on the inverse", error / error_alone, 0.2,
+                                "they hold the sides back; tolerance on the inverse", error / error_alone, 0.1,
                                 "that the case tells one from the other; measured with margin"});
   return outcome;
 }

@@ -77,9 +77,8 @@ void check_base(const Model& model, const Item& item, const FreeFieldSide& side)
     return;
   }
   const bool absorbs =
-      std::any_of(model.viscous_edges.begin(), model.viscous_edges.end(), [&](const ViscousEdge& edge) {
-        return is_at_foot(model, side, edge.block, edge.from, edge.to);
-      });
+      std::any_of(model.viscous_edges.begin(), model.viscous_edges.end(),
+                  [&](const ViscousEdge& edge) { return is_at_foot(model, side, edge.block, edge.from, edge.to); });
   if (!absorbs && supports_at_foot(model, side).empty())
     item.fail("edge", "on nothing at " + written(foot_of(model, side)),
               "a held block, supports or a viscous boundary under the lowest block of the side");

@@ -96,7 +96,11 @@ const std::vector<Spoiled> spoiled = {
        m.viscous_edges[1].from = {0, 1.5};
      },
      "between (0, 1) m and (0, 1.5) m", "without gaps"},
-    {"from above", [](Model& m) { m.free_field_sides[0].viscous_edges = {1, 0}; }, "between (0, 3) m", "from below"},
+    {"from above",
+     [](Model& m) {
+       m.free_field_sides[0].viscous_edges = {1, 0};
+     },
+     "between (0, 3) m", "from below"},
     {"two stages", [](Model& m) { m.viscous_edges[1].first_stage = 1; }, "from stage 1", "one stage"},
     {"loaded",
      [](Model& m) {

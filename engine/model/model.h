@@ -60,7 +60,8 @@ struct PointSupport {
   MotionKind kind = MotionKind::displacement;
   Vec2 direction = Vec2::Zero();  // unit; holds along it alone when it is not zero (a roller)
   int last_stage = -1;            // let go at the end of this stage, its force stays; -1: never
-  std::optional<Vec2> partner = {};  // another point of the block: the spring holds the way from there to `point` instead
+  std::optional<Vec2> partner =
+      {};  // another point of the block: the spring holds the way from there to `point` instead
 };
 
 // A block held, or moved, as a rigid whole: exactly as prescribed whatever forces act on it. It belongs to the

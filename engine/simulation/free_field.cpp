@@ -15,8 +15,7 @@ template <typename Contacts, typename Act>
 void for_each_edge(const Model& model, Contacts& contacts, Act act) {
   std::size_t next = 0;
   for (const FreeFieldSide& side : model.free_field_sides)
-    for (const int index : side.viscous_edges)
-      act(model.viscous_edges[at(index)], side.outward, contacts[next++]);
+    for (const int index : side.viscous_edges) act(model.viscous_edges[at(index)], side.outward, contacts[next++]);
 }
 
 }  // namespace
@@ -26,12 +25,13 @@ FreeField::FreeField(const Model& model, const ContactSet& contacts, const State
 
 FreeField::FreeField(const Model& model, const State& state, FreeFieldColumns&& columns)
     : contacts_(columns.blocks.size()), columns_(std::move(columns.model)) {
-  for_each_edge(model, contacts_, [&, next = std::size_t{0}](const ViscousEdge& edge, double, Contact& contact) mutable {
-    contact.block = edge.block;
-    contact.height = (edge.to - edge.from).norm();
-    contact.ties = columns.ties[next];
-    contact.column_block = columns.blocks[next++];
-  });
+  for_each_edge(model, contacts_,
+                [&, next = std::size_t{0}](const ViscousEdge& edge, double, Contact& contact) mutable {
+                  contact.block = edge.block;
+                  contact.height = (edge.to - edge.from).norm();
+                  contact.ties = columns.ties[next];
+                  contact.column_block = columns.blocks[next++];
+                });
   read_columns();
   update_geometry(model, state, 0);
 }
@@ -88,16 +88,16 @@ void FreeField::place(const Model& model, const State& state, const ViscousEdge&
   };
   const Vec2 from = offset(model, state, edge.block, edge.from);
   const Vec2 to = offset(model, state, edge.block, edge.to);
-  // The point of the column's block that lies in it as `point` does in the model's: blocks that shear on vertical joints
-  // which give way move along them as well.
+  // The point of the column's block that lies in it as `point` does in the model's: blocks that shear on vertical
+  // joints which give way move along them as well.
   const double own_centroid = model.blocks[at(edge.block)].moments.centroid.x();
   const double column_centroid = columns_.model().blocks[at(contact.column_block)].moments.centroid.x();
   const auto in_column = [&](const Vec2& point) {
     return offset(columns_.model(), columns_.state(), contact.column_block,
                   {column_centroid + point.x() - own_centroid, point.y()});
   };
-  contact.dashpots = viscous_coupling(from, to, in_column(edge.from), in_column(edge.to), edge.normal_impedance,
-                                      edge.shear_impedance);
+  contact.dashpots =
+      viscous_coupling(from, to, in_column(edge.from), in_column(edge.to), edge.normal_impedance, edge.shear_impedance);
   contact.edge.col(0) = edge_load(from, to, {outward, 0});
   contact.edge.col(1) = edge_load(from, to, {0, outward});
 }
@@ -107,8 +107,7 @@ void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
   const double share = passed < 0 ? 0 : passed > 1 ? 1 : passed;
   for (const Contact& contact : contacts_) {
     const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
-    const Vec2 traction =
-        (1 - share) * contact.old.traction + share * contact.now.traction - contact.traction_before;
+    const Vec2 traction = (1 - share) * contact.old.traction + share * contact.now.traction - contact.traction_before;
     auto own = force.segment<6>(6 * contact.block);
     own.noalias() += contact.dashpots * velocity;
     own.noalias() += contact.edge * traction;

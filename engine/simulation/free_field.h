@@ -52,11 +52,11 @@ class FreeField {
 
   // Where a block of a column acts on a block of the model.
   struct Contact {
-    int block = 0;         // of the model
-    int column_block = 0;  // of the columns
-    std::size_t ties = 0;  // the first of the two supports that tie its sides
-    double height = 0;     // m
-    Mat6 dashpots = Mat6::Zero();                                            // times the column's velocity
+    int block = 0;                 // of the model
+    int column_block = 0;          // of the columns
+    std::size_t ties = 0;          // the first of the two supports that tie its sides
+    double height = 0;             // m
+    Mat6 dashpots = Mat6::Zero();  // times the column's velocity
     Eigen::Matrix<double, 6, 2> edge = Eigen::Matrix<double, 6, 2>::Zero();  // times the traction
     Vec2 traction_before = Vec2::Zero();                                     // Pa, when the side began to act
     Motion old, now;                                                         // at the ends of the columns' last step

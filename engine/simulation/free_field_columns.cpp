@@ -121,7 +121,8 @@ class Column {
 
   // The joint that two blocks of the whole have at `place`, between two blocks here.
   void join(int original_below, int original_above, int below, int above, const Vec2& place) {
-    JointMaterial joint = original_below == original_above ? whole_block() : joint_at(original_below, original_above, place);
+    JointMaterial joint =
+        original_below == original_above ? whole_block() : joint_at(original_below, original_above, place);
     if (joint.law == InterfaceLaw::cubic) joint.law = InterfaceLaw::consistent;
     model().joint_of_block_pair[{std::min(below, above), std::max(below, above)}] =
         static_cast<int>(model().joints.size());

@@ -12,8 +12,8 @@
 namespace dda {
 
 struct FreeFieldColumns {
-  Model model;              // finished; with the stages of the whole and without measurements
-  std::vector<int> blocks;  // in it, of the viscous edges of all sides, one after the other
+  Model model;                    // finished; with the stages of the whole and without measurements
+  std::vector<int> blocks;        // in it, of the viscous edges of all sides, one after the other
   std::vector<std::size_t> ties;  // and the first of the two supports that tie the sides of each
 };
 

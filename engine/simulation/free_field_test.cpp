@@ -180,8 +180,7 @@ TEST(FreeField, CarriesInitialStress) {
   Simulation simulation = simulation_of(std::move(model));
   run(simulation, 200);
   const double speed = 3e6 / 1.2e7;  // of a side that nothing held
-  for (const Vec6& velocity : simulation.state().velocity)
-    EXPECT_LT(velocity.cwiseAbs().maxCoeff(), 1e-10 * speed);
+  for (const Vec6& velocity : simulation.state().velocity) EXPECT_LT(velocity.cwiseAbs().maxCoeff(), 1e-10 * speed);
 }
 
 TEST(FreeField, ColumnsHaveTheSidesBlocksJointsAndBase) {

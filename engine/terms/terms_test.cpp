@@ -165,7 +165,8 @@ TEST(Support, StiffnessIsTheHessianOfItsSprings) {
       const Vec2 u = motion(q, offset);
       return u.dot(stiffness * u) / 2;
     };
-    EXPECT_LT(relative_difference(support_stiffness(displacement_rows(offset), stiffness), hessian<6>(energy, 1)), round_off);
+    EXPECT_LT(relative_difference(support_stiffness(displacement_rows(offset), stiffness), hessian<6>(energy, 1)),
+              round_off);
   }
 }
 

@@ -41,11 +41,11 @@ enum class Sides { free_field, dashpots };
 // Ground on a base that absorbs what comes down and lets a wave rise.
 struct Ground {
   int columns = 30, rows = 20;
-  double block = 1;   // m
+  double block = 1;    // m
   Soil upper = stiff;  // of the upper half
-  bool p = false;     // a P wave, and not an SV wave
+  bool p = false;      // a P wave, and not an SV wave
   Sides sides = Sides::free_field;
-  double duration = 0.5;         // s, of the shaking
+  double duration = 0.5;  // s, of the shaking
   std::string kinematics = "small";
   bool gravity = false;          // and a static stage before
   double quiet = 0;              // s, before the wave in its stage
@@ -92,16 +92,17 @@ std::string steps(const Ground& ground) {
       R"({"name": "settle", "integrator": "static", "equilibrium": 1e-10, "dt": 20, "duration": 400, )"
       R"("kinematics": ")" +
       ground.kinematics + "\"}, ";
-  return (ground.gravity ? settle : "") + fmt::format(R"({{"name": "wave", "dt": {}, "duration": {}, "kinematics": "{}"}})",
-                                                      dt_of(ground), ground.duration, ground.kinematics);
+  return (ground.gravity ? settle : "") +
+         fmt::format(R"({{"name": "wave", "dt": {}, "duration": {}, "kinematics": "{}"}})", dt_of(ground),
+                     ground.duration, ground.kinematics);
 }
 
 std::string measurements(const Ground& ground) {
   std::string list;
   for (std::size_t i = 0; i < ground.measured.size(); ++i)
-    list += fmt::format(R"({}{{"name": "v {}", "quantity": "velocity_{}", "point": [{}, {}], "side": "{}"}})",
-                        i > 0 ? ", " : "", i, ground.p ? "y" : "x", ground.measured[i], depth,
-                        i == 0 ? "right" : "left");
+    list +=
+        fmt::format(R"({}{{"name": "v {}", "quantity": "velocity_{}", "point": [{}, {}], "side": "{}"}})",
+                    i > 0 ? ", " : "", i, ground.p ? "y" : "x", ground.measured[i], depth, i == 0 ? "right" : "left");
   return list;
 }
 
@@ -116,9 +117,8 @@ std::string scene_of(const Ground& ground) {
         {{"edge": {{"from": [0, 0], "to": [0, {}]}}{}}}, {{"edge": {{"from": [{}, 0], "to": [{}, {}]}}{}}}],
       "loads": [{{"edge": "bottom", "traction": [{}, {}], "history": {{"table": [{}]}}}}],
       "measurements": [{}], "steps": [{}]}})",
-                     materials(ground), blocks(ground), supports,
-                     ground.gravity ? R"(, "from_stage": "wave")" : "", depth, free_field,
-                     ground.columns * ground.block, ground.columns * ground.block, depth, free_field,
+                     materials(ground), blocks(ground), supports, ground.gravity ? R"(, "from_stage": "wave")" : "",
+                     depth, free_field, ground.columns * ground.block, ground.columns * ground.block, depth, free_field,
                      ground.p ? 0 : traction, ground.p ? traction : 0, history(ground), measurements(ground),
                      steps(ground));
 }
@@ -158,10 +158,9 @@ void assert_surface(const Ground& ground, const std::string& wave, double tolera
                     Outcome& outcome) {
   const double coarse = difference_from_column(ground, outcome);
   const double fine = difference_from_column(finer(ground), outcome);
-  outcome.assertions.push_back({"largest difference of any point of the surface from the exact motion, " + wave, "-",
-                                coarse, 0, source, coarse, tolerance,
-                                "blocks and steps of second order; measured with margin",
-                                Order{order(coarse, fine), 2, 0.25}});
+  outcome.assertions.push_back(
+      {"largest difference of any point of the surface from the exact motion, " + wave, "-", coarse, 0, source, coarse,
+       tolerance, "blocks and steps of second order; measured with margin", Order{order(coarse, fine), 2, 0.25}});
   Ground alone = ground;
   alone.sides = Sides::dashpots;
   const double without = difference_from_column(alone, outcome);
@@ -229,9 +228,9 @@ void assert_gravity(const std::string& kinematics, double tolerance, const std::
     keep_largest(creep, (simulation.state().stress[block] - settled.stress[block]).norm());
     keep_largest(largest, settled.stress[block].norm());
   }
-  outcome.assertions.push_back({"largest change of any stress since it settled, of the largest, " + kinematics +
-                                    " kinematics",
-                                "-", creep / largest, 0, "no creep of the sides", creep / largest, tolerance, reason});
+  outcome.assertions.push_back(
+      {"largest change of any stress since it settled, of the largest, " + kinematics + " kinematics", "-",
+       creep / largest, 0, "no creep of the sides", creep / largest, tolerance, reason});
   outcome.counters += simulation.counters();
 }
 
@@ -273,7 +272,8 @@ Outcome scattered() {
     }
   const std::string source = "the same 230 m wide, whose sides are too far to be felt";
   outcome.assertions.push_back({"largest difference of any point of the surface, of the incident wave", "-", error, 0,
-                                source, error, 0.1, "dashpots at the sides meet waves at an angle; measured with margin"});
+                                source, error, 0.1,
+                                "dashpots at the sides meet waves at an angle; measured with margin"});
   outcome.assertions.push_back({"the same, of the largest scattered velocity", "-", error / scattering, 0, source,
                                 error / scattering, 0.25, "the same"});
   outcome.assertions.push_back({"with dashpots alone, over that", "-", error_alone / error, 0,
@@ -285,7 +285,10 @@ Outcome scattered() {
 }  // namespace
 
 std::vector<Case> free_field_scene_cases() {
-  return {{"free-field-pulse", "P and SV pulses rise through ground with free-field sides", {39}, CaseLabel::slow,
+  return {{"free-field-pulse",
+           "P and SV pulses rise through ground with free-field sides",
+           {39},
+           CaseLabel::slow,
            rising_pulse},
           {"free-field-layers", "The same through two layers", {39}, CaseLabel::slow, layers},
           {"free-field-gravity", "The same after the ground settled under its weight", {39}, CaseLabel::slow, gravity},

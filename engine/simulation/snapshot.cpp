@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t magic = 0x3550414e53414444;  // "DDASNAP5", read as a little-endian number
+constexpr std::uint64_t magic = 0x3650414e53414444;  // "DDASNAP6", read as a little-endian number
 constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a damaged file
 
 class Writer {

@@ -53,6 +53,8 @@ class IncompleteCholesky {
   void load_column(const BlockMatrix& matrix, int block);
   [[nodiscard]] bool eliminate_all();
   void eliminate(int column);
+  template <bool whole>
+  double substitute(const Eigen::VectorXd& r, Eigen::VectorXd& z);
   [[nodiscard]] bool take_diagonal_only(const BlockMatrix& matrix);
 
   std::vector<int> order_;          // order_[k]: the block eliminated as the k-th

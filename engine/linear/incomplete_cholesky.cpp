@@ -94,11 +94,13 @@ int IncompleteCholesky::entry(int row, int column) const {
 
 void IncompleteCholesky::find_sources(const BlockMatrix& matrix) {
   sources_.clear();
+  is_fill_.assign(rows_.size(), 1);
   for (int j = 0; j < (rows_.empty() ? 0 : matrix.size()); ++j) {
     for (int k = matrix.column_starts()[at(j)] + 1; k < matrix.column_starts()[at(j) + 1]; ++k) {
       const int row = position_[at(matrix.block_rows()[at(k)])];
       const int column = position_[at(j)];
       sources_.push_back({k, entry(std::max(row, column), std::min(row, column)), row < column});
+      is_fill_[at(sources_.back().entry)] = 0;
     }
   }
 }
@@ -144,13 +146,14 @@ bool IncompleteCholesky::factorize_places(const BlockMatrix& matrix) {
   return take_diagonal_only(matrix);
 }
 
-void IncompleteCholesky::clear_column(int column) {
-  for (int k = column_starts_[at(column)]; k < column_starts_[at(column) + 1]; ++k) blocks_[at(k)].setZero();
+void IncompleteCholesky::clear_fill(int column) {
+  for (int k = column_starts_[at(column)]; k < column_starts_[at(column) + 1]; ++k)
+    if (is_fill_[at(k)] != 0) blocks_[at(k)].setZero();
 }
 
 void IncompleteCholesky::load(const BlockMatrix& matrix, double shift) {
   for (const int k : places_) {
-    clear_column(k);
+    clear_fill(k);
     diagonal_[at(k)] = matrix.diagonal(order_[at(k)]);
     diagonal_[at(k)].diagonal() *= 1 + shift;
   }
@@ -184,7 +187,7 @@ bool IncompleteCholesky::eliminate_all() {
 bool IncompleteCholesky::take_diagonal_only(const BlockMatrix& matrix) {
   shift_ = 0;
   for (const int k : places_) {
-    clear_column(k);
+    for (int entry = column_starts_[at(k)]; entry < column_starts_[at(k) + 1]; ++entry) blocks_[at(entry)].setZero();
     if (!invert(matrix.diagonal(order_[at(k)]), diagonal_[at(k)])) return false;
   }
   return true;

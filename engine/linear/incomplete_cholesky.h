@@ -48,7 +48,7 @@ class IncompleteCholesky {
   void find_sources(const BlockMatrix& matrix);
   void find_targets();
   [[nodiscard]] int entry(int row, int column) const;
-  void clear_column(int column);
+  void clear_fill(int column);
   void load(const BlockMatrix& matrix, double shift);
   void load_column(const BlockMatrix& matrix, int block);
   [[nodiscard]] bool eliminate_all();
@@ -63,6 +63,7 @@ class IncompleteCholesky {
   std::vector<char> is_factored_;   // by position
   std::vector<int> column_starts_;  // n + 1, into rows_
   std::vector<int> rows_;           // by column, ascending
+  std::vector<char> is_fill_;       // as in rows_: A has no block there
   std::vector<Mat6> blocks_;        // M, as in rows_
   std::vector<Mat6> diagonal_;      // of A, then of D^-1
   std::vector<Source> sources_;     // of all couplings, in the order of the matrix

@@ -112,7 +112,7 @@ void Simulation::list_live_interfaces() {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     if (is_whole(element, trial_[i])) continue;
-    n.live.push_back({i, element.block_a, element.block_b, pieces_of(trial_[i]), false});
+    n.live.push_back({i, element.block_a, element.block_b, pieces_of(trial_[i]), false, PointKinematics(element)});
   }
 }
 
@@ -135,15 +135,17 @@ void Simulation::move_held_blocks() {
 void Simulation::form_residual() {
   FrictionNewton& n = newton_;
   n.residual = constant_rhs_;
-  add_contact_rhs(n.residual);
+  n.largest_force = bolts_.largest_force();
+  for (const FrictionNewton::LiveContact& contact : n.live) {
+    FrictionNewton::add_force(contact, -coefficients_.stiffness * constant_force(contact.interface), n.residual);
+    n.largest_force = std::max(n.largest_force, trial_[contact.interface].force.cwiseAbs().maxCoeff());
+  }
+  bolts_.add_rhs(coefficients_.stiffness, n.residual);
   held_.move_to_right(n.residual);
   matrix_.multiply(increment_, n.image);
   n.residual -= n.image;
   held_.clear(n.residual);
   n.imbalance = largest_entry(n.residual);
-  n.largest_force = bolts_.largest_force();
-  for (const FrictionNewton::LiveContact& contact : n.live)
-    n.largest_force = std::max(n.largest_force, trial_[contact.interface].force.cwiseAbs().maxCoeff());
 }
 
 // Forces, and moments as forces at the arm of the block's size.
@@ -189,7 +191,7 @@ void Simulation::list_couplings() {
     if (!n.takes_in(contact)) continue;
     const std::size_t i = contact.interface;
     const Vec4 slopes = shear_by_normal_gap(contacts_.elements[i], contacts_.strengths[i], trial_[i], contact.pieces);
-    if (!slopes.isZero(0)) n.couplings.push_back({i, slopes});
+    if (!slopes.isZero(0)) n.couplings.push_back({&contact, slopes});
   }
 }
 
@@ -203,11 +205,10 @@ void Simulation::multiply_in_pass(const Eigen::VectorXd& v, Eigen::VectorXd& w) 
 
 void Simulation::multiply_coupled(const Eigen::VectorXd& v, Eigen::VectorXd& w) const {
   multiply_in_pass(v, w);
-  for (const auto& [i, slopes] : newton_.couplings) {
-    const InterfaceElement& element = contacts_.elements[i];
-    const Vec4 gap = gap_increment(element, v);
+  for (const auto& [contact, slopes] : newton_.couplings) {
+    const Vec4 gap = FrictionNewton::gap(*contact, v);
     const Vec4 shear(0, slopes(1) * gap(0), 0, slopes(3) * gap(2));
-    add_interface_force(element, coefficients_.stiffness * shear, Vec4::Zero(), w);
+    FrictionNewton::add_force(*contact, coefficients_.stiffness * shear, w);
   }
   held_.clear(w);
 }
@@ -227,7 +228,7 @@ void Simulation::take_newton_step_with_friction(bool strictly) {
     const InterfaceElement& element = contacts_.elements[i];
     InterfaceTrial& trial = trial_[i];
     const Vec4 force_before = trial.force;
-    const Vec4 moved = gap_increment(element, n.step);
+    const Vec4 moved = FrictionNewton::gap(contact, n.step);
     trial.gap += moved;
     respond_with_friction(element, contacts_.strengths[i], trial);
     contact.between = keep_to_bordering_pieces(element, contacts_.strengths[i], rule, trial, contact.pieces);

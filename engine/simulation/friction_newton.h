@@ -8,6 +8,7 @@
 
 #include "dda/contact/contact_pieces.h"
 #include "dda/contact/interface_element.h"
+#include "dda/contact/point_kinematics.h"
 #include "dda/linear/block_part.h"
 #include "dda/linear/krylov.h"
 
@@ -20,11 +21,12 @@ struct FrictionNewton {
     int block_a, block_b;
     ContactPieces pieces;  // what the pass takes its ends to be
     bool between;          // its forces are not what it answers: keep_to_bordering_pieces
+    PointKinematics points;
   };
 
   // How friction ties the shear forces of sliding ends to their normal gaps.
   struct Coupling {
-    std::size_t interface;
+    const LiveContact* contact;
     Vec4 shear_by_gap;  // N/m per m of thickness: rows 1 and 3 by the gaps of rows 0 and 2
   };
 
@@ -47,6 +49,14 @@ struct FrictionNewton {
   double largest_force = 0;     // of contacts and bolts, N per m of thickness
   int stale_interfaces = 0;     // that changed in the matrix since it was factored
   bool matrix_amended = false;  // interface by interface since it was assembled
+
+  [[nodiscard]] static Vec4 gap(const LiveContact& contact, const Eigen::VectorXd& d) {
+    return contact.points.gap(d.segment<6>(6 * contact.block_a), d.segment<6>(6 * contact.block_b));
+  }
+  static void add_force(const LiveContact& contact, const Vec4& contact_force, Eigen::VectorXd& force) {
+    contact.points.add_force(contact_force, force.segment<6>(6 * contact.block_a),
+                             force.segment<6>(6 * contact.block_b));
+  }
 
   [[nodiscard]] bool takes_in(const LiveContact& contact) const {
     return !is_local || part.contains(contact.block_a) || part.contains(contact.block_b);

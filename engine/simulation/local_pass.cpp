@@ -81,7 +81,7 @@ void Simulation::follow_residual(const FrictionNewton::LiveContact& contact, con
   const Vec4 beyond = trial.force - force_before - expected;
   newton_.largest_force = std::max(newton_.largest_force, trial.force.cwiseAbs().maxCoeff());
   if (!beyond.isZero(0))
-    add_interface_force(element, -coefficients_.stiffness * beyond, Vec4::Zero(), newton_.residual);
+    FrictionNewton::add_force(contact, -coefficients_.stiffness * beyond, newton_.residual);
 }
 
 }  // namespace dda

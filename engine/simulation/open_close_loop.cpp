@@ -161,13 +161,17 @@ void Simulation::add_contact_rhs(Eigen::VectorXd& rhs) const {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     if (has_stress_rows(element)) continue;
-    const InterfaceTrial& trial = trial_[i];
-    const Vec4 reached = trial.gap - contacts_.states[i].gap;  // dilation has moved the force, not the gap
-    const Vec4 constant =
-        trial.force - matrix_rows_[i].cwiseProduct(element.stiffness).cwiseProduct(reached) - contacts_.states[i].force;
+    const Vec4 constant = constant_force(i);
     if (!constant.isZero(0)) add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs);
   }
   bolts_.add_rhs(coefficients_.stiffness, rhs);
+}
+
+Vec4 Simulation::constant_force(std::size_t i) const {
+  const InterfaceTrial& trial = trial_[i];
+  const Vec4 reached = trial.gap - trial.start;  // dilation has moved the force, not the gap
+  return trial.force - matrix_rows_[i].cwiseProduct(contacts_.elements[i].stiffness).cwiseProduct(reached) -
+         contacts_.states[i].force;
 }
 
 // Moves along the Newton step as far as the potential falls. True when it was taken whole and the forces became what it

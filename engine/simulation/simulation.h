@@ -121,6 +121,7 @@ class Simulation {
   [[nodiscard]] bool dilations_stand_still();
   [[nodiscard]] Status solve_pass();
   void add_contact_rhs(Eigen::VectorXd& rhs) const;
+  [[nodiscard]] Vec4 constant_force(std::size_t i) const;
   void restart_trials();
   [[nodiscard]] bool take_newton_step();
   [[nodiscard]] double length_of_step();

@@ -1,0 +1,83 @@
+// The gap rows of a classical interface in a few numbers: they follow from its normal and from where its ends lie as
+// seen from either centroid. For loops over many contacts that would be busy fetching rows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "dda/contact/interface_element.h"
+#include "dda/core/types.h"
+
+namespace dda {
+
+class PointKinematics {
+ public:
+  PointKinematics() = default;
+
+  // Of an element without stress rows.
+  explicit PointKinematics(const InterfaceElement& element)
+      : normal_(element.rows_b.block<1, 2>(0, 0).transpose()), ends_(ends_of(element)) {
+    for (int end = 0; end < ends_; ++end) {
+      arm_a_[index(end)] = -arm(element.rows_a, end);
+      arm_b_[index(end)] = arm(element.rows_b, end);
+    }
+  }
+
+  // Gaps that increments of blocks a and b make; zero where there is no second end.
+  template <typename Six>
+  [[nodiscard]] Vec4 gap(const Six& of_a, const Six& of_b) const {
+    Vec4 gap = Vec4::Zero();
+    for (int end = 0; end < ends_; ++end) {
+      const Vec2 apart = moved(arm_b_[index(end)], of_b) - moved(arm_a_[index(end)], of_a);
+      gap(2 * end) = normal_.dot(apart);
+      gap(2 * end + 1) = normal_.x() * apart.y() - normal_.y() * apart.x();
+    }
+    return gap;
+  }
+
+  // Adds what interface forces do to either block, as add_interface_force.
+  template <typename Six>
+  void add_force(const Vec4& force, Six on_a, Six on_b) const {
+    for (int end = 0; end < ends_; ++end) {
+      const double across = force(2 * end);
+      const double along = force(2 * end + 1);
+      const Vec2 global(normal_.x() * across - normal_.y() * along, normal_.y() * across + normal_.x() * along);
+      add(global, arm_b_[index(end)], on_b);
+      add(-global, arm_a_[index(end)], on_a);
+    }
+  }
+
+ private:
+  static std::size_t index(int end) { return static_cast<std::size_t>(end); }
+
+  // Column 2 of the rows is what a rotation makes: (n_y x - n_x y, n_x x + n_y y).
+  [[nodiscard]] Vec2 arm(const Mat46& rows, int end) const {
+    const double across = rows(2 * end, 2);
+    const double along = rows(2 * end + 1, 2);
+    return {normal_.y() * across + normal_.x() * along, normal_.y() * along - normal_.x() * across};
+  }
+
+  // displacement_rows(arm) * d
+  template <typename Six>
+  static Vec2 moved(const Vec2& arm, const Six& d) {
+    return {d(0) - arm.y() * d(2) + arm.x() * d(3) + arm.y() / 2 * d(5),
+            d(1) + arm.x() * d(2) + arm.y() * d(4) + arm.x() / 2 * d(5)};
+  }
+
+  // on += displacement_rows(arm)^T * force
+  template <typename Six>
+  static void add(const Vec2& force, const Vec2& arm, Six& on) {
+    on(0) += force.x();
+    on(1) += force.y();
+    on(2) += arm.x() * force.y() - arm.y() * force.x();
+    on(3) += arm.x() * force.x();
+    on(4) += arm.y() * force.y();
+    on(5) += (arm.y() * force.x() + arm.x() * force.y()) / 2;
+  }
+
+  Vec2 normal_ = Vec2::Zero();  // unit, from block a into block b
+  std::array<Vec2, 2> arm_a_, arm_b_;
+  int ends_ = 0;
+};
+
+}  // namespace dda

@@ -125,8 +125,11 @@ void BlockMatrix::multiply(const BlockPart& part, const Vector& x, Vector& y) co
     if (inside) y.segment<6>(6 * column) += block(first) * x.segment<6>(6 * column);
     for (int k = first + 1; k < column_starts_[index(column) + 1]; ++k) {
       const int row = block_rows_[index(k)];
-      if (inside) y.segment<6>(6 * row) += block(k) * x.segment<6>(6 * column);
-      if (part.contains(row)) y.segment<6>(6 * column) += block(k).transpose() * x.segment<6>(6 * row);
+      const bool row_inside = part.contains(row);
+      if (!inside && !row_inside) continue;
+      const Mat6 coupling = block(k);
+      if (inside) y.segment<6>(6 * row).noalias() += coupling * x.segment<6>(6 * column);
+      if (row_inside) y.segment<6>(6 * column).noalias() += coupling.transpose() * x.segment<6>(6 * row);
     }
   }
 }

@@ -80,8 +80,7 @@ void Simulation::follow_residual(const FrictionNewton::LiveContact& contact, con
   const Vec4 expected = matrix_rows_[contact.interface].cwiseProduct(element.stiffness).cwiseProduct(moved);
   const Vec4 beyond = trial.force - force_before - expected;
   newton_.largest_force = std::max(newton_.largest_force, trial.force.cwiseAbs().maxCoeff());
-  if (!beyond.isZero(0))
-    FrictionNewton::add_force(contact, -coefficients_.stiffness * beyond, newton_.residual);
+  if (!beyond.isZero(0)) FrictionNewton::add_force(contact, -coefficients_.stiffness * beyond, newton_.residual);
 }
 
 }  // namespace dda

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <ranges>
 #include <utility>
 
 #include "dda/linear/block_order.h"
@@ -231,8 +232,7 @@ double IncompleteCholesky::substitute(const Eigen::VectorXd& r, Eigen::VectorXd&
     product += known.dot(scaled);
     work_.segment<6>(6 * j) = scaled;
   }
-  for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
-    const int j = *place;
+  for (const int j : std::views::reverse(places_)) {
     Vec6 result = work_.segment<6>(6 * j);
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
       if (is_there(k)) result -= blocks_[at(k)].transpose() * work_.segment<6>(6 * rows_[at(k)]);

@@ -20,7 +20,10 @@ InterfaceElement element_of(double length) {
   model.blocks.emplace_back().shape.outer = {{2, 0}, {4, 1}, {3, 4}, {1, 3}};
   finish_model(model);
   const Vec2 direction = Vec2(-1, 3).normalized();
-  Interface interface { .block_a = 0, .block_b = 1, .from = {2, 0}, .to = Vec2(2, 0) + length * direction };
+  Interface interface;
+  interface.block_b = 1;
+  interface.from = {2, 0};
+  interface.to = interface.from + length * direction;
   interface.normal = {direction.y(), -direction.x()};
   interface.length = length;
   InterfaceElement element = make_element(model, interface, InterfaceLaw::classical);

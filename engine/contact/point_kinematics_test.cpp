@@ -13,7 +13,7 @@ namespace {
 // Two blocks that meet along an oblique edge, or at one vertex of it.
 InterfaceElement element_of(double length) {
   Model model;
-  model.materials.emplace_back().young = 1e9;
+  model.materials.push_back({"rock", 2600, 1e9, 0.2, PlaneState::stress});
   model.joints.emplace_back().law = InterfaceLaw::classical;
   model.joints[0].spring_over_young = 10;
   model.blocks.emplace_back().shape.outer = {{0, 0}, {2, 0}, {1, 3}, {-1, 2}};

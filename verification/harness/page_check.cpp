@@ -45,14 +45,15 @@ std::size_t decimals_of(std::string_view number) {
   return point == std::string_view::npos ? 0 : number.size() - point - 1;
 }
 
-bool agree(std::string_view printed, std::string_view made) {
+bool agree(std::string_view printed, std::string_view made, int last_digits) {
   while (true) {
     const Cut was = cut(printed), is = cut(made);
     if (was.front != is.front || was.number.empty() != is.number.empty()) return false;
     if (was.number.empty()) return true;
     const std::size_t decimals = decimals_of(was.number);
     const double last_digit = std::pow(10, -static_cast<double>(decimals));
-    if (decimals != decimals_of(is.number) || std::abs(value_of(was.number) - value_of(is.number)) > 1.01 * last_digit)
+    if (decimals != decimals_of(is.number) ||
+        std::abs(value_of(was.number) - value_of(is.number)) > (last_digits + 0.01) * last_digit)
       return false;
     printed = was.rest;
     made = is.rest;
@@ -68,11 +69,11 @@ std::string_view take_line(std::string_view& text) {
 
 }  // namespace
 
-std::vector<std::string> stale_lines(std::string_view printed, std::string_view made) {
+std::vector<std::string> stale_lines(std::string_view printed, std::string_view made, int last_digits) {
   std::vector<std::string> found;
   while (!printed.empty() || !made.empty()) {
     const std::string_view was = take_line(printed), is = take_line(made);
-    if (!agree(was, is)) found.push_back(fmt::format("\"{}\" is printed, it should be \"{}\"", was, is));
+    if (!agree(was, is, last_digits)) found.push_back(fmt::format("\"{}\" is printed, it should be \"{}\"", was, is));
   }
   return found;
 }

@@ -18,6 +18,11 @@ TEST(PageCheck, NumbersMayDifferByTheirLastDigit) {
   EXPECT_TRUE(is_stale("dt = 1e-05 s", "dt = 1e-08 s"));
 }
 
+TEST(PageCheck, MayAllowMoreLastDigits) {
+  EXPECT_TRUE(stale_lines("| 3.49 |", "| 3.54 |", 5).empty());
+  EXPECT_FALSE(stale_lines("| 3.49 |", "| 3.55 |", 5).empty());
+}
+
 TEST(PageCheck, SignsAreOfTheNumber) {
   EXPECT_FALSE(is_stale("| -0.0 |", "| +0.0 |"));
   EXPECT_FALSE(is_stale("| -0.0 |", "| +0.1 |"));

@@ -11,6 +11,10 @@
 namespace verify {
 namespace {
 
+// Friction leaves several answers open; which one a run of dry joints ends in depends on the way of its iteration. Two
+// versions of it were 3 apart in the last digits of these rows, and the same everywhere else.
+constexpr int last_digits = 5;
+
 std::string made_page() {
   const ThesisBlast& blast = thesis_blast();
   return to_markdown(blast_report(blast, run_blast_study(blast, {})));
@@ -25,7 +29,7 @@ void report_blast(const std::filesystem::path& folder) {
 
 int check_blast_page(const std::filesystem::path& page, std::ostream& errors) {
   const std::string printed = std::filesystem::exists(page) ? dda::read_file(page) : "";
-  const auto stale = stale_lines(printed, made_page());
+  const auto stale = stale_lines(printed, made_page(), last_digits);
   for (const std::string& line : stale) errors << "dda-verify: " << page.string() << " is stale: " << line << "\n";
   return stale.empty() ? 0 : 1;
 }

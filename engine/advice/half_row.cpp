@@ -69,6 +69,7 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
   const Vec2 particles = polarization(kind, direction);
   HalfRow row;
   row.step_ = least_step(lattice, direction);
+  row.load_sharpening_ = whole.load_sharpening;
   std::vector<bool> present;
   for (const Vec2& offset : lattice.offsets) {
     const Layer layer = layer_of(offset.dot(direction), row.step_);
@@ -108,6 +109,11 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
     row.traction_last_ += part * (coupling.traction_there.transpose() * weights);
   }
   return row;
+}
+
+Complex HalfRow::load_factor(double dt, Complex s) const {
+  const Complex z = std::exp(s * dt);
+  return 1.0 - load_sharpening_ * (z - 2.0 + 1.0 / z);
 }
 
 Complex HalfRow::traction(Complex square, int joint) const {

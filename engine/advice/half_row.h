@@ -14,6 +14,9 @@ class HalfRow {
 
   [[nodiscard]] double step() const { return step_; }  // m, thickness of a layer
 
+  // What steps of dt make of a load exp(s t) on the end before it acts: 1 where the stage does not correct for dt.
+  [[nodiscard]] Complex load_factor(double dt, Complex s) const;
+
   // Traction along the wave's motion at joint number `joint` (1: between the first two layers) over that on the end,
   // for s^2 = `square`; exp(-s x/c) in the continuum. `square` must not be that of a wave that runs without loss.
   [[nodiscard]] Complex traction(Complex square, int joint) const;
@@ -29,6 +32,7 @@ class HalfRow {
   Vec6 push_ = Vec6::Zero();
   Vec6 traction_here_ = Vec6::Zero(), traction_last_ = Vec6::Zero();
   double step_ = 0;
+  double load_sharpening_ = 0;
 };
 
 }  // namespace dda

@@ -310,9 +310,12 @@ Lattice with_consistent_joints(const Lattice& lattice) {
 LatticeMatrices lattice_matrices(const Lattice& lattice, const Stage& stage, const std::vector<bool>& present) {
   const Model model = patch(lattice, stage, present);
   const ContactSet contacts = make_contacts(model);
-  const BlockTerms terms = make_block_terms(model, stage.strain_inertia);
+  const BlockTerms terms = make_block_terms(model, stage, contacts);
   const LinearOperators operators = make_linear_operators(model, model.stages.front(), terms, contacts, {});
-  LatticeMatrices matrices{operators.stiffness.diagonal(0), operators.inertia.diagonal(0), {}};
+  LatticeMatrices matrices{operators.stiffness.diagonal(0),
+                           operators.inertia.diagonal(0),
+                           {},
+                           load_sharpening(model, model.stages.front(), contacts).front()};
   const Vec2& centroid = model.blocks.front().moments.centroid;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];

@@ -116,7 +116,8 @@ std::vector<double> trace_of(const WaveQuestion& question, const LoadSpectrum& s
   const auto row =
       HalfRow::make(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
   const TimeSteps time = time_of(question, causes);
-  return spectrum.through([&](Complex s) { return row->traction(time.square(s), place.joint); });
+  return spectrum.through(
+      [&](Complex s) { return row->load_factor(time.dt, s) * row->traction(time.square(s), place.joint); });
 }
 
 class Reader {

@@ -85,13 +85,15 @@ Exact consistent_chain(double phase, double penalty, double factor) {
 }
 
 // Cubic finite elements with displacement u and strain e at their ends: 2 x 2 problem for a wave, whose determinant
-// vanishes at omega. `lowered`: inertia against (u_b - u_a) taken out, as a share of the mass of a cell.
+// vanishes at omega. `lowered`: inertia against (u_b - u_a) taken out, as a share of the mass of a cell; against the
+// jump of e likewise, over 12.
 Exact cubic_chain(double phase, Complex w, double lowered) {
   const auto determinant = [&](Complex x) {
     const Complex cosine = 1.0 - 2.0 * x;
     const Complex sine2 = 1.0 - cosine * cosine;
     const Complex uu = 2.4 * (1.0 - cosine) - w * ((312.0 + 108.0 * cosine) / 420.0 - lowered * 2.0 * (1.0 - cosine));
-    const Complex ee = (8.0 - 2.0 * cosine) / 30.0 - w * (8.0 - 6.0 * cosine) / 420.0;
+    const double of_jump = std::min(lowered, cubic::most_jump_correction) / 6;
+    const Complex ee = (8.0 - 2.0 * cosine) / 30.0 - w * ((8.0 - 6.0 * cosine) / 420.0 - of_jump * (1.0 - cosine));
     const Complex ue = 0.2 - w * (-26.0 / 420.0);
     return uu * ee - ue * ue * sine2;
   };

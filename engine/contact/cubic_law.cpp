@@ -30,6 +30,13 @@ Vec12 joined(const Vec6& a, const Vec6& b) { return (Vec12() << a, b).finished()
 
 Mat12 symmetric_product(const Vec12& x, const Vec12& y) { return x * y.transpose() + y * x.transpose(); }
 
+// (c dt/2h)^2
+double squared_courant_number(const Model& model, const Interface& interface, double dt) {
+  const Material& material = model.material_of(interface.block_a);
+  const double distance = 2 * cubic_half_distance(model, interface);
+  return side_free_modulus(material) / material.density * dt * dt / (distance * distance);
+}
+
 // True when the interface runs across the centroid line of two blocks that reach equally far from it.
 bool is_square_to_chain(const Model& model, const Interface& interface) {
   const double tolerance = 1e-6 * interface.length;
@@ -101,17 +108,25 @@ InterfaceInertia interface_inertia(const Model& model, const Interface& interfac
   const Vec12 jump = joined(-a.strain, b.strain);
   const Vec12 mean_displacement = joined(a.displacement, b.displacement) / 2;
   const Vec12 mean_strain = joined(a.strain, b.strain) / 2;
-  const double courant = std::sqrt(side_free_modulus(material) / material.density) * dt / (2 * h);
-  const double correction = std::min(period_error * courant * courant, cubic::most_correction);
   const Vec12 between_centroids = gap + 2 * mean_strain;
 
   Mat12 inertia = 2 * (33.0 / 560 - 3.0 / 16) * gap * gap.transpose();
   inertia += 2 * (1.0 / 48 + 1.0 / 80) * jump * jump.transpose();
   inertia += symmetric_product(jump, mean_displacement) / 6;
   inertia -= symmetric_product(gap, mean_strain) / 10;
-  inertia -= 2 * correction * between_centroids * between_centroids.transpose();
+  const double lowered = inertia_reduction(model, interface, period_error, dt);
+  inertia -= 2 * lowered * between_centroids * between_centroids.transpose();
+  inertia -= 2.0 / 3 * std::min(lowered, cubic::most_jump_correction) * jump * jump.transpose();
   inertia *= material.density * interface.length * h;
   return {inertia.topLeftCorner<6, 6>(), inertia.bottomRightCorner<6, 6>(), inertia.bottomLeftCorner<6, 6>()};
+}
+
+double inertia_reduction(const Model& model, const Interface& interface, double period_error, double dt) {
+  return std::min(period_error * squared_courant_number(model, interface, dt), cubic::most_correction);
+}
+
+double load_sharpening(const Model& model, const Interface& interface, double period_error, double dt) {
+  return inertia_reduction(model, interface, period_error, dt) / squared_courant_number(model, interface, dt);
 }
 
 Vec6 strain_along(const Vec2& direction) {

@@ -31,6 +31,7 @@ inline constexpr double jump_stiffness = 1.0 / 6;     // of Q l/h
 inline constexpr double bending_stiffness = 1.0 / 6;  // of Q l/h: E I/(2 h) turned by 2 (half difference)/l
 inline constexpr double gap_at_interface = 0.75;      // of Q g/h: stress at mid-interface above the mean of both blocks
 inline constexpr double most_correction = 0.1;        // of the mass between the centroids: cap on the lowered inertia
+inline constexpr double most_jump_correction = 0.05;  // the same in the jump of the strains
 
 }  // namespace cubic
 
@@ -53,9 +54,22 @@ struct InterfaceInertia {
 };
 
 // `period_error`: epsilon of the integrator, whose oscillators run at omega^2 (1 - epsilon omega^2 dt^2), or 0. Inertia
-// of relative motion is lowered by epsilon (c dt/2h)^2 of the cell's mass to make up for it, by at most a tenth: at
-// 17/140 of it the inertia of waves two blocks long would vanish.
+// of relative motion is lowered by inertia_reduction() to make up for it: the kinetic energy by that share of
+//   rho l h (u_b'^2 - 2 u_a' u_b' + u_a'^2 + J'^2/3),   u at the centroids,
+// which is 2h rho l/2 times (2h w_x')^2 of a wave w up to the sixth power of 2h over the wavelength; the share of J'^2
+// is capped by itself.
 InterfaceInertia interface_inertia(const Model& model, const Interface& interface, double period_error, double dt);
+
+// The share of the mass between the centroids by which the inertia of relative motion is lowered: epsilon (c dt/2h)^2,
+// at most a tenth. At 17/140 the inertia of waves two blocks long would vanish; at 0.1 and 0.05 for the jump, the least
+// inertia of any wave is 0.09 times what it was (determinant of the chain's 2x2 inertia, all wavelengths).
+double inertia_reduction(const Model& model, const Interface& interface, double period_error, double dt);
+
+// Lowered inertia M - s dt^2 K with steps that take omega^2 (1 + s omega^2 dt^2) for omega^2 is the exact equation
+// times 1 + s omega^2 dt^2: waves keep their speed, but loads have to be multiplied by that factor too, or all they
+// cause is too small by it. The factor is 1 - s times the second difference of the load over dt. s: inertia_reduction()
+// over (c dt/2h)^2, epsilon where that is not capped.
+double load_sharpening(const Model& model, const Interface& interface, double period_error, double dt);
 
 // Strain along the unit vector `direction`, over the six unknowns of a block.
 Vec6 strain_along(const Vec2& direction);

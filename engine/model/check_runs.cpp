@@ -53,7 +53,7 @@ void check_stage(const Item& item, const Stage& stage) {
   item.within("velocity factor", stage.velocity_factor, 0, 1);
   item.not_negative("damping rate", stage.damping_rate);
   item.within("equilibrium", stage.equilibrium, 0, 1);
-  item.positive("strain inertia", stage.strain_inertia);
+  item.not_negative("strain inertia", stage.strain_inertia);
   item.positive("max open-close iterations", stage.max_open_close_iterations);
   item.within("max step reductions", stage.max_step_reductions, 0, 60);
 }

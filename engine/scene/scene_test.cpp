@@ -64,6 +64,10 @@ TEST(Scene, IntegratorFollowsFromSchemeJointsAndKinematics) {
   EXPECT_TRUE(bar_with(bonded, small).stages[0].correct_time_dispersion);
   EXPECT_FALSE(bar_with(bonded).stages[0].correct_time_dispersion);
   EXPECT_FALSE(bar_with("", small).stages[0].correct_time_dispersion);
+  EXPECT_EQ(bar_with(bonded, small).stages[0].strain_inertia, Stage::by_mesh);
+  EXPECT_EQ(bar_with(bonded).stages[0].strain_inertia, 1);
+  EXPECT_EQ(bar_with("", small).stages[0].strain_inertia, 1);
+  EXPECT_EQ(bar_with(R"("scheme": "thesis", )" + bonded, small).stages[0].strain_inertia, 1);
   EXPECT_EQ(bar_with(R"("scheme": "thesis")").stages[0].integrator.name, "thesis");
   EXPECT_EQ(bar_with("", small).stages[0].kinematics, Kinematics::small);
   EXPECT_EQ(bar_with("").stages[0].kinematics, Kinematics::finite);

@@ -29,6 +29,7 @@ Stage preset_stage(const Scheme& scheme, Kinematics kinematics, bool all_bonded)
     return stage;
   }
   stage.integrator = generalized_alpha_integrator(all_bonded ? bonded_rho_inf : contact_rho_inf);
+  stage.strain_inertia = all_bonded && kinematics == Kinematics::small ? Stage::by_mesh : 1;
   stage.correct_time_dispersion = all_bonded && kinematics == Kinematics::small;
   return stage;
 }

@@ -1,5 +1,6 @@
 #include "dda/simulation/external_forces.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "dda/terms/gravity.h"
@@ -14,11 +15,11 @@ const TimeFunction always = Constant{};
 
 ExternalForces::ExternalForces(const Model& model, const State& state) {
   loads_.reserve(model.point_loads.size() + model.edge_loads.size());
-  for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
-  for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
+  for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
+  for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
   for (std::size_t i = 0; i < model.supports.size(); ++i) {
     if (model.supports[i].last_stage < 0) continue;
-    loads_.push_back({model.supports[i].block, Vec6::Zero(), &always});
+    loads_.push_back({model.supports[i].block, Vec6::Zero(), &always, 0});
     reactions_.push_back({i, Vec2::Zero()});
   }
   update_geometry(model, state);
@@ -53,9 +54,22 @@ void ExternalForces::keep_reaction(std::size_t support, const Vec2& offset, cons
   }
 }
 
+void ExternalForces::sharpen(const std::vector<double>& shares, double dt) {
+  sharpening_interval_ = dt;
+  for (Load& load : loads_) load.sharpening = shares[static_cast<std::size_t>(load.block)];
+}
+
+double ExternalForces::factor(const Load& load, double time) const {
+  const double now = evaluate(*load.history, time);
+  if (load.sharpening == 0) return now;
+  const double before = evaluate(*load.history, std::max(time - sharpening_interval_, 0.0));
+  const double after = evaluate(*load.history, time + sharpening_interval_);
+  return now - load.sharpening * (before - 2 * now + after);
+}
+
 void ExternalForces::loads_at(double time, Eigen::VectorXd& force) const {
   force.setZero();
-  for (const Load& load : loads_) force.segment<6>(6 * load.block) += evaluate(*load.history, time) * load.force;
+  for (const Load& load : loads_) force.segment<6>(6 * load.block) += factor(load, time) * load.force;
 }
 
 }  // namespace dda

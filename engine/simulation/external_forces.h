@@ -20,6 +20,10 @@ class ExternalForces {
   // From now on `force` (N) acts at the point of this support of the model, which lies at `offset` from the centroid.
   void keep_reaction(std::size_t support, const Vec2& offset, const Vec2& force);
 
+  // From now on the loads on block i are those of the model less shares[i] times their second difference over dt: see
+  // load_sharpening in cubic_law.h. Loads are taken to have had their value at time 0 before it.
+  void sharpen(const std::vector<double>& shares, double dt);
+
   // Writes the loads (without weight) at `time` into `force`, 6 entries a block.
   void loads_at(double time, Eigen::VectorXd& force) const;
 
@@ -36,6 +40,7 @@ class ExternalForces {
     int block;
     Vec6 force;
     const TimeFunction* history;  // lives in the model
+    double sharpening = 0;
   };
 
   // Of a support that is let go some day; zero until then.
@@ -44,8 +49,11 @@ class ExternalForces {
     Vec2 force;
   };
 
+  [[nodiscard]] double factor(const Load& load, double time) const;
+
   std::vector<Load> loads_;  // point loads, edge loads, reactions
   std::vector<Reaction> reactions_;
+  double sharpening_interval_ = 0;  // s
   Eigen::VectorXd weight_;
 };
 

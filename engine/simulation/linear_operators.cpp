@@ -36,8 +36,12 @@ void remove_lateral_inertia(const Model& model, const ContactSet& contacts, Bloc
   }
 }
 
+double corrected_period_error(const Stage& stage) {
+  return stage.correct_time_dispersion ? period_error(stage.integrator) : 0;
+}
+
 BlockMatrix make_inertia(const Model& model, const Stage& stage, const BlockTerms& terms, const ContactSet& contacts) {
-  const double error = stage.correct_time_dispersion ? period_error(stage.integrator) : 0;
+  const double error = corrected_period_error(stage);
   std::vector<std::pair<int, int>> couplings;
   for (const InterfaceElement& element : contacts.elements)
     if (element.law == InterfaceLaw::cubic) couplings.emplace_back(element.block_a, element.block_b);
@@ -77,6 +81,20 @@ LinearOperators make_linear_operators(const Model& model, const Stage& stage, co
   ConstantOperator stiffness_times(stiffness);
   ConstantOperator inertia_times(inertia);
   return {std::move(stiffness), std::move(inertia), std::move(stiffness_times), std::move(inertia_times)};
+}
+
+std::vector<double> load_sharpening(const Model& model, const Stage& stage, const ContactSet& contacts) {
+  std::vector<double> shares(model.blocks.size(), 0);
+  const double error = corrected_period_error(stage);
+  if (error == 0 || stage.integrator.is_static) return shares;
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (element.law != InterfaceLaw::cubic) continue;
+    const double share = load_sharpening(model, contacts.interfaces[i], error, stage.dt);
+    shares[static_cast<std::size_t>(element.block_a)] = share;
+    shares[static_cast<std::size_t>(element.block_b)] = share;
+  }
+  return shares;
 }
 
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,

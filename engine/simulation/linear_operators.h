@@ -24,6 +24,9 @@ struct LinearOperators {
 LinearOperators make_linear_operators(const Model& model, const Stage& stage, const BlockTerms& terms,
                                       const ContactSet& contacts, const std::vector<SupportElement>& supports);
 
+// By how much the loads on each block are sharpened (cubic_law.h); 0 where inertia is not lowered.
+std::vector<double> load_sharpening(const Model& model, const Stage& stage, const ContactSet& contacts);
+
 // The step's matrix out of the operators.
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,
               BlockMatrix& matrix);

@@ -91,7 +91,7 @@ BlockMatrix Simulation::make_moving_matrix() const {
 void Simulation::begin_stage() {
   step_in_stage_ = 0;
   stage_start_ = state_.time;
-  for (Inertia& inertia : terms_.inertia) inertia.strain_inertia = stage().strain_inertia;
+  set_strain_inertia(stage(), contacts_, terms_);
   const StepPlan next =
       make_plan(model_, stage(), contacts_, matrix_.couplings(), stiffness_number(contacts_, terms_, stage().dt));
   if (linear_ && !next.linear) end_linear_stage();

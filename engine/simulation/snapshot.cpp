@@ -315,7 +315,7 @@ struct SnapshotAccess {
     check_place(s, dt);
     s.state_ = std::move(state);
     const Stage& stage = stage_in_force(s);
-    for (Inertia& inertia : s.terms_.inertia) inertia.strain_inertia = stage.strain_inertia;
+    set_strain_inertia(stage, s.contacts_, s.terms_);
     s.plan_ = make_plan(s.model_, stage, s.contacts_, s.matrix_.couplings(), 0);
     the_rest(s, reader);
     reader.number(s.counters_);
@@ -331,7 +331,9 @@ struct SnapshotAccess {
     s.matrix_is_current_ = false;
     if (s.plan_.contacts_can_change) s.newton_.resize(s.matrix_.unknowns());
     s.linear_.reset();
-    if (s.plan_.linear) s.linear_.emplace(make_linear_operators(s.model_, stage, s.terms_, s.contacts_, s.supports_));
+    if (!s.plan_.linear) return;
+    s.linear_.emplace(make_linear_operators(s.model_, stage, s.terms_, s.contacts_, s.supports_));
+    if (s.plan_.loads) s.external_.sharpen(load_sharpening(s.model_, stage, s.contacts_), stage.dt);
   }
 };
 

@@ -11,6 +11,7 @@
 #include "dda/contact/interface_element.h"
 #include "dda/scene/generators.h"
 #include "verification/exact/finite_chain.h"
+#include "verification/exact/sharpened_load.h"
 #include "verification/harness/recorded_run.h"
 
 namespace verify {
@@ -119,8 +120,9 @@ Histories engine_histories(const BarCase& bar, dda::Counters& counters) {
 Histories closed_form_histories(const BarCase& bar) {
   std::vector<exact::ChainProbe> probes;
   for (const int block : bar.probes) probes.push_back({exact::ChainQuantity::block_stress, block});
-  return exact::finite_chain_response(chain_of(bar), scheme_of(bar.stage.integrator), bar.stage.dt, sampled_push(bar),
-                                      probes);
+  const exact::BlockChain chain = chain_of(bar);
+  const std::vector<double> load = exact::sharpened(sampled_push(bar), exact::load_sharpening(chain, bar.stage.dt));
+  return exact::finite_chain_response(chain, scheme_of(bar.stage.integrator), bar.stage.dt, load, probes);
 }
 
 std::function<double(double)> smooth_push(double force, double duration) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "dda/simulation/block_terms.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/edge_reflection.h"
 #include "verification/harness/histories.h"
@@ -114,8 +115,11 @@ Outcome curves() {
   PeriodicMesh bricks = brick_mesh();
   std::swap(bricks.first, bricks.second);
   const PeriodicMesh squares = square_mesh();
+  MeshEdge preset = edge_of(squares, 1);
+  preset.strain_inertia = dda::mesh_strain_inertia;
   Outcome outcome;
   for (const Edge& edge : {Edge{"viscous edge of squares", edge_of(squares, 1), 0.017, 0.04},
+                           Edge{"the same with strain inertia 1.5", preset, 0.017, 0.04},
                            Edge{"viscous edge of bricks in running bond", edge_of(bricks, 1), 0.018, 0.05},
                            Edge{"edge of half the impedance, squares", edge_of(squares, 0.5), 0.02, 0.05},
                            Edge{"free edge of squares", edge_of(squares, 0), 0.019, 0.053}}) {

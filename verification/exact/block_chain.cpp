@@ -32,6 +32,8 @@ double inertia_reduction(const BlockChain& chain, double period_error, double dt
   return std::min(period_error * courant2, 0.1);
 }
 
+double jump_inertia_reduction(const InterfaceLaw& law) { return std::min(law.inertia_reduction, 0.05); }
+
 void check(const BlockChain& chain, const std::vector<ChainProbe>& probes) {
   const bool sound = chain.blocks >= 1 && chain.length > 0 && chain.height > 0 && chain.density > 0 &&
                      chain.elasticity.e11 > 0 && chain.inertia_factor > 0 && chain.lateral_inertia >= 0 &&

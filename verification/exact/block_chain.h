@@ -32,7 +32,8 @@ struct InterfaceLaw {
   double tangential_half = 0;  // k_t (N/m)
   bool consistent = false;     // with the flux term of Nitsche's method
   bool cubic = false;          // cubic displacement across the interface; excludes `consistent`
-  // Cubic only, co (-): the kinetic energy is lowered by co rho h L (u0_(j+1)' - u0_j')^2/2 (velocities).
+  // Cubic only, co (-): the kinetic energy is lowered by
+  //   rho h L/2 (co (u0_(j+1)' - u0_j')^2 + min(co, 0.05) L^2 (ex_(j+1)' - ex_j')^2/12)   (velocities).
   double inertia_reduction = 0;
 };
 // Classical DDA: a normal and a shear spring (N/m each) at each of the two corners.
@@ -61,8 +62,11 @@ struct BlockChain {
 [[nodiscard]] double bar_modulus(const PlaneElasticity& elasticity);
 
 // co = min(period_error (c dt/L)^2, 0.1), c^2 = Q/rho, lifts the chain's frequencies by the share that a time scheme of
-// that period_error() takes away: the chain's mean of (u0_(j+1)' - u0_j')^2 is (kappa L)^2 u0'^2 for long waves.
+// that period_error() takes away: with k = kappa L the mean of (u0_(j+1)' - u0_j')^2 is (k^2 - k^4/12) u0'^2, that of
+// L^2 (ex_(j+1)' - ex_j')^2/12 is k^4/12 u0'^2, so the sum is k^2 u0'^2 up to k^6.
 [[nodiscard]] double inertia_reduction(const BlockChain& chain, double period_error, double dt);
+// min(co, 0.05) of the term in ex.
+[[nodiscard]] double jump_inertia_reduction(const InterfaceLaw& law);
 
 enum class ChainQuantity {
   block_stress,  // sigma_x of block `index` (Pa), index 0..blocks-1

@@ -61,6 +61,12 @@ TEST(BlockChain, CubicLawHasTheEnergiesOfTheCubic) {
   EXPECT_NEAR(motion.dot(system.mass * motion) / 2, 3 * (outer_kinetic + inner_kinetic), 1e-14);
   chain.interface.inertia_reduction = 0.1;  // lowers it by 0.1 rho h L (1/4)^2/2
   EXPECT_NEAR(motion.dot((system.mass - dense_chain_system(chain).mass) * motion) / 2, 0.1 * 3 / 32, 1e-15);
+  motion << 0, -0.3, 0, 0, 0.5, 0;  // by the jump of 0.8, squared, over 12
+  for (const auto& [given, of_jump] : {std::pair{0.03, 0.03}, std::pair{0.1, 0.05}, std::pair{-0.2, -0.2}}) {
+    chain.interface.inertia_reduction = given;
+    const double lowered = 3 * of_jump * 0.64 / 12 / 2;
+    EXPECT_NEAR(motion.dot((system.mass - dense_chain_system(chain).mass) * motion) / 2, lowered, 1e-15) << given;
+  }
 }
 
 // The same motion with e12 = 0.4, Q = 0.84 and ey = 2 in the right block, which changes only what the blocks store by

@@ -110,6 +110,11 @@ void add_cubic(const BlockChain& pair, DenseSystem& system) {
     add_cubic_point(pair, 0, (point - 1) / 2, weight, system);
     add_cubic_point(pair, 1, (point + 1) / 2, weight, system);
   }
+  VectorXd jump = VectorXd::Zero(6);
+  jump(1) = -pair.length;
+  jump(4) = pair.length;
+  system.mass -=
+      jump_inertia_reduction(pair.interface) * pair.density * pair.length * pair.height / 12 * jump * jump.transpose();
   const VectorXd difference = face_row(pair, 1, 0) - face_row(pair, 0, 0);
   system.mass -=
       pair.interface.inertia_reduction * pair.density * pair.length * pair.height * difference * difference.transpose();

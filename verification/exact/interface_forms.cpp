@@ -4,14 +4,14 @@ namespace exact {
 namespace {
 
 struct ScaledData {
-  Real height, e12, normal, tangential, reduction;
+  Real height, e12, normal, tangential, reduction, jump_reduction;
 };
 
 ScaledData scaled_data(const BlockChain& chain) {
   const Real e11 = widen(chain.elasticity.e11);
   return {widen(chain.height) / widen(chain.length), widen(chain.elasticity.e12) / e11,
-          widen(chain.interface.normal) / e11, widen(chain.interface.tangential_half) / e11,
-          widen(chain.interface.inertia_reduction)};
+          widen(chain.interface.normal) / e11,       widen(chain.interface.tangential_half) / e11,
+          widen(chain.interface.inertia_reduction),  widen(jump_inertia_reduction(chain.interface))};
 }
 
 // h {stress} g, the stress of a block being `axial` ex + `lateral` ey.
@@ -41,6 +41,7 @@ void add_cubic(const ScaledData& data, InterfaceForms& forms) {
   // u_1 - u_0 = g + S/2
   const RealVector3 difference(1, half, 0);
   forms.opening_inertia -= data.reduction * difference * difference.transpose();
+  forms.bending_inertia(1, 1) -= data.jump_reduction / 12;
   forms.opening_inertia(1, 0) = forms.opening_inertia(0, 1);
   forms.bending_inertia(1, 0) = forms.bending_inertia(0, 1);
 }

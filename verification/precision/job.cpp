@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "dda/simulation/block_terms.h"
 #include "verification/precision/bar_run.h"
 #include "verification/precision/plane_run.h"
 
@@ -43,7 +44,7 @@ dda::Integrator integrator_named(const std::string& name) {
 // In a plate the cubic law is the consistent one and there is nothing to correct.
 PrecisionScheme accurate_scheme(Problem problem) {
   const bool plane = problem == Problem::plane;
-  return {plane ? "consistent" : "cubic", "generalized_alpha 0.8", 1, !plane};
+  return {plane ? "consistent" : "cubic", "generalized_alpha 0.8", plane ? dda::mesh_strain_inertia : 1, !plane};
 }
 
 PrecisionScheme thesis_scheme() { return {"classical", "thesis", 1, false}; }

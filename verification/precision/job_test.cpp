@@ -7,6 +7,7 @@
 #include <set>
 
 #include "dda/scene/scheme.h"
+#include "dda/simulation/block_terms.h"
 #include "verification/precision/bar_run.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/plane_run.h"
@@ -56,7 +57,9 @@ TEST(Schemes, AreTheEnginesPresets) {
   const dda::Integrator integrator = integrator_named(scheme.integrator);
   EXPECT_EQ(joint_of(scheme).law, dda::preset_joint(dda::Scheme{}).law);
   EXPECT_EQ(scheme.corrected, accurate.correct_time_dispersion);
-  EXPECT_EQ(scheme.strain_inertia, accurate.strain_inertia);
+  EXPECT_EQ(accurate.strain_inertia, dda::Stage::by_mesh);
+  EXPECT_EQ(scheme.strain_inertia, 1);
+  EXPECT_EQ(accurate_scheme(Problem::plane).strain_inertia, dda::mesh_strain_inertia);
   EXPECT_EQ(integrator.alpha_m, accurate.integrator.alpha_m);
   EXPECT_EQ(integrator.beta, accurate.integrator.beta);
   const dda::Scheme thesis{.name = dda::SchemeName::thesis};

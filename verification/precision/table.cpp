@@ -28,6 +28,10 @@ std::set<std::string> keys_on_front(const std::vector<Measured>& all, Cost cost)
 
 }  // namespace
 
+double error_of(const Measured& measured, Norm norm) {
+  return norm == Norm::l2 ? measured.result.error : measured.result.reading;
+}
+
 double cost_of(const Measured& measured, Cost cost) {
   return cost == Cost::cpu ? measured.result.cpu_s : measured.result.passes();
 }
@@ -46,8 +50,7 @@ std::vector<Measured> engine_runs(const std::vector<Measured>& all, Problem prob
 
 std::vector<CostAndError> points_of(const std::vector<Measured>& runs, Cost cost, Norm norm) {
   std::vector<CostAndError> points;
-  for (const Measured& measured : runs)
-    points.push_back({cost_of(measured, cost), norm == Norm::l2 ? measured.result.error : measured.result.reading});
+  for (const Measured& measured : runs) points.push_back({cost_of(measured, cost), error_of(measured, norm)});
   return points;
 }
 

@@ -16,6 +16,7 @@ enum class Cost {
   passes,  // over a cell: the same on every machine
 };
 
+[[nodiscard]] double error_of(const Measured& measured, Norm norm);
 [[nodiscard]] double cost_of(const Measured& measured, Cost cost);
 
 // Runs of the problem that came out, in their order; one for each element of points_of.

@@ -12,6 +12,7 @@
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/half_chain.h"
+#include "verification/exact/sharpened_load.h"
 #include "verification/sweep/job.h"
 #include "verification/sweep/spec.h"
 #include "verification/sweep/sweep_bar.h"
@@ -141,8 +142,10 @@ TEST(Advice, TheTraceOfALoadIsThatOfTheClosedForm) {
     const dda::LoadHistory load{[&](double t) { return pulse_shape(Pulse::cycle, p.bar.load_frequency, t); }, period,
                                 period, pulse_window(p.bar, Pulse::cycle)};
     const dda::PredictedTrace trace = dda::predict_trace(p.question(), load);
+    const std::vector<double> load =
+        exact::sharpened(sampled_force(p.bar, p.parameters), exact::load_sharpening(p.chain, p.parameters.dt));
     const std::vector<double> exact =
-        exact::finite_chain_response(p.chain, p.scheme, p.parameters.dt, sampled_force(p.bar, p.parameters),
+        exact::finite_chain_response(p.chain, p.scheme, p.parameters.dt, load,
                                      {{exact::ChainQuantity::interface_stress, p.model.measurements.front().block - 1}})
             .front();
     const auto stride = static_cast<std::size_t>(std::lround(trace.interval / p.parameters.dt));

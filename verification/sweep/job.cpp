@@ -10,6 +10,7 @@
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/half_chain.h"
+#include "verification/exact/sharpened_load.h"
 #include "verification/exact/signal.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
@@ -53,8 +54,11 @@ WaveErrors wave_errors(const dda::Model& model, const ThesisBar& bar, double ome
 // What the end makes of the load and the way to the measuring point of the wave.
 WaveErrors steady_errors(const dda::Model& model, const ThesisBar& bar, double omega) {
   const dda::Stage& stage = model.stages.front();
-  const std::complex<double> force(exact::half_chain_force(chain_of(model), time_scheme_of(stage.integrator), stage.dt,
-                                                           omega, model.measurements.front().block));
+  const exact::BlockChain chain = chain_of(model);
+  const double sharpening = 4 * exact::load_sharpening(chain, stage.dt) * std::pow(std::sin(omega * stage.dt / 2), 2);
+  const std::complex<double> force(exact::half_chain_force(chain, time_scheme_of(stage.integrator), stage.dt, omega,
+                                                           model.measurements.front().block) *
+                                   exact::Real(1 + sharpening));
   const double on_time = bar.measuring_point / bar.wave_speed();
   const double lag = -std::arg(force * std::polar(1.0, omega * on_time)) / omega;
   return {percent(on_time, on_time + lag), 100 * (std::abs(force) - 1)};
@@ -62,8 +66,10 @@ WaveErrors steady_errors(const dda::Model& model, const ThesisBar& bar, double o
 
 std::vector<double> closed_form_stress(const dda::Model& model, const ThesisBar& bar, const JobParameters& parameters) {
   const exact::ChainProbe probe{exact::ChainQuantity::interface_stress, model.measurements.front().block - 1};
-  return exact::finite_chain_response(chain_of(model), time_scheme_of(parameters.stage.integrator), parameters.dt,
-                                      sampled_force(bar, parameters), {probe})
+  const exact::BlockChain chain = chain_of(model);
+  const std::vector<double> load =
+      exact::sharpened(sampled_force(bar, parameters), exact::load_sharpening(chain, parameters.dt));
+  return exact::finite_chain_response(chain, time_scheme_of(parameters.stage.integrator), parameters.dt, load, {probe})
       .front();
 }
 

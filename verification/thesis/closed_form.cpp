@@ -9,6 +9,7 @@
 #include "verification/exact/bar_stress.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
+#include "verification/exact/sharpened_load.h"
 
 namespace verify {
 namespace {
@@ -64,8 +65,10 @@ exact::BlockChain chain_of(const dda::Model& model) {
 
 std::vector<double> closed_form_history(const dda::Model& model, const ThesisBar& bar) {
   const dda::Stage& stage = model.stages.front();
-  return exact::finite_chain_response(chain_of(model), time_scheme_of(stage.integrator), stage.dt,
-                                      sampled_load(bar, stage), {probe_of(model.measurements.front())})
+  const exact::BlockChain chain = chain_of(model);
+  const std::vector<double> load = exact::sharpened(sampled_load(bar, stage), exact::load_sharpening(chain, stage.dt));
+  return exact::finite_chain_response(chain, time_scheme_of(stage.integrator), stage.dt, load,
+                                      {probe_of(model.measurements.front())})
       .front();
 }
 

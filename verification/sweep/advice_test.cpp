@@ -142,10 +142,10 @@ TEST(Advice, TheTraceOfALoadIsThatOfTheClosedForm) {
     const dda::LoadHistory load{[&](double t) { return pulse_shape(Pulse::cycle, p.bar.load_frequency, t); }, period,
                                 period, pulse_window(p.bar, Pulse::cycle)};
     const dda::PredictedTrace trace = dda::predict_trace(p.question(), load);
-    const std::vector<double> load =
+    const std::vector<double> pushed =
         exact::sharpened(sampled_force(p.bar, p.parameters), exact::load_sharpening(p.chain, p.parameters.dt));
     const std::vector<double> exact =
-        exact::finite_chain_response(p.chain, p.scheme, p.parameters.dt, load,
+        exact::finite_chain_response(p.chain, p.scheme, p.parameters.dt, pushed,
                                      {{exact::ChainQuantity::interface_stress, p.model.measurements.front().block - 1}})
             .front();
     const auto stride = static_cast<std::size_t>(std::lround(trace.interval / p.parameters.dt));

@@ -111,11 +111,6 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
   return row;
 }
 
-Complex HalfRow::load_factor(double dt, Complex s) const {
-  const Complex z = std::exp(s * dt);
-  return 1.0 - load_sharpening_ * (z - 2.0 + 1.0 / z);
-}
-
 Complex HalfRow::traction(Complex square, int joint) const {
   const auto forces = [&](Mat6 Layers::*part) -> ComplexMat6 {
     return (stiffness_.*part).cast<Complex>() + square * (inertia_.*part).cast<Complex>();

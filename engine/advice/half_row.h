@@ -14,8 +14,8 @@ class HalfRow {
 
   [[nodiscard]] double step() const { return step_; }  // m, thickness of a layer
 
-  // What steps of dt make of a load exp(s t) on the end before it acts: 1 where the stage does not correct for dt.
-  [[nodiscard]] Complex load_factor(double dt, Complex s) const;
+  // Of loads on the end, see cubic_law.h; 0 where the stage does not correct for dt.
+  [[nodiscard]] double load_sharpening() const { return load_sharpening_; }
 
   // Traction along the wave's motion at joint number `joint` (1: between the first two layers) over that on the end,
   // for s^2 = `square`; exp(-s x/c) in the continuum. `square` must not be that of a wave that runs without loss.

@@ -25,8 +25,18 @@ Vec2 polarization(WaveKind kind, const Vec2& direction) {
   return kind == WaveKind::s ? Vec2(-direction.y(), direction.x()) : direction;
 }
 
+namespace {
+
+Stage without_correction(Stage stage) {
+  stage.correct_time_dispersion = false;
+  return stage;
+}
+
+}  // namespace
+
 WaveSolver::WaveSolver(const Lattice& lattice, const Stage& stage, WaveKind kind, const Vec2& direction)
     : matrices_(lattice_matrices(lattice, stage)),
+      uncorrected_(lattice_matrices(lattice, without_correction(stage))),
       direction_(direction),
       particles_(polarization(kind, direction)),
       speed_(continuum_speed(lattice.material, kind)),
@@ -39,16 +49,16 @@ WaveSolver::WaveSolver(const Lattice& lattice, const Stage& stage, WaveKind kind
 
 // Of all waves the one whose blocks move most as the kind says, each with the same kinetic energy.
 WaveSolver::Mode WaveSolver::mode_at(double wavenumber) const {
-  ComplexMat6 stiffness = matrices_.stiffness.cast<Complex>();
-  ComplexMat6 inertia = matrices_.inertia.cast<Complex>();
-  for (const LatticeCoupling& coupling : matrices_.couplings) {
+  ComplexMat6 stiffness = uncorrected_.stiffness.cast<Complex>();
+  ComplexMat6 inertia = uncorrected_.inertia.cast<Complex>();
+  for (const LatticeCoupling& coupling : uncorrected_.couplings) {
     const Complex phase = std::polar(1.0, -wavenumber * direction_.dot(coupling.offset));
     stiffness += phase * coupling.stiffness;
     inertia += phase * coupling.inertia;
   }
   // Strains may have no inertia (see Stage::lateral_inertia); a trace of it keeps the problem definite, and is gone
   // when near() has the last word.
-  const double trace = 1e-6 * matrices_.inertia.diagonal().tail<4>().maxCoeff();
+  const double trace = 1e-6 * uncorrected_.inertia.diagonal().tail<4>().maxCoeff();
   inertia.diagonal().tail<4>().array() += trace;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> waves(stiffness, inertia);
   Mode mode;

@@ -56,6 +56,7 @@ class WaveSolver {
   [[nodiscard]] Mode mode_at(double wavenumber) const;
 
   LatticeMatrices matrices_;
+  LatticeMatrices uncorrected_;  // as they are without time steps, which the search begins with
   Vec2 direction_, particles_;
   double speed_;
   double shortest_step_;  // m, least distance of two blocks along the direction

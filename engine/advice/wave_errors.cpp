@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "dda/advice/half_row.h"
 #include "dda/advice/load_trace.h"
@@ -100,44 +101,57 @@ double on_time(const WaveQuestion& question, const Place& place) {
   return place.distance / continuum_speed(question.lattice.material, question.kind);
 }
 
-LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place) {
+// `sharpening`: of the load, as a run does it (ExternalForces::sharpen).
+LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place, double sharpening) {
   const double margin = load.period + 0.2 * on_time(question, place);
   const double window = load.window > 0 ? load.window : on_time(question, place) + load.duration + margin;
   const double stride = std::max(1.0, std::ceil(window / question.stage.dt / most_samples));
   const double interval = stride * question.stage.dt;
   std::vector<double> samples(static_cast<std::size_t>(std::floor(window / interval + 1e-6)) + 1);
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = load.value(static_cast<double>(i) * interval);
+  const double dt = question.stage.dt;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t = static_cast<double>(i) * interval;
+    samples[i] = load.value(t);
+    if (i > 0) samples[i] -= sharpening * (load.value(t - dt) - 2 * load.value(t) + load.value(t + dt));
+  }
   return {samples, interval};
 }
 
-std::vector<double> trace_of(const WaveQuestion& question, const LoadSpectrum& spectrum, const Place& place,
-                             Causes causes) {
-  if (!place.with_end) return spectrum.through(Path(question, causes));
+struct Trace {
+  std::vector<double> values;
+  double interval = 0;  // s
+};
+
+Trace trace_of(const WaveQuestion& question, const LoadHistory& load, const Place& place, Causes causes) {
+  if (!place.with_end) {
+    const LoadSpectrum spectrum = spectrum_of(question, load, place, 0);
+    return {spectrum.through(Path(question, causes)), spectrum.interval()};
+  }
   const auto row =
       HalfRow::make(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
   const TimeSteps time = time_of(question, causes);
-  return spectrum.through(
-      [&](Complex s) { return row->load_factor(time.dt, s) * row->traction(time.square(s), place.joint); });
+  const LoadSpectrum spectrum = spectrum_of(question, load, place, row->load_sharpening());
+  return {spectrum.through([&](Complex s) { return row->traction(time.square(s), place.joint); }), spectrum.interval()};
 }
 
 class Reader {
  public:
   Reader(const WaveQuestion& question, const LoadHistory& load)
-      : question_(question), load_(load), place_(place_of(question)), spectrum_(spectrum_of(question, load, place_)) {}
+      : question_(question), load_(load), place_(place_of(question)) {}
 
   [[nodiscard]] const Place& place() const { return place_; }
 
   [[nodiscard]] std::optional<ArrivalErrors> read(Causes causes) const {
     const double due = on_time(question_, place_);
     const auto exact = [&](double t) { return t > due ? load_.value(t - due) : 0.0; };
-    return read_arrival(trace_of(question_, spectrum_, place_, causes), spectrum_.interval(), exact, due, load_.period);
+    const Trace trace = trace_of(question_, load_, place_, causes);
+    return read_arrival(trace.values, trace.interval, exact, due, load_.period);
   }
 
  private:
   const WaveQuestion& question_;
   const LoadHistory& load_;
   Place place_;
-  LoadSpectrum spectrum_;
 };
 
 }  // namespace
@@ -155,8 +169,8 @@ std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double f
 
 PredictedTrace predict_trace(const WaveQuestion& question, const LoadHistory& load) {
   const Place place = place_of(question);
-  const LoadSpectrum spectrum = spectrum_of(question, load, place);
-  return {trace_of(question, spectrum, place, Causes::all), spectrum.interval(), place.distance, place.with_end};
+  Trace trace = trace_of(question, load, place, Causes::all);
+  return {std::move(trace.values), trace.interval, place.distance, place.with_end};
 }
 
 std::optional<TotalErrors> total_steady_errors(const WaveQuestion& question, double frequency) {

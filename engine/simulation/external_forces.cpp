@@ -1,6 +1,5 @@
 #include "dda/simulation/external_forces.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "dda/terms/gravity.h"
@@ -61,8 +60,8 @@ void ExternalForces::sharpen(const std::vector<double>& shares, double dt) {
 
 double ExternalForces::factor(const Load& load, double time) const {
   const double now = evaluate(*load.history, time);
-  if (load.sharpening == 0) return now;
-  const double before = evaluate(*load.history, std::max(time - sharpening_interval_, 0.0));
+  if (load.sharpening == 0 || time <= 0) return now;
+  const double before = evaluate(*load.history, time - sharpening_interval_);
   const double after = evaluate(*load.history, time + sharpening_interval_);
   return now - load.sharpening * (before - 2 * now + after);
 }

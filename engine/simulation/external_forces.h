@@ -21,7 +21,7 @@ class ExternalForces {
   void keep_reaction(std::size_t support, const Vec2& offset, const Vec2& force);
 
   // From now on the loads on block i are those of the model less shares[i] times their second difference over dt: see
-  // load_sharpening in cubic_law.h. Loads are taken to have had their value at time 0 before it.
+  // load_sharpening in cubic_law.h. At time 0, when the run starts from rest, they are those of the model.
   void sharpen(const std::vector<double>& shares, double dt);
 
   // Writes the loads (without weight) at `time` into `force`, 6 entries a block.

@@ -145,16 +145,15 @@ std::vector<Convergence> convergences() {
       "leading terms Omega^2/24 and theta^2/12 of the speed at the pulse's middle frequency, times "
       "its steepest slope: 1.7e-3";
   const dda::Integrator trapezoidal = dda::trapezoidal_integrator();
-  return {
-      {InterfaceLaw::consistent, trapezoidal, false, 2, 2e-3, second},
-      {InterfaceLaw::consistent, dda::hht_integrator(0.1), false, 2, 2e-3, second},
-      {InterfaceLaw::consistent, dda::generalized_alpha_integrator(0.8), false, 2, 2e-3, second},
-      {InterfaceLaw::consistent, dda::thesis_integrator(), false, 1, 3e-2, "Eq. 5 damps by omega^2 dt t/4: 2.2e-2"},
-      {InterfaceLaw::classical, trapezoidal, false, 2, 2e-3, second},
-      {InterfaceLaw::cubic, trapezoidal, false, 2, 4e-4,
-       "theta^2/12 alone: 8e-5, four times that at the upper end of the pulse's spectrum, 3.2e-4"},
-      {InterfaceLaw::cubic, trapezoidal, true, 3, 1.2e-5,
-       "the straight half block at the pushed end; measured 8.5e-6"}};
+  return {{InterfaceLaw::consistent, trapezoidal, false, 2, 2e-3, second},
+          {InterfaceLaw::consistent, dda::hht_integrator(0.1), false, 2, 2e-3, second},
+          {InterfaceLaw::consistent, dda::generalized_alpha_integrator(0.8), false, 2, 2e-3, second},
+          {InterfaceLaw::consistent, dda::thesis_integrator(), false, 1, 3e-2, "Eq. 5 damps by omega^2 dt t/4: 2.2e-2"},
+          {InterfaceLaw::classical, trapezoidal, false, 2, 2e-3, second},
+          {InterfaceLaw::cubic, trapezoidal, false, 2, 4e-4,
+           "theta^2/12 alone: 8e-5, four times that at the upper end of the pulse's spectrum, 3.2e-4"},
+          {InterfaceLaw::cubic, trapezoidal, true, 3, 1.2e-5,
+           "the straight half block at the pushed end; measured 8.5e-6"}};
 }
 
 Outcome wave_equation(const Convergence& given) {
@@ -195,8 +194,8 @@ double gathered_delay(double block_length, bool corrected, dda::Counters& counte
          delay(arrival(InterfaceLaw::cubic, integrator, block_length, corrected, 8.5, counters));
 }
 
-// What the correction of the integrator's period is for: waves keep their speed to fourth order. (Blocks add an error of
-// sixth order that takes part of it away, so that no order is seen.)
+// What the correction of the integrator's period is for: waves keep their speed to fourth order. (Blocks add an error
+// of sixth order that takes part of it away, so that no order is seen.)
 Outcome speed_of_cubic_chains() {
   Outcome outcome;
   const double travel_time = 18 / exact::bar_speed(50e9, 2650);
@@ -205,17 +204,16 @@ Outcome speed_of_cubic_chains() {
     const double coarse = gathered_delay(1, corrected, outcome.counters);
     const double fine = gathered_delay(0.5, corrected, outcome.counters);
     const double of_time = fine / travel_time;
-    Assertion assertion = {
-        fmt::format("delay over 18 m, of the travel time, blocks of 0.5 m, period correction {}",
-                    corrected ? "on" : "off"),
-        "",
-        of_time,
-        0,
-        "x/c, c = sqrt(E/rho)",
-        of_time,
-        corrected ? std::pow(theta, 4) / 480 : theta * theta / 12,
-        fmt::format("{} at 2/duration of the pulse, the upper of its two lines",
-                    corrected ? "theta^4/480 of the fourth-order rule" : "theta^2/12")};
+    Assertion assertion = {fmt::format("delay over 18 m, of the travel time, blocks of 0.5 m, period correction {}",
+                                       corrected ? "on" : "off"),
+                           "",
+                           of_time,
+                           0,
+                           "x/c, c = sqrt(E/rho)",
+                           of_time,
+                           corrected ? std::pow(theta, 4) / 480 : theta * theta / 12,
+                           fmt::format("{} at 2/duration of the pulse, the upper of its two lines",
+                                       corrected ? "theta^4/480 of the fourth-order rule" : "theta^2/12")};
     if (!corrected) assertion.order = Order{order(std::abs(coarse), std::abs(fine)), 2, 0.1};
     outcome.assertions.push_back(assertion);
   }

@@ -12,10 +12,9 @@ double load_sharpening(const BlockChain& chain, double dt) {
 std::vector<double> sharpened(const std::vector<double>& load, double share) {
   std::vector<double> result = load;
   if (share == 0) return result;
-  for (std::size_t i = 0; i < load.size(); ++i) {
-    const double before = load[i > 0 ? i - 1 : 0];
+  for (std::size_t i = 1; i < load.size(); ++i) {
     const double after = load[i + 1 < load.size() ? i + 1 : i];
-    result[i] -= share * (before - 2 * load[i] + after);
+    result[i] -= share * (load[i - 1] - 2 * load[i] + after);
   }
   return result;
 }

@@ -15,7 +15,8 @@ namespace exact {
 // e of a chain: interface.inertia_reduction over (c dt/L)^2; 0 where inertia is not lowered.
 [[nodiscard]] double load_sharpening(const BlockChain& chain, double dt);
 
-// load[i] at t = i dt; outside of the samples it is as at the nearest of them.
+// load[i] at t = i dt; after the last sample it is as that. The first is left as it is: a run starts from rest under
+// it.
 [[nodiscard]] std::vector<double> sharpened(const std::vector<double>& load, double share);
 
 }  // namespace exact

@@ -17,6 +17,7 @@
 #include "verification/cases/direction_cases.h"
 #include "verification/cases/energy_cases.h"
 #include "verification/cases/free_field_cases.h"
+#include "verification/cases/free_field_scene_cases.h"
 #include "verification/cases/incline_chart_cases.h"
 #include "verification/cases/joint_strength_cases.h"
 #include "verification/cases/joint_wave_cases.h"
@@ -73,6 +74,7 @@ constexpr std::array subjects{
     viscous_domain_cases,      // 35
     soil_column_cases,         // 39
     free_field_cases,          // 39
+    free_field_scene_cases,    // 39
     opening_cases,             // 28, 31
     blast_cases,               // 29, 40, 41
     wall_cases,                // 8, 26

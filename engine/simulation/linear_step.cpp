@@ -34,7 +34,7 @@ void Simulation::begin_linear_stage() {
   linear_.emplace(make_linear_operators(model_, stage(), terms_, contacts_, supports_));
   if (plan_.loads) {
     external_.sharpen(load_sharpening(model_, stage(), contacts_), stage().dt);
-    external_.loads_at(state_.time, load_old_);
+    loads_at(state_.time, load_old_);
   }
   const Eigen::Index unknowns = matrix_.unknowns();
   for (Eigen::VectorXd* vector : {&momentum_, &inertia_force_, &elastic_force_, &internal_at_rest_})

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace exact {
@@ -12,7 +13,7 @@ double pulse(double t) { return t > 0 && t < 0.1 ? std::pow(std::sin(31.41592653
 TEST(LayeredGround, DoublesWhereTheLayerIsLikeWhatIsBelow) {
   const LayeredGround same{3e6, 3e6, 0.02, 0.03};
   EXPECT_NEAR(surface_velocity(same, pulse, 0.1), 2 * pulse(0.05), 1e-15);
-  EXPECT_EQ(surface_velocity(same, pulse, 0.05), 0);
+  EXPECT_EQ(surface_velocity(same, pulse, 0.049), 0);
 }
 
 // After long, the surface goes with a steady stream as if there were no layer.

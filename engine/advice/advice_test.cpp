@@ -145,8 +145,10 @@ TEST(Cost, OfWallsIsThatOfTheirRuns) {
   };
   const Wall walls[] = {{{28, 134, 67, {.nonzeros = 4620}}, 5.9e-6, 2.0e-4},
                         {{106, 570, 285, {.nonzeros = 29982}}, 3.6e-5, 1.06e-3},
-                        {{411, 2340, 1170, {.nonzeros = 181575}}, 2.5e-4, 6.6e-3},
-                        {{1621, 9480, 4740, {.nonzeros = 1069185}}, 0, 2.77e-2}};
+                        {{411, 2340, 1170, {.nonzeros = 181575}}, 2.5e-4, 4.7e-3},
+                        {{1621, 9480, 4740, {.nonzeros = 1069185}}, 0, 2.37e-2},
+                        {{6441, 38160, 19080, {}}, 0, 0.13},
+                        {{10051, 59700, 29850, {}}, 0, 0.224}};
   StepPlan plan;
   plan.contacts_can_change = plan.finite_kinematics = true;
   plan.chi = 77;

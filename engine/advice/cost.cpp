@@ -18,7 +18,7 @@ constexpr double per_pcg_block = 6.5e-9;                          // a 6x6 block
 // Where contacts can change: a step at rest looks at every contact once; a pass of the open-close iteration judges it,
 // brings its part of the matrix and of the factor up to date and solves.
 constexpr double per_contact_at_rest = 4.5e-8;
-constexpr double per_contact_in_pass = 4.3e-7;
+constexpr double per_contact_in_pass = 3.4e-7;
 constexpr double cached_contacts = 1e4;
 constexpr double factored_in_pass = 0.6;  // complete factors a pass, where there is one
 constexpr double spread = 3;              // of the number of passes, to either side
@@ -46,11 +46,11 @@ double rest_step_seconds(const SceneSize& size) {
          per_contact_at_rest * static_cast<double>(size.interfaces);
 }
 
-// The passes are those of walls from 28 to 10,000 bricks: 1.5 to 16 a step.
+// The passes are those of walls from 28 to 10,000 bricks: 1.5 to 9 a step.
 double sliding_step_seconds(const SceneSize& size, const StepPlan& plan) {
   const auto contacts = static_cast<double>(size.interfaces);
-  const double passes = 5 * std::pow(static_cast<double>(size.blocks) / 100, 0.2);
-  const double uncached = std::pow(std::max(1.0, contacts / cached_contacts), 0.4);
+  const double passes = 5 * std::pow(static_cast<double>(size.blocks) / 100, 0.12);
+  const double uncached = std::pow(std::max(1.0, contacts / cached_contacts), 0.2);
   const double factors = plan.solver == SolverKind::pcg ? 0 : factored_in_pass * factor_seconds(size);
   return passes * (per_step + per_contact_in_pass * contacts * uncached + factors);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 #include "dda/linear/block_order.h"
@@ -232,7 +231,8 @@ double IncompleteCholesky::substitute(const Eigen::VectorXd& r, Eigen::VectorXd&
     product += known.dot(scaled);
     work_.segment<6>(6 * j) = scaled;
   }
-  for (const int j : std::views::reverse(places_)) {
+  for (std::size_t place = places_.size(); place-- > 0;) {
+    const int j = places_[place];
     Vec6 result = work_.segment<6>(6 * j);
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
       if (is_there(k)) result -= blocks_[at(k)].transpose() * work_.segment<6>(6 * rows_[at(k)]);

@@ -107,8 +107,10 @@ class Reader {
 
   [[nodiscard]] std::vector<std::string> texts(const std::string& name, std::string_view bytes) const {
     std::vector<std::string> result;
-    for (std::size_t end; (end = bytes.find('\0')) != std::string_view::npos; bytes.remove_prefix(end + 1))
+    for (std::size_t end = bytes.find('\0'); end != std::string_view::npos; end = bytes.find('\0')) {
       result.emplace_back(bytes.substr(0, end));
+      bytes.remove_prefix(end + 1);
+    }
     if (!bytes.empty()) refuse(path_, "damaged (" + name + ")");
     return result;
   }

@@ -43,7 +43,7 @@ constexpr double near_balance = 1e-3;
 constexpr int free_passes = 4;
 
 // A step is solved for to this share of what is out of balance, or as far as the end of the iteration needs: all the
-// way when the pass before changed no piece. (1e-1 takes four times as many passes, 1e-2 a tenth more.)
+// way when the pass before changed no piece. (1e-1 takes four times as many passes, 1e-2 a quarter more.)
 constexpr double step_tolerance = 1e-3;
 constexpr double last_step_margin = 0.1;
 

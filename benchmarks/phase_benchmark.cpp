@@ -27,7 +27,7 @@ void set_size(benchmark::State& state, const Model& model, const ContactSet& con
 // All values of the step matrix from blocks and interfaces, as after a change of statuses or of geometry.
 void assemble_general(benchmark::State& state, const Model& model) {
   const ContactSet contacts = make_contacts(model);
-  const BlockTerms terms = make_block_terms(model, 1);
+  const BlockTerms terms = make_block_terms(model);
   const StepCoefficients step = step_coefficients(model.stages[0].integrator, model.stages[0].dt);
   const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
   BlockMatrix matrix = make_system_matrix(static_cast<int>(model.blocks.size()), contacts);
@@ -41,7 +41,7 @@ void assemble_general(benchmark::State& state, const Model& model) {
 // The constant operators of a linear scene, once a stage.
 void build_operators(benchmark::State& state, const Model& model) {
   const ContactSet contacts = make_contacts(model);
-  const BlockTerms terms = make_block_terms(model, 1);
+  const BlockTerms terms = make_block_terms(model);
   for (auto _ : state) {
     LinearOperators operators = make_linear_operators(model, model.stages[0], terms, contacts, {});
     benchmark::DoNotOptimize(operators);
@@ -52,7 +52,7 @@ void build_operators(benchmark::State& state, const Model& model) {
 // The step matrix out of the operators, once a step size.
 void assemble_linear(benchmark::State& state, const Model& model) {
   const ContactSet contacts = make_contacts(model);
-  const BlockTerms terms = make_block_terms(model, 1);
+  const BlockTerms terms = make_block_terms(model);
   const LinearOperators operators = make_linear_operators(model, model.stages[0], terms, contacts, {});
   const StepCoefficients step = step_coefficients(model.stages[0].integrator, model.stages[0].dt);
   BlockMatrix matrix = make_system_matrix(static_cast<int>(model.blocks.size()), contacts);

@@ -10,14 +10,17 @@ constexpr double round_off = 1e-6;  // of an interval or a stage: steps end that
 
 bool settles(const Stage& stage) { return stage.integrator.is_static && stage.equilibrium > 0; }
 
-bool all_settle(const Model& model) { return std::ranges::all_of(model.stages, settles); }
+// Whether a stage has no time in which blocks move.
+bool stands_still(const Model& model, const Stage& stage) {
+  return settles(stage) && !std::ranges::all_of(model.stages, settles);
+}
 
 }  // namespace
 
 FrameClock::FrameClock(const Model& model, double interval) : interval_(interval) {
   double begin = 0;
   for (const Stage& stage : model.stages) {
-    if (settles(stage) && !all_settle(model)) settlings_.push_back({begin, begin + stage.duration});
+    if (stands_still(model, stage)) settlings_.push_back({begin, begin + stage.duration});
     begin += stage.duration;
   }
 }
@@ -45,7 +48,7 @@ void FrameClock::taken(double time) {
 double moving_time(const Model& model) {
   double sum = 0;
   for (const Stage& stage : model.stages)
-    if (!settles(stage) || all_settle(model)) sum += stage.duration;
+    if (!stands_still(model, stage)) sum += stage.duration;
   return sum;
 }
 

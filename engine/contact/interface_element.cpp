@@ -26,15 +26,10 @@ Vec4 classical_stiffness(const Model& model, const Interface& interface) {
   return {springs.normal, springs.shear, second_point * springs.normal, second_point * springs.shear};
 }
 
-bool is_held(const Model& model, int block) {
-  return std::any_of(model.held_blocks.begin(), model.held_blocks.end(),
-                     [block](const HeldBlock& held) { return held.block == block; });
-}
-
 // The weight of a block's stress in the mean of both. A held block is rigid and knows of no stress: the other's counts.
 double stress_share(const Model& model, int block, int other) {
-  const bool own = is_held(model, block);
-  if (own == is_held(model, other)) return 0.5;
+  const bool own = model.is_held(block);
+  if (own == model.is_held(other)) return 0.5;
   return own ? 0 : 1;
 }
 

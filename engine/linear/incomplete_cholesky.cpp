@@ -99,7 +99,7 @@ void IncompleteCholesky::find_sources(const BlockMatrix& matrix) {
     for (int k = matrix.column_starts()[at(j)] + 1; k < matrix.column_starts()[at(j) + 1]; ++k) {
       const int row = position_[at(matrix.block_rows()[at(k)])];
       const int column = position_[at(j)];
-      sources_.push_back({k, entry(std::max(row, column), std::min(row, column)), row < column});
+      sources_.push_back({entry(std::max(row, column), std::min(row, column)), row < column});
       is_fill_[at(sources_.back().entry)] = 0;
     }
   }
@@ -167,9 +167,9 @@ void IncompleteCholesky::load_column(const BlockMatrix& matrix, int block) {
     if (is_factored_[at(position_[at(matrix.block_rows()[at(k)])])] == 0) continue;
     const Source& source = sources_[at(k - block - 1)];  // block + 1 diagonal blocks have gone before
     if (source.transposed) {
-      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot).transpose();
+      blocks_[at(source.entry)] = matrix.offdiagonal(k).transpose();
     } else {
-      blocks_[at(source.entry)] = matrix.offdiagonal(source.slot);
+      blocks_[at(source.entry)] = matrix.offdiagonal(k);
     }
   }
 }

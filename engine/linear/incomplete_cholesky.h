@@ -36,9 +36,8 @@ class IncompleteCholesky {
   [[nodiscard]] double shift() const { return shift_; }
 
  private:
-  // Where a block of A goes: its handle (BlockMatrix::slot), and the entry of M.
+  // Where a block of A goes: the entry of M.
   struct Source {
-    int slot;
     int entry;
     bool transposed;
   };

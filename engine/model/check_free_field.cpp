@@ -15,11 +15,6 @@ namespace {
 
 std::string written(const Vec2& point) { return fmt::format("({:.9g}, {:.9g}) m", point.x(), point.y()); }
 
-// The lower and the upper end of a viscous edge.
-Segment upwards(const ViscousEdge& edge) {
-  return edge.from.y() < edge.to.y() ? Segment{edge.from, edge.to} : Segment{edge.to, edge.from};
-}
-
 const ViscousEdge& edge_of(const Model& model, int index) {
   return model.viscous_edges[static_cast<std::size_t>(index)];
 }

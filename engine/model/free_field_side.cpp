@@ -17,14 +17,16 @@ bool is_level(const Model& model, double height, const Vec2& from, const Vec2& t
 
 }  // namespace
 
+Segment upwards(const ViscousEdge& edge) {
+  return edge.from.y() < edge.to.y() ? Segment{edge.from, edge.to} : Segment{edge.to, edge.from};
+}
+
 Vec2 foot_of(const Model& model, const FreeFieldSide& side) {
-  const ViscousEdge& lowest = edge(model, side.viscous_edges.front());
-  return lowest.from.y() < lowest.to.y() ? lowest.from : lowest.to;
+  return upwards(edge(model, side.viscous_edges.front())).start;
 }
 
 Vec2 head_of(const Model& model, const FreeFieldSide& side) {
-  const ViscousEdge& highest = edge(model, side.viscous_edges.back());
-  return highest.from.y() > highest.to.y() ? highest.from : highest.to;
+  return upwards(edge(model, side.viscous_edges.back())).end;
 }
 
 int lowest_block(const Model& model, const FreeFieldSide& side) {

@@ -4,9 +4,13 @@
 #include <vector>
 
 #include "dda/core/types.h"
+#include "dda/geometry/segment.h"
 #include "dda/model/model.h"
 
 namespace dda {
+
+// A viscous edge from its lower to its upper end.
+Segment upwards(const ViscousEdge& edge);
 
 // The lowest and the highest point of a side.
 Vec2 foot_of(const Model& model, const FreeFieldSide& side);

@@ -22,6 +22,11 @@ const JointMaterial& Model::joint_between(int block_a, int block_b) const {
   return joints[at(joint_index(block_a, block_b))];
 }
 
+bool Model::is_held(int block) const {
+  return std::any_of(held_blocks.begin(), held_blocks.end(),
+                     [block](const HeldBlock& held) { return held.block == block; });
+}
+
 double Model::mass_of(int block) const { return material_of(block).density * blocks[at(block)].moments.area; }
 
 }  // namespace dda

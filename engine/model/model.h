@@ -169,6 +169,7 @@ struct Model {
   // Index into `joints` of the joint between two blocks.
   [[nodiscard]] int joint_index(int block_a, int block_b) const;
   [[nodiscard]] const JointMaterial& joint_between(int block_a, int block_b) const;
+  [[nodiscard]] bool is_held(int block) const;    // as a whole: one of held_blocks
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
 };
 

@@ -19,6 +19,23 @@ struct State {
   std::vector<Mat2> deformation;  // current offset from the centroid = deformation * reference offset
 };
 
+// Calls `visit(memory, bytes)` for every part of a state, to write it or to read it back; a member added to State
+// breaks the first line.
+template <typename AnyState, typename Visitor>
+void visit_memory(AnyState& state, const Visitor& visit) {
+  auto& [time, step, displacement, velocity, acceleration, stress, deformation] = state;
+  visit(&time, sizeof time);
+  visit(&step, sizeof step);
+  const auto visit_array = [&](auto& values) {
+    if (!values.empty()) visit(values.front().data(), values.size() * sizeof values.front());
+  };
+  visit_array(displacement);
+  visit_array(velocity);
+  visit_array(acceleration);
+  visit_array(stress);
+  visit_array(deformation);
+}
+
 State initial_state(const Model& model);
 
 Vec2 current_centroid(const Model& model, const State& state, int block);

@@ -28,22 +28,6 @@ struct Header {
 };
 static_assert(std::has_unique_object_representations_v<Header>, "the header is written as it lies in memory");
 
-// Calls `visit(bytes, count)` for the memory of every part of the state; a member added to State breaks this line.
-template <typename AnyState, typename Visitor>
-void visit_memory(AnyState& state, const Visitor& visit) {
-  auto& [time, step, displacement, velocity, acceleration, stress, deformation] = state;
-  visit(&time, sizeof time);
-  visit(&step, sizeof step);
-  const auto visit_array = [&](auto& values) {
-    if (!values.empty()) visit(values.front().data(), values.size() * sizeof values.front());
-  };
-  visit_array(displacement);
-  visit_array(velocity);
-  visit_array(acceleration);
-  visit_array(stress);
-  visit_array(deformation);
-}
-
 std::uint64_t file_bytes(const State& state, std::uint64_t extra_bytes) {
   std::uint64_t total = sizeof(Header) + extra_bytes + sizeof(std::uint64_t);
   visit_memory(state, [&](const void*, std::size_t count) { total += count; });

@@ -74,16 +74,11 @@ Vec2 initial_traction(const Stretch& stretch, const Model& model) {
   return {stress(0) * outward.x() + stress(2) * outward.y(), stress(2) * outward.x() + stress(1) * outward.y()};
 }
 
-bool is_held(const Model& model, int block) {
-  return std::any_of(model.held_blocks.begin(), model.held_blocks.end(),
-                     [block](const HeldBlock& held) { return held.block == block; });
-}
-
 // Of the blocks along a free-field side, from below. Held blocks among them are what the side stands on.
 std::vector<Stretch> read_free_side(const Field& field, const GroundPlan& plan, const Model& model) {
   refuse(field, {"carries_initial_stress"}, "beside free_field, which brings the stress of its column");
   std::vector<Stretch> stretches = read_edge(field, plan, model);
-  std::erase_if(stretches, [&](const Stretch& s) { return is_held(model, s.block); });
+  std::erase_if(stretches, [&](const Stretch& s) { return model.is_held(s.block); });
   if (stretches.empty()) field.at("edge").fail("an edge of blocks that are not held");
   const Vec2 inward = stretches.front().inward;
   for (const Stretch& s : stretches)

@@ -15,12 +15,12 @@ BlockDamping::iterator find_block(int block, BlockDamping& damping) {
 
 }  // namespace
 
-BlockTerms make_block_terms(const Model& model, double strain_inertia) {
+BlockTerms make_block_terms(const Model& model) {
   BlockTerms terms;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
     const Mat3 elasticity = elasticity_matrix(model.material_of(static_cast<int>(i)));
-    terms.inertia.push_back({model.mass_of(static_cast<int>(i)), mean_squares(block.moments), strain_inertia});
+    terms.inertia.push_back({model.mass_of(static_cast<int>(i)), mean_squares(block.moments), 1});
     terms.area.push_back(block.moments.area);
     terms.elasticity.push_back(elasticity);
     terms.compliance.emplace_back(elasticity.inverse());
@@ -30,7 +30,7 @@ BlockTerms make_block_terms(const Model& model, double strain_inertia) {
 }
 
 BlockTerms make_block_terms(const Model& model, const Stage& stage, const ContactSet& contacts) {
-  BlockTerms terms = make_block_terms(model, 1);
+  BlockTerms terms = make_block_terms(model);
   set_strain_inertia(stage, contacts, terms);
   return terms;
 }

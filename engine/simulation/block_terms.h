@@ -21,7 +21,7 @@ struct BlockTerms {
 };
 
 // Held blocks have no mass here: their motion does not follow from forces.
-BlockTerms make_block_terms(const Model& model, double strain_inertia);
+BlockTerms make_block_terms(const Model& model);
 
 // The same with the factors on the inertia of the strains that the stage asks for.
 BlockTerms make_block_terms(const Model& model, const Stage& stage, const ContactSet& contacts);

@@ -182,7 +182,7 @@ TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
   finish_model(model);
   for (const double error : {0.0, 1e-6, 1e-3}) {
     State state = initial_state(model);
-    const BlockTerms terms = make_block_terms(model, 1);
+    const BlockTerms terms = make_block_terms(model);
     const BlockDamping told = make_block_damping(model, state, 0);
     const Mat6 acting = (1 + error) * told[0].second;
     const StepCoefficients step = step_coefficients(trapezoidal_integrator(), 1e-3);

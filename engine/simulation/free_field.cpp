@@ -1,5 +1,6 @@
 #include "dda/simulation/free_field.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "dda/terms/load.h"
@@ -104,7 +105,7 @@ void FreeField::place(const Model& model, const State& state, const ViscousEdge&
 
 void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
   const double passed = time_ > time_old_ ? (time - time_old_) / (time_ - time_old_) : 1;
-  const double share = passed < 0 ? 0 : passed > 1 ? 1 : passed;
+  const double share = std::clamp(passed, 0.0, 1.0);
   for (const Contact& contact : contacts_) {
     const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
     const Vec2 traction = (1 - share) * contact.old.traction + share * contact.now.traction - contact.traction_before;

@@ -65,7 +65,7 @@ class Column {
     double upper = foot_of(whole_, side_).y();
     for (std::size_t i = 0; i < side_.viscous_edges.size(); ++i) {
       const double lower = upper;
-      upper = std::max(edge(i).from.y(), edge(i).to.y());
+      upper = upwards(edge(i)).end.y();
       const int block = append_block(edge(i).block, lower, upper);
       columns_.blocks.push_back(block);
       tie_sides(edge(i).block, block, upper - lower);

@@ -22,7 +22,7 @@ Moved move(Kinematics kinematics, const Vec6& d) {
   model.blocks[0].initial_velocity = {0.3, 0};
   Moved moved{initial_state(model), elasticity_matrix(model.materials[0])};
   moved.state.deformation[0] << 1.1, 0.2, -0.1, 0.9;
-  advance_blocks(step_coefficients(trapezoidal_integrator(), 0.1), make_block_terms(model, 1), d, moved.state);
+  advance_blocks(step_coefficients(trapezoidal_integrator(), 0.1), make_block_terms(model), d, moved.state);
   deform_blocks(kinematics, d, moved.state);
   std::vector<double> turned{0};
   if (kinematics == Kinematics::finite) turn_stresses(moved.state, turned);

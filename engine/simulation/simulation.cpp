@@ -46,7 +46,7 @@ Simulation::Simulation(Model model)
       supports_(make_supports(model_, state_)),
       bolts_(model_, state_),
       held_(model_),
-      terms_(make_block_terms(model_, 1)),
+      terms_(make_block_terms(model_)),
       damping_(make_block_damping(model_, state_, 0)),
       external_(model_, state_),
       contact_range_(model_, contacts_.interfaces),

@@ -23,8 +23,10 @@ constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a d
 class Writer {
  public:
   void raw(const void* from, std::size_t count) {
-    const auto* first = static_cast<const std::byte*>(from);
-    bytes_.insert(bytes_.end(), first, first + count);
+    if (count == 0) return;
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + count);
+    std::memcpy(bytes_.data() + end, from, count);
   }
   // The number of things of one kind, which restoring compares.
   void same(std::size_t count, const char* /*what*/) { number(count); }
@@ -229,26 +231,16 @@ struct SnapshotAccess {
     for (auto& deformation : s.contact_range_.checked_deformation_) matrices(archive, deformation);
   }
 
-  template <typename Archive, typename AnyState>
-  static void whole_state(Archive& archive, AnyState& state) {
-    archive.number(state.time);
-    archive.number(state.step);
-    for (auto* list : {&state.displacement, &state.velocity, &state.acceleration})
-      for (auto& entry : *list) matrices(archive, entry);
-    for (auto& stress : state.stress) matrices(archive, stress);
-    for (auto& deformation : state.deformation) matrices(archive, deformation);
-  }
-
   static void columns(const Simulation& columns, Writer& writer) {
     const std::vector<std::byte> bytes = save(columns);
-    whole_state(writer, columns.state_);
+    visit_memory(columns.state_, [&](const void* memory, std::size_t count) { writer.raw(memory, count); });
     writer.number(bytes.size());
     writer.raw(bytes.data(), bytes.size());
   }
 
   static void columns(Simulation& columns, Reader& reader) {
     State state = columns.state_;
-    whole_state(reader, state);
+    visit_memory(state, [&](void* memory, std::size_t count) { reader.raw(memory, count); });
     restore(columns, std::move(state), Reader(reader.part()));
   }
 

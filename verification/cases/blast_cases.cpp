@@ -17,6 +17,7 @@
 #include "verification/cases/bar_case.h"
 #include "verification/cases/cavity_mesh.h"
 #include "verification/exact/signal.h"
+#include "verification/harness/nearest_block.h"
 
 namespace verify {
 namespace {
@@ -100,16 +101,6 @@ Comparison compare(const ProbeHistory& probe, double dt, const std::vector<doubl
 
 // --- Ring meshes ---
 
-int block_near(const dda::Model& model, double radius) {
-  int nearest = 0;
-  const auto off = [&](int block) {
-    return (model.blocks[static_cast<std::size_t>(block)].moments.centroid - dda::Vec2(radius, 0)).norm();
-  };
-  for (int block = 0; block < static_cast<int>(model.blocks.size()); ++block)
-    if (off(block) < off(nearest)) nearest = block;
-  return nearest;
-}
-
 // Root mean squares of the errors of radial and hoop stress of the rings beyond 1.2 m, of the pressure; the ring at the
 // wall, which has neighbours on one side only, by itself.
 struct LameErrors {
@@ -168,7 +159,7 @@ constexpr double pulse_duration = 4.5e-3;  // s; what comes back from the outsid
 std::vector<ProbeHistory> ring_pulse(int sectors, double dt, const Pulse& pulse, Outcome& outcome) {
   dda::Model model = ring_mesh(sectors, 12);
   press_wall(model, pressure, pulse.history);
-  for (const double radius : {1.5, 3.0, 6.0}) probe(model, block_near(model, radius));
+  for (const double radius : {1.5, 3.0, 6.0}) probe(model, nearest_block(model, {radius, 0}));
   set_stage(model, dda::trapezoidal_integrator(), dt, pulse_duration);
   return probed(model, outcome);
 }
@@ -231,7 +222,7 @@ Outcome absorbing_outside() {
   dda::Model model = ring_mesh(48, 6);
   press_wall(model, pressure, pulse.history);
   absorb_outside(model);
-  probe(model, block_near(model, 3));
+  probe(model, nearest_block(model, {3, 0}));
   set_stage(model, dda::trapezoidal_integrator(), dt, duration);
   const std::vector<ProbeHistory> probes = probed(model, outcome);
   const exact::CavityMotion exact = reference(1, pulse, probes, duration);

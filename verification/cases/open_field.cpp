@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 
+#include "verification/harness/nearest_block.h"
 #include "verification/harness/recorded_run.h"
 
 namespace verify {
@@ -103,21 +103,9 @@ void add_face_load(const OpenField& field, dda::Model& model) {
   }
 }
 
-int block_nearest_to(const dda::Model& model, const Vec2& place) {
-  int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    const double distance = (model.blocks[i].moments.centroid - place).norm();
-    if (distance >= least) continue;
-    least = distance;
-    nearest = static_cast<int>(i);
-  }
-  return nearest;
-}
-
 void add_receiver(const OpenField& field, double place, dda::Model& model) {
   dda::Measurement measurement;
-  measurement.block = block_nearest_to(model, place * field.direction);
+  measurement.block = nearest_block(model, place * field.direction);
   measurement.point = model.blocks[static_cast<std::size_t>(measurement.block)].moments.centroid;
   for (const dda::Quantity quantity : {dda::Quantity::velocity_x, dda::Quantity::velocity_y}) {
     measurement.quantity = quantity;
@@ -129,7 +117,7 @@ void add_receiver(const OpenField& field, double place, dda::Model& model) {
 // At the joint before the block at the farther place, a quarter of a block off its middle: there bricks of a running
 // bond have one neighbour.
 void add_joint_receiver(const OpenField& field, dda::Model& model) {
-  const int behind = block_nearest_to(model, field.far * field.wavelength * field.direction);
+  const int behind = nearest_block(model, field.far * field.wavelength * field.direction);
   const dda::Block& block = model.blocks[static_cast<std::size_t>(behind)];
   const double half = dda::extent_along(block.shape.outer, field.direction) / 2;
   dda::Measurement measurement;
@@ -137,7 +125,7 @@ void add_joint_receiver(const OpenField& field, dda::Model& model) {
   measurement.quantity =
       field.kind == dda::WaveKind::s ? dda::Quantity::traction_shear : dda::Quantity::traction_normal;
   measurement.point = block.moments.centroid - half * field.direction + 0.25 * across(field.direction);
-  measurement.block = block_nearest_to(model, measurement.point - half * field.direction);
+  measurement.block = nearest_block(model, measurement.point - half * field.direction);
   measurement.other_block = behind;
   model.measurements.push_back(measurement);
 }

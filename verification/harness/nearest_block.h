@@ -1,0 +1,10 @@
+#pragma once
+
+#include "dda/model/model.h"
+
+namespace verify {
+
+// The block whose centroid is nearest to `place` (m); the first of several.
+[[nodiscard]] int nearest_block(const dda::Model& model, const dda::Vec2& place);
+
+}  // namespace verify

@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "dda/core/temporary_folder.h"
 #include "dda/record/atomic_file.h"
 
 namespace dda {
@@ -18,16 +17,6 @@ namespace dda {
 // A folder of its own for every test, with scene.json and what the program makes of it.
 class FolderTest : public testing::Test {
  protected:
-  FolderTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "dda_app_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = name;
-  }
-  ~FolderTest() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
   [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
   void write(const std::string& name, std::string_view text) const { write_file(folder_ / name, text); }
@@ -38,14 +27,14 @@ class FolderTest : public testing::Test {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / name)) {
       if (!entry.is_regular_file()) continue;
-      const auto relative = std::filesystem::relative(entry.path(), folder_);
+      const auto relative = std::filesystem::relative(entry.path(), folder_.path());
       files[std::filesystem::relative(entry.path(), folder_ / name).string()] = text(relative.string());
     }
     return files;
   }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 // A bonded bar under a sine, `blocks` of 1 m, for `steps` steps.

@@ -89,7 +89,7 @@ class CheckpointFile : public testing::Test {
   }
   std::string is(const std::string& rest) const { return path_.string() + ": checkpoint is " + rest; }
 
-  TestFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path path_ = folder_ / "run.checkpoint";
   Model model_ = three_blocks();
   State state_ = random_state(3);
@@ -196,7 +196,7 @@ TEST_F(CheckpointFile, FullDiskKeepsTheEarlierOne) {
     EXPECT_THROW(save_checkpoint(path_, model_, later), std::runtime_error);
   }
   EXPECT_EQ(load_checkpoint(path_, model_).state.time, state_.time);
-  EXPECT_EQ(folder_.names(), std::set<std::string>{"run.checkpoint"});
+  EXPECT_EQ(names_in(folder_.path()), std::set<std::string>{"run.checkpoint"});
 }
 
 HeldBlock shaken_by(const std::vector<double>& values) {

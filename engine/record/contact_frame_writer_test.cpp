@@ -26,7 +26,7 @@ std::vector<ContactPoint> two_contacts() {
 }
 
 TEST(ContactFrameWriter, EveryContactIsAPointWithItsForceAndStatus) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   ContactFrameWriter(folder / "contacts.pvd").write(0.25, two_contacts());
   const VtpReader vtp(folder / "contacts/000000.vtp");
   EXPECT_EQ(vtp.count("NumberOfPoints"), 2U);
@@ -46,7 +46,7 @@ TEST(ContactFrameWriter, EveryContactIsAPointWithItsForceAndStatus) {
 }
 
 TEST(ContactFrameWriter, NoContacts) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   ContactFrameWriter(folder / "contacts.pvd").write(0, {});
   const VtpReader vtp(folder / "contacts/000000.vtp");
   EXPECT_EQ(vtp.count("NumberOfPoints"), 0U);

@@ -55,7 +55,7 @@ class FrameWriterTest : public testing::Test {
     return VtpReader(folder_ / "run/000000.vtp");
   }
 
-  TestFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path index_ = folder_ / "run.pvd";
   Model model_ = three_blocks();
 };
@@ -222,7 +222,7 @@ TEST_F(FrameWriterTest, IndexListsEveryFrameWithItsTime) {
     EXPECT_EQ(VtpReader(folder_ / expected.back().second).array("FieldData/TimeValue"), std::vector<double>{time});
   }
   EXPECT_EQ(writer.frames(), 4);
-  EXPECT_EQ(folder_.names(), (std::set<std::string>{"run", "run.pvd"}));
+  EXPECT_EQ(names_in(folder_.path()), (std::set<std::string>{"run", "run.pvd"}));
 }
 
 // An index of three frames is the same whether they were written by one run or by two.

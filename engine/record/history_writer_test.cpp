@@ -35,7 +35,7 @@ Row numbers_of(const std::string& line) {
 }
 
 TEST(HistoryWriter, HeaderNamesUnitsAndRowsFollow) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   HistoryWriter writer(folder / "h.csv", {{"at 50 m", "Pa"}, {"ratio", ""}, {R"(odd, "name")", "m"}});
   writer.append(0, Row{1, 2, 3});
   writer.append(1e-5, Row{-0.1, 1e300, 1.0 / 3});
@@ -48,7 +48,7 @@ TEST(HistoryWriter, HeaderNamesUnitsAndRowsFollow) {
 }
 
 TEST(HistoryWriter, EveryDoubleReadsBackAsItself) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   std::mt19937_64 random(7);
   std::vector<Row> rows = {{0.0, -0.0, 5e-324},
                            {std::numeric_limits<double>::max(), std::numeric_limits<double>::min(), 0.1 + 0.2},
@@ -77,18 +77,18 @@ TEST(HistoryWriter, EveryDoubleReadsBackAsItself) {
 }
 
 TEST(HistoryWriter, WithoutCloseTheRowsAreThereToo) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   {
     HistoryWriter writer(folder / "h.csv", {{"a", "m"}});
     writer.append(1, Row{2});
-    EXPECT_EQ(folder.names(), std::set<std::string>{"h.csv.tmp"});
+    EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"h.csv.tmp"});
   }
   EXPECT_EQ(read_file(folder / "h.csv"), "time [s],a [m]\n1,2\n");
-  EXPECT_EQ(folder.names(), std::set<std::string>{"h.csv"});
+  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"h.csv"});
 }
 
 TEST(HistoryWriter, RowsReachTheDiskWhileTheRunGoesOn) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   HistoryWriter writer(folder / "h.csv", {{"a", "m"}});
   EXPECT_EQ(lines_of(folder / "h.csv.tmp").size(), 1U);
   writer.append(1, Row{2});
@@ -101,7 +101,7 @@ TEST(HistoryWriter, RowsReachTheDiskWhileTheRunGoesOn) {
 }
 
 TEST(HistoryWriter, FullDiskKeepsWholeRows) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const FullDisk full(100'000);
   {
     HistoryWriter writer(folder / "h.csv", {{"a", "m"}});
@@ -117,7 +117,7 @@ TEST(HistoryWriter, FullDiskKeepsWholeRows) {
 }
 
 TEST(HistoryWriter, RefusesMisuse) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   HistoryWriter writer(folder / "h.csv", {{"a", "m"}});
   EXPECT_THROW(writer.append(0, Row{}), std::invalid_argument);
   EXPECT_THROW(writer.append(0, Row{1, 2}), std::invalid_argument);
@@ -128,7 +128,7 @@ TEST(HistoryWriter, RefusesMisuse) {
 }
 
 TEST(HistoryWriter, MissingFolderIsNamed) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const auto path = folder / "missing" / "h.csv";
   EXPECT_EQ(message_of<std::runtime_error>([&] {
               HistoryWriter(path, {{"a", "m"}});
@@ -137,7 +137,7 @@ TEST(HistoryWriter, MissingFolderIsNamed) {
 }
 
 TEST(HistoryWriter, WarmAppendDoesNotAllocate) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Row values(20, -1.2345678901234567e-300);  // long numbers
   HistoryWriter writer(folder / "h.csv", std::vector<Column>(values.size(), {"a", "m"}));
   const long before = allocations_so_far();
@@ -157,7 +157,7 @@ TEST(QuantityNames, AreDifferentAndHaveUnits) {
   EXPECT_EQ(unit_of(Quantity::acceleration_y), "m/s2");
 }
 
-std::string resumed_text(const TestFolder& folder, std::int64_t rows) {
+std::string resumed_text(const TemporaryFolder& folder, std::int64_t rows) {
   HistoryWriter writer(folder / "h.csv", {{"a", "m"}}, rows);
   EXPECT_EQ(writer.rows(), rows);
   writer.append(9, Row{9});
@@ -167,7 +167,7 @@ std::string resumed_text(const TestFolder& folder, std::int64_t rows) {
 }
 
 TEST(HistoryWriter, GoesOnAfterTheRowsThatCount) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2\n2,3\n");
   EXPECT_EQ(resumed_text(folder, 2), "time [s],a [m]\n0,1\n1,2\n9,9\n");
   EXPECT_EQ(resumed_text(folder, 3), "time [s],a [m]\n0,1\n1,2\n9,9\n9,9\n");
@@ -175,21 +175,21 @@ TEST(HistoryWriter, GoesOnAfterTheRowsThatCount) {
 }
 
 TEST(HistoryWriter, GoesOnWithWhatABrokenOffRunLeft) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   write_file(folder / "h.csv", "time [s],a [m]\n0,7\n1,7\n");  // of an earlier run
   write_file(folder / "h.csv.tmp", "time [s],a [m]\n0,1\n1,2\n2,3\n2.5,");
   EXPECT_EQ(resumed_text(folder, 2), "time [s],a [m]\n0,1\n1,2\n9,9\n");
 }
 
 TEST(HistoryWriter, GoesOnWithTheWholeFileWhenNothingUsefulIsLeftOver) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2\n");
   write_file(folder / "h.csv.tmp", "");
   EXPECT_EQ(resumed_text(folder, 2), "time [s],a [m]\n0,1\n1,2\n9,9\n");
 }
 
 TEST(HistoryWriter, DoesNotGoOnWithAnotherFile) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const auto refusal = [&](const std::vector<Column>& columns, std::int64_t rows) {
     return message_of<InputError>([&] { const HistoryWriter writer(folder / "h.csv", columns, rows); });
   };
@@ -201,7 +201,7 @@ TEST(HistoryWriter, DoesNotGoOnWithAnotherFile) {
   write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2");
   EXPECT_NE(refusal({{"a", "m"}}, 2), "") << "the second row is not whole";
   EXPECT_NE(refusal({{"b", "m"}}, 1), "");
-  EXPECT_EQ(folder.names(), (std::set<std::string>{"h.csv"})) << "a refusal leaves everything as it was";
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"h.csv"})) << "a refusal leaves everything as it was";
   EXPECT_EQ(read_file(folder / "h.csv"), "time [s],a [m]\n0,1\n1,2");
 }
 

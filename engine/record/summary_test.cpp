@@ -110,7 +110,7 @@ TEST(Summary, IsValidJsonWhateverHappened) {
 }
 
 TEST(Summary, IsWrittenWholeOrNotAtAll) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   write_summary(folder / "summary.json", {});
   const std::string first = read_file(folder / "summary.json");
   EXPECT_EQ(first, summary_json({}));
@@ -121,7 +121,7 @@ TEST(Summary, IsWrittenWholeOrNotAtAll) {
     EXPECT_THROW(write_summary(folder / "summary.json", next), std::runtime_error);
   }
   EXPECT_EQ(read_file(folder / "summary.json"), first);
-  EXPECT_EQ(folder.names(), std::set<std::string>{"summary.json"});
+  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"summary.json"});
 }
 
 }  // namespace

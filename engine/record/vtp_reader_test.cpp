@@ -43,7 +43,7 @@ class VtpFileTest : public testing::Test {
     text_ = read_file(folder_ / "a.vtp");
   }
 
-  TestFolder folder_;
+  TemporaryFolder folder_;
   std::string text_;
 };
 

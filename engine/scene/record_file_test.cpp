@@ -2,22 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "dda/core/error.h"
+#include "dda/core/temporary_folder.h"
 #include "dda/scene/bad_scene_test_support.h"
 
 namespace dda {
 namespace {
 
 std::filesystem::path written(const std::string& text) {
-  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::string name = "record_";
-  for (const char c : test) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / (name + ".csv");
+  static const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "record.csv";
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }
@@ -90,7 +90,7 @@ TEST_P(BadRecord, GivesOneSentence) {
     read(GetParam().text, GetParam().request);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    expect_sentence(error.what(), {"place: record_", ".csv", " is ", ", expected "});
+    expect_sentence(error.what(), {"place: record.csv", " is ", ", expected "});
     expect_sentence(error.what(), GetParam().sentence);
   }
 }

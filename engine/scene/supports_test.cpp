@@ -1,12 +1,12 @@
 // Supports, whole blocks, records and bolts as scenes write them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
 
+#include "dda/core/temporary_folder.h"
 #include "dda/scene/bad_scene_test_support.h"
 
 namespace dda {
@@ -22,14 +22,17 @@ Model scene_with(const std::string& member, const std::filesystem::path& folder 
                      "scene.json", folder);
 }
 
-// One a process: tests run side by side.
-std::filesystem::path folder_with_record() {
-  const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / ("supports_test_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder / "records");
-  std::ofstream(folder / "records" / "quake.csv") << "t,ax,ay [g]\n0,0,0\n0.5,0.2,0.1\n1,0,0\n";
-  return folder;
-}
+class RecordFolder {
+ public:
+  RecordFolder() {
+    std::filesystem::create_directories(folder_ / "records");
+    std::ofstream(folder_ / "records" / "quake.csv") << "t,ax,ay [g]\n0,0,0\n0.5,0.2,0.1\n1,0,0\n";
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
 
 TEST(Scene, FixedBlocksAndGroups) {
   const Model model = scene_with(R"("fixed": ["base", "wall 1.2"])");
@@ -69,7 +72,7 @@ TEST(Scene, RecordsAreReadBesideTheSceneAndShared) {
        "history": {"record": {"file": "records/quake.csv", "value": "ax", "scale": 2}}}],
     "loads": [{"edge": "left", "pressure": "1 MPa", "block": "wall 1.1",
                "history": {"record": {"file": "records/quake.csv", "value": "ax"}}}])",
-                                 folder_with_record());
+                                 RecordFolder().path());
   const auto of_base = std::get<Recorded>(model.held_blocks.at(0).history);
   EXPECT_EQ(of_base.start, 2);
   EXPECT_DOUBLE_EQ(of_base.recording->peak(), 0.2 * 9.80665);
@@ -162,7 +165,7 @@ class BadSupport : public testing::TestWithParam<BadPart> {};
 
 TEST_P(BadSupport, GivesOneSentence) {
   try {
-    scene_with(GetParam().member, folder_with_record());
+    scene_with(GetParam().member, RecordFolder().path());
     FAIL() << "accepted";
   } catch (const InputError& error) {
     expect_sentence(error.what(), {"scene.json: ", " is ", ", expected "});

@@ -27,7 +27,7 @@ class ContactSitesTest : public testing::Test {
     return folder_.path();
   }
 
-  ViewFolder folder_;
+  TemporaryFolder folder_;
   RunResults results_{written()};
 };
 

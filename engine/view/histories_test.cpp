@@ -13,7 +13,7 @@ namespace dda {
 namespace {
 
 TEST(Histories, AreReadAsTheyWereWritten) {
-  const ViewFolder folder;
+  const TemporaryFolder folder;
   {
     HistoryWriter writer(folder / "h.csv", {{"a, \"quoted\" [name]", "Pa"}, {"ratio", ""}});
     writer.append(0, std::vector<double>{1.5, -2e-300});
@@ -32,13 +32,13 @@ TEST(Histories, AreReadAsTheyWereWritten) {
 }
 
 TEST(Histories, OfNoMeasurementsAreTimes) {
-  const ViewFolder folder;
+  const TemporaryFolder folder;
   write_file(folder / "h.csv", "time [s]\n0\n0.5\n");
   EXPECT_EQ(read_histories(folder / "h.csv").times, (std::vector<double>{0, 0.5}));
 }
 
 TEST(Histories, DamagedOnesAreRefused) {
-  const ViewFolder folder;
+  const TemporaryFolder folder;
   for (const char* text : {"", "a,b\n", "time [s],a [m]\n1\n", "time [s],a [m]\n1,2,3\n", "time [s],a [m]\n1,x\n"}) {
     write_file(folder / "h.csv", text);
     const std::string message = message_of<InputError>([&] { read_histories(folder / "h.csv"); });

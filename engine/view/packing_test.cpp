@@ -57,7 +57,7 @@ class PackedRunTest : public testing::Test {
     return folder_.path();
   }
 
-  ViewFolder folder_;
+  TemporaryFolder folder_;
   Model model_ = model_to_view();
   RunResults results_{written()};
   PackedRun run_{results_.drawing()};

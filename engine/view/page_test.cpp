@@ -33,7 +33,7 @@ class PageTest : public testing::Test {
     write_run(folder_.path(), model_to_view(), times);
   }
 
-  ViewFolder folder_;
+  TemporaryFolder folder_;
   std::string said_;
 };
 

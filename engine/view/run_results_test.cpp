@@ -21,7 +21,7 @@ class RunResultsTest : public testing::Test {
     });
   }
 
-  ViewFolder folder_;
+  TemporaryFolder folder_;
   Model model_ = model_to_view();
 };
 
@@ -108,7 +108,7 @@ TEST_F(RunResultsTest, BrokenFilesAreNamed) {
 }
 
 TEST_F(RunResultsTest, FramesOfOtherBlocksAreRefused) {
-  const ViewFolder other;
+  const TemporaryFolder other;
   Model smaller = model_to_view();
   smaller.blocks.pop_back();
   finish_model(smaller);

@@ -35,7 +35,7 @@ class SvgPictureTest : public testing::Test {
     return found;
   }
 
-  ViewFolder folder_;
+  TemporaryFolder folder_;
   RunResults results_{written()};
 };
 

@@ -1,15 +1,13 @@
 // What the tests of this folder share: a small run on disk, written by the writers that dda run uses.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "dda/contact/contact_points.h"
+#include "dda/core/temporary_folder.h"
 #include "dda/model/model.h"
 #include "dda/model/state.h"
 #include "dda/record/atomic_file.h"
@@ -17,28 +15,6 @@
 #include "dda/record/frame_writer.h"
 
 namespace dda {
-
-// An empty folder that goes away with the test.
-class ViewFolder {
- public:
-  ViewFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "dda_view_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~ViewFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ViewFolder(const ViewFolder&) = delete;
-  ViewFolder& operator=(const ViewFolder&) = delete;
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline Ring square_ring(double x, double y, double side) {
   return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};

@@ -8,12 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 
+#include "dda/core/temporary_folder.h"
 #include "dda/scene/scene.h"
 #include "dda/simulation/simulation.h"
 #include "verification/exact/base_motion.h"
@@ -45,24 +44,16 @@ exact::Accelerogram accelerogram() {
 class RecordFolder {
  public:
   RecordFolder() {
-    path_ = std::filesystem::temp_directory_path() / fmt::format("dda_base_shaking_{:x}", std::random_device{}());
-    std::filesystem::create_directories(path_);
-    std::ofstream stream(path_ / "quake.csv");
+    std::ofstream stream(path() / "quake.csv");
     stream << "# made up\nt [s],ay [g],ax [g]\n";
     for (int i = 0; i < samples; ++i)
       stream << fmt::format("{},{},{}\n", sampling * i, 0.0, ground_acceleration(sampling * i));
-    if (!stream) throw std::runtime_error("the record cannot be written to " + path_.string());
+    if (!stream) throw std::runtime_error("the record cannot be written to " + path().string());
   }
-  RecordFolder(const RecordFolder&) = delete;
-  RecordFolder& operator=(const RecordFolder&) = delete;
-  ~RecordFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
-  std::filesystem::path path_;
+  dda::TemporaryFolder folder_;
 };
 
 constexpr double young = 2e9;

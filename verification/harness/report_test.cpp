@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "dda/core/temporary_folder.h"
 #include "dda/record/atomic_file.h"
 #include "verification/harness/gnuplot.h"
 #include "verification/harness/html.h"
@@ -65,7 +66,8 @@ TEST(Html, MissingFigureIsAnError) {
 
 TEST(Gnuplot, DrawsAnSvgAndReportsErrors) {
   ASSERT_TRUE(gnuplot_is_installed()) << "ci/setup installs it";
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gnuplot test";
+  const dda::TemporaryFolder place;
+  const std::filesystem::path folder = place / "gnuplot test";
   std::filesystem::create_directories(folder);
   dda::write_file(folder / "line.gp",
                   gnuplot_style(300, 200) + "set output 'line.svg'\nplot x with lines linestyle 1\n");
@@ -73,7 +75,6 @@ TEST(Gnuplot, DrawsAnSvgAndReportsErrors) {
   EXPECT_NE(dda::read_file(folder / "line.svg").find("<svg"), std::string::npos);
   dda::write_file(folder / "wrong.gp", "plot no_such_function(x)\n");
   EXPECT_THROW(run_gnuplot(folder / "wrong.gp"), std::runtime_error);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "dda/core/error.h"
+#include "dda/core/temporary_folder.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/other_systems.h"
 #include "verification/precision/summary.h"
@@ -19,9 +20,6 @@ namespace {
 
 class Study : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove_all(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] std::vector<Measured> run(int rounds, bool resume) const {
     return run_study(jobs_, folder_, {rounds, resume, false});
   }
@@ -33,7 +31,8 @@ class Study : public testing::Test {
     return all;
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "precision_study_test";
+  dda::TemporaryFolder place_;
+  std::filesystem::path folder_ = place_ / "study";
   std::vector<PrecisionJob> jobs_ = {{Problem::bar, accurate_scheme(Problem::bar), 10, 2e-4},
                                      {Problem::bar, thesis_scheme(), 10, 2e-4},
                                      {Problem::bar, {"no such law", "trapezoidal"}, 10, 2e-4}};
@@ -107,7 +106,8 @@ TEST(Table, IsAsWideInEveryRow) {
 }
 
 TEST(OtherSystems, AreReadAndMistakesNamed) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "precision_other_systems.csv";
+  const dda::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "other_systems.csv";
   const std::string head = "problem,law,integrator,size_m,dt_s,cells,steps,error,reading_error,cpu_s\n";
   std::ofstream(file) << head << "bar,Program,rule,2.5,1e-4,40,281,0.05,0.01,0.7\n";
   const std::vector<Measured> read = read_other_systems(file);

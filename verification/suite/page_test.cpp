@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "dda/core/error.h"
+#include "dda/core/temporary_folder.h"
 #include "dda/record/atomic_file.h"
 #include "verification/suite/catalogue.h"
 #include "verification/suite/page.h"
@@ -112,7 +113,7 @@ class TablePage : public testing::Test {
   [[nodiscard]] std::string text() const { return dda::read_file(page()); }
   [[nodiscard]] bool says(const std::string& part) const { return text().find(part) != std::string::npos; }
 
-  TemporaryFolder folder_;
+  dda::TemporaryFolder folder_;
   std::ostringstream out_;
   std::ostringstream errors_;
   Case incline_ = case_of("incline", {assertion_of(2.1, 2, 0.1)}, CaseLabel::fast, {9, 12});

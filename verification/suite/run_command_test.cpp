@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "dda/core/error.h"
+#include "dda/core/temporary_folder.h"
 #include "dda/record/atomic_file.h"
 #include "verification/suite/suite_test_support.h"
 
@@ -26,7 +27,7 @@ class Run : public testing::Test {
   [[nodiscard]] std::filesystem::path file() const { return folder_.path() / "new/folder/verification.json"; }
   [[nodiscard]] Json entries() const { return Json::parse(dda::read_file(file())).at("cases"); }
 
-  TemporaryFolder folder_;
+  dda::TemporaryFolder folder_;
   std::ostringstream out_;
   std::ostringstream errors_;
 };

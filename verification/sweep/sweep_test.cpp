@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dda/core/error.h"
+#include "dda/core/temporary_folder.h"
 #include "dda/record/atomic_file.h"
 #include "verification/sweep/job_list.h"
 #include "verification/sweep/process_pool.h"
@@ -30,7 +31,7 @@ TEST(ProcessPool, TellsHowEachEnded) {
 // Each process notes itself and looks how many others are at work.
 TEST(ProcessPool, RunsSoManyAtOnceAndNoMore) {
   for (const int at_once : {1, 3}) {
-    const TemporaryFolder folder;
+    const dda::TemporaryFolder folder;
     const std::string dir = folder.path().string();
     const Command command = {"sh", "-c",
                              "cd " + dir + "; touch run.$$; ls | grep -c ^run >> seen; sleep 0.2; rm run.$$"};
@@ -74,7 +75,7 @@ class Sweep : public testing::Test {
     return sweep({file(), out(), 1, resume, list}, program(), said, errors_);
   }
 
-  TemporaryFolder temporary_;
+  dda::TemporaryFolder temporary_;
   std::ostringstream said_, errors_;
 };
 

@@ -20,14 +20,14 @@ ContactPiece piece_between(ContactPiece from, ContactPiece to, double slide) {
 }
 
 // Without dashpots, and with the friction that sliding ends have: what lay_on makes of a sliding end.
-bool has_linear_pieces(const InterfaceElement& element, const InterfaceTrial& trial) {
-  return !trial.rule.sticks && !trial.rule.conserves_energy && element.dashpot.isZero(0) && trial.hardening[0] == 0 &&
+bool has_linear_pieces(const InterfaceSprings& springs, const InterfaceTrial& trial) {
+  return !trial.rule.sticks && !trial.rule.conserves_energy && springs.dashpot.isZero(0) && trial.hardening[0] == 0 &&
          trial.hardening[1] == 0;
 }
 
 // Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to
 // stick.
-void lay_on(ContactPiece piece, const InterfaceElement& element, const EndStrength& strength, int end,
+void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStrength& strength, int end,
             InterfaceTrial& trial) {
   const Eigen::Index n = 2 * end;
   const auto e = static_cast<std::size_t>(end);
@@ -37,11 +37,11 @@ void lay_on(ContactPiece piece, const InterfaceElement& element, const EndStreng
     return;
   }
   if (trial.active(n) == 0 || piece != ContactPiece::stuck) {
-    trial.force(n) = element.stiffness(n) * trial.normal_gap(end);
+    trial.force(n) = springs.stiffness(n) * trial.normal_gap(end);
     trial.active(n) = 1;
   }
   if (piece == ContactPiece::stuck) {
-    respond_as_stuck(element, end, trial);
+    respond_as_stuck(springs, end, trial);
     return;
   }
   const double cohesion = trial.residual[e] ? strength.residual_cohesion : 0;
@@ -71,19 +71,19 @@ ContactPieces pieces_of(const InterfaceTrial& trial) {
   return pieces;
 }
 
-bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, const PieceRule& rule,
+bool keep_to_bordering_pieces(const InterfaceSprings& springs, const EndStrength& strength, const PieceRule& rule,
                               InterfaceTrial& trial, ContactPieces& pieces) {
   const ContactPieces before = pieces;
   pieces = pieces_of(trial);
   if (pieces == before) return false;
-  const bool linear = has_linear_pieces(element, trial);
+  const bool linear = has_linear_pieces(springs, trial);
   bool kept = false;
-  for (int end = 0; end < ends_of(element); ++end) {
+  for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     if (pieces[e] == before[e]) continue;
     const auto laid_on = [&](ContactPiece piece) {
       InterfaceTrial laid = trial;
-      lay_on(piece, element, strength, end, laid);
+      lay_on(piece, springs, strength, end, laid);
       return laid;
     };
     if (linear) {
@@ -104,16 +104,15 @@ bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength
   return kept;
 }
 
-Vec4 shear_by_normal_gap(const InterfaceElement& element, const EndStrength& strength, const InterfaceTrial& trial,
+Vec4 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                          const ContactPieces& pieces) {
   Vec4 slopes = Vec4::Zero();
-  if (trial.rule.sticks) return slopes;
-  for (int end = 0; end < ends_of(element); ++end) {
+  for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;
-    if (!slides(pieces[e]) || trial.active(n + 1) != 0) continue;
+    if (!slides(pieces[e]) || trial.rule.sticks || trial.active(n + 1) != 0) continue;
     const double friction = strength.friction_now(trial.residual[e]);
-    slopes(n + 1) = -direction_of(pieces[e]) * friction * trial.active(n) * element.stiffness(n);
+    slopes(n + 1) = -direction_of(pieces[e]) * friction * trial.active(n) * springs.stiffness(n);
   }
   return slopes;
 }

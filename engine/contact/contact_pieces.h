@@ -29,12 +29,12 @@ struct PieceRule {
 // sticking, nor, if the rule is strict, does an end close and stick at once or open before it slides. Newton's method
 // goes in circles otherwise. Its forces are then not what the end answers, which returns true. An end for which the old
 // piece makes no more than a negligible difference stays on it: where blocks just touch, ends would hop for ever.
-bool keep_to_bordering_pieces(const InterfaceElement& element, const EndStrength& strength, const PieceRule& rule,
+bool keep_to_bordering_pieces(const InterfaceSprings& springs, const EndStrength& strength, const PieceRule& rule,
                               InterfaceTrial& trial, ContactPieces& pieces);
 
 // Slopes of the shear forces (rows 1 and 3) over the normal gaps of the same ends that capacities make where ends slide
 // (N/m per m of thickness); 0 elsewhere.
-Vec4 shear_by_normal_gap(const InterfaceElement& element, const EndStrength& strength, const InterfaceTrial& trial,
+Vec4 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                          const ContactPieces& pieces);
 
 }  // namespace dda

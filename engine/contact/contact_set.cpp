@@ -138,8 +138,11 @@ void add_interface_force(const InterfaceElement& element, const Vec4& interface_
 }
 
 void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force) {
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    add_interface_force(contacts.elements[i], contacts.states[i].force, contacts.states[i].gap, force);
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceState& state = contacts.states[i];
+    if (state.force.isZero(0) && !has_stress_rows(contacts.elements[i])) continue;  // open
+    add_interface_force(contacts.elements[i], state.force, state.gap, force);
+  }
 }
 
 Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {

@@ -23,23 +23,27 @@ using Vec4 = Eigen::Vector4d;
 using Mat46 = Eigen::Matrix<double, 4, 6, Eigen::RowMajor>;  // the rows of a lone vertex lie together
 using Mat43 = Eigen::Matrix<double, 4, 3>;
 
-struct InterfaceElement {
-  int block_a = 0;
-  int block_b = 0;
+// All that the laws of the open-close iteration look at.
+struct InterfaceSprings {
   InterfaceLaw law = InterfaceLaw::classical;
   double length = 0;
-  Vec4 stiffness;  // N/m per m of thickness, of each row while it is closed and stuck
+  Vec4 stiffness;               // N/m per m of thickness, of each row while it is closed and stuck
+  Vec4 dashpot = Vec4::Zero();  // N s/m per m of thickness, of each row while it is closed and stuck
+};
+
+struct InterfaceElement : InterfaceSprings {
+  int block_a = 0;
+  int block_b = 0;
   Mat46 rows_a, rows_b;
-  Vec4 dashpot = Vec4::Zero();         // N s/m per m of thickness, of each row while it is closed and stuck
   Mat43 stress_rows_a, stress_rows_b;  // m; not set in the classical law
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set in the classical law
 };
 
 // A vertex on an edge or against another vertex: its second end (rows 2 and 3) is not there.
-inline bool is_lone_vertex(const InterfaceElement& element) { return element.length == 0; }
-inline int ends_of(const InterfaceElement& element) { return is_lone_vertex(element) ? 1 : 2; }
+inline bool is_lone_vertex(const InterfaceSprings& springs) { return springs.length == 0; }
+inline int ends_of(const InterfaceSprings& springs) { return is_lone_vertex(springs) ? 1 : 2; }
 
-inline bool has_stress_rows(const InterfaceElement& element) { return element.law != InterfaceLaw::classical; }
+inline bool has_stress_rows(const InterfaceSprings& springs) { return springs.law != InterfaceLaw::classical; }
 
 // The frame of an interface: its ends as seen by each block, its normal, and where the blocks' centroids are.
 struct InterfaceFrame {

@@ -83,8 +83,8 @@ Answer shear(const Row& row, double gap, const InterfaceTrial& trial, std::size_
   return {std::copysign((1 - share) * yield + share * std::abs(stuck), stuck), share * slope};
 }
 
-Row row_of(const InterfaceElement& element, const InterfaceTrial& trial, Eigen::Index row) {
-  return {element.stiffness(row), element.dashpot(row) * trial.rule.dashpot_rate, trial.start(row),
+Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::Index row) {
+  return {springs.stiffness(row), springs.dashpot(row) * trial.rule.dashpot_rate, trial.start(row),
           trial.broken[static_cast<std::size_t>(row / 2)]};
 }
 
@@ -96,22 +96,22 @@ double capacity_of(const EndStrength& strength, const InterfaceTrial& trial, int
   return strength.capacity(trial.force(n), trial.residual[static_cast<std::size_t>(end)]);
 }
 
-void respond_normal(const InterfaceElement& element, int end, InterfaceTrial& trial) {
+void respond_normal(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
   const Eigen::Index n = normal_row(end);
-  const Answer answer = press(trial.rule, row_of(element, trial, n), trial.normal_gap(end));
+  const Answer answer = press(trial.rule, row_of(springs, trial, n), trial.normal_gap(end));
   trial.force(n) = answer.force;
   trial.active(n) = answer.slope;
 }
 
-void respond_tangent(const InterfaceElement& element, int end, InterfaceTrial& trial) {
+void respond_tangent(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
   const Eigen::Index t = normal_row(end) + 1;
-  const Answer answer = shear(row_of(element, trial, t), trial.gap(t), trial, static_cast<std::size_t>(end));
+  const Answer answer = shear(row_of(springs, trial, t), trial.gap(t), trial, static_cast<std::size_t>(end));
   trial.force(t) = answer.force;
   trial.active(t) = answer.slope;
 }
 
-void set_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
-  for (int end = 0; end < ends_of(element); ++end)
+void set_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end)
     trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
 }
 
@@ -121,14 +121,14 @@ bool slides(const InterfaceTrial& trial, int end) {
 }
 
 // Slip of a sliding end within the step.
-double slip_in_step(const InterfaceElement& element, const InterfaceTrial& trial, int end) {
+double slip_in_step(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
   const Eigen::Index row = normal_row(end) + 1;
-  return trial.gap(row) - elastic_gap(trial.force(row), element.stiffness(row), trial.gap(row));
+  return trial.gap(row) - elastic_gap(trial.force(row), springs.stiffness(row), trial.gap(row));
 }
 
 // The same as the law of hardening sees it, dashpot included.
-double yielded(const InterfaceElement& element, const InterfaceTrial& trial, int end) {
-  const Row row = row_of(element, trial, normal_row(end) + 1);
+double yielded(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
+  const Row row = row_of(springs, trial, normal_row(end) + 1);
   const double beyond = stuck_force(row, trial.gap(normal_row(end) + 1)) - trial.force(normal_row(end) + 1);
   return elastic_gap(beyond, row.stiffness + row.dashpot, 0);
 }
@@ -140,23 +140,23 @@ double hardening_by(double stiffness, const EndStrength& strength, const Interfa
   return strength.friction_now(trial.residual[end]) * strength.dilation * stiffness;
 }
 
-void expect_full_stiffness(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
-  for (int end = 0; end < ends_of(element); ++end) {
+void expect_full_stiffness(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
-    trial.hardening[e] = hardening_by(element.stiffness(normal_row(end)), strength, trial, e, trial.slip[e]);
+    trial.hardening[e] = hardening_by(springs.stiffness(normal_row(end)), strength, trial, e, trial.slip[e]);
   }
 }
 
 // An end that slid in the last step starts this one at its capacity, but for round-off and the gap measured anew: the
 // first pass takes it to slide on.
-void keep_sliding(const InterfaceElement& element, const InterfaceState& start, InterfaceTrial& trial) {
-  for (int end = 0; end < ends_of(element); ++end) {
+void keep_sliding(const InterfaceSprings& springs, const InterfaceState& start, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index row = normal_row(end) + 1;
     if (start.status[e] != ContactStatus::sliding || trial.capacity[e] == 0 || trial.rule.sticks) continue;
     trial.force(row) = std::copysign(trial.capacity[e], start.gap(row));
     const double hardening = yield_of(trial, e, std::copysign(1, start.gap(row))).hardening;
-    trial.active(row) = hardening > 0 ? hardening / (element.stiffness(row) + hardening) : 0;
+    trial.active(row) = hardening > 0 ? hardening / (springs.stiffness(row) + hardening) : 0;
   }
 }
 
@@ -167,7 +167,7 @@ bool has_failed(const EndStrength& strength, const InterfaceTrial& trial, int en
 
 }  // namespace
 
-InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
+InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& start,
                            const ContactRule& rule) {
   InterfaceTrial trial;
   trial.start = trial.gap = start.gap;
@@ -176,73 +176,73 @@ InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& s
   trial.slip = start.slip;
   trial.force = start.force;
   trial.rule = rule;
-  if (has_stress_rows(element)) return trial;
-  set_capacity(element, strength, trial);  // by the forces of the start
-  if (strength.dilation > 0 && !rule.sticks) expect_full_stiffness(element, strength, trial);
-  respond(element, trial);
-  keep_sliding(element, start, trial);
+  if (has_stress_rows(springs)) return trial;
+  set_capacity(springs, strength, trial);  // by the forces of the start
+  if (strength.dilation > 0 && !rule.sticks) expect_full_stiffness(springs, strength, trial);
+  respond(springs, trial);
+  keep_sliding(springs, start, trial);
   return trial;
 }
 
-void respond(const InterfaceElement& element, InterfaceTrial& trial) {
-  for (int end = 0; end < ends_of(element); ++end) {
-    respond_normal(element, end, trial);
-    respond_tangent(element, end, trial);
+void respond(const InterfaceSprings& springs, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
+    respond_normal(springs, end, trial);
+    respond_tangent(springs, end, trial);
   }
 }
 
-void respond_as_stuck(const InterfaceElement& element, int end, InterfaceTrial& trial) {
+void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
   const Eigen::Index t = normal_row(end) + 1;
-  const Row row = row_of(element, trial, t);
+  const Row row = row_of(springs, trial, t);
   trial.force(t) = stuck_force(row, trial.gap(t));
   trial.active(t) = stuck_slope(row);
 }
 
-void respond_with_friction(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
-  for (int end = 0; end < ends_of(element); ++end) {
-    respond_normal(element, end, trial);
+void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
+    respond_normal(springs, end, trial);
     trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
-    respond_tangent(element, end, trial);
+    respond_tangent(springs, end, trial);
   }
 }
 
-double force_along(const InterfaceElement& element, const InterfaceTrial& trial, double t) {
+double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial, double t) {
   double along = 0;
-  for (int end = 0; end < ends_of(element); ++end) {
+  for (int end = 0; end < ends_of(springs); ++end) {
     const Eigen::Index n = normal_row(end);
     const double gap = trial.normal_gap(end) + t * trial.direction(n);
     const double slide = trial.gap(n + 1) + t * trial.direction(n + 1);
-    along += trial.direction(n) * press(trial.rule, row_of(element, trial, n), gap).force;
+    along += trial.direction(n) * press(trial.rule, row_of(springs, trial, n), gap).force;
     along += trial.direction(n + 1) *
-             shear(row_of(element, trial, n + 1), slide, trial, static_cast<std::size_t>(end)).force;
+             shear(row_of(springs, trial, n + 1), slide, trial, static_cast<std::size_t>(end)).force;
   }
   return along;
 }
 
-double update_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
+double update_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   const Vec4 before = trial.force;
-  set_capacity(element, strength, trial);
-  respond(element, trial);
+  set_capacity(springs, strength, trial);
+  respond(springs, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();
 }
 
-double update_dilation(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial) {
+double update_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (strength.dilation == 0 || trial.rule.sticks) return 0;
   const Vec4 before = trial.force;
-  for (int end = 0; end < ends_of(element); ++end) {
+  for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
-    const double full = element.stiffness(normal_row(end));
+    const double full = springs.stiffness(normal_row(end));
     const double force = trial.force(normal_row(end));
     const double seen = trial.rise[e] == 0 ? full : std::clamp((trial.pressed[e] - force) / trial.rise[e], 0.0, full);
-    const double slip = slides(trial, end) ? slip_in_step(element, trial, end) : 0;
+    const double slip = slides(trial, end) ? slip_in_step(springs, trial, end) : 0;
     const double dilation = strength.lift(trial.slip[e] + slip) - strength.lift(trial.slip[e]);
-    trial.reference[e] = slip == 0 ? 0 : yielded(element, trial, end);
+    trial.reference[e] = slip == 0 ? 0 : yielded(springs, trial, end);
     trial.hardening[e] = hardening_by(seen, strength, trial, e, trial.slip[e] + slip);
     trial.rise[e] = dilation - trial.dilation[e];
     trial.pressed[e] = force;
     trial.dilation[e] = dilation;
   }
-  respond(element, trial);
+  respond(springs, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();
 }
 
@@ -258,13 +258,13 @@ bool break_ends(const EndStrength& strength, InterfaceTrial& trial) {
   return broke;
 }
 
-Vec4 dashpot_force(const InterfaceElement& element, const InterfaceTrial& trial) {
+Vec4 dashpot_force(const InterfaceSprings& springs, const InterfaceTrial& trial) {
   Vec4 force = Vec4::Zero();
-  if (trial.rule.dashpot_rate == 0 || element.dashpot.isZero(0)) return force;
-  for (int end = 0; end < ends_of(element); ++end) {
+  if (trial.rule.dashpot_rate == 0 || springs.dashpot.isZero(0)) return force;
+  for (int end = 0; end < ends_of(springs); ++end) {
     const Eigen::Index n = normal_row(end);
-    const Row normal = row_of(element, trial, n);
-    const Row tangent = row_of(element, trial, n + 1);
+    const Row normal = row_of(springs, trial, n);
+    const Row tangent = row_of(springs, trial, n + 1);
     if (!normal.broken) continue;
     force(n) = trial.force(n) - spring(trial.rule, normal.stiffness, normal.start, trial.normal_gap(end)).force;
     if (trial.active(n + 1) >= 1) force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
@@ -272,16 +272,16 @@ Vec4 dashpot_force(const InterfaceElement& element, const InterfaceTrial& trial)
   return force;
 }
 
-bool release_shear(const InterfaceElement& element, const EndStrength& strength, InterfaceState& state) {
-  if (has_stress_rows(element)) return false;
+bool release_shear(const InterfaceSprings& springs, const EndStrength& strength, InterfaceState& state) {
+  if (has_stress_rows(springs)) return false;
   bool released = false;
-  for (int end = 0; end < ends_of(element); ++end) {
+  for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
     const double capacity = strength.capacity(state.force(n), state.residual[e]);
     if (!state.broken[e] || std::abs(state.force(n + 1)) <= capacity) continue;
     state.force(n + 1) = std::copysign(capacity, state.force(n + 1));
-    const double left = elastic_gap(state.force(n + 1), element.stiffness(n + 1), state.gap(n + 1));
+    const double left = elastic_gap(state.force(n + 1), springs.stiffness(n + 1), state.gap(n + 1));
     state.slip[e] += state.gap(n + 1) - left;
     state.gap(n + 1) = left;
     state.status[e] = ContactStatus::sliding;
@@ -290,19 +290,19 @@ bool release_shear(const InterfaceElement& element, const EndStrength& strength,
   return released;
 }
 
-InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial) {
+InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceState& start, const InterfaceTrial& trial) {
   InterfaceState state = start;
   state.gap = trial.gap;
   state.force = trial.force;
   state.broken = trial.broken;
   state.residual = trial.residual;
-  if (has_stress_rows(element)) return state;
-  for (int end = 0; end < ends_of(element); ++end) {
+  if (has_stress_rows(springs)) return state;
+  for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
     state.gap(n) = trial.normal_gap(end);
     state.dilation[e] += trial.dilation[e];
-    if (trial.broken[e]) state.force(n) = element.stiffness(n) * pressed(state.gap(n));
+    if (trial.broken[e]) state.force(n) = springs.stiffness(n) * pressed(state.gap(n));
     if (trial.broken[e] && state.gap(n) >= 0) {
       state.status[e] = ContactStatus::open;
       state.force.segment<2>(n).setZero();
@@ -311,10 +311,10 @@ InterfaceState finish_trial(const InterfaceElement& element, const InterfaceStat
     }
     state.status[e] = trial.active(n + 1) < 1 ? ContactStatus::sliding : ContactStatus::locked;
     if (state.status[e] == ContactStatus::locked) {
-      state.force(n + 1) = element.stiffness(n + 1) * trial.gap(n + 1);
+      state.force(n + 1) = springs.stiffness(n + 1) * trial.gap(n + 1);
       continue;
     }
-    state.gap(n + 1) = elastic_gap(trial.force(n + 1), element.stiffness(n + 1), trial.gap(n + 1));
+    state.gap(n + 1) = elastic_gap(trial.force(n + 1), springs.stiffness(n + 1), trial.gap(n + 1));
     state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
   }
   return state;

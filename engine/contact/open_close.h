@@ -61,46 +61,46 @@ struct InterfaceTrial {
 };
 
 // Linear in its gaps, whatever they are: nothing to settle.
-inline bool is_whole(const InterfaceElement& element, const InterfaceTrial& trial) {
-  return has_stress_rows(element) || (!trial.broken[0] && !trial.broken[1]);
+inline bool is_whole(const InterfaceSprings& springs, const InterfaceTrial& trial) {
+  return has_stress_rows(springs) || (!trial.broken[0] && !trial.broken[1]);
 }
 
 // Starts a step: gaps, capacities and broken ends of its first moment.
-InterfaceTrial start_trial(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& start,
+InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& start,
                            const ContactRule& rule = {});
 
 // Force and active rows at the trial's gap. Classical elements only; the others are linear and never ask.
-void respond(const InterfaceElement& element, InterfaceTrial& trial);
+void respond(const InterfaceSprings& springs, InterfaceTrial& trial);
 
 // Work rate direction . force at a share `t` of the Newton step.
-double force_along(const InterfaceElement& element, const InterfaceTrial& trial, double t);
+double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial, double t);
 
 // Shear of an end that does not slide, whatever its capacity.
-void respond_as_stuck(const InterfaceElement& element, int end, InterfaceTrial& trial);
+void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& trial);
 
 // respond() with the capacities of the normal forces there.
-void respond_with_friction(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
+void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Sets capacities to those of the normal forces; returns the largest change of a force that this makes at this gap.
-double update_capacity(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
+double update_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Sets dilations to those of the slips; returns the largest change of a force that this makes at this gap. For
 // capacities that stand still.
-double update_dilation(const InterfaceElement& element, const EndStrength& strength, InterfaceTrial& trial);
+double update_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Breaks ends that are beyond their strength, and leaves dry ends that slide their residual friction; returns whether
 // there was one. Each end does both once.
 bool break_ends(const EndStrength& strength, InterfaceTrial& trial);
 
 // The part of a trial's force that comes from dashpots.
-Vec4 dashpot_force(const InterfaceElement& element, const InterfaceTrial& trial);
+Vec4 dashpot_force(const InterfaceSprings& springs, const InterfaceTrial& trial);
 
 // Lets shear beyond the friction of a closed, broken end go (after a stage in which contacts stuck). Returns whether
 // something changed; the slip takes what the gap loses.
-bool release_shear(const InterfaceElement& element, const EndStrength& strength, InterfaceState& state);
+bool release_shear(const InterfaceSprings& springs, const EndStrength& strength, InterfaceState& state);
 
 // The state that a converged trial leaves: forces of the springs alone.
-InterfaceState finish_trial(const InterfaceElement& element, const InterfaceState& start, const InterfaceTrial& trial);
+InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceState& start, const InterfaceTrial& trial);
 
 // Which ends of an interface with stress rows are loaded beyond the strength of their joint, each with its share of the
 // normal force and of the moment, and half the shear force. When one is, it breaks, and the interface must go on as a

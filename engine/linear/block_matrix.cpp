@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dda/linear/panel_product.h"
+
 namespace dda {
 namespace {
 
@@ -101,37 +103,30 @@ void BlockMatrix::add_coupling(int i, int j, const Mat6& stiffness) {
 
 void BlockMatrix::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
 
-void BlockMatrix::multiply(const Vector& x, Vector& y) const {
+template <typename Meets>
+void BlockMatrix::multiply_where(const Meets& meets, const Vector& x, Vector& y) const {
   y.setZero();
   for (int column = 0; column < size(); ++column) {
     const int first = column_starts_[index(column)];
-    const Vec6 x_column = x.segment<6>(6 * column);
-    Vec6 y_column = block(first) * x_column;
-    for (int k = first + 1; k < column_starts_[index(column) + 1]; ++k) {
-      const int row = 6 * block_rows_[index(k)];
-      const Mat6 coupling = block(k);
-      y_column.noalias() += coupling.transpose() * x.segment<6>(row);
-      y.segment<6>(row).noalias() += coupling * x_column;
+    const int last = column_starts_[index(column) + 1];
+    PanelProduct product(values_.data() + 36 * index(first), 6 * (last - first), x.data() + 6 * column);
+    bool met = meets(column, column);
+    for (int k = first + 1; k < last; ++k) {
+      const int row = block_rows_[index(k)];
+      if (!meets(column, row)) continue;
+      product.couple(k - first, x.data() + 6 * row, y.data() + 6 * row);
+      met = true;
     }
-    y.segment<6>(6 * column) += y_column;
+    if (met) product.add_to(y.data() + 6 * column);
   }
 }
 
+void BlockMatrix::multiply(const Vector& x, Vector& y) const {
+  multiply_where([](int, int) { return true; }, x, y);
+}
+
 void BlockMatrix::multiply(const BlockPart& part, const Vector& x, Vector& y) const {
-  y.setZero();
-  for (int column = 0; column < size(); ++column) {
-    const bool inside = part.contains(column);
-    const int first = column_starts_[index(column)];
-    if (inside) y.segment<6>(6 * column) += block(first) * x.segment<6>(6 * column);
-    for (int k = first + 1; k < column_starts_[index(column) + 1]; ++k) {
-      const int row = block_rows_[index(k)];
-      const bool row_inside = part.contains(row);
-      if (!inside && !row_inside) continue;
-      const Mat6 coupling = block(k);
-      if (inside) y.segment<6>(6 * row).noalias() += coupling * x.segment<6>(6 * column);
-      if (row_inside) y.segment<6>(6 * column).noalias() += coupling.transpose() * x.segment<6>(6 * row);
-    }
-  }
+  multiply_where([&part](int column, int row) { return part.contains(column) || part.contains(row); }, x, y);
 }
 
 }  // namespace dda

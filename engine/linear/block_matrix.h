@@ -81,6 +81,9 @@ class BlockMatrix {
     const Place place = places_[index(k)];
     return ConstBlock(values_.data() + place.offset, Eigen::OuterStride<>(place.stride));
   }
+  // Of the couplings for which meets(column, row), and of diagonal blocks alike.
+  template <typename Meets>
+  void multiply_where(const Meets& meets, const Vector& x, Vector& y) const;
   void build_pattern(int blocks, const std::vector<std::pair<int, int>>& couplings);
   void build_places();
   void build_scalar_csc();

@@ -1,12 +1,12 @@
 #include "dda/linear/incomplete_cholesky.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "dda/linear/block_order.h"
-#include "dda/linear/block_product.h"
-#include "dda/linear/small_cholesky.h"
+#include "dda/linear/small_inverse.h"
 
 namespace dda {
 namespace {
@@ -18,12 +18,10 @@ struct Fill {
   int level;
 };
 
-// The inverse of a symmetric positive definite block; false where it is not. W^T W is symmetric to the last bit.
-bool invert(const Mat6& block, Mat6& inverse) {
-  Mat6 lower;
-  if (!factor_block(block, lower)) return false;
-  const Mat6 lower_inverse = inverse_of_lower(lower);
-  inverse = lower_inverse.transpose().lazyProduct(lower_inverse);
+bool invert(const Mat6& block, SingleBlock& inverse) {
+  Mat6 exact;
+  if (!invert_block(block, exact)) return false;
+  inverse.assign(exact);
   return true;
 }
 
@@ -59,7 +57,7 @@ void IncompleteCholesky::analyze(const BlockMatrix& matrix, int level) {
   find_targets();
   blocks_.resize(rows_.size());
   diagonal_.resize(order_.size());
-  work_.resize(matrix.unknowns());
+  work_.resize(order_.size());
 }
 
 void IncompleteCholesky::lay_out(const BlockMatrix& matrix, int level) {
@@ -108,16 +106,13 @@ void IncompleteCholesky::find_sources(const BlockMatrix& matrix) {
 void IncompleteCholesky::find_targets() {
   targets_.clear();
   target_starts_.assign(1, 0);
-  std::size_t most = 0;
   for (std::size_t column = 0; column < order_.size(); ++column) {
     const int first = column_starts_[column];
     const int last = column_starts_[column + 1];
-    most = std::max(most, at(last - first));
     for (int i = first; i < last; ++i)
       for (int j = first; j < i; ++j) targets_.push_back(entry(rows_[at(i)], rows_[at(j)]));
     target_starts_.push_back(static_cast<int>(targets_.size()));
   }
-  unscaled_.resize(most);
 }
 
 bool IncompleteCholesky::factorize(const BlockMatrix& matrix) {
@@ -148,14 +143,19 @@ bool IncompleteCholesky::factorize_places(const BlockMatrix& matrix) {
 
 void IncompleteCholesky::clear_fill(int column) {
   for (int k = column_starts_[at(column)]; k < column_starts_[at(column) + 1]; ++k)
-    if (is_fill_[at(k)] != 0) blocks_[at(k)].setZero();
+    if (is_fill_[at(k)] != 0) blocks_[at(k)].set_zero();
 }
 
+// Single precision reaches from 1e-38 to 1e38: the matrix is brought to 1, whatever its units.
 void IncompleteCholesky::load(const BlockMatrix& matrix, double shift) {
+  double largest = 0;
+  for (const int k : places_) largest = std::max(largest, matrix.diagonal(order_[at(k)]).diagonal().maxCoeff());
+  scale_ = 1 / largest;
   for (const int k : places_) {
     clear_fill(k);
-    diagonal_[at(k)] = matrix.diagonal(order_[at(k)]);
-    diagonal_[at(k)].diagonal() *= 1 + shift;
+    Mat6 own = scale_ * matrix.diagonal(order_[at(k)]);
+    own.diagonal() *= 1 + shift;
+    diagonal_[at(k)].assign(own);
   }
   if (rows_.empty()) return;
   for (const int k : places_) load_column(matrix, order_[at(k)]);
@@ -167,18 +167,16 @@ void IncompleteCholesky::load_column(const BlockMatrix& matrix, int block) {
     if (is_factored_[at(position_[at(matrix.block_rows()[at(k)])])] == 0) continue;
     const Source& source = sources_[at(k - block - 1)];  // block + 1 diagonal blocks have gone before
     if (source.transposed) {
-      blocks_[at(source.entry)] = matrix.offdiagonal(k).transpose();
+      blocks_[at(source.entry)].assign(scale_ * matrix.offdiagonal(k).transpose());
     } else {
-      blocks_[at(source.entry)] = matrix.offdiagonal(k);
+      blocks_[at(source.entry)].assign(scale_ * matrix.offdiagonal(k));
     }
   }
 }
 
 bool IncompleteCholesky::eliminate_all() {
   for (const int column : places_) {
-    Mat6 inverse;
-    if (!invert(diagonal_[at(column)], inverse)) return false;
-    diagonal_[at(column)] = inverse;
+    if (!invert(diagonal_[at(column)].to_double(), diagonal_[at(column)])) return false;
     eliminate(column);
   }
   return true;
@@ -187,8 +185,8 @@ bool IncompleteCholesky::eliminate_all() {
 bool IncompleteCholesky::take_diagonal_only(const BlockMatrix& matrix) {
   shift_ = 0;
   for (const int k : places_) {
-    for (int entry = column_starts_[at(k)]; entry < column_starts_[at(k) + 1]; ++entry) blocks_[at(entry)].setZero();
-    if (!invert(matrix.diagonal(order_[at(k)]), diagonal_[at(k)])) return false;
+    for (int entry = column_starts_[at(k)]; entry < column_starts_[at(k) + 1]; ++entry) blocks_[at(entry)].set_zero();
+    if (!invert(scale_ * matrix.diagonal(order_[at(k)]), diagonal_[at(k)])) return false;
   }
   return true;
 }
@@ -200,44 +198,49 @@ void IncompleteCholesky::eliminate(int column) {
   const int* target = targets_.data() + target_starts_[at(column)];
   for (int i = 0; i < count; target += i, ++i) {
     if (is_factored_[at(rows_[at(first + i)])] == 0) continue;
-    Mat6& block = blocks_[at(first + i)];
-    unscaled_[at(i)] = block;
-    block.setZero();
-    add_product(unscaled_[at(i)], diagonal_[at(column)], block);
+    SingleBlock& block = blocks_[at(first + i)];
+    const DoubledColumns unscaled(block);
+    block.set_zero();
+    add_product_transposed<1>(unscaled, diagonal_[at(column)], block);  // D^-1 is symmetric
     for (int j = 0; j < i; ++j)
       if (target[j] >= 0 && is_factored_[at(rows_[at(first + j)])] != 0)
-        subtract_product_transposed(unscaled_[at(i)], blocks_[at(first + j)], blocks_[at(target[j])]);
-    subtract_product_transposed(unscaled_[at(i)], block, diagonal_[at(rows_[at(first + i)])]);
+        add_product_transposed<-1>(unscaled, blocks_[at(first + j)], blocks_[at(target[j])]);
+    add_product_transposed<-1>(unscaled, block, diagonal_[at(rows_[at(first + i)])]);
   }
 }
 
 double IncompleteCholesky::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
-  if (places_.size() == order_.size()) return substitute<true>(r, z);
-  z.setZero();
-  return substitute<false>(r, z);
+  const bool whole = places_.size() == order_.size();
+  if (!whole) z.setZero();
+  double largest = 0;
+  for (const int j : places_) largest = std::max(largest, r.segment<6>(6 * order_[at(j)]).cwiseAbs().maxCoeff());
+  if (largest < std::numeric_limits<double>::min()) largest = 1;
+  return whole ? substitute<true>(largest, r, z) : substitute<false>(largest, r, z);
 }
 
-// Of the whole the innermost loops need not ask which rows there are: half of their time.
+// `unit`: what counts as 1 in r. Of the whole the innermost loops need not ask which rows there are: half of their
+// time.
 template <bool whole>
-double IncompleteCholesky::substitute(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+double IncompleteCholesky::substitute(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z) {
   const auto is_there = [this](int k) { return whole || is_factored_[at(rows_[at(k)])] != 0; };
-  for (const int j : places_) work_.segment<6>(6 * j) = r.segment<6>(6 * order_[at(j)]);
-  double product = 0;
+  const double shrink = 1 / unit;
+  for (const int j : places_) work_[at(j)] = SingleSix(shrink * r.segment<6>(6 * order_[at(j)]));
   for (const int j : places_) {
-    const Vec6 known = work_.segment<6>(6 * j);
+    const ColumnFactors known(work_[at(j)]);
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
-      if (is_there(k)) work_.segment<6>(6 * rows_[at(k)]) -= blocks_[at(k)] * known;
-    const Vec6 scaled = diagonal_[at(j)] * known;
-    product += known.dot(scaled);
-    work_.segment<6>(6 * j) = scaled;
+      if (is_there(k)) work_[at(rows_[at(k)])] -= known.times(blocks_[at(k)]);
+    work_[at(j)] = known.times(diagonal_[at(j)]);
   }
+  double product = 0;
   for (std::size_t place = places_.size(); place-- > 0;) {
     const int j = places_[place];
-    Vec6 result = work_.segment<6>(6 * j);
+    TransposedSum below;
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
-      if (is_there(k)) result -= blocks_[at(k)].transpose() * work_.segment<6>(6 * rows_[at(k)]);
-    work_.segment<6>(6 * j) = result;
-    z.segment<6>(6 * order_[at(j)]) = result;
+      if (is_there(k)) below.add(blocks_[at(k)], work_[at(rows_[at(k)])]);
+    work_[at(j)] -= below.total();
+    auto result = z.segment<6>(6 * order_[at(j)]);
+    result = (scale_ * unit) * work_[at(j)].to_double();
+    product += result.dot(r.segment<6>(6 * order_[at(j)]));
   }
   return product;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dda/linear/block_matrix.h"
+#include "dda/linear/single_block.h"
 
 namespace dda {
 
@@ -13,6 +14,10 @@ namespace dda {
 // 2003, 10.3.3); what would fall elsewhere is dropped. Where dropping makes a diagonal block of D indefinite, which it
 // may when blocks hardly resist strain, the factor of A + shift diag(A) takes its place (Manteuffel 1980), and as a
 // last resort the diagonal blocks alone: M D M^T is always positive definite.
+//
+// All in single precision, which halves the time of a factorization and of its use. Elimination leaves of a diagonal
+// entry the share of inertia in it, 1/chi at least, and single precision tells that up to chi = 1e6: beyond, where no
+// incomplete factor is worth its while, shifts become more frequent.
 class IncompleteCholesky {
  public:
   static constexpr int diagonal = -1;  // a level: no fill and no coupling either
@@ -53,25 +58,25 @@ class IncompleteCholesky {
   [[nodiscard]] bool eliminate_all();
   void eliminate(int column);
   template <bool whole>
-  double substitute(const Eigen::VectorXd& r, Eigen::VectorXd& z);
+  double substitute(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z);
   [[nodiscard]] bool take_diagonal_only(const BlockMatrix& matrix);
 
-  std::vector<int> order_;          // order_[k]: the block eliminated as the k-th
-  std::vector<int> position_;       // of each block in order_
-  std::vector<int> places_;         // positions of the blocks that are factored, ascending
-  std::vector<char> is_factored_;   // by position
-  std::vector<int> column_starts_;  // n + 1, into rows_
-  std::vector<int> rows_;           // by column, ascending
-  std::vector<char> is_fill_;       // as in rows_: A has no block there
-  std::vector<Mat6> blocks_;        // M, as in rows_
-  std::vector<Mat6> diagonal_;      // of A, then of D^-1
-  std::vector<Source> sources_;     // of all couplings, in the order of the matrix
+  std::vector<int> order_;             // order_[k]: the block eliminated as the k-th
+  std::vector<int> position_;          // of each block in order_
+  std::vector<int> places_;            // positions of the blocks that are factored, ascending
+  std::vector<char> is_factored_;      // by position
+  std::vector<int> column_starts_;     // n + 1, into rows_
+  std::vector<int> rows_;              // by column, ascending
+  std::vector<char> is_fill_;          // as in rows_: A has no block there
+  std::vector<SingleBlock> blocks_;    // M, as in rows_
+  std::vector<SingleBlock> diagonal_;  // of A, then of D^-1
+  std::vector<Source> sources_;        // of all couplings, in the order of the matrix
   // For each column with rows a_0 < a_1 < ...: entry (a_i, a_j) for all j < i, row by row; -1 where it is dropped.
   std::vector<int> targets_;
   std::vector<int> target_starts_;
-  std::vector<Mat6> unscaled_;  // M_ij D_j of the column in elimination
-  Eigen::VectorXd work_;
+  std::vector<SingleSix> work_;  // by position
   double shift_ = 0;
+  double scale_ = 1;  // A times this is what was factored
 };
 
 }  // namespace dda

@@ -219,25 +219,27 @@ TEST(PcgSolver, NeedsNoIterationFromTheSolutionOrForNoLoad) {
   EXPECT_TRUE(x.isZero(0));
 }
 
-TEST(PcgSolver, SolvesUncoupledBlocksInOneIteration) {
+// Inverses of seven digits take two iterations to twelve.
+TEST(PcgSolver, SolvesUncoupledBlocksInTwoIterations) {
   const RandomSystem system = random_system(7, {}, 1);
   PcgSolver solver;
   solver.analyze(system.matrix);
   ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(42);
   ASSERT_EQ(solver.solve(system.rhs, x), Status::ok);
-  EXPECT_EQ(solver.counts().iterations, 1);
+  EXPECT_EQ(solver.counts().iterations, 2);
 }
 
 // In exact arithmetic the iteration ends after as many steps as there are distinct eigenvalues; here they are 1 +- 0.3
-// and 1 +- 0.6, and round-off has no time to matter. A search direction that is not conjugate takes longer.
+// and 1 +- 0.6, and the preconditioner's round-off of 6e-8 does not matter yet. A search direction that is not
+// conjugate takes longer.
 TEST(PcgSolver, EndsAfterAsManyIterationsAsDistinctEigenvalues) {
   BlockMatrix matrix(2, {{0, 1}});
   for (int i = 0; i < 2; ++i) matrix.diagonal(i).setIdentity();
   Vec6 coupling;
   coupling << 0.3, 0.3, 0.3, 0.6, 0.6, 0.6;
   matrix.add_coupling(1, 0, coupling.asDiagonal().toDenseMatrix());
-  PcgSolver solver;
+  PcgSolver solver({1e-6, 20});
   solver.analyze(matrix);
   ASSERT_EQ(solver.factorize(matrix), Status::ok);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(12);

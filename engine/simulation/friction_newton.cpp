@@ -109,11 +109,14 @@ void Simulation::list_live_interfaces() {
   n.between_pieces = false;
   n.live.reserve(trial_.size());
   n.couplings.reserve(trial_.size());
+  n.taken.reserve(trial_.size());
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     if (is_whole(element, trial_[i])) continue;
-    n.live.push_back({i, element.block_a, element.block_b, pieces_of(trial_[i]), false, PointKinematics(element)});
+    n.live.push_back(
+        {i, element.block_a, element.block_b, pieces_of(trial_[i]), false, element, PointKinematics(element)});
   }
+  n.take_all();
 }
 
 // Held blocks go all their way at once; the others start from rest. (The increments of the step before would be no
@@ -137,7 +140,8 @@ void Simulation::form_residual() {
   n.residual = constant_rhs_;
   n.largest_force = bolts_.largest_force();
   for (const FrictionNewton::LiveContact& contact : n.live) {
-    FrictionNewton::add_force(contact, -coefficients_.stiffness * constant_force(contact.interface), n.residual);
+    const Vec4 constant = constant_force(contact.interface, contact.springs);
+    if (!constant.isZero(0)) FrictionNewton::add_force(contact, -coefficients_.stiffness * constant, n.residual);
     n.largest_force = std::max(n.largest_force, trial_[contact.interface].force.cwiseAbs().maxCoeff());
   }
   bolts_.add_rhs(coefficients_.stiffness, n.residual);
@@ -187,10 +191,10 @@ Status Simulation::solve_newton_step(double relative) {
 void Simulation::list_couplings() {
   FrictionNewton& n = newton_;
   n.couplings.clear();
-  for (const FrictionNewton::LiveContact& contact : n.live) {
-    if (!n.takes_in(contact)) continue;
+  for (const std::size_t k : n.taken) {
+    const FrictionNewton::LiveContact& contact = n.live[k];
     const std::size_t i = contact.interface;
-    const Vec4 slopes = shear_by_normal_gap(contacts_.elements[i], contacts_.strengths[i], trial_[i], contact.pieces);
+    const Vec4 slopes = shear_by_normal_gap(contact.springs, contacts_.strengths[i], trial_[i], contact.pieces);
     if (!slopes.isZero(0)) n.couplings.push_back({&contact, slopes});
   }
 }
@@ -222,16 +226,15 @@ void Simulation::take_newton_step_with_friction(bool strictly) {
     n.residual -= n.image;
   }
   n.between_pieces = false;
-  for (FrictionNewton::LiveContact& contact : n.live) {
-    if (!n.takes_in(contact)) continue;
+  for (const std::size_t k : n.taken) {
+    FrictionNewton::LiveContact& contact = n.live[k];
     const std::size_t i = contact.interface;
-    const InterfaceElement& element = contacts_.elements[i];
     InterfaceTrial& trial = trial_[i];
     const Vec4 force_before = trial.force;
     const Vec4 moved = FrictionNewton::gap(contact, n.step);
     trial.gap += moved;
-    respond_with_friction(element, contacts_.strengths[i], trial);
-    contact.between = keep_to_bordering_pieces(element, contacts_.strengths[i], rule, trial, contact.pieces);
+    respond_with_friction(contact.springs, contacts_.strengths[i], trial);
+    contact.between = keep_to_bordering_pieces(contact.springs, contacts_.strengths[i], rule, trial, contact.pieces);
     n.between_pieces = n.between_pieces || contact.between;
     if (n.is_local) follow_residual(contact, moved, force_before);
   }

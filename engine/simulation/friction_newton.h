@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "dda/contact/contact_pieces.h"
@@ -21,6 +22,7 @@ struct FrictionNewton {
     int block_a, block_b;
     ContactPieces pieces;  // what the pass takes its ends to be
     bool between;          // its forces are not what it answers: keep_to_bordering_pieces
+    InterfaceSprings springs;
     PointKinematics points;
   };
 
@@ -33,6 +35,7 @@ struct FrictionNewton {
   static constexpr int basis = 40;  // of GMRES
 
   std::vector<LiveContact> live;
+  std::vector<std::size_t> taken;  // of these, those that the pass moves
   std::vector<Coupling> couplings;
   BlockPart part;               // the blocks that a local pass moves
   bool is_local = false;        // the pass, and with it the factor at hand
@@ -58,8 +61,16 @@ struct FrictionNewton {
                              force.segment<6>(6 * contact.block_b));
   }
 
-  [[nodiscard]] bool takes_in(const LiveContact& contact) const {
-    return !is_local || part.contains(contact.block_a) || part.contains(contact.block_b);
+  void take_all() {
+    is_local = false;
+    taken.resize(live.size());
+    std::iota(taken.begin(), taken.end(), std::size_t{0});
+  }
+  void take_part() {
+    is_local = true;
+    taken.clear();
+    for (std::size_t k = 0; k < live.size(); ++k)
+      if (part.contains(live[k].block_a) || part.contains(live[k].block_b)) taken.push_back(k);
   }
 
   void resize(Eigen::Index unknowns) {

@@ -28,13 +28,20 @@ Status Simulation::prepare_pass(bool& changed) {
   FrictionNewton& n = newton_;
   const Status status = bring_matrix_up_to_date(false, changed);
   if (status != Status::ok) return status;
-  if (!choose_part()) return n.is_local || n.stale_interfaces > most_stale_interfaces ? factorize() : Status::ok;
+  if (!choose_part()) return prepare_whole_pass();
   const PhaseTimer timer(phase_times_.factorization);
   ++counters_.factorizations;
   ++counters_.local_passes;
-  n.is_local = true;
+  n.take_part();
   n.matrix_amended = true;  // the next step starts with matrix and factor of the whole
   return solver_->factorize(matrix_, n.part);
+}
+
+Status Simulation::prepare_whole_pass() {
+  FrictionNewton& n = newton_;
+  const bool is_stale = n.is_local || n.stale_interfaces > most_stale_interfaces;
+  n.take_all();
+  return is_stale ? factorize() : Status::ok;
 }
 
 // False where the pass is to take in all blocks.
@@ -46,7 +53,8 @@ bool Simulation::choose_part() {
   n.part.clear(static_cast<int>(blocks));
   for (std::size_t i = 0; i < blocks; ++i)
     if (largest_entry(n.residual, i) > small) n.part.add(static_cast<int>(i));
-  for (const FrictionNewton::LiveContact& contact : n.live) {
+  for (const std::size_t k : n.taken) {  // those out of the last pass are on their pieces
+    const FrictionNewton::LiveContact& contact = n.live[k];
     if (!contact.between) continue;
     if (!held_.holds(contact.block_a)) n.part.add(contact.block_a);
     if (!held_.holds(contact.block_b)) n.part.add(contact.block_b);
@@ -75,9 +83,8 @@ void Simulation::add_neighbours() {
 // goes off it too.
 void Simulation::follow_residual(const FrictionNewton::LiveContact& contact, const Vec4& moved,
                                  const Vec4& force_before) {
-  const InterfaceElement& element = contacts_.elements[contact.interface];
   const InterfaceTrial& trial = trial_[contact.interface];
-  const Vec4 expected = matrix_rows_[contact.interface].cwiseProduct(element.stiffness).cwiseProduct(moved);
+  const Vec4 expected = matrix_rows_[contact.interface].cwiseProduct(contact.springs.stiffness).cwiseProduct(moved);
   const Vec4 beyond = trial.force - force_before - expected;
   newton_.largest_force = std::max(newton_.largest_force, trial.force.cwiseAbs().maxCoeff());
   if (!beyond.isZero(0)) FrictionNewton::add_force(contact, -coefficients_.stiffness * beyond, newton_.residual);

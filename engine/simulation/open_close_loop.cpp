@@ -161,16 +161,16 @@ void Simulation::add_contact_rhs(Eigen::VectorXd& rhs) const {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     if (has_stress_rows(element)) continue;
-    const Vec4 constant = constant_force(i);
+    const Vec4 constant = constant_force(i, element);
     if (!constant.isZero(0)) add_interface_force(element, -coefficients_.stiffness * constant, Vec4::Zero(), rhs);
   }
   bolts_.add_rhs(coefficients_.stiffness, rhs);
 }
 
-Vec4 Simulation::constant_force(std::size_t i) const {
+Vec4 Simulation::constant_force(std::size_t i, const InterfaceSprings& springs) const {
   const InterfaceTrial& trial = trial_[i];
   const Vec4 reached = trial.gap - trial.start;  // dilation has moved the force, not the gap
-  return trial.force - matrix_rows_[i].cwiseProduct(contacts_.elements[i].stiffness).cwiseProduct(reached) -
+  return trial.force - matrix_rows_[i].cwiseProduct(springs.stiffness).cwiseProduct(reached) -
          contacts_.states[i].force;
 }
 

@@ -121,7 +121,7 @@ class Simulation {
   [[nodiscard]] bool dilations_stand_still();
   [[nodiscard]] Status solve_pass();
   void add_contact_rhs(Eigen::VectorXd& rhs) const;
-  [[nodiscard]] Vec4 constant_force(std::size_t i) const;
+  [[nodiscard]] Vec4 constant_force(std::size_t i, const InterfaceSprings& springs) const;
   void restart_trials();
   [[nodiscard]] bool take_newton_step();
   [[nodiscard]] double length_of_step();
@@ -144,6 +144,7 @@ class Simulation {
   [[nodiscard]] double negligible_imbalance() const;
   void list_live_interfaces();
   [[nodiscard]] Status bring_matrix_up_to_date(bool anew, bool& changed);
+  [[nodiscard]] bool take_up_active_rows(std::size_t i, bool amend);
   void amend_matrix(std::size_t i);
   void form_residual();
   [[nodiscard]] double largest_entry(const Eigen::VectorXd& force, std::size_t block) const;
@@ -155,6 +156,7 @@ class Simulation {
   void take_newton_step_with_friction(bool strictly);
   // Its local passes (local_pass.cpp)
   [[nodiscard]] Status prepare_pass(bool& changed);
+  [[nodiscard]] Status prepare_whole_pass();
   [[nodiscard]] bool choose_part();
   void add_neighbours();
   void follow_residual(const FrictionNewton::LiveContact& contact, const Vec4& moved, const Vec4& force_before);

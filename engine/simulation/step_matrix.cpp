@@ -61,14 +61,20 @@ Status Simulation::bring_matrix_up_to_date(bool anew, bool& changed) {
   if (matrix_rows_.size() != trial_.size()) matrix_rows_.assign(trial_.size(), Vec4::Constant(-1));
   changed = bolts_.active_rows_changed();
   anew = anew || whole || changed || held_.move();
-  for (std::size_t i = 0; i < trial_.size(); ++i) {
-    if (matrix_rows_[i] == trial_[i].active) continue;
-    if (!anew) amend_matrix(i);
-    matrix_rows_[i] = trial_[i].active;
-    ++counters_.contact_state_changes;
-    changed = true;
+  if (!anew) {
+    for (const std::size_t k : newton_.taken) changed = take_up_active_rows(newton_.live[k].interface, true) || changed;
+    return Status::ok;
   }
-  return anew && (whole || changed || newton_.is_local) ? refactor() : Status::ok;
+  for (std::size_t i = 0; i < trial_.size(); ++i) changed = take_up_active_rows(i, false) || changed;
+  return whole || changed || newton_.is_local ? refactor() : Status::ok;
+}
+
+bool Simulation::take_up_active_rows(std::size_t i, bool amend) {
+  if (matrix_rows_[i] == trial_[i].active) return false;
+  if (amend) amend_matrix(i);
+  matrix_rows_[i] = trial_[i].active;
+  ++counters_.contact_state_changes;
+  return true;
 }
 
 void Simulation::amend_matrix(std::size_t i) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "dda/terms/load.h"
 #include "dda/terms/viscous_boundary.h"
 
 namespace dda {
@@ -29,7 +28,6 @@ FreeField::FreeField(const Model& model, const State& state, FreeFieldColumns&& 
   for_each_edge(model, contacts_,
                 [&, next = std::size_t{0}](const ViscousEdge& edge, double, Contact& contact) mutable {
                   contact.block = edge.block;
-                  contact.height = (edge.to - edge.from).norm();
                   contact.ties = columns.ties[next];
                   contact.column_block = columns.blocks[next++];
                 });
@@ -49,7 +47,7 @@ FreeField::Motion FreeField::motion_of(const Contact& contact) const {
   Vec2 force = Vec2::Zero();
   for (const std::size_t tie : {contact.ties, contact.ties + 1})
     force -= columns_.supports()[tie].stiffness * columns_.supports()[tie].gap;
-  return {columns_.state().velocity[at(contact.column_block)], force / contact.height};
+  return {columns_.state().velocity[at(contact.column_block)], force};
 }
 
 Status FreeField::advance_to(double time) {
@@ -69,7 +67,7 @@ bool FreeField::begin_stage(const Model& model, const State& state, std::size_t 
   bool any = false;
   for_each_edge(model, contacts_, [&](const ViscousEdge& edge, double, Contact& contact) {
     if (at(edge.first_stage) != stage || stage == 0) return;
-    contact.traction_before = contact.now.traction;
+    contact.force_before = contact.now.force;
     any = true;
   });
   if (any) update_geometry(model, state, stage);
@@ -99,8 +97,7 @@ void FreeField::place(const Model& model, const State& state, const ViscousEdge&
   };
   contact.dashpots =
       viscous_coupling(from, to, in_column(edge.from), in_column(edge.to), edge.normal_impedance, edge.shear_impedance);
-  contact.edge.col(0) = edge_load(from, to, {outward, 0});
-  contact.edge.col(1) = edge_load(from, to, {0, outward});
+  contact.middle = outward * displacement_rows((from + to) / 2).transpose();
 }
 
 void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
@@ -108,10 +105,10 @@ void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
   const double share = std::clamp(passed, 0.0, 1.0);
   for (const Contact& contact : contacts_) {
     const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
-    const Vec2 traction = (1 - share) * contact.old.traction + share * contact.now.traction - contact.traction_before;
+    const Vec2 tied = (1 - share) * contact.old.force + share * contact.now.force - contact.force_before;
     auto own = force.segment<6>(6 * contact.block);
     own.noalias() += contact.dashpots * velocity;
-    own.noalias() += contact.edge * traction;
+    own.noalias() += contact.middle * tied;
   }
 }
 

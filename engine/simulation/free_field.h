@@ -29,7 +29,7 @@ class FreeField {
   // True when the columns have come to rest in a static stage that ends at `time`.
   [[nodiscard]] bool stands_still_until(double time) const;
 
-  // Sides that begin to act with this stage. They carry the traction that comes from now on: what was there before is
+  // Sides that begin to act with this stage. They carry the forces that come from now on: what was there before is
   // held by what the model had in their place. False when none does.
   bool begin_stage(const Model& model, const State& state, std::size_t stage);
 
@@ -47,7 +47,7 @@ class FreeField {
 
   struct Motion {
     Vec6 velocity = Vec6::Zero();
-    Vec2 traction = Vec2::Zero();  // Pa, on the right side of the block
+    Vec2 force = Vec2::Zero();  // N, on the right side of the block
   };
 
   // Where a block of a column acts on a block of the model.
@@ -55,11 +55,10 @@ class FreeField {
     int block = 0;                 // of the model
     int column_block = 0;          // of the columns
     std::size_t ties = 0;          // the first of the two supports that tie its sides
-    double height = 0;             // m
     Mat6 dashpots = Mat6::Zero();  // times the column's velocity
-    Eigen::Matrix<double, 6, 2> edge = Eigen::Matrix<double, 6, 2>::Zero();  // times the traction
-    Vec2 traction_before = Vec2::Zero();                                     // Pa, when the side began to act
-    Motion old, now;                                                         // at the ends of the columns' last step
+    Eigen::Matrix<double, 6, 2> middle = Eigen::Matrix<double, 6, 2>::Zero();  // of the edge, times the ties' force
+    Vec2 force_before = Vec2::Zero();                                          // N, when the side began to act
+    Motion old, now;                                                           // at the ends of the columns' last step
   };
 
   FreeField(const Model& model, const State& state, FreeFieldColumns&& columns);

@@ -251,8 +251,8 @@ struct SnapshotAccess {
     archive.number(field.time_old_);
     archive.number(field.time_);
     for (auto& contact : field.contacts_)
-      matrices(archive, contact.dashpots, contact.edge, contact.traction_before, contact.old.velocity,
-               contact.old.traction, contact.now.velocity, contact.now.traction);
+      matrices(archive, contact.dashpots, contact.middle, contact.force_before, contact.old.velocity, contact.old.force,
+               contact.now.velocity, contact.now.force);
   }
 
   template <typename AnySimulation, typename Archive>

@@ -113,8 +113,9 @@ void Simulation::list_live_interfaces() {
   for (std::size_t i = 0; i < trial_.size(); ++i) {
     const InterfaceElement& element = contacts_.elements[i];
     if (is_whole(element, trial_[i])) continue;
+    const InterfaceSprings& springs = element;
     n.live.push_back(
-        {i, element.block_a, element.block_b, pieces_of(trial_[i]), false, element, PointKinematics(element)});
+        {i, element.block_a, element.block_b, pieces_of(trial_[i]), false, springs, PointKinematics(element)});
   }
   n.take_all();
 }

@@ -27,6 +27,13 @@ InterfaceLaw usable_law(InterfaceLaw wanted, const Interface& interface, bool ca
   return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
 }
 
+// Normal and tangential traction over the interface under a stress, Pa.
+Vec2 traction(const Interface& interface, const Vec3& stress) {
+  const Vec2& n = interface.normal;
+  const Vec2 global(stress(0) * n.x() + stress(2) * n.y(), stress(2) * n.x() + stress(1) * n.y());
+  return {n.dot(global), n.x() * global.y() - n.y() * global.x()};
+}
+
 template <int rows>
 InterfaceStiffness stiffness_of_rows(const InterfaceElement& element, const Vec4& mask) {
   const auto stiffness = element.stiffness.cwiseProduct(mask).head<rows>().asDiagonal();
@@ -63,6 +70,18 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
           current_centroid(model, state, interface.block_b)};
 }
 
+Vec4 in_situ_force(const Model& model, const Interface& interface) {
+  const auto stress = [&](int block) { return model.blocks[static_cast<std::size_t>(block)].initial_stress; };
+  const Vec3 mean = (stress(interface.block_a) + stress(interface.block_b)) / 2;
+  Vec2 force = interface.length / 2 * traction(interface, mean);
+  const EndStrength strength = end_strength(model.joints[static_cast<std::size_t>(interface.joint)], interface.length);
+  if (strength.is_dry()) {
+    const double capacity = strength.capacity(force(0), false);
+    force = {std::min(force(0), 0.0), std::clamp(force(1), -capacity, capacity)};
+  }
+  return {force(0), force(1), force(0), force(1)};
+}
+
 ContactSet make_contacts(const Model& model) {
   ContactSet contacts;
   contacts.interfaces = find_interfaces(model);
@@ -77,9 +96,15 @@ ContactSet make_contacts(const Model& model) {
     set_geometry(model, reference_frame(model, interface), element);
     const Vec3& stress_a = model.blocks[static_cast<std::size_t>(interface.block_a)].initial_stress;
     const Vec3& stress_b = model.blocks[static_cast<std::size_t>(interface.block_b)].initial_stress;
-    contacts.states[i].force = elastic_force(element, contacts.states[i].gap, stress_a, stress_b);
     contacts.elements.push_back(element);
     contacts.strengths.push_back(end_strength(joint, interface.length));
+    if (has_stress_rows(element)) {
+      contacts.states[i].force = elastic_force(element, contacts.states[i].gap, stress_a, stress_b);
+    } else {
+      contacts.states[i].force = in_situ_force(model, interface);
+      for (Eigen::Index row = 0; row < 4; ++row)
+        contacts.states[i].gap(row) = elastic_gap(contacts.states[i].force(row), element.stiffness(row), 0);
+    }
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
   return contacts;

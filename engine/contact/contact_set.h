@@ -24,6 +24,10 @@ struct ContactSet {
 // bolts: only then is the inertia between blocks constant.
 ContactSet make_contacts(const Model& model);
 
+// Normal and shear force at either end of an interface under the mean of its blocks' initial stresses, as far as a dry
+// joint carries them. Springs carry these from the start.
+Vec4 in_situ_force(const Model& model, const Interface& interface);
+
 // The state of a bonded interface whose geometry stays, from the blocks' total displacements and current stresses
 // instead of step by step; `gap_at_rest` is its gap at zero displacement.
 InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_rest, const Vec6& displacement_a,

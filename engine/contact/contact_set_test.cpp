@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dda/contact/contact_models.h"
 
 namespace dda {
@@ -40,6 +42,24 @@ TEST(CurrentFrame, FollowsTheBlocks) {
     EXPECT_LT((frame.normal - Vec2(along.y(), -along.x())).norm(), round_off);  // block a on the left
     EXPECT_LT((frame.centroid_b - current_centroid(moved.model, moved.state, 1)).norm(), round_off);
   }
+}
+
+// Pressed by 10, sheared by 2 (Pa) on a joint of 3 m between blocks of different stress.
+TEST(InSituForce, IsWhatTheMeanStressMakesAtEitherEndAsFarAsAJointCarriesIt) {
+  Model model = model_of({{box_ring(0, 0, 3, 1), {}}, {box_ring(0, 1, 3, 2), {}}});
+  model.blocks[0].initial_stress = {-100, -12, 1};
+  model.blocks[1].initial_stress = {100, -8, 3};
+  const auto force_with = [&](double friction, bool bonded) {
+    model.joints[0].bonded = bonded;
+    model.joints[0].friction_angle = std::atan(friction);
+    return in_situ_force(model, find_interfaces(model).at(0));
+  };
+  // The normal points up, the tangent to the left: what is above pulls the lower block to the right.
+  EXPECT_LT((force_with(0.5, false) - Vec4(-15, -3, -15, -3)).norm(), round_off);
+  EXPECT_LT((force_with(0.1, false) - Vec4(-15, -1.5, -15, -1.5)).norm(), round_off);
+  for (Block& block : model.blocks) block.initial_stress = -block.initial_stress;
+  EXPECT_LT((force_with(0, true) - Vec4(15, 3, 15, 3)).norm(), round_off);
+  EXPECT_TRUE(force_with(0.5, false).isZero(0)) << "a dry joint does not pull";
 }
 
 TEST(CurrentFrame, NormalIsBetweenThoseOfTheTwoEdges) {

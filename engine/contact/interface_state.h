@@ -6,6 +6,10 @@
 // residual_cohesion - residual friction * normal force. An end without cohesion and tension has nothing to break: it
 // keeps its friction until it slides.
 //
+// Seat: springs of an end that carried a force before there were springs (in-situ stress, or a joint that passed its
+// blocks' stress on until it broke) are pressed by that force where the blocks lie, without a gap. They are as if the
+// end closed at a distance of force over stiffness, until it opens for the first time.
+//
 // Dilation: an end that has slipped by s rides up by dilation * min(|s|, dilation_slip), which shifts the gap at which
 // it closes.
 #pragma once
@@ -13,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -33,6 +38,10 @@ struct InterfaceState {
   std::array<double, 2> slip{0, 0};  // m, along the tangent, since the start
   std::array<bool, 2> residual{false, false};
   std::array<double, 2> dilation{0, 0};  // m, normal, by the slip
+  std::array<double, 2> seat{0, 0};      // m, normal, until it opens
+
+  // The distance at which an end closes, m.
+  [[nodiscard]] double held_open(std::size_t end) const { return dilation[end] + seat[end]; }
 };
 
 // Strength of one end of an interface, in forces per m of thickness.

@@ -108,12 +108,20 @@ class Succession {
   std::vector<std::pair<int, std::size_t>> by_vertex_;  // vertex and index of the known contacts, when asked for
 };
 
+// The springs go on with the force that the state comes with, if it presses.
+void seat(const InterfaceElement& element, double distance, InterfaceState& state) {
+  if (state.force(0) >= 0) return;
+  state.seat[0] = distance - state.dilation[0] - elastic_gap(state.force(0), element.stiffness(0), 0);
+  state.gap(1) = elastic_gap(state.force(1), element.stiffness(1), 0);
+}
+
 void measure(const InterfaceElement& element, double distance, InterfaceState& state) {
-  const double gap = distance - state.dilation[0];
+  const double gap = distance - state.held_open(0);
   state.gap(0) = gap;
   if (gap > 0) {
     state.status[0] = ContactStatus::open;
     state.gap(1) = 0;
+    state.seat[0] = 0;
   } else if (state.status[0] == ContactStatus::open) {
     state.status[0] = ContactStatus::locked;
   }
@@ -126,50 +134,58 @@ void measure(const InterfaceElement& element, double distance, InterfaceState& s
 MovingContacts::MovingContacts(const Model& model, const State& state, ContactSet& contacts)
     : search_(model, state), surfaces_(model, search_.outlines()) {
   stretches_ = contacts.interfaces.size();
+  keep_ends(model, state, contacts, true);
   drop_stretches(model, contacts, true);
   refresh(model, state, contacts);
+  broken_ends_.clear();
 }
 
 bool MovingContacts::follow(const Model& model, const State& state, ContactSet& contacts) {
   double lift = 0;
-  for (const InterfaceState& each : contacts.states) lift = std::max({lift, each.dilation[0], each.dilation[1]});
+  for (const InterfaceState& each : contacts.states) lift = std::max({lift, each.held_open(0), each.held_open(1)});
   const bool new_pairs = search_.update(model, state, lift);
-  keep_ends(model, state, contacts);
+  keep_ends(model, state, contacts, false);
   drop_stretches(model, contacts, false);
   refresh(model, state, contacts);
   broken_ends_.clear();
   return new_pairs;
 }
 
-// Shear, slip and dilation of stretches that are broken at both ends go on in the vertex contacts that take their
-// place.
-void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts) {
+// Forces, slip and dilation of stretches that are dry (at the start) or broken at both ends (later) go on in the vertex
+// contacts that take their place.
+void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones) {
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
-    const InterfaceState& whole = contacts.states[i];
-    if (!whole.broken[0] || !whole.broken[1]) continue;
+    InterfaceState whole = contacts.states[i];
+    const bool is_broken = whole.broken[0] && whole.broken[1];
+    if (dry_ones ? !is_dry(joint_of(model, interface)) : !is_broken) continue;
+    if (dry_ones) whole.force = in_situ_force(model, interface);
     const Vec2 normal = current_frame(model, state, interface).normal;
     for (std::size_t end = 0; end < 2; ++end) {
       InterfaceState own;
-      own.gap.head<2>() = whole.gap.segment<2>(static_cast<Eigen::Index>(2 * end));
+      if (!dry_ones) own.gap.head<2>() = whole.gap.segment<2>(static_cast<Eigen::Index>(2 * end));
+      own.force.head<2>() = whole.force.segment<2>(static_cast<Eigen::Index>(2 * end));
       own.status = {whole.status[end], ContactStatus::open};
       own.broken = {true, true};
-      own.residual = {true, true};
+      own.residual = {!dry_ones, !dry_ones};
       own.slip[0] = whole.slip[end];
       own.dilation[0] = whole.dilation[end];
       broken_ends_.push_back(
-          {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own});
+          {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own, false});
     }
   }
 }
 
 // Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
-InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) const {
-  for (const BrokenEnd& end : broken_ends_) {
+InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) {
+  for (BrokenEnd& end : broken_ends_) {
+    if (end.taken) continue;
     const bool same_way = end.block_a == interface.block_a && end.block_b == interface.block_b;
     const bool other_way = end.block_a == interface.block_b && end.block_b == interface.block_a;
     if ((!same_way && !other_way) || (end.place - interface.from).norm() > point_tolerance(model)) continue;
-    if ((same_way ? 1 : -1) * end.normal.dot(interface.normal) >= same_direction) return end.state;
+    if ((same_way ? 1 : -1) * end.normal.dot(interface.normal) < same_direction) continue;
+    end.taken = true;
+    return end.state;
   }
   const bool failed = !is_dry(joint_of(model, interface));
   InterfaceState state;
@@ -245,8 +261,12 @@ void MovingContacts::refresh(const Model& model, const State& state, ContactSet&
     set_geometry(model, frame_of(model, state, search_.outlines(), found[i]), contacts.elements[entry]);
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     const std::ptrdiff_t earlier = succession.earlier()[i];
-    states.push_back(earlier >= 0 ? contacts.states[stretches_ + static_cast<std::size_t>(earlier)]
-                                  : first_state(model, interface));
+    if (earlier >= 0) {
+      states.push_back(contacts.states[stretches_ + static_cast<std::size_t>(earlier)]);
+    } else {
+      states.push_back(first_state(model, interface));
+      seat(contacts.elements[entry], found[i].gap, states.back());
+    }
     measure(contacts.elements[entry], found[i].gap, states.back());
   }
   contacts.states = std::move(states);

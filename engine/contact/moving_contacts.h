@@ -32,19 +32,20 @@ class MovingContacts {
  private:
   friend struct SnapshotAccess;  // engine/simulation/snapshot.h
 
-  // An end of a broken stretch, in place of which there is now a vertex contact.
+  // An end of a stretch, in place of which there is now a vertex contact.
   struct BrokenEnd {
     int block_a = 0, block_b = 0;
     Vec2 place;   // m, as drawn
     Vec2 normal;  // unit, now, from a into b
     InterfaceState state;
+    bool taken = false;  // by a contact
   };
 
   void drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones);
-  void keep_ends(const Model& model, const State& state, const ContactSet& contacts);
+  void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones);
   void refresh(const Model& model, const State& state, ContactSet& contacts);
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact) const;
-  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface) const;
+  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface);
 
   ContactSearch search_;
   SurfaceJoints surfaces_;

@@ -94,6 +94,31 @@ TEST(MovingContacts, ContactsThatOpenForgetTheirShear) {
   EXPECT_TRUE(scene.contacts.states.empty());
 }
 
+// Springs that in-situ stress has pressed: they carry it where blocks lie, let go as these part, and when they meet
+// again there is nothing left of it.
+TEST(MovingContacts, InSituStressIsCarriedUntilTheContactOpens) {
+  Scene scene(3);
+  for (Block& block : scene.model.blocks) block.initial_stress = {-3e5, -1e6, 2e5};
+  scene.contacts = make_contacts(scene.model);
+  MovingContacts moving(scene.model, scene.state, scene.contacts);
+  const auto expect_pressed = [&](double share) {
+    ASSERT_EQ(scene.contacts.states.size(), 2U);
+    for (const InterfaceState& state : scene.contacts.states) EXPECT_NEAR(state.force(0), -5e5 * share, 1e-9 * 5e5);
+  };
+  expect_pressed(1);
+  for (const InterfaceState& state : scene.contacts.states) EXPECT_NEAR(std::abs(state.force(1)), 1e5, 1e-4);
+  const double pressed_in = 5e5 / scene.contacts.elements[0].stiffness(0);
+  scene.move_upper(0, 0.75 * pressed_in);
+  moving.follow(scene.model, scene.state, scene.contacts);
+  expect_pressed(0.25);
+  scene.move_upper(0, 0.5 * pressed_in);
+  moving.follow(scene.model, scene.state, scene.contacts);
+  expect_pressed(0);
+  scene.move_upper(0, -1.5 * pressed_in);
+  moving.follow(scene.model, scene.state, scene.contacts);
+  expect_pressed(0.25);  // the overlap alone
+}
+
 // Where two corners are above each other, it is the one's vertex on the other's edge or the other way round, whichever
 // side either is off by: still the same contact.
 TEST(MovingContacts, AlignedCornersKeepTheirHistory) {

@@ -60,7 +60,7 @@ struct Stage {
   bool lateral_inertia = true;
 
   // Static stages: the stage has done its work, and ends, when the forces out of balance are below this share of the
-  // largest load; 0 runs all of its steps and does not ask.
+  // largest load or in-situ force; 0 runs all of its steps and does not ask.
   double equilibrium = 0;
 
   // Contacts that are closed do not slide and joints do not break: for turning on gravity. What exceeds the friction

@@ -99,6 +99,22 @@ TEST_P(ShearBox, RisesToItsPeakAndFallsToItsResidual) {
   EXPECT_GT(mean_slip(simulation), 1e-4);
 }
 
+// A consistent joint passes on its blocks' stress and needs no overlap for it. When it breaks, springs take over, and
+// the pressure on the joint stays what it was: within a few steps of a microsecond nothing else can move.
+TEST(JointLaw, PressureOutlivesAJointThatBreaks) {
+  JointMaterial joint = rough_joint();
+  joint.law = InterfaceLaw::consistent;
+  Model model = shear_box(joint, 0, 1, Kinematics::finite);
+  for (Block& block : model.blocks) block.initial_stress = {0, -pressure, 4e6};
+  model.stages = {stage_of(generalized_alpha_integrator(0.8), 1e-6, 5, Kinematics::finite)};
+  Simulation simulation = simulation_of(std::move(model));
+  while (!simulation.finished()) {
+    ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+    EXPECT_NEAR(joint_force(simulation)(0), pressure, 0.05 * pressure);
+  }
+  for (const InterfaceState& state : simulation.contacts().states) EXPECT_TRUE(state.broken[0]);
+}
+
 // A dry joint with a residual friction: peak until it first slides.
 TEST_P(ShearBox, ADryJointHasItsPeakUntilItSlides) {
   constexpr int steps = 200;

@@ -118,7 +118,7 @@ Vec2 traction_along(const Model& model, const State& state, const ContactSet& co
   double length = 0;  // of stretches that hold together
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     if (!joins(contacts.interfaces[i], shared)) continue;
-    reach = std::max(reach, ContactSearch::reach * std::sqrt(smaller) + contacts.states[i].dilation[0]);
+    reach = std::max(reach, ContactSearch::reach * std::sqrt(smaller) + contacts.states[i].held_open(0));
     const Placed placed = placed_now(model, state, contacts.interfaces[i]);
     if (std::abs(placed.normal.dot(line.normal)) < aligned || !is_on(line, placed.point, reach)) continue;
     force += in_axes_of(line, placed.normal, force_of(model, contacts, i));

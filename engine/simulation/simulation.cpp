@@ -57,6 +57,8 @@ Simulation::Simulation(Model model)
   for (Eigen::VectorXd* vector :
        {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
     vector->setZero(unknowns);
+  for (const InterfaceState& state : contacts_.states)
+    in_situ_force_ = std::max(in_situ_force_, state.force.cwiseAbs().maxCoeff());
   if (contacts_move(model_)) {
     contacts_.can_change = true;
     moving_.emplace(model_, state_, contacts_);
@@ -365,7 +367,7 @@ Counters Simulation::counters() const {
 
 double Simulation::out_of_balance() const {
   Eigen::VectorXd unbalanced = load_old_ - internal_old_;
-  double scale = load_old_.cwiseAbs().maxCoeff();
+  double scale = std::max(in_situ_force_, load_old_.cwiseAbs().maxCoeff());
   if (plan_.gravity) {
     unbalanced += external_.weight();
     scale = std::max(scale, external_.weight().cwiseAbs().maxCoeff());

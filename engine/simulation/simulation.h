@@ -77,7 +77,7 @@ class Simulation {
   [[nodiscard]] const Penetration& deepest_penetration() const { return deepest_; }
 
   // Largest unbalanced force of any unknown in the last step, internal against external without inertia, divided by the
-  // largest load or weight: what is left on the way to static equilibrium.
+  // largest load, weight or in-situ force on an interface: what is left on the way to static equilibrium.
   [[nodiscard]] double out_of_balance() const;
 
   // out_of_balance() at the end of every stage; NaN for stages that are not static or not over.
@@ -215,6 +215,8 @@ class Simulation {
   ExternalForces external_;
   std::unique_ptr<FreeField> free_field_;  // only where a side has one
   EnergyAudit audit_;
+
+  double in_situ_force_ = 0;  // N per m of thickness, the largest on an interface
 
   std::size_t stage_ = 0;
   std::vector<double> static_out_of_balance_;  // one a stage

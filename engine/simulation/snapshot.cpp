@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t magic = 0x3650414e53414444;  // "DDASNAP6", read as a little-endian number
+constexpr std::uint64_t magic = 0x3750414e53414444;  // "DDASNAP7", read as a little-endian number
 constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a damaged file
 
 class Writer {
@@ -106,13 +106,14 @@ void geometry(Archive& archive, Element& element) {
 
 template <typename Archive, typename AnyState>
 void contact_state(Archive& archive, AnyState& state) {
-  auto& [gap, force, status, broken, slip, residual, dilation] = state;
+  auto& [gap, force, status, broken, slip, residual, dilation, seat] = state;
   matrices(archive, gap, force);
   archive.number(status);
   archive.number(broken);
   archive.number(slip);
   archive.number(residual);
   archive.number(dilation);
+  archive.number(seat);
 }
 
 }  // namespace

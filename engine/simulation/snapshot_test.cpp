@@ -73,6 +73,21 @@ Model shaken_stack(InterfaceLaw law, Kinematics kinematics) {
   return model;
 }
 
+// Two dry bricks that in-situ stress holds between floor and roof, one of them pushed to and fro beyond its friction.
+Model stressed_stack() {
+  Model model = shaken_stack(InterfaceLaw::classical, Kinematics::finite);
+  model.joints[0].cohesion = model.joints[0].tensile_strength = 0;
+  model.blocks = {rectangle("floor", -1, -1, 4, 1), rectangle("low", 0, 0, 1, 0.5), rectangle("high", 0, 0.5, 1, 0.5),
+                  rectangle("roof", -1, 1, 4, 1)};
+  for (Block& block : model.blocks) block.initial_stress = {0, -1e5, 0};
+  model.supports.clear();
+  model.held_blocks.resize(2);
+  model.held_blocks[1].block = 3;
+  model.point_loads = {{2, {1, 0.75}, {-1.5e5, 0}, SineCycles{150, 10, 0}}};
+  finish_model(model);
+  return model;
+}
+
 // Half of the steps in finite, half in small kinematics, whose geometry is then neither that of the drawing nor of now.
 Model two_stages() {
   Model model = shaken_stack(InterfaceLaw::classical, Kinematics::finite);
@@ -287,6 +302,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"classical", [] { return shaken_stack(InterfaceLaw::classical, Kinematics::small); }, true},
                     Case{"consistent", [] { return shaken_stack(InterfaceLaw::consistent, Kinematics::small); }, true},
                     Case{"finite", [] { return shaken_stack(InterfaceLaw::consistent, Kinematics::finite); }, true},
+                    Case{"in_situ", stressed_stack, true},
                     Case{"finite_pcg",
                          [] { return with_pcg(shaken_stack(InterfaceLaw::classical, Kinematics::finite)); }, true},
                     Case{"bolts", [] { return bolted_stack(Kinematics::finite); }, true},

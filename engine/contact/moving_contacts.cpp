@@ -171,21 +171,18 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
       own.slip[0] = whole.slip[end];
       own.dilation[0] = whole.dilation[end];
       broken_ends_.push_back(
-          {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own, false});
+          {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own});
     }
   }
 }
 
 // Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
-InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) {
-  for (BrokenEnd& end : broken_ends_) {
-    if (end.taken) continue;
+InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) const {
+  for (const BrokenEnd& end : broken_ends_) {
     const bool same_way = end.block_a == interface.block_a && end.block_b == interface.block_b;
     const bool other_way = end.block_a == interface.block_b && end.block_b == interface.block_a;
     if ((!same_way && !other_way) || (end.place - interface.from).norm() > point_tolerance(model)) continue;
-    if ((same_way ? 1 : -1) * end.normal.dot(interface.normal) < same_direction) continue;
-    end.taken = true;
-    return end.state;
+    if ((same_way ? 1 : -1) * end.normal.dot(interface.normal) >= same_direction) return end.state;
   }
   const bool failed = !is_dry(joint_of(model, interface));
   InterfaceState state;

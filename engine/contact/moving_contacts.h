@@ -38,14 +38,13 @@ class MovingContacts {
     Vec2 place;   // m, as drawn
     Vec2 normal;  // unit, now, from a into b
     InterfaceState state;
-    bool taken = false;  // by a contact
   };
 
   void drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones);
   void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones);
   void refresh(const Model& model, const State& state, ContactSet& contacts);
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact) const;
-  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface);
+  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface) const;
 
   ContactSearch search_;
   SurfaceJoints surfaces_;

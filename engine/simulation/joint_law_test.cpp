@@ -100,13 +100,14 @@ TEST_P(ShearBox, RisesToItsPeakAndFallsToItsResidual) {
 }
 
 // A consistent joint passes on its blocks' stress and needs no overlap for it. When it breaks, springs take over, and
-// the pressure on the joint stays what it was: within a few steps of a microsecond nothing else can move.
+// the pressure on the joint stays what it was: in a tenth of a millisecond no wave goes up and down the box. (Measured
+// 0.5 %.)
 TEST(JointLaw, PressureOutlivesAJointThatBreaks) {
   JointMaterial joint = rough_joint();
   joint.law = InterfaceLaw::consistent;
   Model model = shear_box(joint, 0, 1, Kinematics::finite);
   for (Block& block : model.blocks) block.initial_stress = {0, -pressure, 4e6};
-  model.stages = {stage_of(generalized_alpha_integrator(0.8), 1e-6, 5, Kinematics::finite)};
+  model.stages = {stage_of(generalized_alpha_integrator(0.8), 2e-6, 60, Kinematics::finite)};
   Simulation simulation = simulation_of(std::move(model));
   while (!simulation.finished()) {
     ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();

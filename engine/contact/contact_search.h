@@ -28,6 +28,7 @@ class ContactSearch {
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
   [[nodiscard]] const Outlines& outlines() const { return outlines_; }
 
+  [[nodiscard]] const std::vector<double>& sizes() const { return sizes_; }
   // Size of a block, m: the side of the square with its area.
   [[nodiscard]] double size_of(int block) const { return sizes_[static_cast<std::size_t>(block)]; }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "dda/contact/covered_corners.h"
 #include "dda/model/tolerance.h"
 
 namespace dda {
@@ -236,13 +237,18 @@ void MovingContacts::drop_stretches(const Model& model, ContactSet& contacts, bo
 
 void MovingContacts::refresh(const Model& model, const State& state, ContactSet& contacts) {
   std::vector<std::pair<int, int>> bonded;
+  std::vector<Carrier> joints;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
     bonded.emplace_back(std::min(interface.block_a, interface.block_b), std::max(interface.block_a, interface.block_b));
-    set_geometry(model, current_frame(model, state, interface), contacts.elements[i]);
+    const InterfaceFrame frame = current_frame(model, state, interface);
+    set_geometry(model, frame, contacts.elements[i]);
+    for (const auto& [on_a, on_b] : {std::pair{frame.from_a, frame.from_b}, {frame.to_a, frame.to_b}})
+      joints.push_back({interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)});
   }
   std::sort(bonded.begin(), bonded.end());
-  const std::vector<VertexContact> found = search_.find(bonded);
+  std::vector<VertexContact> found = search_.find(bonded);
+  take_out_covered(search_.outlines(), search_.sizes(), joints, found);
   std::vector<InterfaceState> states(contacts.states.begin(),
                                      contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_));
   const Succession succession(known_, found, search_.outlines());

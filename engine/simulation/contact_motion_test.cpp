@@ -164,6 +164,38 @@ TEST(DryColumn, StaysUnderAPushThatFrictionHolds) {
 
 // ---- Landing.
 
+// A smooth column squeezed between two others whose joints are level with its own. As the pairs of corners see it, each
+// of its blocks rests on the next but one of its neighbours by as much as it is pressed in.
+TEST(DryColumn, FallsFreelyBetweenSmoothNeighbours) {
+  constexpr int steps = 50;
+  constexpr double dt = 1e-3;
+  for (const double offset : {0.0, 0.3}) {
+    Model model;
+    model.materials = {stiff_rock()};
+    model.joints = {dry(0)};
+    for (int row = 0; row < 6; ++row)
+      for (const double left : {0.0, 2.0}) {
+        model.blocks.push_back(rectangle("", left, row, 1, 1));
+        HeldBlock& held = model.held_blocks.emplace_back();
+        held.block = static_cast<int>(model.blocks.size()) - 1;
+        held.amplitude = {left == 0 ? 2e-5 : -2e-5, 0};
+        held.history = PiecewiseLinear{{0, dt}, {0, 1}};
+      }
+    for (int row = 1; row < 5; ++row) model.blocks.push_back(rectangle("", 1, row + offset, 1, 1));
+    model.gravity = {0, -standard_gravity};
+    model.stages = {stage_of(trapezoidal_integrator(), dt, steps, Kinematics::finite)};
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, steps);
+    double mean = 0;
+    for (std::size_t i = 12; i < 16; ++i) {
+      mean += simulation.state().displacement[i](1) / 4;
+      EXPECT_LT(simulation.state().stress[i](0), -1e4) << "not squeezed";
+    }
+    const double fall = standard_gravity * std::pow(steps * dt, 2) / 2;
+    EXPECT_NEAR(mean, -fall, 1e-6 * fall) << offset;
+  }
+}
+
 TEST(Landing, ABoxDroppedFlatComesToRest) {
   Model model = scene(box_ring(-2, -1, 3, 0), {box_ring(0, 1e-3, 1, 1 + 1e-3)}, 30 * degree);
   model.stages = {stage_of(thesis_integrator(), 1e-4, 10000, Kinematics::finite)};

@@ -1,0 +1,35 @@
+// Contacts of two corners that cannot be: a third block is in the way.
+//
+//        |  A   |  B          A is pressed against B, and B's side goes on in that of D. So A's corner v lies deeper
+//        than D's |      v____         corner w, by as much as springs give way, and as the pair sees it, on top of D.
+//        But A has
+//        |______w____         come along the common side of B and D, and its corner passes w. In the same way D cannot
+//           C   |  D          hit A's side where C carries D in line with it.
+//
+// Left in, such contacts hang a block of a regular grid up on its neighbours, whatever the friction.
+#pragma once
+
+#include <vector>
+
+#include "dda/contact/outlines.h"
+#include "dda/contact/vertex_contact.h"
+
+namespace dda {
+
+// Where a block carries another: a contact, or an end of a joint that holds.
+struct Carrier {
+  int block_a = 0, block_b = 0;
+  Vec2 point;      // m
+  Vec2 normal;     // unit, out of a into b
+  double gap = 0;  // m
+};
+
+// Sides are in line, and corners on each other, up to this share of the smaller block's size: a tenth of the
+// penetration that a run warns of.
+inline constexpr double in_line = 1e-3;
+
+// Takes them out of `found`, which stays sorted. `size`: of each block, m. `joints`: carriers besides `found`.
+void take_out_covered(const Outlines& outlines, const std::vector<double>& size, const std::vector<Carrier>& joints,
+                      std::vector<VertexContact>& found);
+
+}  // namespace dda

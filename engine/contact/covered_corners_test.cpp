@@ -1,0 +1,114 @@
+// Corners of four blocks that meet in a point, or nearly.
+#include "dda/contact/covered_corners.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "dda/contact/contact_models.h"
+#include "dda/contact/contact_search.h"
+
+namespace dda {
+namespace {
+
+constexpr int upper_left = 0, upper_right = 1, lower_left = 2, lower_right = 3;
+
+// Boxes of 1 m around the origin, each moved by its own shift.
+struct Corners {
+  std::vector<Vec2> shift = std::vector<Vec2>(4, Vec2::Zero());
+  std::vector<bool> there = std::vector<bool>(4, true);
+  double angle = 0;
+
+  // The pairs of blocks in contact, by their names above.
+  [[nodiscard]] std::set<std::pair<int, int>> pairs(bool with_joints = false) const {
+    const std::vector<Vec2> low{{-1, 0}, {0, 0}, {-1, -1}, {0, -1}};
+    std::vector<Polygon> boxes;
+    std::vector<int> names;
+    for (int i = 0; i < 4; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!there[at]) continue;
+      boxes.push_back({box_ring(low[at].x(), low[at].y(), low[at].x() + 1, low[at].y() + 1), {}});
+      names.push_back(i);
+    }
+    Model model = model_of(boxes);
+    place(model, angle, {3, -2});
+    State state = initial_state(model);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      state.displacement[i].head<2>() = rotation(angle) * shift[static_cast<std::size_t>(names[i])];
+    const ContactSearch search(model, state);
+    std::vector<std::pair<int, int>> bonded;
+    std::vector<Carrier> joints;
+    std::vector<VertexContact> found = search.find(bonded);
+    if (with_joints) move_to_joints(search.outlines(), found, joints);
+    take_out_covered(search.outlines(), search.sizes(), joints, found);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+    std::set<std::pair<int, int>> pairs;
+    for (const VertexContact& contact : found)
+      pairs.insert(std::minmax(names[static_cast<std::size_t>(contact.edge_block)],
+                               names[static_cast<std::size_t>(contact.vertex_block)]));
+    return pairs;
+  }
+
+  // As if all that lies along an edge were a joint that holds.
+  static void move_to_joints(const Outlines& outlines, std::vector<VertexContact>& found,
+                             std::vector<Carrier>& joints) {
+    std::erase_if(found, [&](const VertexContact& contact) {
+      if (common_length(outlines, contact) < 0.1) return false;
+      const Vec2& point = outlines.current[static_cast<std::size_t>(contact.vertex)];
+      joints.push_back({contact.edge_block, contact.vertex_block, point, contact.normal, contact.gap});
+      return true;
+    });
+  }
+};
+
+bool has_diagonal(const std::set<std::pair<int, int>>& pairs) {
+  return pairs.contains({upper_left, lower_right}) || pairs.contains({upper_right, lower_left});
+}
+
+TEST(CoveredCorners, NeighboursOfAGridTouchAlongTheirEdgesOnly) {
+  for (const double angle : {0.0, 0.7, -2.0})
+    for (const double pressed : {0.0, 1e-9, 1e-5, 3e-4}) {
+      Corners grid;
+      grid.angle = angle;
+      grid.shift = {{pressed, 0}, {0, 0}, {pressed, pressed}, {0, pressed}};
+      EXPECT_EQ(grid.pairs().size(), 4U) << angle << ' ' << pressed;
+      EXPECT_FALSE(has_diagonal(grid.pairs())) << angle << ' ' << pressed;
+      EXPECT_FALSE(has_diagonal(grid.pairs(true))) << "joints that hold carry too";
+    }
+}
+
+// The left column slides down by less than it is pressed into the right one.
+TEST(CoveredCorners, AColumnPassesTheJointsBesideIt) {
+  for (const double down : {1e-9, 1e-6, 1e-5, 2.9e-5}) {
+    Corners grid;
+    grid.shift = {{3e-5, -down}, {0, 0}, {3e-5, -down}, {0, 0}};
+    EXPECT_FALSE(has_diagonal(grid.pairs())) << down;
+  }
+}
+
+// Without one that carries it in line a corner hits what it meets.
+TEST(CoveredCorners, AreThoseOfThirdBlocksAlone) {
+  Corners two;
+  two.there = {true, false, false, true};
+  two.shift[upper_left] = {1e-5, -1e-6};
+  EXPECT_TRUE(has_diagonal(two.pairs()));
+  Corners three = two;
+  three.there[upper_right] = true;
+  three.shift[upper_right] = {0, 0};
+  EXPECT_FALSE(has_diagonal(three.pairs())) << "comes down along the upper right one";
+  three.shift[upper_right] = {0.1, 0};
+  EXPECT_TRUE(has_diagonal(three.pairs())) << "which does not touch it";
+}
+
+TEST(CoveredCorners, LedgesCarry) {
+  for (const double ledge : {0.5e-3, 2e-3}) {
+    Corners step;
+    step.there = {true, true, false, true};
+    step.shift[lower_right] = {-ledge, 0};
+    EXPECT_EQ(has_diagonal(step.pairs()), ledge > in_line);
+  }
+}
+
+}  // namespace
+}  // namespace dda

@@ -97,8 +97,12 @@ TEST(CoveredCorners, AreThoseOfThirdBlocksAlone) {
   three.there[upper_right] = true;
   three.shift[upper_right] = {0, 0};
   EXPECT_FALSE(has_diagonal(three.pairs())) << "comes down along the upper right one";
-  three.shift[upper_right] = {0.1, 0};
-  EXPECT_TRUE(has_diagonal(three.pairs())) << "which does not touch it";
+  for (const double aside : {0.1, 5e-3}) {
+    three.shift[upper_right] = {aside, 0};
+    EXPECT_TRUE(has_diagonal(three.pairs())) << "which does not touch it";
+  }
+  three.shift[upper_right] = {0, 0.1};
+  EXPECT_TRUE(has_diagonal(three.pairs())) << "which ends above the corner";
 }
 
 TEST(CoveredCorners, LedgesCarry) {

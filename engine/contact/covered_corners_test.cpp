@@ -97,12 +97,16 @@ TEST(CoveredCorners, AreThoseOfThirdBlocksAlone) {
   three.there[upper_right] = true;
   three.shift[upper_right] = {0, 0};
   EXPECT_FALSE(has_diagonal(three.pairs())) << "comes down along the upper right one";
-  for (const double aside : {0.1, 5e-3}) {
+  for (const double aside : {0.1, 5e-3, 1.5e-3}) {
     three.shift[upper_right] = {aside, 0};
     EXPECT_TRUE(has_diagonal(three.pairs())) << "which does not touch it";
   }
   three.shift[upper_right] = {0, 0.1};
   EXPECT_TRUE(has_diagonal(three.pairs())) << "which ends above the corner";
+  Corners gap = two;
+  gap.there[lower_left] = true;
+  gap.shift[lower_left] = {-1.5e-3, 0};
+  EXPECT_TRUE(has_diagonal(gap.pairs())) << "carried from below, on both sides of a gap";
 }
 
 TEST(CoveredCorners, LedgesCarry) {

@@ -18,7 +18,7 @@ constexpr double per_pcg_block = 6.5e-9;                          // a 6x6 block
 // Where contacts can change: a step at rest looks at every contact once; a pass of the open-close iteration judges it,
 // brings its part of the matrix and of the factor up to date and solves.
 constexpr double per_contact_at_rest = 4.5e-8;
-constexpr double per_contact_in_pass = 3.4e-7;
+constexpr double per_contact_in_pass = 2.7e-7;
 constexpr double cached_contacts = 1e4;
 constexpr double factored_in_pass = 0.6;  // complete factors a pass, where there is one
 constexpr double spread = 3;              // of the number of passes, to either side

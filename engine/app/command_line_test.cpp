@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "dda/app/app_test_support.h"
+#include "dda/app/run_files.h"
 #include "dda/scene/scene.h"
+#include "dda/view/run_results.h"
 
 namespace dda {
 namespace {
@@ -285,6 +287,79 @@ TEST_F(CommandLine, ResumingAFinishedRunChangesNoResult) {
   EXPECT_TRUE(contains(outcome.out, "resumed after 20"));
   EXPECT_EQ(text("out/histories.csv"), histories);
   EXPECT_EQ(text("out/frames.pvd"), index);
+}
+
+// A block hanging from a fixed one by two bolts; the thin one breaks at once.
+std::string hanging_block(int steps, bool bolts) {
+  return fmt::format(R"({{"dda": 1, "gravity": 10,
+ "materials": {{"rock": {{"density": 2500, "young": "1 GPa", "poisson": 0}}}},
+ "joints": {{"default": {{}}}},
+ "blocks": [{{"polygon": {{"name": "roof", "vertices": [[0, 2], [2, 2], [2, 3], [0, 3]]}}}},
+            {{"polygon": {{"name": "block", "vertices": [[0, 0.5], [2, 0.5], [2, 1.5], [0, 1.5]]}}}}],
+ "supports": [{{"block": "roof"}}],{}
+ "steps": {{"dt": "1 ms", "duration": {}, "integrator": "thesis"}}}})",
+                     bolts ? R"(
+ "bolts": [{"name": "left", "from": [0.5, 2.5], "to": [0.5, 1], "stiffness": "10 MN/m", "spacing": 2},
+           {"name": "right", "from": [1.5, 2.5], "to": [1.5, 1], "stiffness": "10 MN/m", "yield_force": "1 kN",
+            "rupture_elongation": "0.3 mm"}],
+ "measurements": [{"quantity": "bolt_force", "bolt": "left"}],)"
+                           : "",
+                     steps * 1e-3);
+}
+
+// As a run with a frame every 10 ms that was stopped after some steps.
+void run_first_steps(const std::string& scene, const std::string& folder, int steps) {
+  Simulation simulation(read_scene(scene));
+  const Probes probes(simulation);
+  RunFiles files(simulation, probes, {folder, 1, 0.01}, std::nullopt);
+  for (int i = 0; i < steps; ++i) {
+    ASSERT_EQ(simulation.step(), Status::ok);
+    files.after_step();
+  }
+  files.write_checkpoint();
+}
+
+TEST_F(CommandLine, FramesHoldTheBolts) {
+  write("scene.json", hanging_block(40, true));
+  const Outcome whole = call({"run", path("scene.json"), "--out", path("whole"), "--frame-interval", "10ms"});
+  ASSERT_EQ(whole.code, 0) << whole.errors;
+  EXPECT_EQ(nlohmann::json::parse(text("whole/summary.json"))["outputs"].back(), "bolts.pvd");
+  const RunResults results(path("whole"));
+  ASSERT_EQ(results.times().size(), 5U);
+  const std::vector<DrawnBolt> last = results.frame(4).bolts;
+  ASSERT_EQ(last.size(), 2U);
+  EXPECT_EQ(last[0].name, "left");
+  EXPECT_EQ(last[0].condition, DrawnCondition::elastic);
+  EXPECT_EQ(last[1].condition, DrawnCondition::broken);
+  EXPECT_EQ(last[1].force, 0);
+  const std::string rows = text("whole/histories.csv");
+  const std::string row = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+  EXPECT_EQ(last[0].force, std::stod(row.substr(row.find(',') + 1)));  // of one bolt, as measured
+  EXPECT_GT(last[0].force, 0);
+
+  run_first_steps(path("scene.json"), path("out"), 25);
+  const Outcome rest = call({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "10ms", "--resume"});
+  ASSERT_EQ(rest.code, 0) << rest.errors;
+  EXPECT_EQ(text("out/bolts.pvd"), text("whole/bolts.pvd"));
+  EXPECT_EQ(files_below("out/bolts"), files_below("whole/bolts"));
+}
+
+TEST_F(CommandLine, BoltsOfAnotherRunAreNotTaken) {
+  write("scene.json", hanging_block(40, true));
+  const std::vector<std::string> run = {"run", path("scene.json"), "--out", path("out"), "--frame-interval", "10ms"};
+  ASSERT_EQ(call(run).code, 0);
+  EXPECT_TRUE(RunResults(path("out")).has_bolts());
+  // Begun by a program that wrote no bolts yet: goes on without.
+  run_first_steps(path("scene.json"), path("old"), 25);
+  std::filesystem::remove(path("old/bolts.pvd"));
+  ASSERT_EQ(call({"run", path("scene.json"), "--out", path("old"), "--frame-interval", "10ms", "--resume"}).code, 0);
+  EXPECT_EQ(RunResults(path("old")).times().size(), 5U);
+  EXPECT_FALSE(RunResults(path("old")).has_bolts());
+
+  write("bare.json", hanging_block(4, false));
+  ASSERT_EQ(call({"run", path("bare.json"), "--out", path("out"), "--frames", "2"}).code, 0);
+  EXPECT_FALSE(RunResults(path("out")).has_bolts());
+  EXPECT_TRUE(RunResults(path("out")).frame(0).bolts.empty());
 }
 
 TEST_F(CommandLine, ViewMakesAPageOrAPicture) {

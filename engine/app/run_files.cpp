@@ -12,6 +12,7 @@ constexpr auto checkpoint_interval = std::chrono::seconds(10);
 constexpr auto histories_name = "histories.csv";
 constexpr auto frames_name = "frames.pvd";
 constexpr auto contacts_name = "contacts.pvd";
+constexpr auto bolts_name = "bolts.pvd";
 constexpr auto checkpoint_name = "checkpoint.bin";
 constexpr auto summary_name = "summary.json";
 
@@ -29,6 +30,24 @@ std::vector<ContactPoint> contact_points_of(const Simulation& simulation) {
     append_contact_points(simulation.model(), simulation.state(), contacts.interfaces[i], contacts.elements[i],
                           simulation.interface_state(i), points);
   return points;
+}
+
+BoltCondition condition_of(const LinkState& link) {
+  if (link.ruptured) return BoltCondition::broken;
+  return link.plastic.isZero(0) ? BoltCondition::elastic : BoltCondition::yielded;
+}
+
+std::vector<BoltLinkValues> bolt_links_of(const Simulation& simulation) {
+  const std::vector<Bolt>& bolts = simulation.model().bolts;
+  std::vector<BoltLinkValues> values;
+  for (std::size_t i = 0; i < bolts.size(); ++i) {
+    for (std::size_t j = 0; j < bolts[i].links.size(); ++j) {
+      const int bolt = static_cast<int>(i);
+      const LinkState& link = simulation.bolts().state(bolt, j);
+      values.push_back({bolts[i].spacing * link.force, simulation.bolts().elongation(bolt, j), condition_of(link)});
+    }
+  }
+  return values;
 }
 
 }  // namespace
@@ -50,6 +69,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
     frames_->go_on_after(frame_times_);
     contact_frames_ = std::make_unique<ContactFrameWriter>(in_folder(contacts_name));
     contact_frames_->go_on_after(frame_times_);
+    open_bolt_frames(resumed.has_value());
     frame_clock_.emplace(simulation.model(), *options_.frame_interval);
     if (!frame_times_.empty()) frame_clock_->taken(frame_times_.back());
   }
@@ -58,6 +78,16 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
     write_frame_when_due();
   }
   write_checkpoint();
+}
+
+// A run that began without bolts in its frames (an earlier version wrote none) goes on without them. An index of
+// another run, whose scene had bolts, would be taken for one of this run.
+void RunFiles::open_bolt_frames(bool resumed) {
+  const auto index = in_folder(bolts_name);
+  if (!resumed) std::filesystem::remove(index);
+  if (simulation_.bolts().empty() || (!frame_times_.empty() && !std::filesystem::exists(index))) return;
+  bolt_frames_ = std::make_unique<BoltFrameWriter>(simulation_.model(), index);
+  bolt_frames_->go_on_after(frame_times_);
 }
 
 void RunFiles::after_step() {
@@ -77,9 +107,10 @@ void RunFiles::write_frame_when_due() {
   write_frame();
 }
 
-// Blocks last: a frame of them that is listed has its contacts.
+// Blocks last: a frame of them that is listed has its contacts and bolts.
 void RunFiles::write_frame() {
   contact_frames_->write(simulation_.state().time, contact_points_of(simulation_));
+  if (bolt_frames_) bolt_frames_->write(simulation_.state(), bolt_links_of(simulation_));
   frames_->write(simulation_.state());
   frame_times_.push_back(simulation_.state().time);
 }
@@ -99,6 +130,7 @@ void RunFiles::close(RunSummary summary) {
   summary.histories = {{histories_name, histories_->rows(), columns_}};
   summary.outputs = {histories_name, checkpoint_name, summary_name};
   if (frames_) summary.outputs.insert(summary.outputs.end(), {frames_name, contacts_name});
+  if (bolt_frames_) summary.outputs.emplace_back(bolts_name);
   write_summary(in_folder(summary_name), summary);
 }
 

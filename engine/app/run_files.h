@@ -1,5 +1,5 @@
-// The files of a run: histories.csv, frames.pvd with frames/, contacts.pvd with contacts/, checkpoint.bin,
-// summary.json.
+// The files of a run: histories.csv, frames.pvd with frames/, contacts.pvd with contacts/, where there are bolts
+// bolts.pvd with bolts/, checkpoint.bin, summary.json.
 #pragma once
 
 #include <chrono>
@@ -12,6 +12,7 @@
 
 #include "dda/app/frame_clock.h"
 #include "dda/app/run_position.h"
+#include "dda/record/bolt_frame_writer.h"
 #include "dda/record/contact_frame_writer.h"
 #include "dda/record/frame_writer.h"
 #include "dda/record/history_writer.h"
@@ -49,6 +50,7 @@ class RunFiles {
   void close(RunSummary summary);
 
  private:
+  void open_bolt_frames(bool resumed);
   void sample();
   void write_frame_when_due();
   void write_frame();
@@ -62,6 +64,7 @@ class RunFiles {
   std::unique_ptr<HistoryWriter> histories_;
   std::unique_ptr<FrameWriter> frames_;
   std::unique_ptr<ContactFrameWriter> contact_frames_;
+  std::unique_ptr<BoltFrameWriter> bolt_frames_;
   std::vector<double> frame_times_;
   std::optional<FrameClock> frame_clock_;
   std::chrono::steady_clock::time_point last_checkpoint_;

@@ -17,6 +17,8 @@ void check_link(const Model& model, const Item& item, const BoltLink& link) {
   if (link.block_a == link.block_b) item.fail("link", "between a block and itself", "two blocks");
   item.positive("axial stiffness", link.axial_stiffness);
   item.not_negative("shear stiffness", link.shear_stiffness);
+  item.not_negative("reach", link.reach_a);
+  item.not_negative("reach", link.reach_b);
 }
 
 void check_limits(const Item& item, const Bolt& bolt) {

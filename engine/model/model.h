@@ -81,6 +81,9 @@ struct BoltLink {
   Vec2 point_a, point_b;       // material points; the bolt runs from a to b
   double axial_stiffness = 0;  // N/m per m of thickness
   double shear_stiffness = 0;  // N/m per m of thickness, across the bolt: dowel action
+  // m, of a grouted bolt before point_a and behind point_b: what is drawn with this link, up to half-way to the next or
+  // to the bolt's end. Forces do not depend on it.
+  double reach_a = 0, reach_b = 0;
 };
 
 // A straight rock bolt. Each link answers elongation with a force that is linear between its bounds, and yields at

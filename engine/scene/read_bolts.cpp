@@ -75,6 +75,15 @@ void add_anchored_link(const Field& field, const Segment& line, const AxialStiff
   bolt.links = {{first, last, line.start, line.end, stiffness.over(length) / bolt.spacing, 0}};
 }
 
+// Each piece of the bolt goes to the nearest link.
+void share_out_reach(const Segment& line, Bolt& bolt) {
+  const auto at = [&](const Vec2& point) { return bolt.direction.dot(point - line.start); };
+  bolt.links.front().reach_a = at(bolt.links.front().point_a);
+  bolt.links.back().reach_b = at(line.end) - at(bolt.links.back().point_b);
+  for (std::size_t i = 1; i < bolt.links.size(); ++i)
+    bolt.links[i - 1].reach_b = bolt.links[i].reach_a = (at(bolt.links[i].point_a) - at(bolt.links[i - 1].point_b)) / 2;
+}
+
 // One link where the bolt passes from a block to another, however far they are apart. By itself a link takes the
 // stretch between the middles of its two lengths in rock.
 void add_grouted_links(const Field& field, const Segment& line, const AxialStiffness& stiffness, const GroundPlan& plan,
@@ -94,6 +103,7 @@ void add_grouted_links(const Field& field, const Segment& line, const AxialStiff
                           stiffness.over(stretch) / bolt.spacing, shear / bolt.spacing});
   }
   if (bolt.links.empty()) field.at("to").fail("a point beyond a joint, which the bolt is to cross");
+  share_out_reach(line, bolt);
 }
 
 void read_bolt(const Field& field, const GroundPlan& plan, Model& model) {

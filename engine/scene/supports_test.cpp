@@ -137,6 +137,13 @@ TEST(Scene, GroutedBoltHasALinkAtEveryJoint) {
   // 0.25 of the bolt's 2 m along x in the first block, 1 in the second: the middles are 0.625 of it apart.
   EXPECT_NEAR(links[0].axial_stiffness, 1e9 * std::numbers::pi / 4 / (length * 0.625 / 2) / 2, 1e-3);
   EXPECT_EQ(links[0].shear_stiffness, 2.5);
+  // Drawn with each: to the ends, and half of what lies between two joints.
+  const std::vector<double> before = {0.125, 0.25, 0.0875};
+  const std::vector<double> behind = {0.25, 0.0875, 0.2};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(links[i].reach_a, before[i] * length, 1e-14) << i;
+    EXPECT_NEAR(links[i].reach_b, behind[i] * length, 1e-14) << i;
+  }
   EXPECT_EQ(model.measurements[0].link, -1);
   EXPECT_EQ(model.measurements[1].link, 2);
 }

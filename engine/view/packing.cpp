@@ -102,6 +102,29 @@ void PackedRun::add(const Frame& frame) {
     values_[q].insert(values_[q].end(), values.begin(), values.end());
   }
   add_contacts(frame.contacts);
+  if (!frame.bolts.empty()) add_bolts(frame.bolts);
+}
+
+void PackedRun::add_bolts(const std::vector<DrawnBolt>& bolts) {
+  const bool first = bolt_names_.empty();
+  std::vector<double> x, y, forces;
+  for (const DrawnBolt& bolt : bolts) {
+    if (first) {
+      bolt_names_.push_back(bolt.name);
+      bolt_reference_.insert(bolt_reference_.end(), bolt.reference.begin(), bolt.reference.end());
+      bolt_begin_.push_back(static_cast<std::uint32_t>(bolt_reference_.size()));
+    }
+    for (const Vec2& moved : bolt.displacement) {
+      x.push_back(moved.x());
+      y.push_back(moved.y());
+    }
+    forces.push_back(bolt.force);
+    bolt_conditions_ += static_cast<char>(bolt.condition);
+    if (std::isfinite(bolt.force)) most_bolt_force_ = std::max(most_bolt_force_, std::abs(bolt.force));
+  }
+  bolt_x_.add(x);
+  bolt_y_.add(y);
+  bolt_force_.add(forces);
 }
 
 void PackedRun::add_contacts(const std::vector<DrawnContact>& contacts) {
@@ -142,7 +165,8 @@ std::size_t PackedRun::size() const {
   std::size_t bytes = displacement_x_.bytes.size() + displacement_y_.bytes.size() + contact_forces_.size();
   for (const PackedField& field : quantities_) bytes += field.bytes.size();
   bytes += contact_sites_.size() * (wide_sites() ? 4 : 2) + sites_.sites().size() * sizeof(ContactSite);
-  bytes += drawing_.reference.size() * 2 * sizeof(float);
+  bytes += (drawing_.reference.size() + bolt_reference_.size()) * 2 * sizeof(float);
+  bytes += bolt_x_.bytes.size() + bolt_y_.bytes.size() + bolt_force_.bytes.size() + bolt_conditions_.size();
   return bytes * 4 / 3;
 }
 
@@ -176,24 +200,48 @@ Json PackedRun::header() const {
            {{"none", 0},
             {"contacts", quantile(contact_sizes_, drawn_share)},
             {"joints", quantile(joint_sizes_, drawn_share)}}},
-          {"wide_sites", wide_sites()}};
+          {"wide_sites", wide_sites()},
+          {"bolts", bolt_header()}};
+}
+
+// null where there are none.
+Json PackedRun::bolt_header() const {
+  if (bolt_names_.empty()) return nullptr;
+  return {{"names", bolt_names_},
+          {"begin", bolt_begin_},
+          {"x", ranges_of(bolt_x_)},
+          {"y", ranges_of(bolt_y_)},
+          {"force", ranges_of(bolt_force_)},
+          {"most_force", most_bolt_force_}};
+}
+
+// From the origin, as floats.
+std::string PackedRun::packed_points(const std::vector<Vec2>& points) const {
+  std::string bytes;
+  for (const Vec2& point : points)
+    for (const double offset : {point.x() - drawing_.reference[0].x(), point.y() - drawing_.reference[0].y()})
+      append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(offset)));
+  return bytes;
 }
 
 std::vector<std::pair<std::string, std::string>> PackedRun::sections() const {
-  std::string reference;
-  for (const Vec2& vertex : drawing_.reference)
-    for (const double offset : {vertex.x() - drawing_.reference[0].x(), vertex.y() - drawing_.reference[0].y()})
-      append(reference, std::bit_cast<std::uint32_t>(static_cast<float>(offset)));
   std::string sites;
   for (const ContactSite& site : sites_.sites())
     for (const std::uint32_t number : {site.block_a, site.block_b, site.from, site.to, site.fraction})
       append(sites, number);
-  std::vector<std::pair<std::string, std::string>> sections = {{"reference", std::move(reference)},
+  std::vector<std::pair<std::string, std::string>> sections = {{"reference", packed_points(drawing_.reference)},
                                                                {"displacement-x", displacement_x_.bytes},
                                                                {"displacement-y", displacement_y_.bytes},
                                                                {"sites", std::move(sites)},
                                                                {"contact-sites", packed(contact_sites_, wide_sites())},
                                                                {"contact-forces", contact_forces_}};
+  if (!bolt_names_.empty()) {
+    sections.emplace_back("bolt-reference", packed_points(bolt_reference_));
+    sections.emplace_back("bolt-x", bolt_x_.bytes);
+    sections.emplace_back("bolt-y", bolt_y_.bytes);
+    sections.emplace_back("bolt-force", bolt_force_.bytes);
+    sections.emplace_back("bolt-condition", bolt_conditions_);
+  }
   for (std::size_t q = 0; q < quantities_.size(); ++q)
     sections.emplace_back("quantity-" + std::string(drawn_quantities[q].id), quantities_[q].bytes);
   return sections;

@@ -51,6 +51,9 @@ class PackedRun {
 
  private:
   void add_contacts(const std::vector<DrawnContact>& contacts);
+  void add_bolts(const std::vector<DrawnBolt>& bolts);
+  [[nodiscard]] nlohmann::ordered_json bolt_header() const;
+  [[nodiscard]] std::string packed_points(const std::vector<Vec2>& points) const;
   void note_sizes(const std::vector<DrawnContact>& contacts);
   [[nodiscard]] bool wide_sites() const { return sites_.sites().size() > std::numeric_limits<std::uint16_t>::max(); }
 
@@ -65,6 +68,12 @@ class PackedRun {
   std::string contact_forces_;
   std::vector<double> force_units_;                  // N/m, of each frame
   std::vector<double> contact_sizes_, joint_sizes_;  // N/m, sizes of all forces and of all resultants
+  std::vector<std::string> bolt_names_;              // of each link
+  std::vector<std::uint32_t> bolt_begin_{0};         // link i has the points bolt_begin_[i] to bolt_begin_[i + 1]
+  std::vector<Vec2> bolt_reference_;                 // m
+  PackedField bolt_x_, bolt_y_, bolt_force_;
+  std::string bolt_conditions_;  // a byte for each link, frame by frame
+  double most_bolt_force_ = 0;   // N
 };
 
 }  // namespace dda

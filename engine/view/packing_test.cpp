@@ -168,5 +168,43 @@ TEST(PackedRunSize, OfALargeWallIsBelowFiftyMegabytes) {
   EXPECT_LT(first + 199 * each, 50'000'000U);
 }
 
+TEST_F(PackedRunTest, HoldsNothingOfBoltsWhereThereAreNone) {
+  EXPECT_TRUE(header_["bolts"].is_null());
+  for (const auto& [name, bytes] : sections_) EXPECT_FALSE(name.starts_with("bolt")) << name;
+}
+
+TEST_F(PackedRunTest, HoldsBolts) {
+  const std::size_t without = run_.size();
+  write_bolts(folder_.path(), model_, {0, 0.5, 1});
+  const RunResults results(folder_.path());
+  PackedRun run(results.drawing());
+  for (std::size_t i = 0; i < 3; ++i) run.add(results.frame(i));
+  const auto bolts = run.header()["bolts"];
+  std::map<std::string, std::string> sections;
+  for (auto& [name, bytes] : run.sections()) sections[name] = bytes;
+  EXPECT_EQ(bolts["names"], (std::vector<std::string>{"tie", "<grouted>"}));
+  EXPECT_EQ(bolts["begin"], (std::vector<int>{0, 2, 6}));
+  EXPECT_EQ(bolts["most_force"], 2000);
+  EXPECT_EQ(integers<std::uint8_t>(sections.at("bolt-condition")), (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 2}));
+  const auto reference = integers<float>(sections.at("bolt-reference"));
+  EXPECT_EQ(reference, (std::vector<float>{0.5F, 0.5F, 2.5F, 0.5F, 4.25F, 0.5F, 5, 0.5F, 6, 0.5F, 6.5F, 0.5F}));
+  const auto x = integers<std::uint16_t>(sections.at("bolt-x"));
+  const auto y = integers<std::uint16_t>(sections.at("bolt-y"));
+  const auto force = integers<std::uint16_t>(sections.at("bolt-force"));
+  ASSERT_EQ(x.size(), 18U);
+  ASSERT_EQ(y.size(), 18U);
+  for (std::size_t f = 0; f < 3; ++f) {
+    const std::vector<DrawnBolt> own = results.frame(f).bolts;
+    // Half a step of the largest range: 0.6 m, and 3 kN.
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(decoded(x[6 * f + 2 + i], bolts["x"][f]), own[1].displacement[i].x(), 0.6 / 65534);
+      EXPECT_NEAR(decoded(y[6 * f + 2 + i], bolts["y"][f]), own[1].displacement[i].y(), 0.6 / 65534);
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(decoded(force[2 * f + i], bolts["force"][f]), own[i].force, 3000.0 / 65534);
+  }
+  EXPECT_GE(run.size(), without + (12 * 4 + 3 * (2 * 12 + 2 * 2 + 2)) * 4 / 3);
+}
+
 }  // namespace
 }  // namespace dda

@@ -56,14 +56,43 @@ std::vector<DrawnContact> read_contacts(const std::filesystem::path& path, std::
   return contacts;
 }
 
+std::vector<DrawnBolt> read_bolts(const std::filesystem::path& path, const std::vector<std::int64_t>& offsets) {
+  const PolyData data = read_vtp(path);
+  if (data.lines.offsets != offsets) refuse(path, "of other bolts than the first frame");
+  const auto& name = need_array<std::string>(path, data.cell_data, "bolt_name", 1);
+  const auto& status = need_array<std::int32_t>(path, data.cell_data, "status", 1);
+  const auto& force = need_array<double>(path, data.cell_data, "axial_force [N]", 1);
+  const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
+  std::vector<DrawnBolt> bolts(data.lines.size());
+  for (std::size_t i = 0; i < bolts.size(); ++i) {
+    if (status[i] < 0 || status[i] > 2) refuse(path, "with the unknown status " + std::to_string(status[i]));
+    bolts[i].name = name[i];
+    bolts[i].force = force[i];
+    bolts[i].condition = static_cast<DrawnCondition>(status[i]);
+    for (const std::int64_t point : data.lines.cell(i)) {
+      const auto at = static_cast<std::size_t>(point);
+      bolts[i].displacement.push_back(plane(displacement, at));
+      bolts[i].reference.emplace_back(plane(data.points, at) - bolts[i].displacement.back());
+    }
+  }
+  return bolts;
+}
+
 }  // namespace
 
 RunResults::RunResults(const std::filesystem::path& folder) : frames_(frames_in(folder)) {
   for (const SeriesEntry& entry : frames_) times_.push_back(entry.time);
-  const std::filesystem::path index = folder / "contacts.pvd";
-  if (std::filesystem::exists(index)) contacts_ = read_series(index);
-  if (!contacts_.empty() && contacts_.size() < frames_.size()) refuse(index, "shorter than frames.pvd");
+  contacts_ = series_beside(folder / "contacts.pvd");
+  bolts_ = series_beside(folder / "bolts.pvd");
+  if (has_bolts()) bolt_offsets_ = read_vtp(bolts_[0].file).lines.offsets;
   read_outlines(frames_[0].file, read_vtp(frames_[0].file));
+}
+
+std::vector<SeriesEntry> RunResults::series_beside(const std::filesystem::path& index) const {
+  if (!std::filesystem::exists(index)) return {};
+  auto entries = read_series(index);
+  if (!entries.empty() && entries.size() < frames_.size()) refuse(index, "shorter than frames.pvd");
+  return entries;
 }
 
 // A block is one polygon, or triangles with rings as closed lines; see FrameWriter.
@@ -130,6 +159,7 @@ Frame RunResults::frame(std::size_t index) const {
     frame.moved.push_back(plane(moved, cell));
   }
   if (has_contacts()) frame.contacts = read_contacts(contacts_[index].file, drawing_.blocks());
+  if (has_bolts()) frame.bolts = read_bolts(bolts_[index].file, bolt_offsets_);
   return frame;
 }
 

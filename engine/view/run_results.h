@@ -35,6 +35,17 @@ struct DrawnContact {
   DrawnStatus status = DrawnStatus::open;
 };
 
+enum class DrawnCondition : std::uint8_t { elastic, yielded, broken };
+
+// A link of a rock bolt: a line through material points of its two blocks.
+struct DrawnBolt {
+  std::string name;
+  std::vector<Vec2> reference;     // m
+  std::vector<Vec2> displacement;  // m, of these points
+  double force = 0;                // N in one bolt, axial, tension positive
+  DrawnCondition condition = DrawnCondition::elastic;
+};
+
 struct Frame {
   double time = 0;                 // s
   std::vector<Vec2> displacement;  // m, of every vertex of the Drawing
@@ -42,6 +53,7 @@ struct Frame {
   std::vector<Vec2> velocity;      // m/s, of every block's centroid
   std::vector<Vec2> moved;         // m, displacement of every block's centroid
   std::vector<DrawnContact> contacts;
+  std::vector<DrawnBolt> bolts;  // the same links in every frame
 };
 
 class RunResults {
@@ -56,21 +68,27 @@ class RunResults {
   // False for runs of a program that did not write contacts yet.
   [[nodiscard]] bool has_contacts() const { return !contacts_.empty(); }
 
+  // Of scenes without bolts, and of programs that did not write bolts yet: false.
+  [[nodiscard]] bool has_bolts() const { return !bolts_.empty(); }
+
   // Reads a frame; InputError naming the file when it is broken or not of the same blocks.
   [[nodiscard]] Frame frame(std::size_t index) const;
 
  private:
+  [[nodiscard]] std::vector<SeriesEntry> series_beside(const std::filesystem::path& index) const;
   void read_outlines(const std::filesystem::path& path, const PolyData& first);
   void add_ring(const std::filesystem::path& path, const PolyData& first, std::span<const std::int64_t> points);
 
   std::vector<SeriesEntry> frames_;
   std::vector<SeriesEntry> contacts_;
+  std::vector<SeriesEntry> bolts_;
   std::vector<double> times_;
   Drawing drawing_;
   std::vector<std::size_t> point_;  // in the file, of every vertex
   std::vector<std::size_t> cell_;   // in the file, of every block: the first that has its values
   std::size_t points_in_file_ = 0;
   std::size_t cells_in_file_ = 0;
+  std::vector<std::int64_t> bolt_offsets_;  // in the file: where each line ends
 };
 
 }  // namespace dda

@@ -110,12 +110,49 @@ TEST_F(RunResultsTest, BrokenFilesAreNamed) {
 TEST_F(RunResultsTest, FramesOfOtherBlocksAreRefused) {
   const TemporaryFolder other;
   Model smaller = model_to_view();
+  smaller.bolts.clear();
   smaller.blocks.pop_back();
   finish_model(smaller);
   FrameWriter(smaller, other / "frames.pvd").write(state_at(smaller, 0.5));
   std::filesystem::copy_file(other / "frames/000000.vtp", folder_ / "frames/000001.vtp",
                              std::filesystem::copy_options::overwrite_existing);
   EXPECT_NE(refusal().find("of other blocks than the first frame"), std::string::npos) << refusal();
+}
+
+TEST_F(RunResultsTest, BoltsAreMaterialLinesWithTheirForce) {
+  EXPECT_FALSE(RunResults(folder_.path()).has_bolts());
+  EXPECT_TRUE(RunResults(folder_.path()).frame(0).bolts.empty());
+  write_bolts(folder_.path(), model_, {0, 0.5, 1});
+  const RunResults results(folder_.path());
+  ASSERT_TRUE(results.has_bolts());
+  const std::vector<DrawnBolt> bolts = results.frame(1).bolts;
+  ASSERT_EQ(bolts.size(), 2U);
+  EXPECT_EQ(bolts[0].name, "tie");
+  EXPECT_EQ(bolts[0].force, 1000);
+  EXPECT_EQ(bolts[0].condition, DrawnCondition::elastic);
+  EXPECT_EQ(bolts[1].name, "<grouted>");
+  EXPECT_EQ(bolts[1].force, -1000);
+  EXPECT_EQ(bolts[1].condition, DrawnCondition::yielded);
+  EXPECT_EQ(results.frame(2).bolts[1].condition, DrawnCondition::broken);
+  const std::vector<Vec2> reference = {{4.25, 0.5}, {5, 0.5}, {6, 0.5}, {6.5, 0.5}};
+  ASSERT_EQ(bolts[1].reference.size(), reference.size());
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    EXPECT_LE((bolts[1].reference[i] - reference[i]).norm(), round_off);
+    // With its block, the second or the third, by (i + 1) 0.5 s (0.1, -0.2) m/s.
+    EXPECT_LE((bolts[1].displacement[i] - (i < 2 ? 1.0 : 1.5) * Vec2(0.1, -0.2)).norm(), round_off);
+  }
+}
+
+TEST_F(RunResultsTest, RefusesBoltsOfOtherFrames) {
+  write_bolts(folder_.path(), model_, {0, 0.5});
+  EXPECT_NE(refusal().find("bolts.pvd: the file is shorter than frames.pvd"), std::string::npos) << refusal();
+  write_bolts(folder_.path(), model_, {0, 0.5, 1});
+  EXPECT_EQ(refusal(), "");
+  model_.bolts.pop_back();
+  BoltFrameWriter other(model_, folder_ / "other.pvd");
+  other.write(state_at(model_, 1), std::vector<BoltLinkValues>(1));
+  std::filesystem::rename(folder_ / "other/000000.vtp", folder_ / "bolts/000002.vtp");
+  EXPECT_NE(refusal().find("of other bolts than the first frame"), std::string::npos) << refusal();
 }
 
 }  // namespace

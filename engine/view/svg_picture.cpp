@@ -34,6 +34,11 @@ constexpr std::string_view ink = "#1a2129";
 constexpr std::string_view quiet = "#566370";
 constexpr std::string_view compression = "#d4002a";
 constexpr std::string_view tension = "#7a2bd0";
+constexpr std::string_view bolt_colour = "#007a3d";
+constexpr std::string_view yielded_colour = "#f08a00";
+constexpr std::string_view broken_colour = "#1a2129";
+constexpr double thin_bolt = 1.6;   // px, without force
+constexpr double thick_bolt = 5.5;  // px, of the largest force
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
   std::vector<std::string> lines;
@@ -77,6 +82,7 @@ class Picture {
     draw_blocks();
     if (options_.crosses) draw_crosses();
     draw_forces();
+    draw_bolts();
     add("</g>\n");
     draw_colour_bar();
     draw_foot();
@@ -104,7 +110,8 @@ class Picture {
     title_ = wrapped(options_.title, static_cast<std::size_t>((width_ - 2 * margin) / (letter * title_size)));
     left_ = margin;
     top_ = margin + static_cast<double>(title_.size()) * 1.3 * title_size;
-    height_ = top_ + std::max(plot_height_, 300.0) + foot + margin / 2;
+    key_room_ = 170 + (frame_.bolts.empty() ? 0 : 6 * 1.5 * text_size);
+    height_ = top_ + std::max(plot_height_, 130 + key_room_) + foot + margin / 2;
   }
 
   [[nodiscard]] Window all_blocks() const {
@@ -135,6 +142,7 @@ class Picture {
     if (options_.forces == DrawnForces::joints)
       lines_ = joint_lines(drawing_, points_, frame_.contacts, options_.deformation_scale);
     for (const ForceLine& line : lines_) largest_ = std::max(largest_, line.force);
+    for (const DrawnBolt& bolt : frame_.bolts) largest_bolt_ = std::max(largest_bolt_, std::abs(bolt.force));
   }
 
   // On the page.
@@ -212,6 +220,37 @@ class Picture {
     add_strokes(strokes);
   }
 
+  static std::string_view colour_of(DrawnCondition condition) {
+    if (condition == DrawnCondition::broken) return broken_colour;
+    return condition == DrawnCondition::yielded ? yielded_colour : bolt_colour;
+  }
+
+  [[nodiscard]] double width_of_bolt(double force) const {
+    return thin_bolt + (largest_bolt_ > 0 ? (thick_bolt - thin_bolt) * std::abs(force) / largest_bolt_ : 0);
+  }
+
+  // A broken bolt is dashed.
+  void add_bolt(const std::string& path, double width, DrawnCondition condition) {
+    add("<path stroke=\"#fff\" stroke-width=\"{:.2f}\" d=\"{}\"/>"
+        "<path stroke=\"{}\" stroke-width=\"{:.2f}\"{} d=\"{}\"/>\n",
+        width + 2, path, colour_of(condition), width,
+        condition == DrawnCondition::broken ? " stroke-dasharray=\"4 3\"" : "", path);
+  }
+
+  void draw_bolts() {
+    if (frame_.bolts.empty()) return;
+    add("<g fill=\"none\" stroke-linejoin=\"round\">\n");
+    for (const DrawnBolt& bolt : frame_.bolts) {
+      SvgPath path;
+      for (std::size_t i = 0; i < bolt.reference.size(); ++i) {
+        const Vec2 point = at(bolt.reference[i] + options_.deformation_scale * bolt.displacement[i]);
+        i == 0 ? path.move_to(point) : path.line_to(point);
+      }
+      add_bolt(path.text(), width_of_bolt(bolt.force), bolt.condition);
+    }
+    add("</g>\n");
+  }
+
   // The arms of the largest principal stress fill its block, as far as that is not much larger than the others.
   void draw_crosses() {
     double most = 0;
@@ -250,7 +289,7 @@ class Picture {
     if (colours_.least < colours_.low || colours_.most > colours_.high)
       add_line(plain, fmt::format("{} to {}", two_digits(colours_.least / unit.factor),
                                   two_digits(colours_.most / unit.factor)));
-    const double size = std::min(std::max(plot_height_, 300.0) - 170, 300.0);
+    const double size = std::min(std::max(plot_height_, 130 + key_room_) - key_room_, 300.0);
     add("<linearGradient id=\"scale\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">");
     for (int i = 0; i <= 32; ++i)
       add("<stop offset=\"{:.4f}\" stop-color=\"{}\"/>", i / 32.0, to_hex(colours_.colour_at(i / 32.0)));
@@ -264,10 +303,35 @@ class Picture {
       add("<path d=\"M{:.1f} {:.1f}h5\" stroke=\"{}\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 20, height,
           quiet, x + 30, height + 0.35 * text_size, label(value, step));
     }
-    draw_key(x, y + size + 2.4 * text_size);
+    y += size + 2.4 * text_size;
+    draw_key(x, y);
+    draw_bolt_key(x, y);
   }
 
-  void draw_key(double x, double y) {
+  void draw_bolt_key(double x, double y) {
+    if (frame_.bolts.empty()) return;
+    add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">Bolt force</text>\n<g fill=\"none\">\n", x, y);
+    std::vector<std::pair<std::string, double>> texts;
+    const auto add_row = [&](const std::string& text, double width, DrawnCondition condition) {
+      y += 1.5 * text_size;
+      add_bolt(fmt::format("M{:.1f} {:.1f}h28", x + 2, y - 0.35 * text_size), width, condition);
+      texts.emplace_back(text, y);
+    };
+    const ScaledUnit unit = scaled_unit("N", largest_bolt_);
+    const std::vector<double> values = ticks(0, largest_bolt_ / unit.factor, 2);
+    for (const double value : values)
+      add_row(label(value, values.size() > 1 ? values[1] : 1) + " " + unit.name, width_of_bolt(value * unit.factor),
+              DrawnCondition::elastic);
+    for (const auto& [condition, text] :
+         {std::pair(DrawnCondition::yielded, "yielded"), std::pair(DrawnCondition::broken, "broken")})
+      if (std::ranges::any_of(frame_.bolts, [&](const DrawnBolt& bolt) { return bolt.condition == condition; }))
+        add_row(text, thin_bolt, condition);
+    add("</g>\n");
+    for (const auto& [text, height] : texts) add("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 40, height, text);
+  }
+
+  // Moves y below what it drew.
+  void draw_key(double x, double& y) {
     if (!(largest_ > 0)) return;
     const ScaledUnit unit = scaled_unit("N/m", largest_);
     const std::vector<double> values = ticks(0, largest_ / unit.factor, 3);
@@ -280,6 +344,7 @@ class Picture {
           x + 4, y - 0.35 * text_size, compression, width_of(values[i] * unit.factor), x + 40, y,
           label(values[i], values[1]), unit.name);
     }
+    y += 2.2 * text_size;
   }
 
   void draw_foot() {
@@ -309,7 +374,9 @@ class Picture {
   double left_ = 0, top_ = 0, width_ = 0, height_ = 0, plot_width_ = 0, plot_height_ = 0;  // px
   ColourScale colours_;
   std::vector<ForceLine> lines_;
-  double largest_ = 0;  // N/m
+  double largest_ = 0;       // N/m
+  double largest_bolt_ = 0;  // N
+  double key_room_ = 0;      // px, below the colour bar
   std::string text_;
 };
 

@@ -124,5 +124,36 @@ TEST_F(SvgPictureTest, ForcesHaveTheirKey) {
   EXPECT_EQ(picture(none).find("Joint force"), std::string::npos);
 }
 
+TEST_F(SvgPictureTest, DrawsBoltsWithTheirKey) {
+  const std::string without = picture({});
+  EXPECT_EQ(without.find("Bolt force"), std::string::npos);
+  EXPECT_EQ(without.find("#007a3d"), std::string::npos);
+  write_bolts(folder_.path(), model_to_view(), {0, 1});
+  const RunResults results(folder_.path());
+  for (const std::size_t number : {0U, 1U}) {
+    const Frame frame = results.frame(number);
+    const std::string text = svg_picture(results.drawing(), frame, {});
+    EXPECT_NE(text.find("Bolt force"), std::string::npos);
+    EXPECT_NE(text.find(number == 0 ? ">yielded<" : ">broken<"), std::string::npos);
+    EXPECT_EQ(text.find(number == 0 ? ">broken<" : ">yielded<"), std::string::npos);
+    std::vector<XmlTag> elastic;
+    std::vector<XmlTag> dashed;
+    for (const XmlTag& tag : tags_of(text, "path")) {
+      if (tag.attribute("stroke") == "#007a3d") elastic.push_back(tag);
+      if (!tag.attribute("stroke-dasharray").empty()) dashed.push_back(tag);
+    }
+    // The tie; then 0, 0.5 and 1 kN of the key, or 0, 1 and 2 kN. The thickest is the tie at 1 s, the thinnest 0 N.
+    ASSERT_EQ(elastic.size(), 4U);
+    EXPECT_EQ(elastic[0].attribute("stroke-width"), number == 0 ? "1.60" : "5.50");
+    EXPECT_EQ(elastic[1].attribute("stroke-width"), "1.60");
+    EXPECT_EQ(elastic.back().attribute("stroke-width"), "5.50");
+    EXPECT_EQ(dashed.size(), number == 0 ? 0U : 2U);
+    double height = 0;
+    const std::string view = tags_of(text, "svg").at(0).attribute("viewBox");
+    height = std::stod(view.substr(view.rfind(' ')));
+    for (const XmlTag& tag : tags_of(text, "text")) EXPECT_LT(std::stod(tag.attribute("y")), height);
+  }
+}
+
 }  // namespace
 }  // namespace dda

@@ -11,6 +11,7 @@
 #include "dda/model/model.h"
 #include "dda/model/state.h"
 #include "dda/record/atomic_file.h"
+#include "dda/record/bolt_frame_writer.h"
 #include "dda/record/contact_frame_writer.h"
 #include "dda/record/frame_writer.h"
 
@@ -32,6 +33,12 @@ inline Model model_to_view() {
   model.blocks[0].shape.outer = square_ring(0, 0, 1);
   model.blocks[1].shape.outer = {{2, 0}, {5, 0}, {5, 2}, {4, 2}, {4, 1}, {3, 1}, {3, 2}, {2, 2}};
   model.blocks[2].shape = {square_ring(6, 0, 3), {square_ring(7, 1, 1)}};
+  model.bolts.resize(2);
+  model.bolts[0].name = "tie";
+  model.bolts[0].links = {{0, 1, Vec2(0.5, 0.5), Vec2(2.5, 0.5), 1e6, 0}};
+  model.bolts[1].name = "<grouted>";
+  model.bolts[1].grouted = true;
+  model.bolts[1].links = {{1, 2, Vec2(5, 0.5), Vec2(6, 0.5), 1e6, 0, 0.75, 0.5}};
   model.stages.resize(1);
   model.stages[0].dt = model.stages[0].duration = 1;
   finish_model(model);
@@ -78,6 +85,17 @@ inline void write_run(const std::filesystem::path& folder, const Model& model, c
     const State state = state_at(model, time);
     contacts.write(time, contacts_at(model, state));
     frames.write(state);
+  }
+}
+
+// Its bolts: the tie pulls with 2 kN times the time, the other one pushes with 1 kN and breaks at 1 s.
+inline void write_bolts(const std::filesystem::path& folder, const Model& model, const std::vector<double>& times) {
+  BoltFrameWriter bolts(model, folder / "bolts.pvd");
+  for (const double time : times) {
+    const BoltLinkValues pushed{Vec2(-1000, 0), -1e-3, BoltCondition::yielded};
+    const BoltLinkValues broken{Vec2(0, 0), 1e-3, BoltCondition::broken};
+    bolts.write(state_at(model, time), std::vector<BoltLinkValues>{{Vec2(2000 * time, 0), 0, BoltCondition::elastic},
+                                                                   time < 1 ? pushed : broken});
   }
 }
 

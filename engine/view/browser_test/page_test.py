@@ -185,6 +185,65 @@ def check_forces(page, work, frame):
     assert "kN/m" in page.evaluate("document.getElementById('keys').textContent")
 
 
+CONDITIONS = ("elastic", "yielded", "broken")
+BOLT_COLOURS = {"elastic": (0, 122, 61), "yielded": (240, 138, 0)}
+
+
+def check_bolts(page, work):
+    """Bolts lie where their frame says, with its force and condition; drawn in its colour, and named under the pointer."""
+    seen = set()
+    for frame in range(FRAMES + 1):
+        disk = VtpFrame(f"{work}/bolts/{frame:06}.vtp")
+        page.evaluate(f"dda.player.go({frame})")
+        page.settle()
+        bolts = page.evaluate("dda.stage.bolts")
+        assert [bolt["name"] for bolt in bolts] == ["pin"] * 4 + ["tie"], bolts
+        forces = disk.arrays["CellData/axial_force [N]"]
+        points = disk.arrays["Points/Points"]
+        moved = disk.arrays["PointData/displacement [m]"]
+        step = (max(moved) - min(moved)) / 65534 + max(map(abs, points)) * 2**-22
+        origin = page.evaluate("dda.run.header.origin")
+        for i, (bolt, cell) in enumerate(zip(bolts, disk.cells("Lines"))):
+            near(bolt["force"], forces[i], (max(forces) - min(forces)) / 65534, f"force of {bolt['name']}")
+            assert bolt["condition"] == CONDITIONS[disk.arrays["CellData/status"][i]]
+            seen.add(bolt["condition"])
+            assert len(bolt["path"]) == 2 * len(cell)
+            for j, point in enumerate(cell):
+                for axis in (0, 1):
+                    near(bolt["path"][2 * j + axis] + origin[axis], points[3 * point + axis], step, "place of a bolt")
+        if frame in (0, 3, FRAMES):
+            image = pixels(page.screenshot())
+            # In the air between frame and stone, and in the wall above a joint.
+            check_bolt_on_screen(page, image, bolts[4], 0.5)
+            check_bolt_on_screen(page, image, bolts[2], 0.25)
+    assert seen == set(CONDITIONS), seen
+    page.evaluate(f"dda.player.go({FRAMES})")
+    page.settle()
+    keys = "document.getElementById('keys').textContent"
+    for text in ("Bolt force", "kN", "broken"):
+        assert text in page.evaluate(keys), text
+    page.press("b")
+    assert page.evaluate("dda.stage.bolts.length") == 0
+    assert "Bolt" not in page.evaluate(keys)
+    page.press("b")
+    assert page.evaluate("dda.stage.bolts.length") == 5
+
+
+def check_bolt_on_screen(page, image, bolt, share):
+    """At a share of the first piece of the bolt's line."""
+    path = bolt["path"]
+    origin = page.evaluate("dda.run.header.origin")
+    x, y = on_screen(page, *(origin[axis] + path[axis] + share * (path[2 + axis] - path[axis]) for axis in (0, 1)))
+    colour = colour_at(image, x, y)
+    if bolt["condition"] in BOLT_COLOURS:
+        wanted = BOLT_COLOURS[bolt["condition"]]
+        # Blended with the halo at the border of a thin line.
+        assert max(abs(a - b) for a, b in zip(colour, wanted)) < 90, f"{bolt['name']} is {colour}, expected {wanted}"
+    page.move(x, y)
+    text = page.evaluate("document.getElementById('readout').textContent")
+    assert text.startswith(f"{bolt['name']}: axial force ") and text.endswith(bolt["condition"]), text
+
+
 def check_controls(page):
     state = lambda: page.evaluate("[dda.player.frame, dda.player.playing, dda.stage.show.quantity]")
     page.press("Home")
@@ -282,6 +341,7 @@ def main():
             check_frame(page, work, frame, blocks)
         check_colours(page, work, FRAMES, blocks)
         check_forces(page, work, FRAMES)
+        check_bolts(page, work)
         check_controls(page)
         check_deformation_scale(page, work)
         check_sizes(page)

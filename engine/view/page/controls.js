@@ -18,7 +18,7 @@ function connectChoices(stage, refresh) {
   choose("forces", (list) => (show.forces = list.value));
   choose("thickness", (slider) => (show.thickness = 2 ** slider.value));
   choose("deformation", (slider) => (show.deformationScale = deformationScaleOf(slider.value)));
-  for (const id of ["status", "crosses", "outlines"]) choose(id, (box) => (show[id] = box.checked));
+  for (const id of ["status", "crosses", "outlines", "bolts"]) choose(id, (box) => (show[id] = box.checked));
 }
 
 function connectPlayer(player) {
@@ -98,6 +98,7 @@ function connectKeys(stage, player, redraw, fit) {
     c: ["c", "contact status", click("status")],
     x: ["x", "principal stresses", click("crosses")],
     o: ["o", "outlines", click("outlines")],
+    ...(stage.run.header.bolts && { b: ["b", "bolts", click("bolts")] }),
   };
   fillTable("shortcuts", Object.values(actions).filter(([key]) => key).map(([key, what]) => {
     return [Object.assign(document.createElement("kbd"), { textContent: key }), what];

@@ -54,7 +54,9 @@ const dda = (() => {
     if (hovered !== stage.hovered) redraw();
     stage.hovered = hovered;
     const quantity = run.quantities[show.quantity];
-    byId("readout").textContent = hovered < 0 ? "" :
+    const bolt = px < 0 ? undefined : stage.boltAt(px, py);
+    byId("readout").textContent = bolt ? `${bolt.name}: axial force ${withUnit(bolt.force, "N")}, ${bolt.condition}` :
+      hovered < 0 ? "" :
       `${run.header.block_names[hovered]}: ${quantity.title.toLowerCase()} ${withUnit(run.value(show.quantity, show.frame, hovered), quantity.unit)}`;
   }
 
@@ -64,6 +66,7 @@ const dda = (() => {
   }
 
   showSummary(run);
+  byId("bolts-choice").hidden = !run.header.bolts;
   connectChoices(stage, refresh);
   connectPlayer(player);
   connectPointers(stage, redraw, readOut);

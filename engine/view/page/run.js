@@ -32,8 +32,33 @@ class Run {
     const contactSites = takeSection("contact-sites");
     this.contactSites = header.wide_sites ? new Uint32Array(contactSites) : new Uint16Array(contactSites);
     this.contactForces = new Int16Array(takeSection("contact-forces"));
+    if (header.bolts) this.takeBolts();
     this.findContactsOfFrames();
     this.blockSize = this.findBlockSizes();
+  }
+
+  takeBolts() {
+    this.boltReference = new Float32Array(takeSection("bolt-reference"));
+    this.boltX = new Uint16Array(takeSection("bolt-x"));
+    this.boltY = new Uint16Array(takeSection("bolt-y"));
+    this.boltForce = new Uint16Array(takeSection("bolt-force"));
+    this.boltCondition = new Uint8Array(takeSection("bolt-condition"));
+  }
+
+  // The links of bolts in a frame: points x, y along each, axial force (N in one bolt, tension positive), condition.
+  bolts(frame, deformationScale) {
+    const { bolts } = this.header;
+    if (!bolts) return [];
+    const points = bolts.begin.at(-1), links = bolts.names.length;
+    return bolts.names.map((name, link) => {
+      const path = [];
+      for (let i = bolts.begin[link]; i < bolts.begin[link + 1]; ++i) {
+        path.push(this.boltReference[2 * i] + deformationScale * decoded(this.boltX[frame * points + i], bolts.x[frame]),
+                  this.boltReference[2 * i + 1] + deformationScale * decoded(this.boltY[frame * points + i], bolts.y[frame]));
+      }
+      return { name, path, force: decoded(this.boltForce[frame * links + link], bolts.force[frame]),
+               condition: ["elastic", "yielded", "broken"][this.boltCondition[frame * links + link]] };
+    });
   }
 
   // Where the contacts and forces of each frame begin.

@@ -5,7 +5,7 @@ class Stage {
   constructor(run, canvas) {
     Object.assign(this, { run, canvas, context: canvas.getContext("2d"), camera: new Camera(), hovered: -1 });
     this.show = { frame: 0, quantity: 0, range: "run", forces: "joints", thickness: 1, deformationScale: 1, status: false,
-                  crosses: false, outlines: true };
+                  crosses: false, outlines: true, bolts: true };
     this.typicalBlock = [...run.blockSize].sort((a, b) => a - b)[Math.floor(run.blocks / 2)] || 1;
   }
 
@@ -31,6 +31,17 @@ class Stage {
   thickestForce() {
     return this.show.range === "run" ? this.run.header.thickest_force[this.show.forces]
                                      : this.lines.reduce((most, { force }) => Math.max(most, force), 0);
+  }
+
+  // Width of a bolt, in pixels: it is seen without a force too.
+  widthOfBolt(force) {
+    const most = this.thickestBoltForce();
+    return 1.6 + (most > 0 ? Math.min(3.9 * Math.abs(force) / most, 5) : 0);
+  }
+
+  thickestBoltForce() {
+    return this.show.range === "run" ? this.run.header.bolts.most_force
+                                     : this.bolts.reduce((most, { force }) => Math.max(most, Math.abs(force)), 0);
   }
 
   resize() {
@@ -62,12 +73,13 @@ class Stage {
     this.colours = this.scaleOfColours();
     this.contacts = run.contacts(show.frame, this.points);
     this.lines = forceLines(run, this.points, this.contacts, show.forces);
+    this.bolts = show.bolts ? run.bolts(show.frame, show.deformationScale) : [];
   }
 
   draw() {
     const { context, camera, show } = this;
     const style = getComputedStyle(document.documentElement);
-    this.ink = Object.fromEntries(["panel", "outline", "force", "pull", "halo", "sliding", "open", "accent"].map(
+    this.ink = Object.fromEntries(["panel", "outline", "force", "pull", "halo", "sliding", "open", "accent", "bolt", "broken"].map(
       (name) => [name, style.getPropertyValue(`--${name}`).trim()]));
     context.setTransform(camera.ratio, 0, 0, camera.ratio, 0, 0);
     context.clearRect(0, 0, camera.width, camera.height);
@@ -75,6 +87,7 @@ class Stage {
     this.drawBlocks();
     if (show.crosses) this.drawCrosses();
     this.drawForces();
+    this.drawBolts();
     if (show.status) this.drawStatus();
   }
 
@@ -130,6 +143,37 @@ class Stage {
       }
     }
     context.lineCap = "butt";
+  }
+
+  // Yielded ones in a colour of their own, broken ones dashed.
+  drawBolts() {
+    const { context, ink } = this;
+    for (const halo of [true, false]) {
+      for (const { path, force, condition } of this.bolts) {
+        const width = this.widthOfBolt(force);
+        context.lineWidth = halo ? width + 2 : width;
+        context.strokeStyle = halo ? ink.halo : { elastic: ink.bolt, yielded: ink.sliding, broken: ink.broken }[condition];
+        context.setLineDash(!halo && condition === "broken" ? [4, 3] : []);
+        context.stroke(this.pathAlong(path));
+      }
+    }
+    context.setLineDash([]);
+  }
+
+  pathAlong(points) {
+    const path = new Path2D();
+    for (let i = 0; i < points.length; i += 2) path.lineTo(...this.camera.toScreen(points[i], points[i + 1]));
+    return path;
+  }
+
+  // The link of a bolt under a point of the canvas (pixels of the page), or undefined.
+  boltAt(px, py) {
+    const { context } = this;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    return this.bolts.findLast(({ path, force }) => {
+      context.lineWidth = this.widthOfBolt(force) + 6;
+      return context.isPointInStroke(this.pathAlong(path), px, py);
+    });
   }
 
   // Principal stresses: the longest arm of the colour range fills half of its block.

@@ -50,8 +50,8 @@ function showKeys(stage) {
   const { show } = stage;
   const rows = [];
   const colour = (name) => `var(--${name})`;
-  const line = (width, name) =>
-    svg(`<line x1="4" y1="8" x2="30" y2="8" stroke="${colour(name)}" stroke-width="${width}" stroke-linecap="round"/>`);
+  const line = (width, name, style = 'stroke-linecap="round"') =>
+    svg(`<line x1="4" y1="8" x2="30" y2="8" stroke="${colour(name)}" stroke-width="${width}" ${style}/>`);
   const most = stage.thickestForce();
   if (most > 0) {
     rows.push("<b>Force</b>");
@@ -60,6 +60,17 @@ function showKeys(stage) {
     for (const value of [step, 2 * step, 3 * step].filter((value) => value <= 1.05 * most / factor))
       rows.push(`<div>${line(stage.widthOf(value * factor), "force")}${label(value, step)} ${name}</div>`);
     if (stage.lines.some((force) => force.pulls)) rows.push(`<div>${line(4, "pull")}tension</div>`);
+  }
+  if (stage.bolts.length > 0) {
+    const largest = stage.thickestBoltForce();
+    const { factor, name } = scaledUnit("N", largest);
+    const { step, values } = ticksBetween(0, largest / factor, 2);
+    rows.push("<b>Bolt force</b>");
+    for (const value of largest > 0 ? values : [0])
+      rows.push(`<div>${line(stage.widthOfBolt(value * factor), "bolt", "")}${label(value, step)} ${name}</div>`);
+    const has = (condition) => stage.bolts.some((bolt) => bolt.condition === condition);
+    if (has("yielded")) rows.push(`<div>${line(4, "sliding", "")}yielded</div>`);
+    if (has("broken")) rows.push(`<div>${line(2, "broken", 'stroke-dasharray="4 3"')}broken</div>`);
   }
   if (show.crosses) {
     rows.push("<b>Principal stress</b>");

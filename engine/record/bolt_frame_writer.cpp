@@ -1,0 +1,79 @@
+#include "dda/record/bolt_frame_writer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dda/model/state.h"
+
+namespace dda {
+namespace {
+
+template <typename Number, typename Value>
+VtkArray of_links(std::string name, std::span<const BoltLinkValues> links, const Value& value) {
+  std::vector<Number> values;
+  values.reserve(links.size());
+  for (const BoltLinkValues& link : links) values.push_back(static_cast<Number>(value(link)));
+  return {std::move(name), 1, std::move(values)};
+}
+
+void append(std::vector<double>& values, const Vec2& vector) {
+  values.insert(values.end(), {vector.x(), vector.y(), 0});
+}
+
+}  // namespace
+
+BoltFrameWriter::BoltFrameWriter(const Model& model, std::filesystem::path index)
+    : model_(model), series_(std::move(index)) {
+  std::vector<std::int32_t> bolts, links, blocks_a, blocks_b;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < model.bolts.size(); ++i) {
+    const Bolt& bolt = model.bolts[i];
+    for (std::size_t j = 0; j < bolt.links.size(); ++j) {
+      const BoltLink& link = bolt.links[j];
+      add_line(link, bolt.direction);
+      bolts.push_back(static_cast<std::int32_t>(i));
+      links.push_back(static_cast<std::int32_t>(j));
+      blocks_a.push_back(link.block_a);
+      blocks_b.push_back(link.block_b);
+      names.push_back(bolt.name);
+    }
+  }
+  data_.cell_data = {{"bolt", 1, std::move(bolts)},
+                     {"link", 1, std::move(links)},
+                     {"bolt_name", 1, std::move(names)},
+                     {"block_a", 1, std::move(blocks_a)},
+                     {"block_b", 1, std::move(blocks_b)}};
+}
+
+void BoltFrameWriter::add_line(const BoltLink& link, const Vec2& direction) {
+  const auto add_point = [this](int block, const Vec2& reference) {
+    data_.lines.connectivity.push_back(static_cast<std::int64_t>(points_.size()));
+    points_.push_back({block, reference});
+  };
+  if (link.reach_a > 0) add_point(link.block_a, link.point_a - link.reach_a * direction);
+  add_point(link.block_a, link.point_a);
+  add_point(link.block_b, link.point_b);
+  if (link.reach_b > 0) add_point(link.block_b, link.point_b + link.reach_b * direction);
+  data_.lines.offsets.push_back(static_cast<std::int64_t>(points_.size()));
+}
+
+void BoltFrameWriter::write(const State& state, std::span<const BoltLinkValues> links) {
+  PolyData data = data_;
+  data.time = state.time;
+  std::vector<double> moved;
+  for (const MaterialPoint& point : points_) {
+    append(data.points, current_position(model_, state, point.block, point.reference));
+    append(moved, point_displacement(model_, state, point.block, point.reference));
+  }
+  data.point_data = {{"displacement [m]", 3, std::move(moved)}};
+  data.cell_data.push_back(of_links<std::int32_t>("status", links, [](const auto& link) { return link.condition; }));
+  data.cell_data.push_back(of_links<double>("axial_force [N]", links, [](const auto& link) { return link.force(0); }));
+  data.cell_data.push_back(of_links<double>("shear_force [N]", links, [](const auto& link) { return link.force(1); }));
+  data.cell_data.push_back(of_links<double>("elongation [m]", links, [](const auto& link) { return link.elongation; }));
+  series_.add(data);
+}
+
+}  // namespace dda

@@ -11,9 +11,10 @@
 #include "dda/scene/free_outline.h"
 
 namespace dda {
-namespace {
 
 std::string written(const Vec2& point) { return fmt::format("({:.9g}, {:.9g}) m", point.x(), point.y()); }
+
+namespace {
 
 std::string extent(const GroundPlan& plan) {
   return fmt::format("the blocks reach from {} to {}", written(plan.box().lower), written(plan.box().upper));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "dda/core/error.h"
@@ -9,6 +10,9 @@
 
 namespace dda {
 namespace {
+
+// Of the smaller block beside it: an open joint is no wider, as the contact search reaches no farther.
+constexpr double widest_joint = 0.1;
 
 // Axial stiffness of a bolt, N/m: given, or Young's modulus times section over a length.
 struct AxialStiffness {
@@ -75,6 +79,27 @@ void add_anchored_link(const Field& field, const Segment& line, const AxialStiff
   bolt.links = {{first, last, line.start, line.end, stiffness.over(length) / bolt.spacing, 0}};
 }
 
+// Nothing bonds a bolt where it runs through air. Along a joint it lies between two blocks.
+void refuse_air(const Field& field, const Segment& line, const std::vector<Passage>& passages, const GroundPlan& plan,
+                const Model& model) {
+  if (passages.empty()) return;
+  const double length = (line.end - line.start).norm();
+  const auto point = [&](double at) -> Vec2 { return line.start + at / length * (line.end - line.start); };
+  const auto size = [&](const Passage& passage) {
+    return std::sqrt(model.blocks[static_cast<std::size_t>(passage.block)].moments.area);
+  };
+  const auto check = [&](double from, double to, double smaller_block) {
+    if (to - from <= widest_joint * smaller_block || !plan.blocks_at(point((from + to) / 2)).empty()) return;
+    field.at("grouted").fail(fmt::format("true of a bolt that crosses {:.3g} m of air, from {} to {}", to - from,
+                                         written(point(from)), written(point(to))),
+                             "a bolt in rock from end to end, or false for one anchored at its ends, which may cross air");
+  };
+  check(0, passages.front().from, size(passages.front()));
+  for (std::size_t i = 1; i < passages.size(); ++i)
+    check(passages[i - 1].to, passages[i].from, std::min(size(passages[i - 1]), size(passages[i])));
+  check(passages.back().to, length, size(passages.back()));
+}
+
 // Each piece of the bolt goes to the nearest link.
 void share_out_reach(const Segment& line, Bolt& bolt) {
   const auto at = [&](const Vec2& point) { return bolt.direction.dot(point - line.start); };
@@ -84,7 +109,7 @@ void share_out_reach(const Segment& line, Bolt& bolt) {
     bolt.links[i - 1].reach_b = bolt.links[i].reach_a = (at(bolt.links[i].point_a) - at(bolt.links[i - 1].point_b)) / 2;
 }
 
-// One link where the bolt passes from a block to another, however far they are apart. By itself a link takes the
+// One link where the bolt passes from a block to another. By itself a link takes the
 // stretch between the middles of its two lengths in rock.
 void add_grouted_links(const Field& field, const Segment& line, const AxialStiffness& stiffness, const GroundPlan& plan,
                        const Model& model, Bolt& bolt) {
@@ -93,6 +118,7 @@ void add_grouted_links(const Field& field, const Segment& line, const AxialStiff
   const double shear = value_or(field, "shear_stiffness", 0.0,
                                 [](const Field& f) { return f.not_negative(Dimension::force_per_length); });
   const std::vector<Passage> passages = plan.passages_of(line);
+  refuse_air(field, line, passages, plan, model);
   for (std::size_t i = 1; i < passages.size(); ++i) {
     const Passage& before = passages[i - 1];
     const Passage& after = passages[i];

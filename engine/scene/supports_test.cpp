@@ -5,7 +5,9 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <tuple>
 
+#include "dda/core/error.h"
 #include "dda/core/temporary_folder.h"
 #include "dda/scene/bad_scene_test_support.h"
 
@@ -148,16 +150,45 @@ TEST(Scene, GroutedBoltHasALinkAtEveryJoint) {
   EXPECT_EQ(model.measurements[1].link, 2);
 }
 
-TEST(Scene, GroutedBoltThroughAHole) {
-  const Model model = parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+// A block with a hole, and another one 0.15 m away: a tenth of their sizes is 0.28 and 0.17 m.
+std::string bolt_through_open_joints(double hole_width, const std::string& from, const std::string& to) {
+  const std::string right = std::to_string(1 + hole_width);
+  return R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
     "blocks": [{"polygon": {"vertices": [[0, 0], [4, 0], [4, 2], [0, 2]],
-                            "holes": [[[1, 0.5], [2, 0.5], [2, 1.5], [1, 1.5]]]}},
-               {"polygon": {"vertices": [[4.5, 0], [6, 0], [6, 2], [4.5, 2]]}}],
-    "bolts": [{"from": [0.5, 1], "to": [5.5, 1], "grouted": true, "stiffness": 7}], "steps": {"dt": 1, "duration": 1}})",
-                                  "scene.json");
+                            "holes": [[[1, 0.5], [)" +
+         right + ", 0.5], [" + right + R"(, 1.5], [1, 1.5]]]}},
+               {"polygon": {"vertices": [[4.15, 0], [5.65, 0], [5.65, 2], [4.15, 2]]}}],
+    "bolts": [{"from": )" +
+         from + R"(, "to": )" + to + R"(, "grouted": true, "stiffness": 7}], "steps": {"dt": 1, "duration": 1}})";
+}
+
+TEST(Scene, GroutedBoltThroughAHole) {
+  const Model model = parse_scene(bolt_through_open_joints(0.2, "[0.5, 1]", "[5.5, 1]"), "scene.json");
   ASSERT_EQ(model.bolts.at(0).links.size(), 1U);  // none from the block to itself
-  EXPECT_EQ(model.bolts[0].links[0].point_a, Vec2(4, 1));
-  EXPECT_EQ(model.bolts[0].links[0].point_b, Vec2(4.5, 1));
+  EXPECT_LT((model.bolts[0].links[0].point_a - Vec2(4, 1)).norm(), 1e-14);
+  EXPECT_LT((model.bolts[0].links[0].point_b - Vec2(4.15, 1)).norm(), 1e-14);
+}
+
+// Steeper, the same gap is 0.25 m long; or it crosses the hole, starts at its wall or ends there.
+TEST(Scene, GroutedBoltThroughAir) {
+  for (const auto& [from, to, part] :
+       {std::tuple("[3.85, 0.2]", "[4.45, 1]", "bolts[0].grouted is true of a bolt that crosses 0.25 m of air, from "
+                                               "(4, 0.4) m to (4.15, 0.6) m, expected a bolt in rock"),
+        std::tuple("[0.5, 1]", "[5.5, 1]", "0.4 m of air, from (1, 1) m to (1.4, 1) m"),
+        std::tuple("[1.4, 0.7]", "[0.5, 0.7]", "0.4 m of air, from (1.4, 0.7) m to (1, 0.7) m"),
+        std::tuple("[4.5, 1]", "[1, 1]", "0.4 m of air, from (1.4, 1) m to (1, 1) m")}) {
+    std::string message;
+    try {
+      parse_scene(bolt_through_open_joints(0.4, from, to), "scene.json");
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+  // Anchored at its ends it may.
+  std::string anchored = bolt_through_open_joints(0.4, "[3.85, 0.2]", "[4.45, 1]");
+  anchored.replace(anchored.find("true"), 4, "false");
+  EXPECT_EQ(parse_scene(anchored, "scene.json").bolts.at(0).links.size(), 1U);
 }
 
 struct BadPart {

@@ -93,6 +93,8 @@ void check_support(const Model& model, const Item& item, const PointSupport& sup
     item.within("direction length", support.direction.norm(), 1 - 1e-9, 1 + 1e-9);
   }
   if (support.last_stage != -1) item.index("last stage", support.last_stage, model.stages.size());
+  if (support.takes_force_along && support.last_stage == -1)
+    item.fail("taking its force along", "asked for", "a last stage, at whose end it is let go");
   if (support.partner) check_point(model, item, support.block, *support.partner);
   if (support.partner && support.last_stage != -1)
     item.fail("last stage", fmt::format("{}", support.last_stage), "-1 for a spring between two points of a block");

@@ -158,6 +158,8 @@ const std::vector<Spoiled> spoiled = {
     {"impedance", [](Model& m) { m.viscous_edges[0].shear_impedance = -1; }, "shear impedance", "-1"},
     {"first stage", [](Model& m) { m.viscous_edges[0].first_stage = 1; }, "first stage", "1"},
     {"last stage", [](Model& m) { m.supports[0].last_stage = 7; }, "last stage", "7"},
+    {"release without an end", [](Model& m) { m.supports[0].takes_force_along = true; }, "supports[0] taking its force",
+     "asked for"},
     {"measured block", [](Model& m) { m.measurements[0].block = -1; }, "measurements \"s\" block", "-1"},
     {"measured point", [](Model& m) { m.measurements[0].point.y() = 2; }, "measurements \"s\" point", "(1, 2)"},
     {"one block of a traction", [](Model& m) { m.measurements[1].other_block = -1; }, "other block", "-1"},

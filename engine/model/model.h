@@ -59,7 +59,8 @@ struct PointSupport {
   TimeFunction history;
   MotionKind kind = MotionKind::displacement;
   Vec2 direction = Vec2::Zero();  // unit; holds along it alone when it is not zero (a roller)
-  int last_stage = -1;            // let go at the end of this stage, its force stays; -1: never
+  int last_stage = -1;            // let go at the end of this stage; -1: never
+  bool takes_force_along = false;  // when let go; else its force stays as a constant load
   std::optional<Vec2> partner =
       {};  // another point of the block: the spring holds the way from there to `point` instead
 };

@@ -83,6 +83,8 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
       value_or(field, "stiffness", 0.0, [](const Field& f) { return f.positive(Dimension::force_per_length); });
   support.last_stage =
       value_or(field, "until_stage", -1, [&](const Field& f) { return read_stage_reference(f, model); });
+  support.takes_force_along = value_or(field, "release", false, [](const Field& f) { return f.truth(); });
+  if (support.last_stage < 0) refuse(field, {"release"}, "without until_stage");
   if (field.has("point")) {
     const auto [block, point] = read_point(field, plan, model);
     append_support(support, block, point, 1, model);
@@ -161,7 +163,7 @@ void read_turn(const Field& field, RecordFiles& records, HeldBlock& held) {
 
 void read_held_blocks(const Field& field, const std::vector<std::string>& groups, RecordFiles& records, Model& model) {
   refuse(field, {"hold", "stiffness"}, "for a whole block, which is held exactly in all its motions");
-  refuse(field, {"until_stage"}, "for a whole block, which is held to the end");
+  refuse(field, {"until_stage", "release"}, "for a whole block, which is held to the end");
   const Field name = field.at("block");
   const std::vector<int> blocks = blocks_called(name, groups, model);
   HeldBlock held;

@@ -268,7 +268,8 @@ TEST(Scene, FreeFieldSidesFromBelow) {
 TEST(Scene, SupportsEndAndViscousBoundariesBeginWithAStage) {
   const std::string text = R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
     "blocks": {"bar": {"length": 2, "height": 1, "block_length": 1, "initial_stress": {"xx": -3, "yy": -2, "xy": 0.5}}},
-    "supports": [{"edge": "left", "until_stage": "settle"}, {"edge": "right"}],
+    "supports": [{"edge": "left", "until_stage": "settle"}, {"edge": "right"},
+                 {"point": [1, 1], "block": "bar 1", "until_stage": "settle", "release": true}],
     "viscous_boundaries": [{"edge": "left", "from_stage": "wave"}, {"edge": "top", "carries_initial_stress": true}],
     "steps": [{"name": "settle", "dt": 1, "duration": 1}, {"dt": 1, "duration": 1},
               {"name": "wave", "dt": 1, "duration": 1}]})";
@@ -276,6 +277,8 @@ TEST(Scene, SupportsEndAndViscousBoundariesBeginWithAStage) {
   EXPECT_EQ(model.supports[0].last_stage, 0);
   EXPECT_EQ(model.supports[1].last_stage, 0);
   EXPECT_EQ(model.supports[2].last_stage, -1);
+  EXPECT_EQ(model.supports[4].last_stage, 0);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(model.supports[i].takes_force_along, i == 4) << i;
   EXPECT_EQ(model.viscous_edges[0].first_stage, 2);
   EXPECT_EQ(model.viscous_edges[1].first_stage, 0);
   ASSERT_EQ(model.edge_loads.size(), 2U);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "dda/simulation/support_set.h"
 #include "dda/terms/gravity.h"
 #include "dda/terms/load.h"
 
@@ -17,7 +18,7 @@ ExternalForces::ExternalForces(const Model& model, const State& state) {
   for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
   for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
   for (std::size_t i = 0; i < model.supports.size(); ++i) {
-    if (model.supports[i].last_stage < 0) continue;
+    if (!leaves_force(model.supports[i])) continue;
     loads_.push_back({model.supports[i].block, Vec6::Zero(), &always, 0});
     reactions_.push_back({i, Vec2::Zero()});
   }

@@ -35,7 +35,7 @@ void Simulation::accept_supports() {
   }
 }
 
-// Supports that end with this stage leave their force behind, so that what they held stays at rest.
+// Supports that end with this stage leave their force behind, so that what they held stays at rest, or take it along.
 void Simulation::let_go_of_supports() {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     if (model_.supports[i].last_stage != static_cast<int>(stage_)) continue;
@@ -44,8 +44,9 @@ void Simulation::let_go_of_supports() {
     const Vec6 on_block = support.rows.transpose() * force;
     audit_.support_let_go(support_energy(support));
     support.stiffness.setZero();
-    external_.keep_reaction(i, support.offset, force);
     internal_old_.segment<6>(6 * support.block) += on_block;
+    if (!leaves_force(model_.supports[i])) continue;
+    external_.keep_reaction(i, support.offset, force);
     load_old_.segment<6>(6 * support.block) += on_block;
   }
 }

@@ -203,6 +203,13 @@ Model let_go(Kinematics kinematics) {
   return model;
 }
 
+// One of the springs takes its force along.
+Model taken_away(Kinematics kinematics) {
+  Model model = let_go(kinematics);
+  model.supports[1].takes_force_along = true;
+  return model;
+}
+
 template <typename Values>
 void expect_same_bits(const Values& a, const Values& b, const char* what) {
   ASSERT_EQ(a.size(), b.size());
@@ -312,7 +319,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"free_field", [] { return beside_a_column(Kinematics::small); }, true},
                     Case{"free_field_finite", [] { return beside_a_column(Kinematics::finite); }, true},
                     Case{"let_go", [] { return let_go(Kinematics::small); }, false},
-                    Case{"let_go_finite", [] { return let_go(Kinematics::finite); }, false}),
+                    Case{"let_go_finite", [] { return let_go(Kinematics::finite); }, false},
+                    Case{"taken_away", [] { return taken_away(Kinematics::small); }, false},
+                    Case{"taken_away_finite", [] { return taken_away(Kinematics::finite); }, false}),
     [](const auto& test) { return std::string(test.param.name); });
 
 std::string refusal(Model model, const State& state, std::span<const std::byte> snapshot) {

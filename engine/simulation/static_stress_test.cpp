@@ -1,6 +1,7 @@
 // Static stress on edges that absorb waves: supports that are let go and leave their force, dashpots that begin late.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "dda/simulation/simulation_models.h"
@@ -99,6 +100,68 @@ TEST(SupportsLetGo, KeepAForceThatStillMovesThePoint) {
   EXPECT_NEAR(simulation.state().velocity[0](0), velocity + force / simulation.model().mass_of(0) * 1e-2,
               1e-9 * force / simulation.model().mass_of(0) * 1e-2);
   EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
+}
+
+// A block hung by two springs at its centroid, which do not strain it: m u'' = -m g - k u. One is taken away.
+Model hung_by_two_springs(const Integrator& second, double dt, int steps, Kinematics kinematics) {
+  Model model = model_of({{box_ring(0, 0, 1, 1), {}}});
+  model.gravity = {0, -gravity};
+  for (int i = 0; i < 2; ++i) model.supports.push_back({0, {0.5, 0.5}, true, true, 1e6, Vec2::Zero(), {}});
+  model.supports[1].last_stage = 0;
+  model.supports[1].takes_force_along = true;
+  model.stages = {stage_of(static_integrator(), 10, settling, kinematics), stage_of(second, dt, steps, kinematics)};
+  return model;
+}
+
+TEST(SupportsTakenAway, LeaveTheirShareToTheOthers) {
+  for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
+    Simulation simulation = simulation_of(hung_by_two_springs(static_integrator(), 10, settling, kinematics));
+    run(simulation, settling);
+    const double weight = simulation.model().mass_of(0) * gravity;
+    EXPECT_NEAR(simulation.state().displacement[0](1), -weight / 2e6, 1e-12 * weight / 2e6);
+    run(simulation, settling);
+    EXPECT_NEAR(simulation.state().displacement[0](1), -weight / 1e6, 1e-12 * weight / 1e6);
+    EXPECT_LT(simulation.out_of_balance(), 1e-12);
+  }
+}
+
+// It swings to twice the new settlement: u = -w/k + w/(2 k) cos(n theta), tan(theta/2) = omega dt/2 by the trapezoidal
+// rule, which is exact to round-off.
+TEST(SupportsTakenAway, AtOnceMakeItSwingTwiceAsFar) {
+  for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
+    constexpr int steps = 200;
+    constexpr double dt = 2e-3;
+    Simulation simulation = simulation_of(hung_by_two_springs(trapezoidal_integrator(), dt, steps, kinematics));
+    run(simulation, settling);
+    const EnergyLedger before = simulation.energy();
+    const double mass = simulation.model().mass_of(0);
+    const double settlement = mass * gravity / 1e6;
+    const double angle = 2 * std::atan(std::sqrt(1e6 / mass) * dt / 2);
+    double lowest = 0;
+    for (int n = 1; n <= steps; ++n) {
+      run(simulation, 1);
+      const double expected = -settlement + settlement / 2 * std::cos(n * angle);
+      EXPECT_NEAR(simulation.state().displacement[0](1), expected, 1e-11 * settlement) << n;  // 200 steps of round-off
+      lowest = std::min(lowest, simulation.state().displacement[0](1));
+    }
+    // From half the settlement to 1.5 times it, less what falls between two steps: 1 - cos(angle/2).
+    EXPECT_NEAR(lowest, -1.5 * settlement, 0.5 * settlement * (1 - std::cos(angle / 2)));
+    // The spring's energy, k u^2/2 of u = w/(2 k), went with it.
+    EXPECT_NEAR(before.external_work, -1e6 * settlement * settlement / 8, 1e-9 * 1e6 * settlement * settlement);
+    EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
+  }
+}
+
+// Point by point as if it had never been there: with no load left over, a free block falls by g t^2/2.
+TEST(SupportsTakenAway, LeaveNoForce) {
+  for (const Integrator& integrator : dynamic_integrators()) {
+    if (integrator.is_static) continue;
+    Model model = hung_by_two_springs(integrator, 1e-3, 100, Kinematics::small);
+    model.supports.erase(model.supports.begin());
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, settling + 100);
+    EXPECT_NEAR(simulation.state().velocity[0](1), -gravity * 0.1, 1e-11);
+  }
 }
 
 TEST(ViscousEdge, ActsFromItsFirstStageOn) {

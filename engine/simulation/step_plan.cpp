@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "dda/simulation/support_set.h"
+
 namespace dda {
 namespace {
 
@@ -25,8 +27,7 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
   StepPlan plan;
   plan.free_field = !model.free_field_sides.empty();
   plan.loads = plan.free_field || !model.point_loads.empty() || !model.edge_loads.empty() ||
-               std::any_of(model.supports.begin(), model.supports.end(),
-                           [](const PointSupport& support) { return support.last_stage >= 0; });
+               std::any_of(model.supports.begin(), model.supports.end(), leaves_force);
   plan.gravity = !model.gravity.isZero();
   plan.supports = !model.supports.empty();
   plan.moving_supports = std::any_of(model.supports.begin(), model.supports.end(),

@@ -18,6 +18,9 @@ struct SupportElement {
   Vec2 prescribed = Vec2::Zero();  // m, displacement asked for at the time of `gap`
 };
 
+// Whether what it holds with when it is let go stays as a load.
+inline bool leaves_force(const PointSupport& support) { return support.last_stage >= 0 && !support.takes_force_along; }
+
 std::vector<SupportElement> make_supports(const Model& model, const State& state);
 
 // Moves the held points with their blocks (finite kinematics).

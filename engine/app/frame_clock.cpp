@@ -10,12 +10,11 @@ constexpr double round_off = 1e-6;  // of an interval or a stage: steps end that
 
 bool settles(const Stage& stage) { return stage.integrator.is_static && stage.equilibrium > 0; }
 
-// Whether a stage has no time in which blocks move.
+}  // namespace
+
 bool stands_still(const Model& model, const Stage& stage) {
   return settles(stage) && !std::ranges::all_of(model.stages, settles);
 }
-
-}  // namespace
 
 FrameClock::FrameClock(const Model& model, double interval) : interval_(interval) {
   double begin = 0;

@@ -35,6 +35,9 @@ class FrameClock {
   std::int64_t next_ = 0;  // in intervals of moving time
 };
 
+// Whether a stage has no time in which blocks move.
+[[nodiscard]] bool stands_still(const Model& model, const Stage& stage);
+
 // The time over which frames are spread, s.
 [[nodiscard]] double moving_time(const Model& model);
 

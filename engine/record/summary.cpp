@@ -63,6 +63,10 @@ Json to_json(const RunSummary& summary) {
                {"wall_s", summary.wall_s}};
   json["phases"] = Json::object();
   for (const auto& [name, seconds] : summary.phases) json["phases"][name] = seconds;
+  json["stages"] = Json::array();
+  for (const StageSpan& stage : summary.stages)
+    json["stages"].push_back(
+        {{"name", stage.name}, {"begin_s", stage.begin_s}, {"end_s", stage.end_s}, {"settles", stage.settles}});
   json["static_stages"] = Json::array();
   for (const auto& [name, share] : summary.out_of_balance)
     json["static_stages"].push_back({{"name", name}, {"out_of_balance", share}});

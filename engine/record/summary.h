@@ -29,6 +29,14 @@ struct DeepestPenetration {
   double time_s = 0;
 };
 
+// When a stage of the scene lasts; `settles`: its time passes in no motion (it ends at static equilibrium).
+struct StageSpan {
+  std::string name;
+  double begin_s = 0;
+  double end_s = 0;
+  bool settles = false;
+};
+
 struct RunSummary {
   Status status = Status::ok;
   std::string message;  // one sentence when status is not ok
@@ -40,6 +48,7 @@ struct RunSummary {
   double cpu_s = 0;
   double wall_s = 0;
   std::vector<std::pair<std::string, double>> phases;          // name and seconds, in the order of the run
+  std::vector<StageSpan> stages;
   std::vector<std::pair<std::string, double>> out_of_balance;  // static stages: name and share of the largest load
   std::string solver;
   std::int64_t blocks = 0;

@@ -63,6 +63,7 @@ TEST(Summary, HoldsEverything) {
   summary.cpu_s = 1.5;
   summary.wall_s = 2.5;
   summary.phases = {{"solve", 1.25}, {"assembly", 0.25}};
+  summary.stages = {{"gravity", 0, 100, true}, {"quake", 100, 102.5, false}};
   summary.out_of_balance = {{"gravity", 3e-7}};
   summary.solver = "cholesky";
   summary.blocks = 200;
@@ -76,6 +77,8 @@ TEST(Summary, HoldsEverything) {
     "status": "stopped", "message": "stopped by the user", "title": "bar", "time_s": 0.1, "steps": 12,
     "blocks": 200, "contacts": 199, "solver": "cholesky", "cpu_s": 1.5, "wall_s": 2.5,
     "phases": {"solve": 1.25, "assembly": 0.25},
+    "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true},
+               {"name": "quake", "begin_s": 100, "end_s": 102.5, "settles": false}],
     "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
       "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "contact_searches": 9,

@@ -326,6 +326,47 @@ def check_sizes(page):
         assert (background < 60) == dark, "light and dark"
 
 
+# Settles for at most 100 s, then swings for 0.2 s under a load.
+SETTLING = {
+    "dda": 1, "title": "Settles and swings", "gravity": 10,
+    "materials": {"rock": {"density": 2500, "young": "0.1 GPa", "poisson": 0}}, "joints": {"default": {"bonded": True}},
+    "blocks": {"bar": {"length": 4, "height": 1, "block_length": 1}},
+    "supports": [{"edge": "left"}],
+    "loads": [{"edge": "right", "force": ["10 kN", 0], "history": {"sine": {"frequency": "10 Hz", "start": "100 s"}}}],
+    "measurements": [{"name": "end", "quantity": "displacement_x", "point": [4, 0.5]}],
+    "steps": [{"name": "settle", "integrator": "static", "equilibrium": 1e-9, "dt": 1, "duration": 100,
+               "kinematics": "small"},
+              {"name": "swing", "dt": "1 ms", "duration": "0.2 s", "kinematics": "small"}],
+}
+
+
+def check_settling(program, work, page):
+    """A stage that settles is a strip of the plots however long it lasts, and the clock tells frames apart."""
+    pathlib.Path(work).mkdir(exist_ok=True)
+    scene = pathlib.Path(work, "settling.json")
+    scene.write_text(json.dumps(SETTLING))
+    page.open(make_run(program, scene, f"{work}/settling"))
+    page.settle()
+    assert page.evaluate("dda.run.frames") == FRAMES + 2
+    axis = "dda.panels[0].axis"
+    # 3 % of the axis for 100 s, the rest for 0.2 s.
+    for time, share in ((0, 0), (50, 0.015), (100, 0.03), (100.1, 0.515), (100.2, 1)):
+        near(page.evaluate(f"{axis}.shareOf({time})"), share, 1e-9, f"place of {time} s")
+        near(page.evaluate(f"{axis}.timeAt({share})"), time, 1e-9, f"time at {share}")
+    ticks = page.evaluate(f"{axis}.ticks(1, 8).values")
+    assert len(ticks) >= 4 and all(100 - 1e-9 <= tick <= 100.2 + 1e-9 for tick in ticks), ticks
+    clock = []
+    for frame in range(FRAMES + 2):
+        page.evaluate(f"dda.player.go({frame})")
+        clock.append(page.evaluate("document.getElementById('time').textContent"))
+    assert len(set(clock)) == FRAMES + 2, clock
+    # A click in the middle of the plot is a frame in the middle of the motion.
+    x, y = page.evaluate("(() => { const panel = dda.panels[0]; const box = panel.canvas.getBoundingClientRect();"
+                         "return [box.left + panel.x(100.1), box.top + 40]; })()")
+    page.drag((x, y), (x, y))
+    near(page.evaluate("dda.run.times[dda.player.frame]"), 100.1, 0.2 / FRAMES / 2 + 1e-3, "time of the frame clicked at")
+
+
 def main():
     program, work = sys.argv[1:]
     url = make_run(program, pathlib.Path(__file__).with_name("scene.json"), work)
@@ -345,6 +386,8 @@ def main():
         check_controls(page)
         check_deformation_scale(page, work)
         check_sizes(page)
+        page.size(1000, 700)
+        check_settling(program, work, page)
         assert not page.problems, page.problems
     print(f"{blocks} blocks, {FRAMES + 1} frames: the page shows what the frames hold")
 

@@ -4,8 +4,8 @@
 const SERIES = ["#0072b2", "#d55e00", "#009e73", "#b8669a", "#b58900", "#4aa3d8", "#7b5ea7", "#8a8a8a"];
 
 class HistoryPanel {
-  constructor(times, unit, columns, seek) {
-    Object.assign(this, { times, columns });
+  constructor(times, axis, unit, columns, seek) {
+    Object.assign(this, { times, axis, columns });
     const finite = columns.flatMap((column) => column.values).filter((value) => value !== null && isFinite(value));
     [this.low, this.high] = finite.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)],
                                           [Infinity, -Infinity]);
@@ -31,13 +31,9 @@ class HistoryPanel {
     return { left: 62, right: this.canvas.clientWidth - 14, top: 10, bottom: this.canvas.clientHeight - 20 };
   }
 
-  get span() {
-    return this.times.at(-1) - this.times[0] || 1;
-  }
-
   x(time) {
     const { left, right } = this.plot;
-    return left + ((right - left) * (time - this.times[0])) / this.span;
+    return left + (right - left) * this.axis.shareOf(time);
   }
 
   y(value) {
@@ -47,11 +43,11 @@ class HistoryPanel {
 
   timeAt(x) {
     const { left, right } = this.plot;
-    return this.times[0] + (this.span * (x - left)) / (right - left);
+    return this.axis.timeAt((x - left) / (right - left));
   }
 
   valueAt(column, time) {
-    const after = this.times.findIndex((at) => at >= time - 1e-9 * this.span);
+    const after = this.times.findIndex((at) => at >= time - 1e-9 * this.axis.moving);
     return column.values[after < 0 ? column.values.length - 1 : after];
   }
 
@@ -85,6 +81,11 @@ class HistoryPanel {
     context.strokeStyle = ink("line");
     context.lineWidth = 1;
     const { factor, name } = this.unit;
+    context.save();
+    context.fillStyle = ink("wash");
+    for (const { begin, end } of this.axis.strips)
+      context.fillRect(this.x(begin), top, this.x(end) - this.x(begin), bottom - top);
+    context.restore();
     const vertical = ticksBetween(this.low / factor, this.high / factor, 3);
     const line = (x0, y0, x1, y1) => {
       context.beginPath();
@@ -102,10 +103,13 @@ class HistoryPanel {
     context.textAlign = "center";
     context.textBaseline = "top";
     const span = scaledUnit("s", this.times.at(-1));
-    const horizontal = ticksBetween(this.times[0] / span.factor, this.times.at(-1) / span.factor, Math.max(2, (right - left) / 90));
+    const horizontal = this.axis.ticks(span.factor, Math.max(2, (right - left) / 90));
+    let labelled = -Infinity;
     for (const value of horizontal.values) {
       const x = this.x(value * span.factor);
       line(x, top, x, bottom);
+      if (x - labelled < 56) continue; // on both sides of a strip
+      labelled = x;
       context.fillText(`${label(value, horizontal.step)} ${span.name}`, Math.min(x, right - 8), bottom + 4);
     }
   }
@@ -128,14 +132,15 @@ class HistoryPanel {
   }
 }
 
-// One panel for each unit, in the order of the measurements; none hides the section.
-function historyPanels(histories, seek) {
+// One panel for each unit, in the order of the measurements; none hides the section. `stages` as for TimeAxis.
+function historyPanels(histories, stages, seek) {
   const section = document.getElementById("histories");
   section.hidden = !histories || histories.columns.length === 0 || histories.times.length < 2;
   if (section.hidden) return [];
+  const axis = new TimeAxis(histories.times[0], histories.times.at(-1), stages);
   const byUnit = new Map();
   for (const column of histories.columns) byUnit.set(column.unit, [...(byUnit.get(column.unit) || []), column]);
-  const panels = [...byUnit].map(([unit, columns]) => new HistoryPanel(histories.times, unit, columns, seek));
+  const panels = [...byUnit].map(([unit, columns]) => new HistoryPanel(histories.times, axis, unit, columns, seek));
   document.getElementById("panels").replaceChildren(...panels.map((panel) => panel.element));
   return panels;
 }

@@ -5,7 +5,9 @@ const dda = (() => {
   const run = new Run();
   const stage = new Stage(run, byId("blocks"));
   const { camera, show } = stage;
-  const interval = run.frames > 1 ? (run.times.at(-1) - run.times[0]) / (run.frames - 1) : 1;
+  // Between two frames, as most lie; a stage that settles has one frame for all of its time.
+  const intervals = run.times.slice(1).map((time, i) => time - run.times[i]).sort((a, b) => a - b);
+  const interval = intervals.length > 0 ? intervals[Math.floor((intervals.length - 1) / 2)] : 1;
 
   let pending = false;
   const redraw = () => {
@@ -44,7 +46,7 @@ const dda = (() => {
     refresh();
   });
 
-  const panels = historyPanels(run.header.histories, (time) => {
+  const panels = historyPanels(run.header.histories, run.header.summary?.stages, (time) => {
     const away = run.times.map((at) => Math.abs(at - time));
     player.go(away.indexOf(Math.min(...away)));
   });
@@ -89,5 +91,5 @@ const dda = (() => {
   stage.resize();
   stage.fitRun();
   player.go(run.frames - 1);
-  return { run, stage, player, refresh };
+  return { run, stage, player, panels, refresh };
 })();

@@ -150,6 +150,20 @@ TEST(Scene, GroutedBoltHasALinkAtEveryJoint) {
   EXPECT_EQ(model.measurements[1].link, 2);
 }
 
+// Between two blocks there is a joint and no air: it acts where it goes from the upper block to the lower one.
+TEST(Scene, GroutedBoltAlongAJoint) {
+  const Model model = parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": [{"polygon": {"vertices": [[0, -1], [2, -1], [2, 0], [0, 0]]}},
+               {"polygon": {"vertices": [[0, 0], [1, 0], [1, 1], [0, 1]]}},
+               {"polygon": {"vertices": [[1, 0], [2, 0], [2, 1], [1, 1]]}},
+               {"polygon": {"vertices": [[0, 1], [2, 1], [2, 2], [0, 2]]}}],
+    "bolts": [{"from": [1, 1.5], "to": [1, -0.5], "grouted": true, "stiffness": 7}], "steps": {"dt": 1, "duration": 1}})",
+                                  "scene.json");
+  ASSERT_EQ(model.bolts.at(0).links.size(), 1U);
+  EXPECT_EQ(model.bolts[0].links[0].block_a, 3);
+  EXPECT_EQ(model.bolts[0].links[0].block_b, 0);
+}
+
 // A block with a hole, and another one 0.15 m away: a tenth of their sizes is 0.28 and 0.17 m.
 std::string bolt_through_open_joints(double hole_width, const std::string& from, const std::string& to) {
   const std::string right = std::to_string(1 + hole_width);

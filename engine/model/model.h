@@ -58,8 +58,8 @@ struct PointSupport {
   Vec2 amplitude = Vec2::Zero();  // m, m/s or m/s2 by `kind`: the prescribed motion, times history
   TimeFunction history;
   MotionKind kind = MotionKind::displacement;
-  Vec2 direction = Vec2::Zero();  // unit; holds along it alone when it is not zero (a roller)
-  int last_stage = -1;            // let go at the end of this stage; -1: never
+  Vec2 direction = Vec2::Zero();   // unit; holds along it alone when it is not zero (a roller)
+  int last_stage = -1;             // let go at the end of this stage; -1: never
   bool takes_force_along = false;  // when let go; else its force stays as a constant load
   std::optional<Vec2> partner =
       {};  // another point of the block: the spring holds the way from there to `point` instead

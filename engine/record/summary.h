@@ -47,7 +47,7 @@ struct RunSummary {
   EnergyLedger energy;
   double cpu_s = 0;
   double wall_s = 0;
-  std::vector<std::pair<std::string, double>> phases;          // name and seconds, in the order of the run
+  std::vector<std::pair<std::string, double>> phases;  // name and seconds, in the order of the run
   std::vector<StageSpan> stages;
   std::vector<std::pair<std::string, double>> out_of_balance;  // static stages: name and share of the largest load
   std::string solver;

@@ -90,9 +90,10 @@ void refuse_air(const Field& field, const Segment& line, const std::vector<Passa
   };
   const auto check = [&](double from, double to, double smaller_block) {
     if (to - from <= widest_joint * smaller_block || !plan.blocks_at(point((from + to) / 2)).empty()) return;
-    field.at("grouted").fail(fmt::format("true of a bolt that crosses {:.3g} m of air, from {} to {}", to - from,
-                                         written(point(from)), written(point(to))),
-                             "a bolt in rock from end to end, or false for one anchored at its ends, which may cross air");
+    field.at("grouted").fail(
+        fmt::format("true of a bolt that crosses {:.3g} m of air, from {} to {}", to - from, written(point(from)),
+                    written(point(to))),
+        "a bolt in rock from end to end, or false for one anchored at its ends, which may cross air");
   };
   check(0, passages.front().from, size(passages.front()));
   for (std::size_t i = 1; i < passages.size(); ++i)

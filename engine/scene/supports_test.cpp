@@ -186,8 +186,9 @@ TEST(Scene, GroutedBoltThroughAHole) {
 // Steeper, the same gap is 0.25 m long; or it crosses the hole, starts at its wall or ends there.
 TEST(Scene, GroutedBoltThroughAir) {
   for (const auto& [from, to, part] :
-       {std::tuple("[3.85, 0.2]", "[4.45, 1]", "bolts[0].grouted is true of a bolt that crosses 0.25 m of air, from "
-                                               "(4, 0.4) m to (4.15, 0.6) m, expected a bolt in rock"),
+       {std::tuple("[3.85, 0.2]", "[4.45, 1]",
+                   "bolts[0].grouted is true of a bolt that crosses 0.25 m of air, from "
+                   "(4, 0.4) m to (4.15, 0.6) m, expected a bolt in rock"),
         std::tuple("[0.5, 1]", "[5.5, 1]", "0.4 m of air, from (1, 1) m to (1.4, 1) m"),
         std::tuple("[1.4, 0.7]", "[0.5, 0.7]", "0.4 m of air, from (1.4, 0.7) m to (1, 0.7) m"),
         std::tuple("[4.5, 1]", "[1, 1]", "0.4 m of air, from (1.4, 1) m to (1, 1) m")}) {

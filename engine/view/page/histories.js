@@ -110,7 +110,9 @@ class HistoryPanel {
       line(x, top, x, bottom);
       if (x - labelled < 56) continue; // on both sides of a strip
       labelled = x;
-      context.fillText(`${label(value, horizontal.step)} ${span.name}`, Math.min(x, right - 8), bottom + 4);
+      const text = `${label(value, horizontal.step)} ${span.name}`;
+      const half = context.measureText(text).width / 2;
+      context.fillText(text, Math.min(x, this.canvas.clientWidth - half), bottom + 4);
     }
   }
 

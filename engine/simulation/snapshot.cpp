@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t magic = 0x3750414e53414444;  // "DDASNAP7", read as a little-endian number
+constexpr std::uint64_t magic = 0x3850414e53414444;  // "DDASNAP8", read as a little-endian number
 constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a damaged file
 
 class Writer {
@@ -273,7 +273,7 @@ struct SnapshotAccess {
       matrices(archive, support.offset, support.rows, support.stiffness, support.gap, support.prescribed);
     for (auto& link : s.bolts_.links_) {
       auto& [gap, plastic, force, ruptured] = link.state;
-      matrices(archive, link.rows.a, link.rows.b, gap, plastic, force);
+      matrices(archive, link.rows.a, link.rows.b, gap, plastic, force, link.matrix_rows);
       archive.number(ruptured);
     }
     for (auto* vector : {&s.load_old_, &s.internal_old_, &s.increment_, &s.momentum_, &s.inertia_force_,

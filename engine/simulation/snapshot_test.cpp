@@ -141,6 +141,25 @@ Model bolted_stack(Kinematics kinematics) {
   return model;
 }
 
+// A block hangs from one that is held, by two bolts and nothing else.
+Model hanging_block() {
+  Model model = bare_model(InterfaceLaw::classical, Kinematics::finite);
+  model.blocks = {rectangle("roof", 0, 2, 2, 1), rectangle("block", 0, 0.5, 2, 1)};
+  model.held_blocks = {HeldBlock{}};
+  model.gravity = {0, -10};
+  for (const double x : {0.5, 1.5}) {
+    Bolt bolt;
+    bolt.name = fmt::format("bolt {}", x);
+    bolt.direction = {0, -1};
+    bolt.links = {{0, 1, {x, 2.5}, {x, 1}, 1e8 * x, 0}};
+    model.bolts.push_back(bolt);
+  }
+  model.stages[0].dt = 1e-3;
+  model.stages[0].duration = 0.1;
+  finish_model(model);
+  return model;
+}
+
 // Bonded, elastic but for its bolts.
 Model bolted_bar() {
   Model model = bar(InterfaceLaw::consistent);
@@ -314,8 +333,9 @@ INSTANTIATE_TEST_SUITE_P(
                          [] { return with_pcg(shaken_stack(InterfaceLaw::classical, Kinematics::finite)); }, true},
                     Case{"bolts", [] { return bolted_stack(Kinematics::finite); }, true},
                     Case{"bolts_small", [] { return bolted_stack(Kinematics::small); }, true},
-                    Case{"bolted_bar", bolted_bar, false}, Case{"two_stages", two_stages, true},
-                    Case{"bar_first_finite", bar_first_finite, false}, Case{"bonded_finite", bonded_finite, false},
+                    Case{"hanging_block", hanging_block, false}, Case{"bolted_bar", bolted_bar, false},
+                    Case{"two_stages", two_stages, true}, Case{"bar_first_finite", bar_first_finite, false},
+                    Case{"bonded_finite", bonded_finite, false},
                     Case{"free_field", [] { return beside_a_column(Kinematics::small); }, true},
                     Case{"free_field_finite", [] { return beside_a_column(Kinematics::finite); }, true},
                     Case{"let_go", [] { return let_go(Kinematics::small); }, false},

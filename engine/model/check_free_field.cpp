@@ -64,6 +64,17 @@ void check_no_supports(const Model& model, const Item& item, const FreeFieldSide
   }
 }
 
+// Dashpots to the ground at rest would hold the side back, those of a second free field would double its load.
+void check_no_other_dashpots(const Model& model, const Item& item, const FreeFieldSide& side) {
+  for (std::size_t i = 0; i < model.viscous_edges.size(); ++i) {
+    if (std::count(side.viscous_edges.begin(), side.viscous_edges.end(), static_cast<int>(i)) > 0) continue;
+    const ViscousEdge& edge = model.viscous_edges[i];
+    if (lies_on(model, side, (edge.from + edge.to) / 2))
+      item.fail("edge", "with another viscous boundary at " + written((edge.from + edge.to) / 2),
+                "one viscous boundary along a free-field side");
+  }
+}
+
 void check_base(const Model& model, const Item& item, const FreeFieldSide& side) {
   const int held = held_base_of(model, side);
   if (held >= 0) {
@@ -89,6 +100,7 @@ void check_free_field_side(const Model& model, std::size_t index) {
     item.fail("outward", fmt::format("{}", side.outward), "-1 for a left or 1 for a right side");
   check_no_loads(model, item, side);
   check_no_supports(model, item, side);
+  check_no_other_dashpots(model, item, side);
   check_base(model, item, side);
 }
 

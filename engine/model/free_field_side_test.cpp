@@ -114,6 +114,18 @@ const std::vector<Spoiled> spoiled = {
        m.supports = {roller(1, 1)};
      },
      "held at (0, 1) m", "let go before"},
+    {"dashpots twice",
+     [](Model& m) {
+       m.viscous_edges.push_back({1, {0, 2}, {0, 3}, 1, 1});
+     },
+     "boundary at (0, 2.5) m", "one viscous boundary"},
+    {"twice",
+     [](Model& m) {
+       m.viscous_edges.push_back({0, {0, 0}, {0, 1}, 1, 1});
+       m.viscous_edges.push_back({1, {0, 1}, {0, 3}, 1, 1});
+       m.free_field_sides.push_back({{2, 3}, -1});
+     },
+     "boundary at (0, 0.5) m", "one viscous boundary"},
     {"no base", [](Model& m) { m.held_blocks.clear(); }, "on nothing at (0, 0) m", "under the lowest block"},
     {"base that turns", [](Model& m) { m.held_blocks[0].turn = 1; }, "turns", "without turning"},
 };

@@ -50,13 +50,14 @@ FreeField::Motion FreeField::motion_of(const Contact& contact) const {
   return {columns_.state().velocity[at(contact.column_block)], force};
 }
 
-Status FreeField::advance_to(double time) {
+// A static stage that has come to rest ends before its time: what was reached last says nothing of where a step begins.
+Status FreeField::advance_to(double time, double dt) {
   if (time_ >= time) return Status::ok;
-  const double reached = (time_ + time) / 2;  // beyond half a step: the clocks of both may differ by round-off
-  const Status status = columns_.state().time < reached ? columns_.step() : Status::ok;
+  const double middle = time - dt / 2;  // the clocks of both may differ by round-off
+  const Status status = columns_.state().time < middle ? columns_.step() : Status::ok;
   if (status != Status::ok) return status;
   read_columns();
-  time_old_ = time_;
+  time_old_ = time - dt;
   time_ = time;
   return Status::ok;
 }

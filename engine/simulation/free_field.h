@@ -21,8 +21,8 @@ class FreeField {
   // `contacts` and `state` of the drawn model, which has at least one free-field side.
   FreeField(const Model& model, const ContactSet& contacts, const State& state);
 
-  // Steps the columns to `time` (s), one step of the stage ahead, unless they are there.
-  [[nodiscard]] Status advance_to(double time);
+  // Steps the columns to `time` (s), the end of a step of `dt` (s) of the stage, unless they are there.
+  [[nodiscard]] Status advance_to(double time, double dt);
   // What is to be said where the last step failed.
   [[nodiscard]] const std::string& message() const { return columns_.message(); }
 

@@ -65,7 +65,8 @@ const Simulation* Simulation::free_field_columns() const { return free_field_ ? 
 // The columns go first: what they do at the end of the step is then known.
 Status Simulation::step_free_field() {
   if (!free_field_) return Status::ok;
-  const Status status = free_field_->advance_to(stage_start_ + static_cast<double>(step_in_stage_ + 1) * stage().dt);
+  const double dt = stage().dt;
+  const Status status = free_field_->advance_to(stage_start_ + static_cast<double>(step_in_stage_ + 1) * dt, dt);
   if (status != Status::ok) message_ = "columns of the free field: " + free_field_->message();
   return status;
 }

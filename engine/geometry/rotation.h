@@ -16,13 +16,16 @@ inline Mat2 rotation(double angle) {
   return matrix;
 }
 
-// Deformation gradient of one step from the six unknowns: stretch first, then a finite rotation,
-// R(r0) (I + [[ex, gxy/2], [gxy/2, ey]]). It replaces Shi's first-order update, whose area grows with 1 + r0^2; here a
-// pure rotation keeps every length. A point moves to centroid + (u0, v0) + F (point - centroid).
+// Deformation gradient of one step from the six unknowns: half of the rotation, the stretch, the other half,
+// R(r0/2) (I + E + E^2/2) R(r0/2) with E = [[ex, gxy/2], [gxy/2, ey]]. It is the exponential of the step's displacement
+// gradient to second order, so that a step and the same step back leave a block as it was to fourth order, and many
+// small steps there and back do as well; a pure rotation keeps every length. Shi's first-order update, I + gradient,
+// grows the area with 1 + r0^2. A point moves to centroid + (u0, v0) + F (point - centroid).
 inline Mat2 deformation_increment(const Vec6& dofs) {
-  Mat2 stretch;
-  stretch << 1 + dofs[3], dofs[5] / 2, dofs[5] / 2, 1 + dofs[4];
-  return rotation(dofs[2]) * stretch;
+  Mat2 strain;
+  strain << dofs[3], dofs[5] / 2, dofs[5] / 2, dofs[4];
+  const Mat2 half_turn = rotation(dofs[2] / 2);
+  return half_turn * (Mat2::Identity() + strain + strain * strain / 2) * half_turn;
 }
 
 // The components (xx, yy, xy) of a stress in a body turned counter-clockwise by `angle` (rad): R s R^T.

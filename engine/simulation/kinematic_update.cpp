@@ -43,12 +43,13 @@ void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, State& state
   }
 }
 
-void turn_stresses(State& state, std::vector<double>& turned) {
+void turn_stresses(const BlockTerms& terms, State& state, std::vector<Vec4>& turned) {
   for (std::size_t i = 0; i < turned.size(); ++i) {
-    const double rotation = state.displacement[i](2);
-    if (rotation == turned[i]) continue;
-    state.stress[i] = rotate_stress(state.stress[i], rotation - turned[i]);
-    turned[i] = rotation;
+    const Vec4 since = state.displacement[i].tail<4>() - turned[i];
+    turned[i] = state.displacement[i].tail<4>();
+    if (since(0) == 0) continue;
+    const Vec3 added = terms.elasticity[i] * since.tail<3>();
+    state.stress[i] = rotate_stress(state.stress[i] - added, since(0)) + rotate_stress(added, since(0) / 2);
   }
 }
 

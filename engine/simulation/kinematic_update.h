@@ -19,7 +19,8 @@ void advance_blocks(const StepCoefficients& step, const BlockTerms& terms, const
 // add the linear increments.
 void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, State& state);
 
-// Turns stresses with their blocks, from the rotations `turned` (rad, one a block) that they have followed so far.
-void turn_stresses(State& state, std::vector<double>& turned);
+// Turns stresses with their blocks, from the rotations and strains `turned` (the last four unknowns, one entry a block)
+// that they have followed so far. What the strains since then added came while the block turned, so it turns by half.
+void turn_stresses(const BlockTerms& terms, State& state, std::vector<Vec4>& turned);
 
 }  // namespace dda

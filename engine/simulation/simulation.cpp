@@ -52,7 +52,7 @@ Simulation::Simulation(Model model)
       contact_range_(model_, contacts_.interfaces),
       matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_, bolts_.pairs())) {
   const Eigen::Index unknowns = matrix_.unknowns();
-  turned_.assign(model_.blocks.size(), 0);
+  turned_.assign(model_.blocks.size(), Vec4::Zero());
   static_out_of_balance_.assign(model_.stages.size(), std::numeric_limits<double>::quiet_NaN());
   for (Eigen::VectorXd* vector :
        {&load_old_, &load_new_, &internal_old_, &internal_new_, &constant_rhs_, &rhs_, &increment_, &target_})
@@ -270,7 +270,7 @@ void Simulation::follow_geometry() {
   if (moved_ <= geometry_tolerance) return;
   const PhaseTimer timer(phase_times_.geometry);
   moved_ = 0;
-  turn_stresses(state_, turned_);
+  turn_stresses(terms_, state_, turned_);
   update_geometry(model_, state_, terms_);
   follow_contacts();
   update_geometry(model_, state_, supports_);

@@ -206,7 +206,7 @@ class Simulation {
   FrictionNewton newton_;
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
-  std::vector<double> turned_;            // rad, rotation of each block that its stress has followed
+  std::vector<Vec4> turned_;              // rotation (rad) and strains of each block that its stress has followed
   std::vector<SupportElement> supports_;
   BoltSet bolts_;
   HeldBlocks held_;

@@ -225,7 +225,7 @@ struct SnapshotAccess {
   template <typename AnySimulation, typename Archive>
   static void moved_geometry(AnySimulation& s, Archive& archive) {
     archive.number(s.moved_);
-    for (auto& rotation : s.turned_) archive.number(rotation);
+    for (auto& turned : s.turned_) matrices(archive, turned);
     for (auto& inertia : s.terms_.inertia) matrices(archive, inertia.squares);
     for (auto& area : s.terms_.area) archive.number(area);
     for (auto& displacement : s.contact_range_.checked_displacement_) matrices(archive, displacement);

@@ -111,7 +111,7 @@ Outcome free_spin() {
     outcome.assertions.push_back({"area after ten turns, " + integrator.name, "m2", area, drawn_area,
                                   "the area drawn; a linear update grows it by exp(4 pi^2/1000) a turn",
                                   relative_error(area, drawn_area), 4 * steps * round_off,
-                                  "round-off of a product of two matrices a step"});
+                                  "round-off of the products of four matrices a step"});
     outcome.assertions.push_back({"farthest vertex from its place after ten turns, " + integrator.name, "m", distance,
                                   0, "whole turns bring every vertex back (error absolute)", distance,
                                   4 * steps * round_off * angle, "round-off of the angle and of a product a step"});

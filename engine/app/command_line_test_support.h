@@ -1,0 +1,47 @@
+// The program's commands called as from a shell, for the tests of this folder.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dda/app/app_test_support.h"
+#include "dda/app/command_line.h"
+
+namespace dda {
+
+struct Outcome {
+  int code;
+  std::string out;
+  std::string errors;
+};
+
+inline Outcome call(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv = {"dda"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  std::ostringstream out;
+  std::ostringstream errors;
+  const int code = run_command_line(static_cast<int>(argv.size()), argv.data(), out, errors);
+  return {code, out.str(), errors.str()};
+}
+
+inline std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+inline bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+class CommandLine : public FolderTest {
+ protected:
+  void expect_refusal(const std::vector<std::string>& arguments, std::string_view part) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines(outcome.errors), 1) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, part)) << outcome.errors;
+    EXPECT_FALSE(exists("out"));
+  }
+};
+
+}  // namespace dda

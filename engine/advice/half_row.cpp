@@ -93,7 +93,8 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
     }
   };
   add(whole, &Layers::own);
-  add(lattice_matrices(lattice, stage, present), &Layers::end);
+  const LatticeMatrices first = lattice_matrices(lattice, stage, present);
+  add(first, &Layers::end);
   for (const LatticeCoupling& coupling : whole.couplings) {
     const Layer layer = layer_of(coupling.offset.dot(direction), row.step_);
     if (layer == Layer::same) continue;
@@ -102,7 +103,9 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
     if (layer == Layer::next) continue;
     // A unit traction on the end, and the traction that the layer before exerts, along the wave's motion.
     const double part = coupling.length / area;
-    row.push_ += point_load(coupling.middle, coupling.length * particles);
+    const Vec2 force = coupling.length * particles;
+    row.push_ += point_load(coupling.middle, force);
+    for (const ChainEnd& chain_end : first.chain_ends) row.push_ += end_load(chain_end, coupling.middle, force);
     const Vec2 tangent(-coupling.normal.y(), coupling.normal.x());
     const Vec2 weights(particles.dot(coupling.normal), particles.dot(tangent));
     row.traction_here_ += part * (coupling.traction_here.transpose() * weights);

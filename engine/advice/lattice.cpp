@@ -315,7 +315,10 @@ LatticeMatrices lattice_matrices(const Lattice& lattice, const Stage& stage, con
   LatticeMatrices matrices{operators.stiffness.diagonal(0),
                            operators.inertia.diagonal(0),
                            {},
-                           load_sharpening(model, model.stages.front(), contacts).front()};
+                           load_sharpening(model, model.stages.front(), contacts).front(),
+                           {}};
+  for (const ChainEnd& end : contacts.chain_ends)
+    if (end.block == 0) matrices.chain_ends.push_back(end);
   const Vec2& centroid = model.blocks.front().moments.centroid;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];

@@ -52,7 +52,8 @@ struct LatticeCoupling {
 struct LatticeMatrices {
   Mat6 stiffness, inertia;  // of the block with its part of the interfaces
   std::vector<LatticeCoupling> couplings;
-  double load_sharpening = 0;  // of loads on the block, see cubic_law.h
+  double load_sharpening = 0;        // of loads on the block, see cubic_law.h
+  std::vector<ChainEnd> chain_ends;  // of the block, where neighbours were left out
 };
 
 // By the stage's inertia options and dt. `present` leaves out neighbours where it is false; empty: all are there.

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "dda/contact/chain_end.h"
 #include "dda/contact/interface.h"
 #include "dda/contact/interface_element.h"
 #include "dda/contact/interface_state.h"
@@ -17,6 +18,7 @@ struct ContactSet {
   std::vector<InterfaceElement> elements;
   std::vector<EndStrength> strengths;
   std::vector<InterfaceState> states;
+  std::vector<ChainEnd> chain_ends;
   bool can_change = false;  // some joint can open, slide or break
 };
 

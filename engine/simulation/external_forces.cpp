@@ -13,7 +13,7 @@ const TimeFunction always = Constant{};
 
 }  // namespace
 
-ExternalForces::ExternalForces(const Model& model, const State& state) {
+ExternalForces::ExternalForces(const Model& model, const State& state, const std::vector<ChainEnd>& chain_ends) {
   loads_.reserve(model.point_loads.size() + model.edge_loads.size());
   for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
   for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
@@ -23,6 +23,7 @@ ExternalForces::ExternalForces(const Model& model, const State& state) {
     reactions_.push_back({i, Vec2::Zero()});
   }
   update_geometry(model, state);
+  for (const ChainEnd& end : chain_ends) shorten_levers(model, end);
   if (model.gravity.isZero()) return;
   weight_.setZero(static_cast<Eigen::Index>(6 * model.blocks.size()));
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
@@ -42,6 +43,20 @@ void ExternalForces::update_geometry(const Model& model, const State& state) {
   for (const Reaction& reaction : reactions_) {
     const PointSupport& support = model.supports[reaction.support];
     loads_[next++].force = point_load(offset(support.block, support.point), reaction.force);
+  }
+}
+
+void ExternalForces::shorten_levers(const Model& model, const ChainEnd& end) {
+  const Vec2& centroid = model.blocks[static_cast<std::size_t>(end.block)].moments.centroid;
+  std::size_t next = 0;
+  for (const PointLoad& load : model.point_loads) {
+    Load& own = loads_[next++];
+    if (load.block == end.block) own.force += end_load(end, load.point - centroid, load.force);
+  }
+  for (const EdgeLoad& load : model.edge_loads) {
+    Load& own = loads_[next++];
+    if (load.block != end.block) continue;
+    own.force += end_load(end, (load.from + load.to) / 2 - centroid, (load.to - load.from).norm() * load.traction);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "dda/contact/chain_end.h"
 #include "dda/core/types.h"
 #include "dda/model/model.h"
 #include "dda/model/state.h"
@@ -12,7 +13,8 @@ namespace dda {
 
 class ExternalForces {
  public:
-  ExternalForces(const Model& model, const State& state);
+  // `chain_ends`: loads on them have a shorter lever (chain_end.h); they exist where geometry never moves.
+  ExternalForces(const Model& model, const State& state, const std::vector<ChainEnd>& chain_ends = {});
 
   // Moves the points of attack with their blocks (finite kinematics).
   void update_geometry(const Model& model, const State& state);
@@ -49,6 +51,7 @@ class ExternalForces {
     Vec2 force;
   };
 
+  void shorten_levers(const Model& model, const ChainEnd& end);
   [[nodiscard]] double factor(const Load& load, double time) const;
 
   std::vector<Load> loads_;  // point loads, edge loads, reactions

@@ -56,6 +56,8 @@ BlockMatrix make_inertia(const Model& model, const Stage& stage, const BlockTerm
     inertia.diagonal(element.block_b) += between.bb;
     inertia.add_coupling(element.block_b, element.block_a, between.ba);
   }
+  for (const ChainEnd& end : contacts.chain_ends)
+    inertia.diagonal(end.block) += end_inertia(model, end, contacts.interfaces[end.interface], error, stage.dt);
   if (!stage.lateral_inertia) remove_lateral_inertia(model, contacts, inertia);
   return inertia;
 }
@@ -77,6 +79,7 @@ LinearOperators make_linear_operators(const Model& model, const Stage& stage, co
   BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
   const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
   assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
+  for (const ChainEnd& end : contacts.chain_ends) stiffness.diagonal(end.block) += end_stiffness(model, end);
   BlockMatrix inertia = make_inertia(model, stage, terms, contacts);
   ConstantOperator stiffness_times(stiffness);
   ConstantOperator inertia_times(inertia);

@@ -177,6 +177,8 @@ void Simulation::set_energy_offset() {
   double contact = support_energy(supports_);
   for (std::size_t i = 0; i < contacts_.elements.size(); ++i)
     contact += interface_energy(contacts_.elements[i], interface_state(i));
+  for (const ChainEnd& end : contacts_.chain_ends)
+    contact += end_energy(model_, end, state_.stress[static_cast<std::size_t>(end.block)]);
   energy_offset_ = contact + strain_energy(terms_, state_) - linear_elastic_energy();
 }
 

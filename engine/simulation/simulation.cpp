@@ -48,7 +48,7 @@ Simulation::Simulation(Model model)
       held_(model_),
       terms_(make_block_terms(model_)),
       damping_(make_block_damping(model_, state_, 0)),
-      external_(model_, state_),
+      external_(model_, state_, contacts_.chain_ends),
       contact_range_(model_, contacts_.interfaces),
       matrix_(make_system_matrix(static_cast<int>(model_.blocks.size()), contacts_, bolts_.pairs())) {
   const Eigen::Index unknowns = matrix_.unknowns();
@@ -295,6 +295,8 @@ void Simulation::sum_internal_forces(Eigen::VectorXd& force) const {
     own.tail<3>() = stress_force(terms_.area[i], state_.stress[i]);
   }
   add_contact_force(contacts_, force);
+  for (const ChainEnd& end : contacts_.chain_ends)
+    force.segment<6>(6 * end.block) += end_force(model_, end, state_.stress[static_cast<std::size_t>(end.block)]);
   add_support_force(supports_, force);
   bolts_.add_force(force);
 }

@@ -1,6 +1,7 @@
 #include "verification/exact/block_chain.h"
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
 
 namespace exact {
@@ -33,6 +34,16 @@ double inertia_reduction(const BlockChain& chain, double period_error, double dt
 }
 
 double jump_inertia_reduction(const InterfaceLaw& law) { return std::min(law.inertia_reduction, 0.05); }
+
+double end_share(const BlockChain& chain, Face face) {
+  const bool held = face == Face::right && (chain.end_stiffness > 0 || chain.end_impedance > 0);
+  return chain.interface.cubic && chain.blocks > 1 && !held ? (10 - std::numbers::sqrt2) / 12 : 1;
+}
+
+double end_inertia_reduction(const BlockChain& chain, Face face) {
+  const double share = end_share(chain, face);
+  return share < 1 ? 6 * share * jump_inertia_reduction(chain.interface) : 0;
+}
 
 void check(const BlockChain& chain, const std::vector<ChainProbe>& probes) {
   const bool sound = chain.blocks >= 1 && chain.length > 0 && chain.height > 0 && chain.density > 0 &&

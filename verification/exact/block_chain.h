@@ -13,6 +13,10 @@
 //   h integral of Q ex (w' - ex) + Q (w' - ex)^2/2,   Q ex = sigma_x - e12/e11 sigma_y of that block,
 // to V = k g^2/2 + k_t w^2/2, and the inertia of w replaces that of the two straight lines. A chain so stores
 //   h integral of Q w'^2/2  +  sum over blocks of h L e11 (ey + e12/e11 ex)^2/2.
+//
+// From the last centroid to a face that nothing holds (the left one, under the load; the right one if it is free) a
+// cubic chain has straight lines, whose strain counts by the share s = (10 - sqrt(2))/12 alone: h L/2 Q ex^2/2 is
+// multiplied by s, and so is the part of ex in the work of the load. See end_share() for why.
 #pragma once
 
 #include <vector>
@@ -67,6 +71,18 @@ struct BlockChain {
 [[nodiscard]] double inertia_reduction(const BlockChain& chain, double period_error, double dt);
 // min(co, 0.05) of the term in ex.
 [[nodiscard]] double jump_inertia_reduction(const InterfaceLaw& law);
+
+enum class Face { left, right };
+
+// s of a face, 1 where it is held and in chains without the cubic law. With k = omega L/(2 c) and lengths in L/2, a wave
+// exp(-i k x) of unit force at the face has the residual -(1/2 - s) k^2 U in the equation of ex and k^4 U/6 in that of
+// u. A residual r in the former moves the end by r/(s + sqrt(2)/6), where sqrt(2)/6 is the static stiffness of the chain
+// against its first slope (cubic Hermite elements: slopes decay by 3 - sqrt(8) a block). The reflection is right to
+// third order in k if (s - 2/3)(s + sqrt(2)/6) = (s - 1/2)^2.
+[[nodiscard]] double end_share(const BlockChain& chain, Face face);
+// By what the inertia of ex is lowered at such a face, over rho h L^3/12: the correction of `inertia_reduction` there,
+// min(co, 0.05) times stiffness over (c/L)^2. 0 where the share is 1.
+[[nodiscard]] double end_inertia_reduction(const BlockChain& chain, Face face);
 
 enum class ChainQuantity {
   block_stress,  // sigma_x of block `index` (Pa), index 0..blocks-1

@@ -32,6 +32,19 @@ struct ScaledChain {
   Real mass_over_stiffness;  // rho h L / e11 (s^2)
 };
 
+// The end block at a face, as a chain that runs on beyond it has not got it, for s^2 = `inertia_operator`.
+struct ChainEnd {
+  ChainEnd(const BlockChain& chain, const ScaledChain& scaled, Face face, Complex inertia_operator);
+
+  // Equations (u, ex, ey) under a unit force on the left (side = -1) or right (1) face.
+  [[nodiscard]] ComplexVector3 push(Real side) const { return {Real{1}, side * share / 2, Real{0}}; }
+  // What the block's ex adds to its equations.
+  [[nodiscard]] ComplexVector3 missing(Complex ex) const { return {Complex{0}, own * ex, Complex{0}}; }
+
+  Real share;
+  Complex own;
+};
+
 // All waves that decay to the right for s^2 = `inertia_operator` (1/s^2), longest waves first.
 [[nodiscard]] std::vector<ChainMode> chain_modes(const ScaledChain& chain, Complex inertia_operator);
 

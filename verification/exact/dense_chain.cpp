@@ -140,6 +140,15 @@ DenseSystem interface_system(BlockChain chain) {
   return system;
 }
 
+// The half block at a face that nothing holds.
+void add_end(const BlockChain& chain, int block, Face face, DenseSystem& system) {
+  const int ex = 3 * block + 1;
+  const double half_area = chain.length * chain.height / 2;
+  system.stiffness(ex, ex) -= (1 - end_share(chain, face)) * half_area * bar_modulus(chain.elasticity);
+  system.mass(ex, ex) -=
+      end_inertia_reduction(chain, face) * chain.density * chain.height * std::pow(chain.length, 3) / 12;
+}
+
 VectorXd probe_row(const BlockChain& chain, const ChainProbe& probe) {
   switch (probe.quantity) {
     case ChainQuantity::block_stress: return stress_row(chain, probe.index);
@@ -160,6 +169,8 @@ DenseSystem dense_chain_system(const BlockChain& chain) {
     system.mass.block<6, 6>(3 * left, 3 * left) += between.mass;
     system.stiffness.block<6, 6>(3 * left, 3 * left) += between.stiffness;
   }
+  add_end(chain, 0, Face::left, system);
+  add_end(chain, chain.blocks - 1, Face::right, system);
   const VectorXd end = face_row(chain, chain.blocks - 1, 1);
   system.stiffness += chain.end_stiffness * end * end.transpose();
   system.damping += chain.end_impedance * end * end.transpose();
@@ -173,7 +184,7 @@ ChainHistories dense_chain_response(const BlockChain& chain, const TimeScheme& s
   for (std::size_t i = 0; i < probes.size(); ++i) {
     observe.row(static_cast<Eigen::Index>(i)) = probe_row(chain, probes[i]).transpose();
   }
-  const VectorXd pattern = face_row(chain, 0, -1);
+  const VectorXd pattern = face_row(chain, 0, -end_share(chain, Face::left));
   const auto force = [&](int i) -> VectorXd { return load[static_cast<std::size_t>(i)] * pattern; };
   const int steps = static_cast<int>(load.size()) - 1;
   const MatrixXd history = dense_newmark(dense_chain_system(chain), scheme, dt, steps, force, observe);

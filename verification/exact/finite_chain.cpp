@@ -27,22 +27,27 @@ ComplexVector3 mirrored(const ComplexVector3& vector) { return {-vector[0], vect
 
 // The field at one z. Blocks are 1..n and interfaces 0..n, of which 0 and n do not exist: the homogeneous chain runs on
 // over ghost blocks 0 and n+1, and what a missing interface adds to the equations of its end block must be the load or
-// the support of that end. Of those three equations as many are independent as there are waves.
+// the support of that end, less what the half block there has of its own. Of those three equations as many are independent as there are waves.
 class ChainField {
  public:
-  ChainField(const ScaledChain& chain, int blocks, Complex inertia, Complex end_reaction)
+  ChainField(const ScaledChain& chain, int blocks, Complex inertia, const ChainEnd& left, const ChainEnd& right,
+             Complex end_reaction)
       : chain_(chain), blocks_(blocks), modes_(chain_modes(chain, inertia)) {
     const auto waves = static_cast<Eigen::Index>(modes_.size());
     EndMatrix ends(6, 2 * waves);
     for (Eigen::Index i = 0; i < waves; ++i) {
       const ChainMode& mode = modes_[static_cast<std::size_t>(i)];
       const Complex far = power(mode.lambda, blocks_), half = 0.5L;
-      ends.col(i) << mode.on_right, far * mode.on_left - end_reaction * far * (mode.u + half * mode.ex) * face(1);
-      ends.col(waves + i) << far * mirrored(mode.on_left),
-          mirrored(mode.on_right) - end_reaction * mode.lambda * (half * mode.ex - mode.u) * face(1);
+      const Complex ex_near = mode.lambda * mode.ex, ex_far = far * mode.ex;
+      ends.col(i) << mode.on_right - left.missing(ex_near),
+          far * mode.on_left - right.missing(ex_far) -
+              end_reaction * far * (mode.u + half * mode.ex) * right.push(1);
+      ends.col(waves + i) << far * mirrored(mode.on_left) - left.missing(ex_far),
+          mirrored(mode.on_right) - right.missing(ex_near) -
+              end_reaction * mode.lambda * (half * mode.ex - mode.u) * right.push(1);
     }
     EndVector unit = EndVector::Zero(6);
-    unit.head<3>() = -face(-1);  // a unit compressive force on the left face
+    unit.head<3>() = -left.push(-1);  // a unit compressive force on the left face
     amplitudes_ = ends.colPivHouseholderQr().solve(unit);
   }
 
@@ -60,8 +65,6 @@ class ChainField {
   }
 
  private:
-  // Equations (u, ex, ey) of a block under a unit force on its left (-1) or right (1) face.
-  static ComplexVector3 face(Real side) { return {Real{1}, side / 2, Real{0}}; }
   template <typename Amplitude>
   [[nodiscard]] Complex sum(int from_left, int from_right, const Amplitude& amplitude, Real mirror_sign) const {
     Complex total = 0;
@@ -113,7 +116,8 @@ ChainHistories finite_chain_response(const BlockChain& chain, const TimeScheme& 
   for (std::size_t i = 0; i < circle.points(); ++i) {
     const SchemeOperators op = scheme_operators(scheme, dt, circle.point(i));
     const Complex reaction = (widen(chain.end_stiffness) + op.damping * widen(chain.end_impedance)) / e11;
-    const ChainField field(scaled, chain.blocks, op.inertia, reaction);
+    const ChainEnd left(chain, scaled, Face::left, op.inertia), right(chain, scaled, Face::right, op.inertia);
+    const ChainField field(scaled, chain.blocks, op.inertia, left, right, reaction);
     const Complex force = load_transform[i] + op.initial_load * first_load;
     for (std::size_t p = 0; p < probes.size(); ++p) {
       transforms[p][i] = force * unit_response(chain, probes[p]) * probe_value(field, probes[p]);

@@ -16,15 +16,18 @@ using Amplitudes = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, 3, 1>;
 }  // namespace
 
 // As in a finite chain the homogeneous chain runs on over a ghost block, and what the interface with it adds to the
-// equations of the end block must be the load; of these three equations as many are independent as there are waves.
+// equations of the end block must be the load less what the half block there has of its own; of these three equations as many are independent as there are waves.
 Complex half_chain_force(const BlockChain& chain, const TimeScheme& scheme, double dt, double omega, int interface) {
   check(chain, {});
   const Complex z = std::polar<Real>(1, widen(omega * dt));
-  const std::vector<ChainMode> modes = chain_modes(ScaledChain(chain), scheme_operators(scheme, dt, z).inertia);
+  const ScaledChain scaled(chain);
+  const Complex inertia = scheme_operators(scheme, dt, z).inertia;
+  const std::vector<ChainMode> modes = chain_modes(scaled, inertia);
+  const ChainEnd face(chain, scaled, Face::left, inertia);
   EndMatrix end(3, static_cast<Eigen::Index>(modes.size()));
-  for (std::size_t i = 0; i < modes.size(); ++i) end.col(static_cast<Eigen::Index>(i)) = modes[i].on_right;
-  const ComplexVector3 push(Real{1}, Real{-0.5L}, Real{0});  // equations (u, ex, ey) of a force on the left face
-  const Amplitudes amplitudes = end.colPivHouseholderQr().solve(-push);
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    end.col(static_cast<Eigen::Index>(i)) = modes[i].on_right - face.missing(modes[i].lambda * modes[i].ex);
+  const Amplitudes amplitudes = end.colPivHouseholderQr().solve(-face.push(-1));
   Complex force = 0;
   for (std::size_t i = 0; i < modes.size(); ++i)
     force += amplitudes[static_cast<Eigen::Index>(i)] * modes[i].force * std::pow(modes[i].lambda, interface);

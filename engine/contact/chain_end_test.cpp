@@ -65,7 +65,7 @@ TEST(ChainEnd, NotWhereSomethingHoldsTheChain) {
   absorbing.viscous_edges.push_back({2, ring[1], ring[2], 1, 1});
   EXPECT_EQ(ends_of(absorbing), std::vector{0});
   Model held = chain_of(3);
-  held.supports = {{.block = 0, .point = held.blocks[0].shape.outer[0], .stiffness = 1}};
+  held.supports = {{.block = 0, .point = held.blocks[0].shape.outer[0], .stiffness = 1, .history = {}}};
   EXPECT_EQ(ends_of(held), std::vector{2});
   held.supports[0].holds_y = false;
   EXPECT_EQ(ends_of(held), std::vector{2});
@@ -75,8 +75,8 @@ TEST(ChainEnd, NotWhereSomethingHoldsTheChain) {
 
 TEST(ChainEnd, WhatHoldsItSidewaysDoesNotMatter) {
   Model rolling = chain_of(3);
-  rolling.supports = {{.block = 0, .point = rolling.blocks[0].shape.outer[0], .holds_x = false, .stiffness = 1},
-                      {.block = 2, .point = rolling.blocks[2].shape.outer[0], .stiffness = 1, .direction = {0, 1}}};
+  rolling.supports = {{.block = 0, .point = rolling.blocks[0].shape.outer[0], .holds_x = false, .stiffness = 1, .history = {}},
+                      {.block = 2, .point = rolling.blocks[2].shape.outer[0], .stiffness = 1, .history = {}, .direction = {0, 1}}};
   EXPECT_EQ(ends_of(rolling), (std::vector{0, 2}));
 }
 

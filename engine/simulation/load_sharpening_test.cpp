@@ -106,7 +106,7 @@ TEST(LoadSharpening, EndsWithItsStage) {
   run(simulation, 1);
   const Vec6 moved = simulation.state().displacement[0] - before;
   const auto load = [](double t) { return push * width * std::sin(2 * std::numbers::pi * 400 * t); };
-  const double work = (load(4 * dt) + load(5 * dt)) / 2 * (moved(0) - 0.5 * moved(3));
+  const double work = (load(4 * dt) + load(5 * dt)) / 2 * (moved(0) - cubic::end_share * 0.5 * moved(3));
   EXPECT_NEAR(simulation.energy().external_work - work_before, work, 1e-9 * std::abs(work));
 }
 

@@ -29,18 +29,19 @@ std::complex<double> force(const BlockChain& chain, const TimeScheme& scheme, do
   return std::complex<double>(half_chain_force(chain, scheme, dt, omega, interface));
 }
 
+// Of fourth order; a share of the end's strain that is off by a hundredth makes it third at the finest.
 TEST(HalfChain, IsTheContinuumInTheLimit) {
   const double speed = std::sqrt(young / density);
   double last = 1;
-  for (const double length : {2.0, 1.0, 0.5}) {
+  for (const double length : {4.0, 2.0, 1.0}) {
     BlockChain chain = chain_of(cubic_edge(), length);
     chain.lateral_inertia = 0;
-    const int interface = static_cast<int>(50 / length);
-    const double error = std::abs(force(chain, trapezoidal(), 1e-7, interface) - std::polar(1.0, -omega * 50 / speed));
-    EXPECT_LT(error, last / 3.5) << length;  // second order at the end, at least
+    const int interface = static_cast<int>(48 / length);
+    const double error = std::abs(force(chain, trapezoidal(), 1e-7, interface) - std::polar(1.0, -omega * 48 / speed));
+    EXPECT_LT(error, last / 14) << length;
     last = error;
   }
-  EXPECT_LT(last, 1e-4);
+  EXPECT_LT(last, 1e-5);
 }
 
 TEST(HalfChain, GoesOnAsTheWaveOfTheChain) {

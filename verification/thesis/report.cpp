@@ -99,10 +99,8 @@ std::string how_far(const Calibration& calibration) {
   const CalibrationRow& row = calibration.at("accurate", dt, length);
   return fmt::format(
       "How far it got: with blocks of {:g} m, four to a wavelength, the accurate scheme's amplitude is off by {} % and "
-      "its correlation velocity by {} % at Δt = {} ms. At 100 Hz itself its phase speed is off by {} % only. What the "
-      "pulse gains, "
-      "it gains at the loaded face, where half a block still has straight lines: the lead hardly grows with the "
-      "distance travelled (ADR 4).",
+      "its correlation velocity by {} % at Δt = {} ms. At 100 Hz itself its phase speed is off by {} %. The rest is of "
+      "higher frequencies, and of fourth order in strength at the loaded face (ADR 20).",
       length, signed_pct(row.amplitude_error_pct()), signed_pct(row.correlation_error_pct()), milliseconds(dt),
       signed_pct(phase_speed_error_pct("accurate", dt, length, calibration.bar), 3));
 }

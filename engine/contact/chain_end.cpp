@@ -62,8 +62,7 @@ Mat6 end_stiffness(const Model& model, const ChainEnd& end) {
 }
 
 Mat6 end_inertia(const Model& model, const ChainEnd& end, const Interface& interface, double period_error, double dt) {
-  const double lowered =
-      std::min(inertia_reduction(model, interface, period_error, dt), cubic::most_jump_correction);
+  const double lowered = std::min(inertia_reduction(model, interface, period_error, dt), cubic::most_jump_correction);
   const double block_length = 2 * end.half_length;
   const double mass = cubic::end_share * model.material_of(end.block).density * end.half_length * end.width;
   const Vec6 strain = strain_along(end.outward);

@@ -75,8 +75,9 @@ TEST(ChainEnd, NotWhereSomethingHoldsTheChain) {
 
 TEST(ChainEnd, WhatHoldsItSidewaysDoesNotMatter) {
   Model rolling = chain_of(3);
-  rolling.supports = {{.block = 0, .point = rolling.blocks[0].shape.outer[0], .holds_x = false, .stiffness = 1, .history = {}},
-                      {.block = 2, .point = rolling.blocks[2].shape.outer[0], .stiffness = 1, .history = {}, .direction = {0, 1}}};
+  rolling.supports = {
+      {.block = 0, .point = rolling.blocks[0].shape.outer[0], .holds_x = false, .stiffness = 1, .history = {}},
+      {.block = 2, .point = rolling.blocks[2].shape.outer[0], .stiffness = 1, .history = {}, .direction = {0, 1}}};
   EXPECT_EQ(ends_of(rolling), (std::vector{0, 2}));
 }
 
@@ -124,7 +125,8 @@ TEST(ChainEnd, UniaxialStressIsInBalanceWithLoadsOnTheFaces) {
       Eigen::VectorXd d = Eigen::VectorXd::Zero(18);
       for (int i = 0; i < 3; ++i) {
         const Vec2 r = model.blocks[static_cast<std::size_t>(i)].moments.centroid;
-        d.segment<2>(6 * i) = Vec2(strain(0) * r.x() + strain(2) / 2 * r.y(), strain(2) / 2 * r.x() + strain(1) * r.y());
+        d.segment<2>(6 * i) =
+            Vec2(strain(0) * r.x() + strain(2) / 2 * r.y(), strain(2) / 2 * r.x() + strain(1) * r.y());
         d.segment<3>(6 * i + 3) = strain;
       }
       Eigen::VectorXd force = Eigen::VectorXd::Zero(18);

@@ -235,8 +235,8 @@ void add_cubic_column(Outcome& outcome) {
     keep_largest(largest_ratio, error / previous);
     previous = error;
   }
-  outcome.assertions.push_back({"that of the lowest from block to block, largest ratio", "", largest_ratio, 0, "-rho g (H - y)",
-                                largest_ratio, 0.2, "dies out by a factor of 6; measured"});
+  outcome.assertions.push_back({"that of the lowest from block to block, largest ratio", "", largest_ratio, 0,
+                                "-rho g (H - y)", largest_ratio, 0.2, "dies out by a factor of 6; measured"});
 }
 
 Outcome column_stress() {

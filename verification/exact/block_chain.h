@@ -74,11 +74,11 @@ struct BlockChain {
 
 enum class Face { left, right };
 
-// s of a face, 1 where it is held and in chains without the cubic law. With k = omega L/(2 c) and lengths in L/2, a wave
-// exp(-i k x) of unit force at the face has the residual -(1/2 - s) k^2 U in the equation of ex and k^4 U/6 in that of
-// u. A residual r in the former moves the end by r/(s + sqrt(2)/6), where sqrt(2)/6 is the static stiffness of the chain
-// against its first slope (cubic Hermite elements: slopes decay by 3 - sqrt(8) a block). The reflection is right to
-// third order in k if (s - 2/3)(s + sqrt(2)/6) = (s - 1/2)^2.
+// s of a face, 1 where it is held and in chains without the cubic law. With k = omega L/(2 c) and lengths in L/2, a
+// wave exp(-i k x) of unit force at the face has the residual -(1/2 - s) k^2 U in the equation of ex and k^4 U/6 in
+// that of u. A residual r in the former moves the end by r/(s + sqrt(2)/6), where sqrt(2)/6 is the static stiffness of
+// the chain against its first slope (cubic Hermite elements: slopes decay by 3 - sqrt(8) a block). The reflection is
+// right to third order in k if (s - 2/3)(s + sqrt(2)/6) = (s - 1/2)^2.
 [[nodiscard]] double end_share(const BlockChain& chain, Face face);
 // By what the inertia of ex is lowered at such a face, over rho h L^3/12: the correction of `inertia_reduction` there,
 // min(co, 0.05) times stiffness over (c/L)^2. 0 where the share is 1.

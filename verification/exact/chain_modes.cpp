@@ -125,8 +125,7 @@ ChainEnd::ChainEnd(const BlockChain& chain, const ScaledChain& scaled, Face face
     : share(widen(end_share(chain, face))) {
   const Real one = 1, half = 0.5L, modulus = one - scaled.e12 * scaled.e12;
   const Complex mass = scaled.mass_over_stiffness * inertia_operator;
-  own = -(one - share) * half * scaled.height * modulus -
-        mass * (widen(end_inertia_reduction(chain, face)) / Real{12});
+  own = -(one - share) * half * scaled.height * modulus - mass * (widen(end_inertia_reduction(chain, face)) / Real{12});
 }
 
 // The eigenvalues of -constant^-1 linear are 1/X; those of the waves that do not exist are 0 and come last.

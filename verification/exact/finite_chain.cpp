@@ -27,7 +27,8 @@ ComplexVector3 mirrored(const ComplexVector3& vector) { return {-vector[0], vect
 
 // The field at one z. Blocks are 1..n and interfaces 0..n, of which 0 and n do not exist: the homogeneous chain runs on
 // over ghost blocks 0 and n+1, and what a missing interface adds to the equations of its end block must be the load or
-// the support of that end, less what the half block there has of its own. Of those three equations as many are independent as there are waves.
+// the support of that end, less what the half block there has of its own. Of those three equations as many are
+// independent as there are waves.
 class ChainField {
  public:
   ChainField(const ScaledChain& chain, int blocks, Complex inertia, const ChainEnd& left, const ChainEnd& right,
@@ -40,8 +41,7 @@ class ChainField {
       const Complex far = power(mode.lambda, blocks_), half = 0.5L;
       const Complex ex_near = mode.lambda * mode.ex, ex_far = far * mode.ex;
       ends.col(i) << mode.on_right - left.missing(ex_near),
-          far * mode.on_left - right.missing(ex_far) -
-              end_reaction * far * (mode.u + half * mode.ex) * right.push(1);
+          far * mode.on_left - right.missing(ex_far) - end_reaction * far * (mode.u + half * mode.ex) * right.push(1);
       ends.col(waves + i) << far * mirrored(mode.on_left) - left.missing(ex_far),
           mirrored(mode.on_right) - right.missing(ex_near) -
               end_reaction * mode.lambda * (half * mode.ex - mode.u) * right.push(1);

@@ -16,7 +16,8 @@ using Amplitudes = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, 3, 1>;
 }  // namespace
 
 // As in a finite chain the homogeneous chain runs on over a ghost block, and what the interface with it adds to the
-// equations of the end block must be the load less what the half block there has of its own; of these three equations as many are independent as there are waves.
+// equations of the end block must be the load less what the half block there has of its own; of these three equations
+// as many are independent as there are waves.
 Complex half_chain_force(const BlockChain& chain, const TimeScheme& scheme, double dt, double omega, int interface) {
   check(chain, {});
   const Complex z = std::polar<Real>(1, widen(omega * dt));

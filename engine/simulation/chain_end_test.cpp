@@ -65,7 +65,9 @@ TEST(ChainEndRun, EnergyGoesOnFromStageToStage) {
   for (int i = 0; i < 45; ++i) {
     ASSERT_EQ(simulation.step(), Status::ok);
     worst = std::max(worst, std::abs(simulation.energy().relative_residual()));
-    if (i == 14) EXPECT_NE(simulation.state().stress[0](0), -pressure);
+    if (i == 14) {
+      EXPECT_GT(std::abs(simulation.state().stress[0](0) + pressure), 1e-3 * pressure);
+    }
   }
   EXPECT_LT(worst, 1e-11);  // forty-five steps, each with a solve of condition 1e3
 }

@@ -113,7 +113,6 @@ dda::Model bar_model(const PrecisionJob& job) {
   const ThesisBar& bar = thesis_bar();
   dda::Model model = bar_scene(bar, scheme, {job.dt, job.size, bar.length, steps_of(job.dt) * job.dt});
   model.edge_loads.front().history = load_table(job);
-  model.stages.front().lateral_inertia = false;  // the wave equation has none, see README.md
   dda::finish_model(model);
   return model;
 }

@@ -97,7 +97,8 @@ Outcome front_case() {
     assert_on_front(" whose finer runs hold too", error, robust_runs(all, Norm::l2, error), 0.01, on_front, outcome);
   }
   const std::string nearly =
-      "1 is wished for; measured: one block size of the study away, on blocks of 6.25 m with steps of 0.58 ms it has 1.017 %, and "
+      "1 is wished for; measured: one block size of the study away, on blocks of 6.25 m with steps of 0.58 ms it has "
+      "1.017 %, and "
       "0.917 % without the inertia of contraction sideways, which the wave equation has not";
   assert_on_front("", 0.01, all, 0.26, nearly, outcome);
   assert_on_front(" whose finer runs hold too", 0.01, robust_runs(all, Norm::l2, 0.01), 0.26, nearly, outcome);

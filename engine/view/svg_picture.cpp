@@ -324,8 +324,7 @@ class Picture {
               DrawnCondition::elastic);
     for (const auto& [condition, text] :
          {std::pair(DrawnCondition::yielded, "yielded"), std::pair(DrawnCondition::broken, "broken")})
-      if (std::ranges::any_of(frame_.bolts, [&](const DrawnBolt& bolt) { return bolt.condition == condition; }))
-        add_row(text, thin_bolt, condition);
+      if (std::ranges::count(frame_.bolts, condition, &DrawnBolt::condition) > 0) add_row(text, thin_bolt, condition);
     add("</g>\n");
     for (const auto& [text, height] : texts) add("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 40, height, text);
   }

@@ -10,29 +10,35 @@ constexpr double round_off = 1e-6;  // of an interval or a stage: steps end that
 
 bool settles(const Stage& stage) { return stage.integrator.is_static && stage.equilibrium > 0; }
 
-}  // namespace
-
 bool stands_still(const Model& model, const Stage& stage) {
   return settles(stage) && !std::ranges::all_of(model.stages, settles);
 }
 
-FrameClock::FrameClock(const Model& model, double interval) : interval_(interval) {
+}  // namespace
+
+std::vector<StageSpan> stage_spans(const Model& model) {
+  std::vector<StageSpan> spans;
   double begin = 0;
   for (const Stage& stage : model.stages) {
-    if (stands_still(model, stage)) settlings_.push_back({begin, begin + stage.duration});
-    begin += stage.duration;
+    spans.push_back({stage.name, begin, begin + stage.duration, stands_still(model, stage)});
+    begin = spans.back().end_s;
   }
+  return spans;
+}
+
+FrameClock::FrameClock(const Model& model, double interval) : settlings_(stage_spans(model)), interval_(interval) {
+  std::erase_if(settlings_, [](const StageSpan& stage) { return !stage.settles; });
 }
 
 double FrameClock::moving_time(double time) const {
   double settling = 0;
-  for (const Settling& stage : settlings_) settling += std::clamp(time, stage.begin, stage.end) - stage.begin;
+  for (const StageSpan& stage : settlings_) settling += std::clamp(time, stage.begin_s, stage.end_s) - stage.begin_s;
   return time - settling;
 }
 
 bool FrameClock::has_settled_at(double time) const {
-  return std::ranges::any_of(settlings_, [&](const Settling& stage) {
-    return std::abs(time - stage.end) <= round_off * (stage.end - stage.begin);
+  return std::ranges::any_of(settlings_, [&](const StageSpan& stage) {
+    return std::abs(time - stage.end_s) <= round_off * (stage.end_s - stage.begin_s);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dda/model/model.h"
+#include "dda/record/summary.h"
 
 namespace dda {
 
@@ -23,20 +24,16 @@ class FrameClock {
   void taken(double time);
 
  private:
-  struct Settling {
-    double begin, end;  // s
-  };
-
   [[nodiscard]] double moving_time(double time) const;
   [[nodiscard]] bool has_settled_at(double time) const;
 
-  std::vector<Settling> settlings_;
+  std::vector<StageSpan> settlings_;
   double interval_;
   std::int64_t next_ = 0;  // in intervals of moving time
 };
 
-// Whether a stage has no time in which blocks move.
-[[nodiscard]] bool stands_still(const Model& model, const Stage& stage);
+// The stages of a scene, and which of them have no time in which blocks move.
+[[nodiscard]] std::vector<StageSpan> stage_spans(const Model& model);
 
 // The time over which frames are spread, s.
 [[nodiscard]] double moving_time(const Model& model);

@@ -191,7 +191,7 @@ class Run {
     summary.cpu_s = cpu_seconds();
     summary.wall_s = wall_seconds() - began_;
     summary.phases = phases_;
-    summary.stages = stage_spans();
+    summary.stages = stage_spans(simulation_.model());
     summary.out_of_balance = static_stages();
     summary.solver = to_string(simulation_.plan().solver);
     summary.blocks = static_cast<std::int64_t>(simulation_.model().blocks.size());
@@ -206,16 +206,6 @@ class Run {
     const auto name = [&](int block) { return simulation_.model().blocks[static_cast<std::size_t>(block)].name; };
     return DeepestPenetration{
         deepest.depth, deepest.share, {name(deepest.block_a), name(deepest.block_b)}, deepest.time};
-  }
-
-  [[nodiscard]] std::vector<StageSpan> stage_spans() const {
-    std::vector<StageSpan> spans;
-    double begin = 0;
-    for (const Stage& stage : simulation_.model().stages) {
-      spans.push_back({stage.name, begin, begin + stage.duration, stands_still(simulation_.model(), stage)});
-      begin = spans.back().end_s;
-    }
-    return spans;
   }
 
   // Static stages that are over, and how far from equilibrium they left the blocks.

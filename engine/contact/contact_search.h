@@ -28,8 +28,8 @@ class ContactSearch {
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
   [[nodiscard]] const Outlines& outlines() const { return outlines_; }
 
+  // Sizes of blocks, m: the side of the square with the area of each.
   [[nodiscard]] const std::vector<double>& sizes() const { return sizes_; }
-  // Size of a block, m: the side of the square with its area.
   [[nodiscard]] double size_of(int block) const { return sizes_[static_cast<std::size_t>(block)]; }
 
   // A contact is found while its gap is below this share of the smaller block's size, so no point may move by more than

@@ -27,13 +27,6 @@ InterfaceLaw usable_law(InterfaceLaw wanted, const Interface& interface, bool ca
   return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
 }
 
-// Normal and tangential traction over the interface under a stress, Pa.
-Vec2 traction(const Interface& interface, const Vec3& stress) {
-  const Vec2& n = interface.normal;
-  const Vec2 global(stress(0) * n.x() + stress(2) * n.y(), stress(2) * n.x() + stress(1) * n.y());
-  return {n.dot(global), n.x() * global.y() - n.y() * global.x()};
-}
-
 template <int rows>
 InterfaceStiffness stiffness_of_rows(const InterfaceElement& element, const Vec4& mask) {
   const auto stiffness = element.stiffness.cwiseProduct(mask).head<rows>().asDiagonal();
@@ -73,7 +66,9 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
 Vec4 in_situ_force(const Model& model, const Interface& interface) {
   const auto stress = [&](int block) { return model.blocks[static_cast<std::size_t>(block)].initial_stress; };
   const Vec3 mean = (stress(interface.block_a) + stress(interface.block_b)) / 2;
-  Vec2 force = interface.length / 2 * traction(interface, mean);
+  const Vec2& n = interface.normal;
+  const Vec2 global = interface.length / 2 * traction_on(mean, n);
+  Vec2 force(n.dot(global), n.x() * global.y() - n.y() * global.x());
   const EndStrength strength = end_strength(model.joints[static_cast<std::size_t>(interface.joint)], interface.length);
   if (strength.is_dry()) {
     const double capacity = strength.capacity(force(0), false);

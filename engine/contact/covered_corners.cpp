@@ -10,8 +10,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr double same_direction = 0.99;  // cosine
-
 // A corner of a block, and its edge that the contact in question does not have to do with.
 struct Corner {
   int block;
@@ -47,7 +45,7 @@ class CoveredCorners {
 
  private:
   [[nodiscard]] Vec2 normal_of(int edge) const {
-    const Vec2 along = outlines_.current[at(outlines_.next[at(edge)])] - outlines_.current[at(edge)];
+    const Vec2 along = outlines_.along(edge);
     return Vec2(along.y(), -along.x()).normalized();
   }
 

@@ -13,8 +13,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr double same_direction = 0.99;  // cosine; far more than a step turns a block
-
 const JointMaterial& joint_of(const Model& model, const Interface& interface) {
   return model.joints[at(interface.joint)];
 }
@@ -138,7 +136,7 @@ MovingContacts::MovingContacts(const Model& model, const State& state, ContactSe
   keep_ends(model, state, contacts, true);
   drop_stretches(model, contacts, true);
   refresh(model, state, contacts);
-  broken_ends_.clear();
+  lost_ends_.clear();
 }
 
 bool MovingContacts::follow(const Model& model, const State& state, ContactSet& contacts) {
@@ -148,7 +146,7 @@ bool MovingContacts::follow(const Model& model, const State& state, ContactSet& 
   keep_ends(model, state, contacts, false);
   drop_stretches(model, contacts, false);
   refresh(model, state, contacts);
-  broken_ends_.clear();
+  lost_ends_.clear();
   return new_pairs;
 }
 
@@ -157,21 +155,21 @@ bool MovingContacts::follow(const Model& model, const State& state, ContactSet& 
 void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones) {
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
-    InterfaceState whole = contacts.states[i];
+    const InterfaceState& whole = contacts.states[i];
     const bool is_broken = whole.broken[0] && whole.broken[1];
     if (dry_ones ? !is_dry(joint_of(model, interface)) : !is_broken) continue;
-    if (dry_ones) whole.force = in_situ_force(model, interface);
+    const Vec4 force = dry_ones ? in_situ_force(model, interface) : whole.force;
     const Vec2 normal = current_frame(model, state, interface).normal;
     for (std::size_t end = 0; end < 2; ++end) {
       InterfaceState own;
-      if (!dry_ones) own.gap.head<2>() = whole.gap.segment<2>(static_cast<Eigen::Index>(2 * end));
-      own.force.head<2>() = whole.force.segment<2>(static_cast<Eigen::Index>(2 * end));
+      own.gap.head<2>() = whole.gap.segment<2>(static_cast<Eigen::Index>(2 * end));
+      own.force.head<2>() = force.segment<2>(static_cast<Eigen::Index>(2 * end));
       own.status = {whole.status[end], ContactStatus::open};
       own.broken = {true, true};
       own.residual = {!dry_ones, !dry_ones};
       own.slip[0] = whole.slip[end];
       own.dilation[0] = whole.dilation[end];
-      broken_ends_.push_back(
+      lost_ends_.push_back(
           {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own});
     }
   }
@@ -179,7 +177,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
 
 // Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
 InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) const {
-  for (const BrokenEnd& end : broken_ends_) {
+  for (const StretchEnd& end : lost_ends_) {
     const bool same_way = end.block_a == interface.block_a && end.block_b == interface.block_b;
     const bool other_way = end.block_a == interface.block_b && end.block_b == interface.block_a;
     if ((!same_way && !other_way) || (end.place - interface.from).norm() > point_tolerance(model)) continue;

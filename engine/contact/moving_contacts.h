@@ -33,7 +33,7 @@ class MovingContacts {
   friend struct SnapshotAccess;  // engine/simulation/snapshot.h
 
   // An end of a stretch, in place of which there is now a vertex contact.
-  struct BrokenEnd {
+  struct StretchEnd {
     int block_a = 0, block_b = 0;
     Vec2 place;   // m, as drawn
     Vec2 normal;  // unit, now, from a into b
@@ -48,9 +48,9 @@ class MovingContacts {
 
   ContactSearch search_;
   SurfaceJoints surfaces_;
-  std::vector<BrokenEnd> broken_ends_;  // between the loss of a stretch and the next search
-  std::size_t stretches_ = 0;           // leading entries of the ContactSet that are joints with strength
-  std::vector<VertexContact> known_;    // the others, in the same order
+  std::vector<StretchEnd> lost_ends_;  // between the loss of a stretch and the next search
+  std::size_t stretches_ = 0;          // leading entries of the ContactSet that are joints with strength
+  std::vector<VertexContact> known_;   // the others, in the same order
 };
 
 }  // namespace dda

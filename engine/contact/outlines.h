@@ -20,6 +20,12 @@ struct Outlines {
   std::vector<Box> boxes;     // of each block's current outer ring
 
   [[nodiscard]] int blocks() const { return static_cast<int>(boxes.size()); }
+
+  // From the start of an edge to its end, m.
+  [[nodiscard]] Vec2 along(int edge) const {
+    const auto first = static_cast<std::size_t>(edge);
+    return current[static_cast<std::size_t>(next[first])] - current[first];
+  }
 };
 
 Outlines make_outlines(const Model& model, const State& state);

@@ -47,7 +47,7 @@ class Side {
   void try_pair(int vertex, int edge, std::vector<Candidate>& found) const {
     const int end = outlines_.next[at(edge)];
     const Vec2& start = outlines_.current[at(edge)];
-    const Vec2 along = outlines_.current[at(end)] - start;
+    const Vec2 along = outlines_.along(edge);
     const Vec2 offset = outlines_.current[at(vertex)] - start;
     const double squared = along.squaredNorm();
     const double gap_by_length = offset.x() * along.y() - offset.y() * along.x();
@@ -66,9 +66,8 @@ class Side {
   }
 
   [[nodiscard]] bool is_notch(int vertex) const {
-    const Vec2& point = outlines_.current[at(vertex)];
-    const Vec2 in = point - outlines_.current[at(outlines_.previous[at(vertex)])];
-    const Vec2 out = outlines_.current[at(outlines_.next[at(vertex)])] - point;
+    const Vec2 in = outlines_.along(outlines_.previous[at(vertex)]);
+    const Vec2 out = outlines_.along(vertex);
     return in.x() * out.y() - in.y() * out.x() < -notch_turn * in.norm() * out.norm();
   }
 
@@ -128,21 +127,17 @@ void keep_one_a_corner(std::vector<Candidate>& found) {
   }
 }
 
-Vec2 along_edge(const Outlines& outlines, int edge) {
-  return outlines.current[at(outlines.next[at(edge)])] - outlines.current[at(edge)];
-}
-
 }  // namespace
 
 int facing_edge(const Outlines& outlines, const VertexContact& contact) {
-  const Vec2 along = along_edge(outlines, contact.edge);
-  const auto runs_along = [&](int edge) { return std::abs(along.dot(along_edge(outlines, edge).normalized())); };
+  const Vec2 along = outlines.along(contact.edge);
+  const auto runs_along = [&](int edge) { return std::abs(along.dot(outlines.along(edge).normalized())); };
   const int before = outlines.previous[at(contact.vertex)];
   return runs_along(contact.vertex) >= runs_along(before) ? contact.vertex : before;
 }
 
 double common_length(const Outlines& outlines, const VertexContact& contact) {
-  const Vec2 along = along_edge(outlines, contact.edge);
+  const Vec2 along = outlines.along(contact.edge);
   const double length = along.norm();
   const int facing = facing_edge(outlines, contact);
   const auto place = [&](int vertex) {

@@ -28,6 +28,10 @@ struct VertexContact {
   }
 };
 
+// Cosine between normals that are the same from step to step, or from block to block in line: far more than a step
+// turns a block.
+inline constexpr double same_direction = 0.99;
+
 // Of the vertex' own two edges the one that lies more along the contact's edge: the number of its first vertex.
 int facing_edge(const Outlines& outlines, const VertexContact& contact);
 

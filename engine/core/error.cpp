@@ -1,5 +1,7 @@
 #include "dda/core/error.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace dda {
@@ -19,5 +21,7 @@ InputError::InputError(const std::string& file, std::string field, std::string v
       expected_(std::move(expected)) {}
 
 InputError InputError::in_file(const std::string& file) const { return {file, field_, value_, expected_}; }
+
+std::string written(const Vec2& point) { return fmt::format("({:.9g}, {:.9g}) m", point.x(), point.y()); }
 
 }  // namespace dda

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dda/core/types.h"
+
 namespace dda {
 
 class InputError : public std::runtime_error {
@@ -23,5 +25,8 @@ class InputError : public std::runtime_error {
   std::string value_;
   std::string expected_;
 };
+
+// A point as a sentence writes it: "(1, 2.5) m".
+std::string written(const Vec2& point);
 
 }  // namespace dda

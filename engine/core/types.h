@@ -24,4 +24,9 @@ inline Mat26 displacement_rows(const Vec2& offset) {
   return rows;
 }
 
+// Force per area that a stress (xx, yy, xy) exerts on a surface with this outward unit normal.
+inline Vec2 traction_on(const Vec3& stress, const Vec2& normal) {
+  return {stress(0) * normal.x() + stress(2) * normal.y(), stress(2) * normal.x() + stress(1) * normal.y()};
+}
+
 }  // namespace dda

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "dda/linear/small_cholesky.h"
+#include "dda/linear/triangular_inverse.h"
 
 namespace dda {
 namespace {

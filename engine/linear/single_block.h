@@ -71,7 +71,7 @@ class SingleBlock {
 
   // Column `c`.
   [[nodiscard]] SingleSix column(int c) const {
-    const Four* pair = &fours_[static_cast<std::size_t>(c / 2 * 3)];
+    const Four* pair = fours_.data() + c / 2 * 3;
     SingleSix six;
     if (c % 2 == 0) {
       six.low = pair[0];
@@ -107,7 +107,7 @@ void add_product_transposed(const DoubledColumns& a, const SingleBlock& b, Singl
   using detail::pick;
   constexpr float factor = sign;
   for (int pair = 0; pair < 3; ++pair) {
-    Four* const c = &result.fours()[static_cast<std::size_t>(3 * pair)];
+    Four* const c = result.fours().data() + 3 * pair;
     Four sum0{}, sum1{}, sum2{};
 #pragma GCC unroll 6
     for (int k = 0; k < 6; ++k) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dda/core/error.h"
 #include "dda/geometry/segment.h"
 #include "dda/model/check_parts.h"
 #include "dda/model/checks.h"
@@ -12,8 +13,6 @@
 
 namespace dda::model_checks {
 namespace {
-
-std::string written(const Vec2& point) { return fmt::format("({:.9g}, {:.9g}) m", point.x(), point.y()); }
 
 const ViscousEdge& edge_of(const Model& model, int index) {
   return model.viscous_edges[static_cast<std::size_t>(index)];

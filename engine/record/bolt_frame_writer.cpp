@@ -11,14 +11,6 @@
 namespace dda {
 namespace {
 
-template <typename Number, typename Value>
-VtkArray of_links(std::string name, std::span<const BoltLinkValues> links, const Value& value) {
-  std::vector<Number> values;
-  values.reserve(links.size());
-  for (const BoltLinkValues& link : links) values.push_back(static_cast<Number>(value(link)));
-  return {std::move(name), 1, std::move(values)};
-}
-
 void append(std::vector<double>& values, const Vec2& vector) {
   values.insert(values.end(), {vector.x(), vector.y(), 0});
 }
@@ -69,10 +61,13 @@ void BoltFrameWriter::write(const State& state, std::span<const BoltLinkValues> 
     append(moved, point_displacement(model_, state, point.block, point.reference));
   }
   data.point_data = {{"displacement [m]", 3, std::move(moved)}};
-  data.cell_data.push_back(of_links<std::int32_t>("status", links, [](const auto& link) { return link.condition; }));
-  data.cell_data.push_back(of_links<double>("axial_force [N]", links, [](const auto& link) { return link.force(0); }));
-  data.cell_data.push_back(of_links<double>("shear_force [N]", links, [](const auto& link) { return link.force(1); }));
-  data.cell_data.push_back(of_links<double>("elongation [m]", links, [](const auto& link) { return link.elongation; }));
+  data.cell_data.push_back(numbers_of<std::int32_t>("status", links, [](const auto& link) { return link.condition; }));
+  data.cell_data.push_back(
+      numbers_of<double>("axial_force [N]", links, [](const auto& link) { return link.force(0); }));
+  data.cell_data.push_back(
+      numbers_of<double>("shear_force [N]", links, [](const auto& link) { return link.force(1); }));
+  data.cell_data.push_back(
+      numbers_of<double>("elongation [m]", links, [](const auto& link) { return link.elongation; }));
   series_.add(data);
 }
 

@@ -9,22 +9,6 @@ namespace dda {
 namespace {
 
 template <typename Value>
-VtkArray integers(std::string name, std::span<const ContactPoint> contacts, const Value& value) {
-  std::vector<std::int32_t> values;
-  values.reserve(contacts.size());
-  for (const ContactPoint& contact : contacts) values.push_back(static_cast<std::int32_t>(value(contact)));
-  return {std::move(name), 1, std::move(values)};
-}
-
-template <typename Value>
-VtkArray numbers(std::string name, std::span<const ContactPoint> contacts, const Value& value) {
-  std::vector<double> values;
-  values.reserve(contacts.size());
-  for (const ContactPoint& contact : contacts) values.push_back(value(contact));
-  return {std::move(name), 1, std::move(values)};
-}
-
-template <typename Value>
 std::vector<double> vectors(std::span<const ContactPoint> contacts, const Value& value) {
   std::vector<double> values;
   values.reserve(3 * contacts.size());
@@ -49,12 +33,14 @@ void ContactFrameWriter::write(double time, std::span<const ContactPoint> contac
     data.vertices.offsets = {static_cast<std::int64_t>(contacts.size())};
   }
   data.point_data = {
-      integers("block_a", contacts, [](const ContactPoint& contact) { return contact.block_a; }),
-      integers("block_b", contacts, [](const ContactPoint& contact) { return contact.block_b; }),
-      integers("status", contacts, [](const ContactPoint& contact) { return contact.status; }),
+      numbers_of<std::int32_t>("block_a", contacts, [](const ContactPoint& contact) { return contact.block_a; }),
+      numbers_of<std::int32_t>("block_b", contacts, [](const ContactPoint& contact) { return contact.block_b; }),
+      numbers_of<std::int32_t>("status", contacts, [](const ContactPoint& contact) { return contact.status; }),
       {"force [N/m]", 3, vectors(contacts, [](const ContactPoint& contact) { return contact.force(); })},
-      numbers("normal_force [N/m]", contacts, [](const ContactPoint& contact) { return contact.normal_force; }),
-      numbers("shear_force [N/m]", contacts, [](const ContactPoint& contact) { return contact.shear_force; }),
+      numbers_of<double>("normal_force [N/m]", contacts,
+                         [](const ContactPoint& contact) { return contact.normal_force; }),
+      numbers_of<double>("shear_force [N/m]", contacts,
+                         [](const ContactPoint& contact) { return contact.shear_force; }),
       {"displacement [m]", 3,
        vectors(contacts, [](const ContactPoint& contact) -> Vec2 { return contact.point - contact.reference; })},
   };

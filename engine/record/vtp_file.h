@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,6 +20,15 @@ struct VtkArray {
   std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<std::string>>
       values;
 };
+
+// One number of each item, as an array.
+template <typename Number, typename Items, typename Value>
+VtkArray numbers_of(std::string name, const Items& items, const Value& value) {
+  std::vector<Number> values;
+  values.reserve(items.size());
+  for (const auto& item : items) values.push_back(static_cast<Number>(value(item)));
+  return {std::move(name), 1, std::move(values)};
+}
 
 // Cell i goes through points[connectivity[offsets[i - 1] .. offsets[i])].
 struct VtkCells {

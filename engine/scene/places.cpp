@@ -7,13 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "dda/core/error.h"
 #include "dda/model/tolerance.h"
 #include "dda/scene/free_outline.h"
 
 namespace dda {
-
-std::string written(const Vec2& point) { return fmt::format("({:.9g}, {:.9g}) m", point.x(), point.y()); }
-
 namespace {
 
 std::string extent(const GroundPlan& plan) {

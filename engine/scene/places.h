@@ -38,9 +38,6 @@ int read_joint_reference(const Field& field, const Model& model);
 // The position of the stage that `field` names.
 int read_stage_reference(const Field& field, const Model& model);
 
-// A point as a sentence writes it: "(1, 2.5) m".
-std::string written(const Vec2& point);
-
 // Names of blocks as a sentence lists them.
 std::string listed(const std::vector<int>& blocks, const Model& model);
 

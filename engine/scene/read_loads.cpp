@@ -70,8 +70,7 @@ double read_impedance(const Field& field, const char* key, double otherwise) {
 // What the surroundings do to a stretch of a block under its initial stress.
 Vec2 initial_traction(const Stretch& stretch, const Model& model) {
   const Vec3& stress = model.blocks[static_cast<std::size_t>(stretch.block)].initial_stress;
-  const Vec2 outward = -stretch.inward;
-  return {stress(0) * outward.x() + stress(2) * outward.y(), stress(2) * outward.x() + stress(1) * outward.y()};
+  return traction_on(stress, -stretch.inward);
 }
 
 // Of the blocks along a free-field side, from below. Held blocks among them are what the side stands on.

@@ -111,8 +111,11 @@ class Picture {
     left_ = margin;
     top_ = margin + static_cast<double>(title_.size()) * 1.3 * title_size;
     key_room_ = 170 + (frame_.bolts.empty() ? 0 : 6 * 1.5 * text_size);
-    height_ = top_ + std::max(plot_height_, 130 + key_room_) + foot + margin / 2;
+    height_ = top_ + body_height() + foot + margin / 2;
   }
+
+  // Between title and foot: room for the plot, and beside it for the colour bar and the keys.
+  [[nodiscard]] double body_height() const { return std::max(plot_height_, 130 + key_room_); }
 
   [[nodiscard]] Window all_blocks() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -289,7 +292,7 @@ class Picture {
     if (colours_.least < colours_.low || colours_.most > colours_.high)
       add_line(plain, fmt::format("{} to {}", two_digits(colours_.least / unit.factor),
                                   two_digits(colours_.most / unit.factor)));
-    const double size = std::min(std::max(plot_height_, 130 + key_room_) - key_room_, 300.0);
+    const double size = std::min(body_height() - key_room_, 300.0);
     add("<linearGradient id=\"scale\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">");
     for (int i = 0; i <= 32; ++i)
       add("<stop offset=\"{:.4f}\" stop-color=\"{}\"/>", i / 32.0, to_hex(colours_.colour_at(i / 32.0)));

@@ -40,8 +40,8 @@ bool stands(dda::Model model, double far, Outcome& outcome) {
   outcome.counters += simulation.counters();
   // A mechanism has no static answer: steps may end without one too. What stands and did not settle would be counted as
   // fallen, and the limit found be off.
-  const bool has_answer = status != dda::Status::not_in_equilibrium && status != dda::Status::not_converged;
-  if (status != dda::Status::ok && has_answer)
+  const bool falls = status == dda::Status::not_in_equilibrium || status == dda::Status::not_converged;
+  if (status != dda::Status::ok && !falls)
     throw std::runtime_error(fmt::format("\"{}\" stopped at t = {:g} s: {}", simulation.model().title,
                                          simulation.state().time, simulation.message()));
   return status == dda::Status::ok && !has_moved_far();

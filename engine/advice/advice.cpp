@@ -81,7 +81,7 @@ class Adviser {
   }
 
   [[nodiscard]] StageAdvice of_stage(const Stage& stage, const BlockMatrix& matrix, const SceneSize& size) const {
-    const BlockTerms terms = make_block_terms(model_, stage, contacts_);
+    const BlockTerms terms = make_block_terms(model_, stage);
     const StepPlan plan =
         make_plan(model_, stage, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, stage.dt));
     StageAdvice advice;

@@ -310,7 +310,7 @@ Lattice with_consistent_joints(const Lattice& lattice) {
 LatticeMatrices lattice_matrices(const Lattice& lattice, const Stage& stage, const std::vector<bool>& present) {
   const Model model = patch(lattice, stage, present);
   const ContactSet contacts = make_contacts(model);
-  const BlockTerms terms = make_block_terms(model, stage, contacts);
+  const BlockTerms terms = make_block_terms(model, stage);
   const LinearOperators operators = make_linear_operators(model, model.stages.front(), terms, contacts, {});
   LatticeMatrices matrices{operators.stiffness.diagonal(0),
                            operators.inertia.diagonal(0),

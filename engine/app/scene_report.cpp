@@ -185,7 +185,7 @@ void add_free_field(const Model& model, const Simulation& columns, Text& text) {
 void add_stage(const Model& model, std::size_t index, const ContactSet& contacts, const BlockMatrix& matrix,
                Text& text) {
   const Stage& stage = model.stages[index];
-  const BlockTerms terms = make_block_terms(model, stage, contacts);
+  const BlockTerms terms = make_block_terms(model, stage);
   const StepPlan plan =
       make_plan(model, stage, contacts, matrix.couplings(), stiffness_number(contacts, terms, stage.dt));
   text.gap();

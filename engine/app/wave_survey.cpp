@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "dda/contact/cubic_law.h"
-#include "dda/simulation/block_terms.h"
 
 namespace dda {
 namespace {
@@ -80,14 +79,6 @@ double lateral_coupling(const Crossing& crossing, const Material& material) {
          (crossing.block_size * side_free_modulus(material));
 }
 
-// What the blocks have where the stage leaves it to the mesh, at its worst.
-double own_strain_inertia(const std::vector<Crossing>& crossings) {
-  const bool consistent = std::all_of(crossings.begin(), crossings.end(), [](const Crossing& crossing) {
-    return crossing.element.law == InterfaceLaw::consistent;
-  });
-  return consistent ? mesh_strain_inertia : 1;
-}
-
 BlockWave worst_wave(const Material& material, const std::vector<Crossing>& crossings, Kind kind) {
   BlockWave wave;
   wave.speed = speed_of(kind, material);
@@ -117,7 +108,7 @@ std::vector<SurveyedWave> survey_waves(const Model& model, const ContactSet& con
     for (const Kind kind : kinds) {
       BlockWave wave = worst_wave(model.materials[static_cast<std::size_t>(material)], found, kind);
       wave.frequency = frequency;
-      wave.strain_inertia = stage.strain_inertia == Stage::by_mesh ? own_strain_inertia(found) : stage.strain_inertia;
+      wave.strain_inertia = stage.strain_inertia;
       wave.integrator = stage.integrator;
       wave.dt = stage.dt;
       wave.time_corrected = stage.correct_time_dispersion;

@@ -46,13 +46,15 @@ struct Stage {
   double damping_rate = 0;     // 1/s: velocities decay as exp(-damping_rate t), whatever dt is
 
   // Factor on the inertia of the strains. 1 is consistent (exact) inertia; 2 averages consistent and lumped inertia,
-  // which removes the leading dispersion of a chain of bonded blocks and leaves rigid motion exact. by_mesh: 1.5 in
-  // blocks that consistent joints hold and no cubic chain, 1 in others (ADR 18).
-  static constexpr double by_mesh = 0;
+  // which removes the leading dispersion of a chain of bonded blocks and leaves rigid motion exact.
   double strain_inertia = 1;
 
-  // Lowers the inertia between neighbours in cubic interfaces by what the integrator's period error adds at this dt, so
-  // that waves keep their speed to fourth order in dt.
+  // Inertia between neighbours that consistent joints hold, which makes up for the blocks' size (ADR 24). Scenes in
+  // which nothing can change only.
+  bool correct_block_dispersion = false;
+
+  // Lowers the inertia between neighbours by what the integrator's period error adds at this dt, so that waves keep
+  // their speed to fourth order in dt (ADR 6, 24). Scenes in which nothing can change only.
   bool correct_time_dispersion = false;
 
   // False: the blocks of cubic chains contract sideways without inertia, as in the elementary theory of bars (waves of

@@ -47,6 +47,7 @@ void read_accuracy(const Field& field, Stage& stage) {
   const auto truth = [](const Field& f) { return f.truth(); };
   stage.strain_inertia = value_or(field, "strain_inertia", stage.strain_inertia,
                                   [](const Field& f) { return f.positive(Dimension::dimensionless); });
+  stage.correct_block_dispersion = value_or(field, "correct_block_dispersion", stage.correct_block_dispersion, truth);
   stage.correct_time_dispersion = value_or(field, "correct_time_dispersion", stage.correct_time_dispersion, truth);
   stage.lateral_inertia = value_or(field, "lateral_inertia", stage.lateral_inertia, truth);
 }

@@ -5,7 +5,7 @@ namespace {
 
 // Bonded: damps what the mesh cannot resolve (kinks of a load) and nothing that it can. Where contacts open and close,
 // anything above 0 carries contact accelerations into free flight and can gain energy.
-constexpr double bonded_rho_inf = 0.8;
+constexpr double bonded_rho_inf = 0.9;
 constexpr double contact_rho_inf = 0;
 
 }  // namespace
@@ -29,7 +29,7 @@ Stage preset_stage(const Scheme& scheme, Kinematics kinematics, bool all_bonded)
     return stage;
   }
   stage.integrator = generalized_alpha_integrator(all_bonded ? bonded_rho_inf : contact_rho_inf);
-  stage.strain_inertia = all_bonded && kinematics == Kinematics::small ? Stage::by_mesh : 1;
+  stage.correct_block_dispersion = all_bonded && kinematics == Kinematics::small;
   stage.correct_time_dispersion = all_bonded && kinematics == Kinematics::small;
   return stage;
 }

@@ -29,25 +29,14 @@ BlockTerms make_block_terms(const Model& model) {
   return terms;
 }
 
-BlockTerms make_block_terms(const Model& model, const Stage& stage, const ContactSet& contacts) {
+BlockTerms make_block_terms(const Model& model, const Stage& stage) {
   BlockTerms terms = make_block_terms(model);
-  set_strain_inertia(stage, contacts, terms);
+  set_strain_inertia(stage, terms);
   return terms;
 }
 
-void set_strain_inertia(const Stage& stage, const ContactSet& contacts, BlockTerms& terms) {
-  const bool by_mesh = stage.strain_inertia == Stage::by_mesh;
-  for (Inertia& inertia : terms.inertia) inertia.strain_inertia = by_mesh ? 1 : stage.strain_inertia;
-  if (!by_mesh) return;
-  const auto set_beside = [&](InterfaceLaw law, double factor) {
-    for (const InterfaceElement& element : contacts.elements) {
-      if (element.law != law) continue;
-      terms.inertia[static_cast<std::size_t>(element.block_a)].strain_inertia = factor;
-      terms.inertia[static_cast<std::size_t>(element.block_b)].strain_inertia = factor;
-    }
-  };
-  set_beside(InterfaceLaw::consistent, mesh_strain_inertia);
-  set_beside(InterfaceLaw::cubic, 1);
+void set_strain_inertia(const Stage& stage, BlockTerms& terms) {
+  for (Inertia& inertia : terms.inertia) inertia.strain_inertia = stage.strain_inertia;
 }
 
 void update_geometry(const Model& model, const State& state, BlockTerms& terms) {

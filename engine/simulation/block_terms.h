@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
 #include "dda/core/types.h"
 #include "dda/model/model.h"
 #include "dda/model/state.h"
@@ -23,12 +22,9 @@ struct BlockTerms {
 // Held blocks have no mass here: their motion does not follow from forces.
 BlockTerms make_block_terms(const Model& model);
 
-// The same with the factors on the inertia of the strains that the stage asks for.
-BlockTerms make_block_terms(const Model& model, const Stage& stage, const ContactSet& contacts);
-void set_strain_inertia(const Stage& stage, const ContactSet& contacts, BlockTerms& terms);
-
-// Where a stage leaves the factor to the mesh (ADR 18): of blocks that consistent joints hold and no cubic chain.
-inline constexpr double mesh_strain_inertia = 1.5;
+// The same with the factor on the inertia of the strains that the stage asks for.
+BlockTerms make_block_terms(const Model& model, const Stage& stage);
+void set_strain_inertia(const Stage& stage, BlockTerms& terms);
 
 // Areas and inertia of the deformed blocks (finite kinematics).
 void update_geometry(const Model& model, const State& state, BlockTerms& terms);

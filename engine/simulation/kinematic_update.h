@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "dda/contact/interface_element.h"
 #include "dda/core/types.h"
 #include "dda/model/model.h"
 #include "dda/model/state.h"

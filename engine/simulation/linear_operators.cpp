@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dda/contact/cubic_law.h"
+#include "dda/contact/mesh_correction.h"
 #include "dda/simulation/system_matrix.h"
 
 namespace dda {
@@ -40,22 +41,56 @@ double corrected_period_error(const Stage& stage) {
   return stage.correct_time_dispersion ? period_error(stage.integrator) : 0;
 }
 
+// Whether motion relative to each other has inertia in this interface.
+bool has_inertia(const Model& model, const InterfaceElement& element, double period_error) {
+  return element.law == InterfaceLaw::cubic || (period_error != 0 && is_in_mesh(model, element));
+}
+
+void lower_dilatations(const Model& model, const Stage& stage, const BlockTerms& terms, const ContactSet& contacts,
+                       BlockMatrix& inertia) {
+  std::vector<bool> in_mesh(model.blocks.size(), false);
+  for (const InterfaceElement& element : contacts.elements)
+    if (is_in_mesh(model, element))
+      in_mesh[static_cast<std::size_t>(element.block_a)] = in_mesh[static_cast<std::size_t>(element.block_b)] = true;
+  for (std::size_t i = 0; i < in_mesh.size(); ++i) {
+    if (!in_mesh[i]) continue;
+    const int block = static_cast<int>(i);
+    inertia.diagonal(block) -= dilatation_reduction(model, block, terms.inertia[i].strain_inertia,
+                                                    corrected_period_error(stage), stage.dt);
+  }
+}
+
+void soften_jumps(const Model& model, const ContactSet& contacts, BlockMatrix& stiffness) {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (!is_in_mesh(model, element)) continue;
+    const InterfaceStiffness jump = jump_stiffness(model, contacts.interfaces[i]);
+    stiffness.diagonal(element.block_a) += jump.aa;
+    stiffness.diagonal(element.block_b) += jump.bb;
+    stiffness.add_coupling(element.block_b, element.block_a, jump.ba);
+  }
+}
+
 BlockMatrix make_inertia(const Model& model, const Stage& stage, const BlockTerms& terms, const ContactSet& contacts) {
   const double error = corrected_period_error(stage);
   std::vector<std::pair<int, int>> couplings;
   for (const InterfaceElement& element : contacts.elements)
-    if (element.law == InterfaceLaw::cubic) couplings.emplace_back(element.block_a, element.block_b);
+    if (has_inertia(model, element, error)) couplings.emplace_back(element.block_a, element.block_b);
   BlockMatrix inertia(static_cast<int>(terms.inertia.size()), couplings);
   for (std::size_t i = 0; i < terms.inertia.size(); ++i)
     inertia.diagonal(static_cast<int>(i)) = mass_matrix(terms.inertia[i]);
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (element.law != InterfaceLaw::cubic) continue;
-    const InterfaceInertia between = interface_inertia(model, contacts.interfaces[i], error, stage.dt);
+    if (!has_inertia(model, element, error)) continue;
+    const Interface& interface = contacts.interfaces[i];
+    const InterfaceInertia between = element.law == InterfaceLaw::cubic
+                                         ? interface_inertia(model, interface, error, stage.dt)
+                                         : mesh_inertia(model, interface, error, stage.dt);
     inertia.diagonal(element.block_a) += between.aa;
     inertia.diagonal(element.block_b) += between.bb;
     inertia.add_coupling(element.block_b, element.block_a, between.ba);
   }
+  if (error != 0) lower_dilatations(model, stage, terms, contacts, inertia);
   for (const ChainEnd& end : contacts.chain_ends)
     inertia.diagonal(end.block) += end_inertia(model, end, contacts.interfaces[end.interface], error, stage.dt);
   if (!stage.lateral_inertia) remove_lateral_inertia(model, contacts, inertia);
@@ -80,6 +115,7 @@ LinearOperators make_linear_operators(const Model& model, const Stage& stage, co
   const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
   assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
   for (const ChainEnd& end : contacts.chain_ends) stiffness.diagonal(end.block) += end_stiffness(model, end);
+  if (stage.correct_block_dispersion) soften_jumps(model, contacts, stiffness);
   BlockMatrix inertia = make_inertia(model, stage, terms, contacts);
   ConstantOperator stiffness_times(stiffness);
   ConstantOperator inertia_times(inertia);
@@ -92,8 +128,10 @@ std::vector<double> load_sharpening(const Model& model, const Stage& stage, cons
   if (error == 0 || stage.integrator.is_static) return shares;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (element.law != InterfaceLaw::cubic) continue;
-    const double share = load_sharpening(model, contacts.interfaces[i], error, stage.dt);
+    if (!has_inertia(model, element, error)) continue;
+    const Interface& interface = contacts.interfaces[i];
+    const double share = element.law == InterfaceLaw::cubic ? load_sharpening(model, interface, error, stage.dt)
+                                                            : mesh_load_sharpening(model, interface, error, stage.dt);
     shares[static_cast<std::size_t>(element.block_a)] = share;
     shares[static_cast<std::size_t>(element.block_b)] = share;
   }

@@ -93,7 +93,7 @@ BlockMatrix Simulation::make_moving_matrix() const {
 void Simulation::begin_stage() {
   step_in_stage_ = 0;
   stage_start_ = state_.time;
-  set_strain_inertia(stage(), contacts_, terms_);
+  set_strain_inertia(stage(), terms_);
   const StepPlan next =
       make_plan(model_, stage(), contacts_, matrix_.couplings(), stiffness_number(contacts_, terms_, stage().dt));
   if (linear_ && !next.linear) end_linear_stage();

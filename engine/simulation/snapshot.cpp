@@ -308,7 +308,7 @@ struct SnapshotAccess {
     check_place(s, dt);
     s.state_ = std::move(state);
     const Stage& stage = stage_in_force(s);
-    set_strain_inertia(stage, s.contacts_, s.terms_);
+    set_strain_inertia(stage, s.terms_);
     s.plan_ = make_plan(s.model_, stage, s.contacts_, s.matrix_.couplings(), 0);
     the_rest(s, reader);
     reader.number(s.counters_);

@@ -3,13 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 
-#include "dda/simulation/block_terms.h"
 #include "verification/precision/bar_run.h"
 #include "verification/precision/plane_run.h"
 
 namespace verify {
+namespace {
+
+// Of a name that is `word` and a number.
+std::optional<double> number_after(std::string_view word, const std::string& name) {
+  if (!name.starts_with(word)) return std::nullopt;
+  const std::string_view rest = std::string_view(name).substr(word.size());
+  double number = 0;
+  const auto [end, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  return fault == std::errc{} && end == rest.data() + rest.size() ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
 
 std::string PrecisionScheme::name() const {
   std::string text = law + ", " + integrator;
@@ -35,16 +49,15 @@ dda::Integrator integrator_named(const std::string& name) {
   if (name == "thesis") return dda::thesis_integrator();
   if (name == "trapezoidal") return dda::trapezoidal_integrator();
   if (name == "energy_conserving") return dda::energy_conserving_integrator();
-  if (name == "hht 0.1") return dda::hht_integrator(0.1);
-  if (name == "generalized_alpha 0.8") return dda::generalized_alpha_integrator(0.8);
-  if (name == "generalized_alpha 0") return dda::generalized_alpha_integrator(0);
+  if (const auto alpha = number_after("hht ", name)) return dda::hht_integrator(*alpha);
+  if (const auto rho_inf = number_after("generalized_alpha ", name)) return dda::generalized_alpha_integrator(*rho_inf);
   throw std::invalid_argument("there is no integrator \"" + name + "\"");
 }
 
-// In a plate the cubic law is the consistent one and there is nothing to correct.
+// In a plate the cubic law is the consistent one.
 PrecisionScheme accurate_scheme(Problem problem) {
   const bool plane = problem == Problem::plane;
-  return {plane ? "consistent" : "cubic", "generalized_alpha 0.8", plane ? dda::mesh_strain_inertia : 1, !plane};
+  return {plane ? "consistent" : "cubic", "generalized_alpha 0.9", 1, true};
 }
 
 PrecisionScheme thesis_scheme() { return {"classical", "thesis", 1, false}; }

@@ -22,9 +22,9 @@ inline constexpr std::string_view limit_differences =
 
 struct PrecisionScheme {
   std::string law;         // "classical", "consistent", "cubic", or yardstick_law
-  std::string integrator;  // "thesis", "trapezoidal", "hht 0.1", "generalized_alpha 0.8", "generalized_alpha 0", ...
+  std::string integrator;  // "thesis", "trapezoidal", "hht 0.1", "generalized_alpha 0.8" (rho_inf), ...
   double strain_inertia = 1;
-  bool corrected = false;         // correct_time_dispersion
+  bool corrected = false;         // correct_time_dispersion and correct_block_dispersion
   double spring_over_young = 10;  // classical law; the thesis has 10
 
   [[nodiscard]] std::string name() const;

@@ -29,6 +29,7 @@ dda::Stage stage_of(const PrecisionScheme& scheme) {
   stage.integrator = integrator_named(scheme.integrator);
   stage.kinematics = dda::Kinematics::small;
   stage.strain_inertia = scheme.strain_inertia;
+  stage.correct_block_dispersion = scheme.corrected;
   stage.correct_time_dispersion = scheme.corrected;
   return stage;
 }

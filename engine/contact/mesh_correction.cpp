@@ -1,0 +1,111 @@
+#include "dda/contact/mesh_correction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dda/geometry/triangulate.h"
+
+namespace dda {
+namespace {
+
+const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
+
+double width(const Model& model, const Interface& interface) {
+  const auto distance = [&](int block) {
+    return std::abs(interface.normal.dot(interface.from - block_of(model, block).moments.centroid));
+  };
+  return 2 * std::min(distance(interface.block_a), distance(interface.block_b));
+}
+
+// Rows (n, t, nt) of the strains (xx, yy, xy) in the axes of an interface.
+Mat3 strains_along(const Vec2& n) {
+  const double xx = n.x() * n.x();
+  const double yy = n.y() * n.y();
+  const double xy = n.x() * n.y();
+  return (Mat3() << xx, yy, xy, yy, xx, -xy, -2 * xy, 2 * xy, xx - yy).finished();
+}
+
+// Q, Pa.
+Mat3 jump_modulus(const Material& material, double stabilisation) {
+  const Mat3 elasticity = elasticity_matrix(material);
+  const double p = elasticity(0, 0);
+  const double g = elasticity(2, 2);
+  Mat3 modulus = Mat3::Zero();
+  modulus(0, 0) = p / 12;
+  modulus(0, 1) = modulus(1, 0) = -g / 12;
+  modulus(1, 1) = stabilisation * p / 2 - p / 12 - g / 6;
+  modulus(2, 2) = g / 12;
+  return modulus;
+}
+
+bool can_jump(const Model& model, const Interface& interface) {
+  const Block& a = block_of(model, interface.block_a);
+  const Block& b = block_of(model, interface.block_b);
+  return a.material == b.material && is_convex(a.shape) && is_convex(b.shape);
+}
+
+// Of the lighter and softer block: the bound then holds for both.
+double density(const Model& model, const Interface& interface) {
+  return std::min(model.material_of(interface.block_a).density, model.material_of(interface.block_b).density);
+}
+
+double shear_modulus(const Model& model, const Interface& interface) {
+  return std::min(elasticity_matrix(model.material_of(interface.block_a))(2, 2),
+                  elasticity_matrix(model.material_of(interface.block_b))(2, 2));
+}
+
+// (c dt/d)^2 of S waves.
+double squared_courant_number(const Model& model, const Interface& interface, double dt) {
+  const double across = width(model, interface);
+  return shear_modulus(model, interface) * dt * dt / (density(model, interface) * across * across);
+}
+
+double inertia_share(const Model& model, const Interface& interface, double period_error, double dt) {
+  return std::min(period_error * squared_courant_number(model, interface, dt), mesh::most_correction);
+}
+
+}  // namespace
+
+bool is_in_mesh(const Model& model, const InterfaceElement& element) {
+  return element.law == InterfaceLaw::consistent && !model.is_held(element.block_a) && !model.is_held(element.block_b);
+}
+
+InterfaceStiffness jump_stiffness(const Model& model, const Interface& interface) {
+  InterfaceStiffness stiffness{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()};
+  if (!can_jump(model, interface)) return stiffness;
+  const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
+  const Mat3 strains = strains_along(interface.normal);
+  const Mat3 jump = interface.length * width(model, interface) * strains.transpose() *
+                    jump_modulus(model.material_of(interface.block_a), joint.stabilisation) * strains;
+  stiffness.aa.bottomRightCorner<3, 3>() = -jump;
+  stiffness.bb.bottomRightCorner<3, 3>() = -jump;
+  stiffness.ba.bottomRightCorner<3, 3>() = jump;
+  return stiffness;
+}
+
+InterfaceInertia mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt) {
+  const double mass = density(model, interface) * interface.length * width(model, interface);
+  Mat6 inertia = Mat6::Zero();
+  inertia.topLeftCorner<2, 2>() = -inertia_share(model, interface, period_error, dt) * mass * Mat2::Identity();
+  return {inertia, inertia, -inertia};
+}
+
+Mat6 dilatation_reduction(const Model& model, int block, double strain_inertia, double period_error, double dt) {
+  const Material& material = model.material_of(block);
+  const Mat3 elasticity = elasticity_matrix(material);
+  const AreaMoments& moments = block_of(model, block).moments;
+  const double wanted = period_error * dt * dt * (elasticity(0, 0) - elasticity(2, 2)) * moments.area;
+  // Of the inertia [xx, 0; 0, yy] (principal axes) at most this multiple of [1, 1; 1, 1] can be taken.
+  const double whole = (moments.xx * moments.yy - moments.xy * moments.xy) / (moments.xx + moments.yy);
+  Mat6 inertia = Mat6::Zero();
+  inertia.block<2, 2>(3, 3).setConstant(
+      std::min(wanted, mesh::most_dilatation * strain_inertia * material.density * whole));
+  return inertia;
+}
+
+double mesh_load_sharpening(const Model& model, const Interface& interface, double period_error, double dt) {
+  return inertia_share(model, interface, period_error, dt) / squared_courant_number(model, interface, dt);
+}
+
+}  // namespace dda

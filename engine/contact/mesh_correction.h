@@ -1,0 +1,54 @@
+// What lets waves run at their speed in a mesh of finite blocks that consistent joints hold, under finite time steps
+// (ADR 24). Bonded blocks in small kinematics only.
+//
+// Blocks. With P modulus D, shear modulus G and s = `stabilisation`, a long wave of wavenumber k and direction theta in
+// squares of side L has (rho omega^2)/k^2 = c^2 rho + (k L)^2 times
+//   P: D cos^2(2 theta)/12 + s D sin^2(2 theta)/8,        S: G cos^2(2 theta)/12 + s D sin^2(2 theta)/8.
+// Both are taken away, in all directions, by the energy
+//   V = -1/2 sum over interfaces of l d [e] Q [e],
+// [e]: jump of the strains normal, along, shear (n, t, nt) in the axes of the interface, l: its length, d: twice the
+// smaller distance of a centroid from it, and
+//   Q_nn = D/12, Q_nt = -G/12 (twice), Q_tt = s D/2 - D/12 - G/6, Q_shear = G/12.
+// It is the only such Q that depends on nothing but the interface. Errors of squares are then of fourth order; those of
+// other shapes fall to a third or less (triangles: stay small). A uniform strain has no part in it.
+//
+// Time steps whose oscillators run at omega^2 (1 - epsilon omega^2 dt^2) ask for M - epsilon dt^2 K in place of M. K of
+// a long wave is G |grad u|^2 + B (div u)^2, B = D - G: so between neighbours
+//   T = -1/2 sum of epsilon (G dt^2/d^2) rho l d |u_b' - u_a'|^2,    u at the centroids,
+// and the inertia of each block's dilatation is lowered by epsilon B dt^2 times its area. Both are bounded, which K is
+// not: at their caps short waves keep a third of their inertia, and dilatations a tenth.
+#pragma once
+
+#include "dda/contact/contact_set.h"
+#include "dda/contact/cubic_law.h"
+#include "dda/contact/interface.h"
+#include "dda/core/types.h"
+#include "dda/model/model.h"
+
+namespace dda {
+
+namespace mesh {
+
+// Of the mass l d rho between neighbours. Over the sides of a convex block l d sums up to at most four times its area,
+// so short waves would lose all of their inertia at 1/8.
+inline constexpr double most_correction = 0.08;
+inline constexpr double most_dilatation = 0.9;  // of the inertia that can be taken from the dilatation alone
+
+}  // namespace mesh
+
+// Whether an interface is one of such a mesh: consistent, neither block held.
+bool is_in_mesh(const Model& model, const InterfaceElement& element);
+
+// Of the strains' jump. Zero between unlike materials, where strains do jump, and beside blocks that are not convex.
+InterfaceStiffness jump_stiffness(const Model& model, const Interface& interface);
+
+// Between the centroids. `period_error`: epsilon of the integrator (cubic_law.h).
+InterfaceInertia mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);
+
+// What is taken from the inertia of a block's dilatation. `strain_inertia`: see Stage.
+Mat6 dilatation_reduction(const Model& model, int block, double strain_inertia, double period_error, double dt);
+
+// By how much loads beside the interface are sharpened: see load_sharpening() in cubic_law.h.
+double mesh_load_sharpening(const Model& model, const Interface& interface, double period_error, double dt);
+
+}  // namespace dda

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "dda/contact/cubic_law.h"
+#include "dda/contact/mesh_correction.h"
 
 namespace dda {
 namespace {
@@ -27,16 +28,24 @@ Complex wavenumber_ratio(const Integrator& integrator, double theta) {
   return std::sqrt(minus_second_difference / newmark * inertia_weight / force_weight) / theta;
 }
 
-// Share of the speed that the inertia of cubic interfaces gives back.
+// By how much inertia is lowered, over the mass of a block and (block size/wave)^2.
+double lowered_inertia(const BlockWave& wave, double wanted) {
+  if (wave.cubic) return std::min(wanted, cubic::most_correction);
+  const double most_dilatation = mesh::most_dilatation / 24;  // of squares
+  return std::min(wanted * wave.shear, mesh::most_correction) +
+         wave.dilatation * std::min(wanted * wave.bulk, most_dilatation);
+}
+
+// Share of the speed that the inertia of cubic and consistent interfaces gives back.
 double time_correction(const BlockWave& wave, double theta) {
   const double courant = wave.speed * wave.dt / wave.block_size;
-  const double lowered = std::min(period_error(wave.integrator) * courant * courant, cubic::most_correction);
+  const double lowered = lowered_inertia(wave, period_error(wave.integrator) * courant * courant);
   return lowered / (courant * courant) * theta * theta / 2;
 }
 
 double block_error(const BlockWave& wave, double phase) {
   if (wave.cubic) return std::pow(phase, 6) / 60480;
-  return (2 - wave.strain_inertia) * phase * phase / 24;
+  return (2 - wave.strain_inertia - 12 * wave.softened) * phase * phase / 24;
 }
 
 }  // namespace
@@ -50,7 +59,7 @@ WaveErrors predict_errors(const BlockWave& wave) {
   errors.interfaces = -wave.compliance / 2 + wave.lateral_coupling * phase * phase / 4;
   errors.blocks = block_error(wave, phase);
   errors.time = 1 / ratio.real() - 1;
-  if (wave.cubic && wave.time_corrected) errors.time += time_correction(wave, theta);
+  if (wave.time_corrected) errors.time += time_correction(wave, theta);
   errors.amplitude_loss = 1 - std::exp(2 * std::numbers::pi * ratio.imag() / ratio.real());
   return errors;
 }

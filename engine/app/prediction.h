@@ -15,9 +15,12 @@ struct BlockWave {
   double lateral_coupling = 0;  // nu^2 ks h/(L E) of a bar with corner springs, which keep its sides from contracting
   bool cubic = false;           // all interfaces have the cubic law
   double strain_inertia = 1;
+  double softened = 0;  // taken off (omega/k)^2 by the jumps of strains (mesh_correction.h), over (Omega c)^2
   Integrator integrator;
   double dt = 0;                // s
-  bool time_corrected = false;  // the inertia of cubic interfaces makes up for the integrator's period error
+  bool time_corrected = false;  // inertia of cubic or consistent interfaces makes up for the integrator's period error
+  // Of consistent interfaces: shear and bulk modulus over that of the wave, square of its dilatation over its strain's.
+  double shear = 0, bulk = 0, dilatation = 0;
 };
 
 // Relative errors of the phase speed (positive: too fast), and the share of the amplitude that the integrator takes on

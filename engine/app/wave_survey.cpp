@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "dda/contact/cubic_law.h"
+#include "dda/contact/mesh_correction.h"
 
 namespace dda {
 namespace {
@@ -79,6 +80,30 @@ double lateral_coupling(const Crossing& crossing, const Material& material) {
          (crossing.block_size * side_free_modulus(material));
 }
 
+// Strains (n, t, nt) of a wave along the normal.
+Vec3 strains_of(Kind kind, const Material& material) {
+  if (kind == Kind::s) return {0, 0, 1};
+  return {1, kind == Kind::bar ? -side_free_ratio(material) : 0, 0};
+}
+
+// What corrections do where all joints are consistent.
+void set_corrections(const Material& material, const JointMaterial& joint, const Stage& stage, Kind kind,
+                     BlockWave& wave) {
+  const Vec3 strains = strains_of(kind, material);
+  const Mat3 elasticity = elasticity_matrix(material);
+  const double modulus = material.density * wave.speed * wave.speed;
+  if (stage.correct_block_dispersion) wave.softened = jump_share(material, joint.stabilisation, strains);
+  wave.shear = elasticity(2, 2) / modulus;
+  wave.bulk = (elasticity(0, 0) - elasticity(2, 2)) / modulus;
+  wave.dilatation = std::pow(strains(0) + strains(1), 2);
+}
+
+bool all_consistent(const std::vector<Crossing>& crossings) {
+  return std::all_of(crossings.begin(), crossings.end(), [](const Crossing& crossing) {
+    return crossing.element.law == InterfaceLaw::consistent;
+  });
+}
+
 BlockWave worst_wave(const Material& material, const std::vector<Crossing>& crossings, Kind kind) {
   BlockWave wave;
   wave.speed = speed_of(kind, material);
@@ -112,6 +137,10 @@ std::vector<SurveyedWave> survey_waves(const Model& model, const ContactSet& con
       wave.integrator = stage.integrator;
       wave.dt = stage.dt;
       wave.time_corrected = stage.correct_time_dispersion;
+      if (all_consistent(found)) {
+        const auto joint = static_cast<std::size_t>(found.front().interface.joint);
+        set_corrections(model.materials[static_cast<std::size_t>(material)], model.joints[joint], stage, kind, wave);
+      }
       waves.push_back({material, name_of(kind), wave});
     }
   }

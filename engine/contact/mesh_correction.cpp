@@ -84,6 +84,11 @@ InterfaceStiffness jump_stiffness(const Model& model, const Interface& interface
   return stiffness;
 }
 
+double jump_share(const Material& material, double stabilisation, const Vec3& strains) {
+  return strains.dot(jump_modulus(material, stabilisation) * strains) /
+         strains.dot(elasticity_matrix(material) * strains);
+}
+
 InterfaceInertia mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt) {
   const double mass = density(model, interface) * interface.length * width(model, interface);
   Mat6 inertia = Mat6::Zero();

@@ -42,6 +42,10 @@ bool is_in_mesh(const Model& model, const InterfaceElement& element);
 // Of the strains' jump. Zero between unlike materials, where strains do jump, and beside blocks that are not convex.
 InterfaceStiffness jump_stiffness(const Model& model, const Interface& interface);
 
+// What this takes off (rho omega^2)/k^2 of a wave along the normals of equal blocks, over (k d)^2 and the wave's modulus;
+// `strains`: of the wave, (n, t, nt).
+double jump_share(const Material& material, double stabilisation, const Vec3& strains);
+
 // Between the centroids. `period_error`: epsilon of the integrator (cubic_law.h).
 InterfaceInertia mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 

@@ -64,10 +64,10 @@ TEST(Scene, IntegratorFollowsFromSchemeJointsAndKinematics) {
   EXPECT_TRUE(bar_with(bonded, small).stages[0].correct_time_dispersion);
   EXPECT_FALSE(bar_with(bonded).stages[0].correct_time_dispersion);
   EXPECT_FALSE(bar_with("", small).stages[0].correct_time_dispersion);
-  EXPECT_EQ(bar_with(bonded, small).stages[0].strain_inertia, Stage::by_mesh);
-  EXPECT_EQ(bar_with(bonded).stages[0].strain_inertia, 1);
-  EXPECT_EQ(bar_with("", small).stages[0].strain_inertia, 1);
-  EXPECT_EQ(bar_with(R"("scheme": "thesis", )" + bonded, small).stages[0].strain_inertia, 1);
+  EXPECT_TRUE(bar_with(bonded, small).stages[0].correct_block_dispersion);
+  EXPECT_FALSE(bar_with(bonded).stages[0].correct_block_dispersion);
+  EXPECT_FALSE(bar_with("", small).stages[0].correct_block_dispersion);
+  EXPECT_FALSE(bar_with(R"("scheme": "thesis", )" + bonded, small).stages[0].correct_block_dispersion);
   EXPECT_EQ(bar_with(R"("scheme": "thesis")").stages[0].integrator.name, "thesis");
   EXPECT_EQ(bar_with("", small).stages[0].kinematics, Kinematics::small);
   EXPECT_EQ(bar_with("").stages[0].kinematics, Kinematics::finite);
@@ -76,7 +76,7 @@ TEST(Scene, IntegratorFollowsFromSchemeJointsAndKinematics) {
 TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
   const Model model = bar_with("", R"([{"dt": 1, "duration": 5, "integrator": "static", "solver": "pcg"},
     {"name": "go", "dt": 0.1, "duration": 2, "integrator": {"hht": 0.1}, "velocity_factor": "99 %", "damping_rate": "2 1/s",
-     "strain_inertia": 2, "correct_time_dispersion": true, "lateral_inertia": false, "max_open_close_iterations": 7, "max_step_reductions": 0, "solver": "dense"},
+     "strain_inertia": 2, "correct_time_dispersion": true, "correct_block_dispersion": true, "lateral_inertia": false, "max_open_close_iterations": 7, "max_step_reductions": 0, "solver": "dense"},
     {"dt": 1, "duration": 1, "integrator": {"generalized_alpha": 0.5}}])");
   ASSERT_EQ(model.stages.size(), 3U);
   EXPECT_EQ(model.stages[0].name, "stage 1");
@@ -89,6 +89,7 @@ TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
   EXPECT_EQ(go.damping_rate, 2);
   EXPECT_EQ(go.strain_inertia, 2);
   EXPECT_TRUE(go.correct_time_dispersion);
+  EXPECT_TRUE(go.correct_block_dispersion);
   EXPECT_FALSE(go.lateral_inertia);
   EXPECT_EQ(go.max_open_close_iterations, 7);
   EXPECT_EQ(go.max_step_reductions, 0);

@@ -39,11 +39,14 @@ void prestress(Model& model) {
 void damp_per_step(Model& model) { model.stages[0].velocity_factor = 0.97; }
 void damp_per_time(Model& model) { model.stages[0].damping_rate = 12; }
 void weigh_strains(Model& model) { model.stages[0].strain_inertia = 2; }
+void correct_dispersion(Model& model) {
+  model.stages[0].correct_block_dispersion = model.stages[0].correct_time_dispersion = true;
+}
 
 std::vector<Feature> features() {
   const std::vector<std::function<void(Model&)>> all = {
       push, pull_from_the_start, add_weight,    shake,         absorb,
-      spin, prestress,           damp_per_step, damp_per_time, weigh_strains};
+      spin, prestress,           damp_per_step, damp_per_time, weigh_strains, correct_dispersion};
   const auto with_push = [](const std::function<void(Model&)>& other) {
     return [other](Model& model) {
       push(model);
@@ -61,6 +64,7 @@ std::vector<Feature> features() {
           {"k01", with_push(damp_per_step)},
           {"damping_rate", with_push(damp_per_time)},
           {"strain_inertia", with_push(weigh_strains)},
+          {"corrected", with_push(correct_dispersion)},
           {"everything", [all](Model& model) {
              for (const auto& add : all) add(model);
            }}};

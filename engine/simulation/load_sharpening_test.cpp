@@ -88,9 +88,11 @@ TEST(LoadSharpening, OnlyWhereInertiaIsLowered) {
   EXPECT_NEAR(share_of_first(corrected), 1.0 / 6, 1e-12);
   EXPECT_EQ(share_of_first(pushed_bar(trapezoidal_integrator(), false)), 0);
   EXPECT_EQ(share_of_first(pushed_bar(static_integrator(), true)), 0);
-  Model consistent = corrected;
-  consistent.joints[0].law = InterfaceLaw::consistent;
-  EXPECT_EQ(share_of_first(consistent), 0);
+  Model other = corrected;
+  other.joints[0].law = InterfaceLaw::consistent;
+  EXPECT_NEAR(share_of_first(other), 1.0 / 6, 1e-12);
+  other.joints[0].law = InterfaceLaw::classical;
+  EXPECT_EQ(share_of_first(other), 0);
 }
 
 // A stage that is not corrected sees the load as given.

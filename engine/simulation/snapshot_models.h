@@ -42,9 +42,10 @@ inline Model corrected_bar() {
   return model;
 }
 
-inline Model mesh_inertia() {
+inline Model corrected_mesh() {
   Model model = bar(InterfaceLaw::consistent);
-  model.stages[0].strain_inertia = Stage::by_mesh;
+  model.stages[0].correct_block_dispersion = true;
+  model.stages[0].correct_time_dispersion = true;
   return model;
 }
 

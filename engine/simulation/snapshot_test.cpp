@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, SnapshotCase,
     testing::Values(Case{"bonded", [] { return bar(InterfaceLaw::consistent); }, false},
                     Case{"cubic", [] { return bar(InterfaceLaw::cubic); }, false},
-                    Case{"corrected", corrected_bar, false}, Case{"mesh_inertia", mesh_inertia, false},
+                    Case{"corrected", corrected_bar, false}, Case{"corrected_mesh", corrected_mesh, false},
                     Case{"pcg", [] { return with_pcg(bar(InterfaceLaw::classical)); }, false},
                     Case{"classical", [] { return shaken_stack(InterfaceLaw::classical, Kinematics::small); }, true},
                     Case{"consistent", [] { return shaken_stack(InterfaceLaw::consistent, Kinematics::small); }, true},

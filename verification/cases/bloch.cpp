@@ -9,6 +9,7 @@
 #include <random>
 
 #include "dda/contact/contact_set.h"
+#include "dda/contact/mesh_correction.h"
 #include "dda/model/model.h"
 #include "dda/terms/elasticity.h"
 #include "dda/terms/inertia.h"
@@ -51,6 +52,12 @@ void add_side(int own, int other, const dda::Mat6& to_own, const dda::Mat6& to_o
   cell.stiffness[neighbour].block<6, 6>(rows_of(own, blocks), rows_of(other, blocks)) += to_other;
 }
 
+void add_sides(const dda::InterfaceElement& element, const dda::InterfaceStiffness& part, int blocks,
+               CellMatrices& cell) {
+  add_side(element.block_a, element.block_b, part.aa, part.ba.transpose(), blocks, cell);
+  add_side(element.block_b, element.block_a, part.bb, part.ba, blocks, cell);
+}
+
 Eigen::MatrixXcd stiffness(const PeriodicMesh& mesh, const CellMatrices& cell, const dda::Vec2& wave_vector) {
   Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(cell.mass.rows(), cell.mass.cols());
   for (std::size_t c = 0; c < cell.stiffness.size(); ++c)
@@ -65,7 +72,7 @@ dda::Vec2 translation(const PeriodicMesh& mesh, int cell) {
 }
 
 CellMatrices cell_matrices(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& bond,
-                           double strain_inertia) {
+                           bool corrected) {
   const auto blocks = static_cast<int>(mesh.cell.size());
   CellMatrices cell;
   cell.model = patch(mesh, rock, bond);
@@ -77,13 +84,14 @@ CellMatrices cell_matrices(const PeriodicMesh& mesh, const dda::Material& rock, 
     dda::Mat6 own = dda::Mat6::Zero();
     own.bottomRightCorner<3, 3>() = dda::strain_stiffness(moments.area, dda::elasticity_matrix(rock));
     add_block(block, own, blocks, cell.stiffness[middle_cell]);
-    const dda::Inertia inertia{cell.model.mass_of(block), dda::mean_squares(moments), strain_inertia};
+    const dda::Inertia inertia{cell.model.mass_of(block), dda::mean_squares(moments), 1};
     add_block(block, dda::mass_matrix(inertia), blocks, cell.mass);
   }
-  for (const dda::InterfaceElement& element : dda::make_contacts(cell.model).elements) {
-    const dda::InterfaceStiffness part = dda::stiffness_of(element, dda::Vec4::Ones());
-    add_side(element.block_a, element.block_b, part.aa, part.ba.transpose(), blocks, cell);
-    add_side(element.block_b, element.block_a, part.bb, part.ba, blocks, cell);
+  const dda::ContactSet contacts = dda::make_contacts(cell.model);
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const dda::InterfaceElement& element = contacts.elements[i];
+    add_sides(element, dda::stiffness_of(element, dda::Vec4::Ones()), blocks, cell);
+    if (corrected) add_sides(element, dda::jump_stiffness(cell.model, contacts.interfaces[i]), blocks, cell);
   }
   return cell;
 }
@@ -130,8 +138,8 @@ PeriodicMesh irregular_mesh(unsigned seed) {
 }
 
 PhaseSpeeds phase_speeds(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& bond,
-                         const dda::Vec2& wave_vector, double strain_inertia) {
-  const CellMatrices cell = cell_matrices(mesh, rock, bond, strain_inertia);
+                         const dda::Vec2& wave_vector, bool corrected) {
+  const CellMatrices cell = cell_matrices(mesh, rock, bond, corrected);
   const Eigen::MatrixXcd mass = cell.mass.cast<std::complex<double>>();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> waves(stiffness(mesh, cell, wave_vector), mass,
                                                                          Eigen::EigenvaluesOnly);

@@ -39,8 +39,9 @@ struct CellMatrices {
       interfaces;  // the part of stiffness[middle_cell] that stems from joints with each cell
   Eigen::MatrixXd mass;
 };
+// `corrected`: for the blocks' size, as scenes have it that leave it unsaid (Stage::correct_block_dispersion).
 [[nodiscard]] CellMatrices cell_matrices(const PeriodicMesh& mesh, const dda::Material& rock,
-                                         const dda::JointMaterial& bond, double strain_inertia = 1);
+                                         const dda::JointMaterial& bond, bool corrected = false);
 
 // Phase speeds (m/s) of the two slowest waves exp(i q.x): S and P.
 struct PhaseSpeeds {
@@ -48,6 +49,6 @@ struct PhaseSpeeds {
 };
 [[nodiscard]] PhaseSpeeds phase_speeds(const PeriodicMesh& mesh, const dda::Material& rock,
                                        const dda::JointMaterial& bond, const dda::Vec2& wave_vector,
-                                       double strain_inertia = 1);
+                                       bool corrected = false);
 
 }  // namespace verify

@@ -117,7 +117,7 @@ const MeshWave& travelling(const std::vector<MeshWave>& waves, exact::PlaneWave 
 }  // namespace
 
 EdgeReflection reflect(const MeshEdge& edge, exact::PlaneWave incident, double angle, double omega) {
-  const CellMatrices cell = cell_matrices(edge.mesh, edge.rock, edge.bond, edge.strain_inertia);
+  const CellMatrices cell = cell_matrices(edge.mesh, edge.rock, edge.bond, edge.corrected);
   const double speed = incident == exact::PlaneWave::p ? dda::p_wave_speed(edge.rock) : dda::s_wave_speed(edge.rock);
   const Column column = column_of(edge, cell, omega / speed * std::sin(angle), omega);
   const std::vector<MeshWave> waves = waves_of(column);

@@ -13,7 +13,7 @@ struct MeshEdge {
   PeriodicMesh mesh;
   dda::Material rock;
   dda::JointMaterial bond;
-  double strain_inertia = 1;
+  bool corrected = false;        // for the blocks' size
   double across = 1, along = 1;  // impedances over rho c_p and rho c_s
 };
 

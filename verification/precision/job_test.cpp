@@ -57,9 +57,10 @@ TEST(Schemes, AreTheEnginesPresets) {
   const dda::Integrator integrator = integrator_named(scheme.integrator);
   EXPECT_EQ(joint_of(scheme).law, dda::preset_joint(dda::Scheme{}).law);
   EXPECT_EQ(scheme.corrected, accurate.correct_time_dispersion);
-  EXPECT_EQ(accurate.strain_inertia, dda::Stage::by_mesh);
-  EXPECT_EQ(scheme.strain_inertia, 1);
-  EXPECT_EQ(accurate_scheme(Problem::plane).strain_inertia, dda::mesh_strain_inertia);
+  EXPECT_EQ(scheme.corrected, accurate.correct_block_dispersion);
+  EXPECT_EQ(scheme.strain_inertia, accurate.strain_inertia);
+  EXPECT_EQ(accurate_scheme(Problem::plane).corrected, accurate.correct_block_dispersion);
+  EXPECT_EQ(accurate_scheme(Problem::plane).strain_inertia, accurate.strain_inertia);
   EXPECT_EQ(integrator.alpha_m, accurate.integrator.alpha_m);
   EXPECT_EQ(integrator.beta, accurate.integrator.beta);
   const dda::Scheme thesis{.name = dda::SchemeName::thesis};

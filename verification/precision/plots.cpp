@@ -56,8 +56,8 @@ std::vector<Curve> curves_of(const std::vector<Measured>& all, Problem problem, 
   const std::vector<std::pair<std::string, PrecisionScheme>> shown = {
       {"thesis (classical springs, Eq. 5)", thesis_scheme()},
       {"classical springs, trapezoidal", {"classical", "trapezoidal"}},
-      {"consistent, generalized-α", {"consistent", "generalized_alpha 0.8"}},
-      {"cubic, generalized-α, corrected", {"cubic", "generalized_alpha 0.8", 1, true}},
+      {"consistent, generalized-α", {"consistent", "generalized_alpha 0.9"}},
+      {"cubic, generalized-α, corrected", {"cubic", "generalized_alpha 0.9", 1, true}},
       {"yardstick: explicit finite elements", {std::string(yardstick_law), std::string(central_differences)}}};
   int style = 1;
   for (const auto& [title, scheme] : shown) {

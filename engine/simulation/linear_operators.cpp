@@ -37,8 +37,9 @@ void remove_lateral_inertia(const Model& model, const ContactSet& contacts, Bloc
   }
 }
 
+// Static stages carry no waves; their steps are as long as one likes.
 double corrected_period_error(const Stage& stage) {
-  return stage.correct_time_dispersion ? period_error(stage.integrator) : 0;
+  return stage.correct_time_dispersion && !stage.integrator.is_static ? period_error(stage.integrator) : 0;
 }
 
 // Whether motion relative to each other has inertia in this interface.
@@ -125,7 +126,7 @@ LinearOperators make_linear_operators(const Model& model, const Stage& stage, co
 std::vector<double> load_sharpening(const Model& model, const Stage& stage, const ContactSet& contacts) {
   std::vector<double> shares(model.blocks.size(), 0);
   const double error = corrected_period_error(stage);
-  if (error == 0 || stage.integrator.is_static) return shares;
+  if (error == 0) return shares;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
     if (!has_inertia(model, element, error)) continue;

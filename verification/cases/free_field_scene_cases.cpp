@@ -160,8 +160,9 @@ void assert_surface(const Ground& ground, const std::string& wave, const char* m
   const double fine = difference_from_column(finer(ground), outcome);
   outcome.assertions.push_back({"largest difference of any point of the surface from the exact motion, " + wave, "-",
                                 coarse, 0, source, coarse, tolerance,
-                                fmt::format("blocks and steps of second order; measured {} with margin", measured),
-                                Order{order(coarse, fine), 2, 0.25}});
+                                fmt::format("measured {} with margin", measured),
+                                // Blocks' errors are of order 4 inside a layer, of order 2 at its edges; steps' of order 2.
+                                Order{order(coarse, fine), 2, 0.4}});
   Ground alone = ground;
   alone.sides = Sides::dashpots;
   const double without = difference_from_column(alone, outcome);
@@ -181,8 +182,8 @@ Ground surface_of(const Soil& upper, bool p) {
 Outcome rising_pulse() {
   Outcome outcome;
   const std::string source = "2 incident(t - depth/speed)";
-  assert_surface(surface_of(stiff, false), "SV", "5.2e-4", 1e-3, source, outcome);
-  assert_surface(surface_of(stiff, true), "P", "1.1e-3", 2e-3, source, outcome);
+  assert_surface(surface_of(stiff, false), "SV", "9.1e-4", 1e-3, source, outcome);
+  assert_surface(surface_of(stiff, true), "P", "1.3e-3", 2e-3, source, outcome);
   return outcome;
 }
 
@@ -190,8 +191,8 @@ Outcome layers() {
   Outcome outcome;
   const std::string source = "verification/exact/layered_ground.h";
   assert_surface(surface_of(soft, false), "SV",
-                 "4.1e-3 (waves of the soft soil have half the blocks, and come back in it)", 6e-3, source, outcome);
-  assert_surface(surface_of(soft, true), "P", "1.4e-3", 2e-3, source, outcome);
+                 "1.3e-3", 2e-3, source, outcome);
+  assert_surface(surface_of(soft, true), "P", "1.1e-3", 2e-3, source, outcome);
   return outcome;
 }
 
@@ -219,7 +220,7 @@ void assert_gravity(const std::string& kinematics, Outcome& outcome) {
   ground.gravity = true;
   ground.kinematics = kinematics;
   ground.quiet = 0.2;
-  ground.duration = 2;
+  ground.duration = 4;
   dda::Simulation simulation(model_of(ground));
   advance_until(simulation, settled_at(ground));
   const dda::State settled = simulation.state();
@@ -229,13 +230,13 @@ void assert_gravity(const std::string& kinematics, Outcome& outcome) {
   const auto assert_small = [&](const std::string& quantity, const std::string& unit, double value,
                                 const std::string& source) {
     outcome.assertions.push_back({quantity + ", " + kinematics + " kinematics", unit, value, 0, source, value, 1e-6,
-                                  "equilibrium to 1e-10 of the load; what is left of the wave after 1.3 s"});
+                                  "equilibrium to 1e-10 of the load; what is left of the wave after 3.3 s"});
   };
-  advance_until(simulation, settled_at(ground) + ground.quiet);
+  advance_until(simulation, settled_at(ground) + ground.quiet - 2 * dt_of(ground));  // loads are known a step ahead
   assert_small("largest velocity 0.2 s after the supports went, before a wave of 1 m/s", "m/s",
                largest_velocity(simulation.state()), "sides in equilibrium");
   advance_to_end(simulation);
-  assert_small("largest velocity 1.3 s after the wave has left", "m/s", largest_velocity(simulation.state()),
+  assert_small("largest velocity 3.3 s after the wave has left", "m/s", largest_velocity(simulation.state()),
                "the ground at rest again");
   assert_small("largest change of any stress since it settled, of the largest", "-",
                largest_change(settled, simulation.state()) / largest, "no creep of the sides");

@@ -34,7 +34,7 @@ Mat3 jump_modulus(const Material& material, double stabilisation) {
   Mat3 modulus = Mat3::Zero();
   modulus(0, 0) = p / 12;
   modulus(0, 1) = modulus(1, 0) = -g / 12;
-  modulus(1, 1) = stabilisation * p / 2 - p / 12 - g / 6;
+  modulus(1, 1) = std::min(stabilisation * p / 2, mesh::most_stabilisation * g) - p / 12 - g / 6;
   modulus(2, 2) = g / 12;
   return modulus;
 }

@@ -8,7 +8,8 @@
 //   V = -1/2 sum over interfaces of l d [e] Q [e],
 // [e]: jump of the strains normal, along, shear (n, t, nt) in the axes of the interface, l: its length, d: twice the
 // smaller distance of a centroid from it, and
-//   Q_nn = D/12, Q_nt = -G/12 (twice), Q_tt = s D/2 - D/12 - G/6, Q_shear = G/12.
+//   Q_nn = D/12, Q_nt = -G/12 (twice), Q_tt = s D/2 - D/12 - G/6, Q_shear = G/12
+// (but with s D/2 at most G/3, which matters above nu = 0.4 in plane strain).
 // It is the only such Q that depends on nothing but the interface. Errors of squares are then of fourth order; those of
 // other shapes fall to a third or less (triangles: stay small). A uniform strain has no part in it.
 //
@@ -28,6 +29,10 @@
 namespace dda {
 
 namespace mesh {
+
+// Of G, cap on s D/2 in Q_tt: a change of shape (1, -1, 0) has Q = s D/2 and an energy of 2 G, of which the jumps of the
+// shortest waves would take more where D is far above G.
+inline constexpr double most_stabilisation = 1.0 / 3;
 
 // Of the mass l d rho between neighbours. Over the sides of a convex block l d sums up to at most four times its area,
 // so short waves would lose all of their inertia at 1/8.

@@ -125,6 +125,28 @@ TEST_P(EnergyBalance, ResidualIsRoundOff) {
   }
 }
 
+// Stages that change inertia, stiffness and steps while all is in motion.
+TEST(EnergyLedger, IsWholeOverStagesWithOtherCorrections) {
+  for (const InterfaceLaw law : {InterfaceLaw::consistent, InterfaceLaw::cubic}) {
+    Model model = law == InterfaceLaw::cubic ? bar_of(6, bond(law)) : grid_of(4, bond(law));
+    spin(model);
+    model.stages.clear();
+    for (const auto& [dt, corrected] : {std::pair(2e-4, true), {1e-4, true}, {1e-4, false}, {4e-4, true}}) {
+      Stage stage = stage_of(generalized_alpha_integrator(0.9), dt, 20);
+      stage.correct_block_dispersion = stage.correct_time_dispersion = corrected;
+      model.stages.push_back(stage);
+    }
+    Simulation simulation = simulation_of(std::move(model));
+    double worst = 0;
+    for (int i = 0; i < 80; ++i) {
+      run(simulation, 1);
+      worst = std::max(worst, std::abs(simulation.energy().relative_residual()));
+    }
+    EXPECT_LT(worst, 1e-11);  // round-off, as within a stage
+    EXPECT_GT(simulation.energy().kinetic, 0);
+  }
+}
+
 // Every column of the ledger that a feature is about is filled, and with the right sign.
 TEST(EnergyLedger, ColumnsFollowTheirCause) {
   const Scene scene = scenes()[1];

@@ -45,6 +45,7 @@ void Simulation::begin_linear_stage() {
   rhs_ = flat(state_.velocity);
   linear_->inertia_times.multiply(rhs_, momentum_);
   set_energy_offset();
+  if (stage_ > 0) audit_.geometry_followed(linear_stored_energy());  // inertia may be another than before
   if (plan_.gravity) set_consistent_weight();
   if (plan_.is_static) return;
   inertia_force_ = load_old_ - internal_old_;
@@ -172,14 +173,20 @@ StoredEnergy Simulation::linear_stored_energy() const {
   return {flat(state_.velocity).dot(momentum_) / 2, strain, linear_elastic_energy() + energy_offset_ - strain};
 }
 
-// Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole.
+// Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole, and
+// those of later stages go on from the ledger.
 void Simulation::set_energy_offset() {
+  energy_offset_ = initial_contact_energy() + strain_energy(terms_, state_) - linear_elastic_energy();
+}
+
+double Simulation::initial_contact_energy() const {
+  if (stage_ > 0) return audit_.ledger().contact;
   double contact = support_energy(supports_);
   for (std::size_t i = 0; i < contacts_.elements.size(); ++i)
     contact += interface_energy(contacts_.elements[i], interface_state(i));
   for (const ChainEnd& end : contacts_.chain_ends)
     contact += end_energy(model_, end, state_.stress[static_cast<std::size_t>(end.block)]);
-  energy_offset_ = contact + strain_energy(terms_, state_) - linear_elastic_energy();
+  return contact;
 }
 
 InterfaceState Simulation::interface_state(std::size_t index) const {

@@ -194,6 +194,7 @@ class Simulation {
   [[nodiscard]] double linear_elastic_energy() const;
   [[nodiscard]] StoredEnergy linear_stored_energy() const;
   void set_energy_offset();
+  [[nodiscard]] double initial_contact_energy() const;
   void set_consistent_weight();
   void sum_internal_forces(Eigen::VectorXd& force) const;
   void set_initial_acceleration();

@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t magic = 0x3850414e53414444;  // "DDASNAP8", read as a little-endian number
+constexpr std::uint64_t magic = 0x3950414e53414444;  // "DDASNAP9", read as a little-endian number
 constexpr std::size_t most_entries = 1'000'000'000;  // of any list: more is a damaged file
 
 class Writer {

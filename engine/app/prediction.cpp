@@ -31,9 +31,7 @@ Complex wavenumber_ratio(const Integrator& integrator, double theta) {
 // By how much inertia is lowered, over the mass of a block and (block size/wave)^2.
 double lowered_inertia(const BlockWave& wave, double wanted) {
   if (wave.cubic) return std::min(wanted, cubic::most_correction);
-  const double most_dilatation = mesh::most_dilatation / 24;  // of squares
-  return std::min(wanted * wave.shear, mesh::most_correction) +
-         wave.dilatation * std::min(wanted * wave.bulk, most_dilatation);
+  return std::min(wanted * wave.shear, mesh::most_correction) + std::min(wanted * wave.strain, wave.most_strain);
 }
 
 // Share of the speed that the inertia of cubic and consistent interfaces gives back.

@@ -19,8 +19,9 @@ struct BlockWave {
   Integrator integrator;
   double dt = 0;                // s
   bool time_corrected = false;  // inertia of cubic or consistent interfaces makes up for the integrator's period error
-  // Of consistent interfaces: shear and bulk modulus over that of the wave, square of its dilatation over its strain's.
-  double shear = 0, bulk = 0, dilatation = 0;
+  // Of consistent interfaces: what time correction takes, over the modulus of the wave, from the inertia between blocks
+  // and from that of their strains; and the most that the latter can give, over the mass of a block times its size^2.
+  double shear = 0, strain = 0, most_strain = 0;
 };
 
 // Relative errors of the phase speed (positive: too fast), and the share of the amplitude that the integrator takes on

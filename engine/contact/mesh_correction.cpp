@@ -105,8 +105,21 @@ Mat6 dilatation_reduction(const Model& model, int block, double strain_inertia, 
   const double whole = (moments.xx * moments.yy - moments.xy * moments.xy) / (moments.xx + moments.yy);
   Mat6 inertia = Mat6::Zero();
   inertia.block<2, 2>(3, 3).setConstant(
-      std::min(wanted, mesh::most_dilatation * strain_inertia * material.density * whole));
+      std::min(wanted, mesh::most_strain_correction * strain_inertia * material.density * whole));
   return inertia;
+}
+
+Mat6 axial_reduction(const Model& model, int block, const Vec2& normal, double strain_inertia, double period_error,
+                     double dt) {
+  const Material& material = model.material_of(block);
+  const AreaMoments& moments = block_of(model, block).moments;
+  const double modulus = side_free_modulus(material) - elasticity_matrix(material)(2, 2);
+  const double wanted = period_error * dt * dt * modulus * moments.area;
+  const double whole = normal.x() * normal.x() * moments.xx + normal.y() * normal.y() * moments.yy +
+                       2 * normal.x() * normal.y() * moments.xy;
+  const Vec6 strain = strain_along(normal);
+  return std::min(wanted, mesh::most_strain_correction * strain_inertia * material.density * whole) * strain *
+         strain.transpose();
 }
 
 double mesh_load_sharpening(const Model& model, const Interface& interface, double period_error, double dt) {

@@ -16,8 +16,9 @@
 // Time steps whose oscillators run at omega^2 (1 - epsilon omega^2 dt^2) ask for M - epsilon dt^2 K in place of M. K of
 // a long wave is G |grad u|^2 + B (div u)^2, B = D - G: so between neighbours
 //   T = -1/2 sum of epsilon (G dt^2/d^2) rho l d |u_b' - u_a'|^2,    u at the centroids,
-// and the inertia of each block's dilatation is lowered by epsilon B dt^2 times its area. Both are bounded, which K is
-// not: at their caps short waves keep a third of their inertia, and dilatations a tenth.
+// and the inertia of each block's dilatation is lowered by epsilon B dt^2 times its area; in a chain, whose interfaces
+// have one normal n and whose waves are those of a bar, that of the strain e_nn by epsilon (Q_bar - G) dt^2 times it.
+// Both are bounded, which K is not: at their caps short waves keep a third of their inertia, and strains a tenth.
 #pragma once
 
 #include "dda/contact/contact_set.h"
@@ -37,7 +38,7 @@ inline constexpr double most_stabilisation = 1.0 / 3;
 // Of the mass l d rho between neighbours. Over the sides of a convex block l d sums up to at most four times its area,
 // so short waves would lose all of their inertia at 1/8.
 inline constexpr double most_correction = 0.08;
-inline constexpr double most_dilatation = 0.9;  // of the inertia that can be taken from the dilatation alone
+inline constexpr double most_strain_correction = 0.9;  // of the inertia that can be taken from these strains alone
 
 }  // namespace mesh
 
@@ -54,8 +55,11 @@ double jump_share(const Material& material, double stabilisation, const Vec3& st
 // Between the centroids. `period_error`: epsilon of the integrator (cubic_law.h).
 InterfaceInertia mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 
-// What is taken from the inertia of a block's dilatation. `strain_inertia`: see Stage.
+// What is taken from the inertia of a block's strains: of the dilatation in a mesh, of e_nn in a chain along a normal.
+// `strain_inertia`: see Stage.
 Mat6 dilatation_reduction(const Model& model, int block, double strain_inertia, double period_error, double dt);
+Mat6 axial_reduction(const Model& model, int block, const Vec2& normal, double strain_inertia, double period_error,
+                     double dt);
 
 // By how much loads beside the interface are sharpened: see load_sharpening() in cubic_law.h.
 double mesh_load_sharpening(const Model& model, const Interface& interface, double period_error, double dt);

@@ -1,5 +1,6 @@
 #include "dda/simulation/linear_operators.h"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -47,17 +48,38 @@ bool has_inertia(const Model& model, const InterfaceElement& element, double per
   return element.law == InterfaceLaw::cubic || (period_error != 0 && is_in_mesh(model, element));
 }
 
-void lower_dilatations(const Model& model, const Stage& stage, const BlockTerms& terms, const ContactSet& contacts,
-                       BlockMatrix& inertia) {
-  std::vector<bool> in_mesh(model.blocks.size(), false);
-  for (const InterfaceElement& element : contacts.elements)
-    if (is_in_mesh(model, element))
-      in_mesh[static_cast<std::size_t>(element.block_a)] = in_mesh[static_cast<std::size_t>(element.block_b)] = true;
-  for (std::size_t i = 0; i < in_mesh.size(); ++i) {
-    if (!in_mesh[i]) continue;
+// What consistent interfaces a block has.
+struct MeshPlace {
+  Vec2 normal = Vec2::Zero();  // of the first; zero where there is none
+  bool in_chain = true;        // they all have it
+};
+
+std::vector<MeshPlace> mesh_places(const Model& model, const ContactSet& contacts) {
+  std::vector<MeshPlace> places(model.blocks.size());
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (!is_in_mesh(model, element)) continue;
+    const Vec2& normal = contacts.interfaces[i].normal;
+    for (const int block : {element.block_a, element.block_b}) {
+      MeshPlace& place = places[static_cast<std::size_t>(block)];
+      if (place.normal.isZero()) place.normal = normal;
+      place.in_chain = place.in_chain && std::abs(place.normal.dot(normal)) > 1 - 1e-9;
+    }
+  }
+  return places;
+}
+
+void lower_strains(const Model& model, const Stage& stage, const BlockTerms& terms, const ContactSet& contacts,
+                   BlockMatrix& inertia) {
+  const double error = corrected_period_error(stage);
+  const std::vector<MeshPlace> places = mesh_places(model, contacts);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].normal.isZero()) continue;
     const int block = static_cast<int>(i);
-    inertia.diagonal(block) -= dilatation_reduction(model, block, terms.inertia[i].strain_inertia,
-                                                    corrected_period_error(stage), stage.dt);
+    const double factor = terms.inertia[i].strain_inertia;
+    inertia.diagonal(block) -= places[i].in_chain
+                                   ? axial_reduction(model, block, places[i].normal, factor, error, stage.dt)
+                                   : dilatation_reduction(model, block, factor, error, stage.dt);
   }
 }
 
@@ -91,7 +113,7 @@ BlockMatrix make_inertia(const Model& model, const Stage& stage, const BlockTerm
     inertia.diagonal(element.block_b) += between.bb;
     inertia.add_coupling(element.block_b, element.block_a, between.ba);
   }
-  if (error != 0) lower_dilatations(model, stage, terms, contacts, inertia);
+  if (error != 0) lower_strains(model, stage, terms, contacts, inertia);
   for (const ChainEnd& end : contacts.chain_ends)
     inertia.diagonal(end.block) += end_inertia(model, end, contacts.interfaces[end.interface], error, stage.dt);
   if (!stage.lateral_inertia) remove_lateral_inertia(model, contacts, inertia);

@@ -5,7 +5,7 @@ namespace {
 
 // Bonded: damps what the mesh cannot resolve (kinks of a load) and nothing that it can. Where contacts open and close,
 // anything above 0 carries contact accelerations into free flight and can gain energy.
-constexpr double bonded_rho_inf = 0.9;
+constexpr double bonded_rho_inf = 0.85;
 constexpr double contact_rho_inf = 0;
 
 }  // namespace

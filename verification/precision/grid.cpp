@@ -76,15 +76,15 @@ std::vector<PrecisionScheme> study_schemes(Problem problem) {
     return {thesis_scheme(),
             {"classical", "trapezoidal"},
             {"consistent", "trapezoidal"},
-            {"consistent", "generalized_alpha 0.9"},
+            {"consistent", "generalized_alpha 0.85"},
             {"cubic", "trapezoidal"},
             {"cubic", "trapezoidal", 1, true},
             {"cubic", "hht 0.1", 1, true},
-            {"cubic", "generalized_alpha 0.9"},
+            {"cubic", "generalized_alpha 0.85"},
             {"cubic", "generalized_alpha 0.8", 1, true},
             accurate_scheme(problem),
             {std::string(yardstick_law), std::string(central_differences)}};
-  for (const char* integrator : {"thesis", "trapezoidal", "hht 0.1", "generalized_alpha 0.9", "generalized_alpha 0.8",
+  for (const char* integrator : {"thesis", "trapezoidal", "hht 0.1", "generalized_alpha 0.85", "generalized_alpha 0.8",
                                  "generalized_alpha 0"}) {
     schemes.push_back({"classical", integrator});
     schemes.push_back({"consistent", integrator});

@@ -57,7 +57,7 @@ dda::Integrator integrator_named(const std::string& name) {
 // In a plate the cubic law is the consistent one.
 PrecisionScheme accurate_scheme(Problem problem) {
   const bool plane = problem == Problem::plane;
-  return {plane ? "consistent" : "cubic", "generalized_alpha 0.9", 1, true};
+  return {plane ? "consistent" : "cubic", "generalized_alpha 0.85", 1, true};
 }
 
 PrecisionScheme thesis_scheme() { return {"classical", "thesis", 1, false}; }

@@ -29,6 +29,7 @@ SchemeSettings bonded(const ThesisBar& bar, dda::InterfaceLaw law, const dda::In
   SchemeSettings scheme = scheme_settings("accurate", bar);
   scheme.joint.law = law;
   scheme.stage.integrator = integrator;
+  scheme.stage.correct_time_dispersion = law == dda::InterfaceLaw::cubic;  // closed forms of the others know none
   if (law == dda::InterfaceLaw::classical) scheme.quantity = dda::Quantity::stress_xx;
   return scheme;
 }

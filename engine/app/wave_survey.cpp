@@ -94,14 +94,13 @@ void set_corrections(const Material& material, const JointMaterial& joint, const
   const double modulus = material.density * wave.speed * wave.speed;
   if (stage.correct_block_dispersion) wave.softened = jump_share(material, joint.stabilisation, strains);
   wave.shear = elasticity(2, 2) / modulus;
-  wave.strain = 1 - wave.shear;  // 0 for S waves
+  wave.strain = 1 - wave.shear;                                                     // 0 for S waves
   wave.most_strain = mesh::most_strain_correction / (kind == Kind::bar ? 12 : 24);  // e_nn alone; dilatation of squares
 }
 
 bool all_consistent(const std::vector<Crossing>& crossings) {
-  return std::all_of(crossings.begin(), crossings.end(), [](const Crossing& crossing) {
-    return crossing.element.law == InterfaceLaw::consistent;
-  });
+  return std::all_of(crossings.begin(), crossings.end(),
+                     [](const Crossing& crossing) { return crossing.element.law == InterfaceLaw::consistent; });
 }
 
 BlockWave worst_wave(const Material& material, const std::vector<Crossing>& crossings, Kind kind) {

@@ -31,8 +31,8 @@ namespace dda {
 
 namespace mesh {
 
-// Of G, cap on s D/2 in Q_tt: a change of shape (1, -1, 0) has Q = s D/2 and an energy of 2 G, of which the jumps of the
-// shortest waves would take more where D is far above G.
+// Of G, cap on s D/2 in Q_tt: a change of shape (1, -1, 0) has Q = s D/2 and an energy of 2 G, of which the jumps of
+// the shortest waves would take more where D is far above G.
 inline constexpr double most_stabilisation = 1.0 / 3;
 
 // Of the mass l d rho between neighbours. Over the sides of a convex block l d sums up to at most four times its area,
@@ -48,8 +48,8 @@ bool is_in_mesh(const Model& model, const InterfaceElement& element);
 // Of the strains' jump. Zero between unlike materials, where strains do jump, and beside blocks that are not convex.
 InterfaceStiffness jump_stiffness(const Model& model, const Interface& interface);
 
-// What this takes off (rho omega^2)/k^2 of a wave along the normals of equal blocks, over (k d)^2 and the wave's modulus;
-// `strains`: of the wave, (n, t, nt).
+// What this takes off (rho omega^2)/k^2 of a wave along the normals of equal blocks, over (k d)^2 and the wave's
+// modulus; `strains`: of the wave, (n, t, nt).
 double jump_share(const Material& material, double stabilisation, const Vec3& strains);
 
 // Between the centroids. `period_error`: epsilon of the integrator (cubic_law.h).

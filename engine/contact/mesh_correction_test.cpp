@@ -161,8 +161,8 @@ TEST(MeshCorrection, InertiaIsLoweredByWhatTimeStepsAdd) {
   const Mat3 elasticity = elasticity_matrix(material);
   const double dt = 0.4 * side / p_wave_speed(material);
   const Vec2 direction(0.6, 0.8);
-  for (const auto& [particles, modulus] : {std::pair(direction, elasticity(0, 0)),
-                                           std::pair(Vec2(-0.8, 0.6), elasticity(2, 2))}) {
+  for (const auto& [particles, modulus] :
+       {std::pair(direction, elasticity(0, 0)), std::pair(Vec2(-0.8, 0.6), elasticity(2, 2))}) {
     double sum = 0;
     for (const Interface& interface : find_interfaces(model)) {
       if (interface.block_a != 4 && interface.block_b != 4) continue;
@@ -238,7 +238,8 @@ void add_pair(const Interface& interface, const Mat6& aa, const Mat6& bb, const 
   sum.block<6, 6>(a, b) += ba.transpose();
 }
 
-// Three motions are free; of the others the least stiff one keeps at least half of the stiffness it had (measured: 0.64).
+// Three motions are free; of the others the least stiff one keeps at least half of the stiffness it had (measured:
+// 0.64).
 TEST(MeshCorrection, LeavesStiffnessToEveryMotion) {
   std::mt19937 random(4);
   for (int run = 0; run < 200; ++run) {

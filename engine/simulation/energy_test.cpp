@@ -45,8 +45,8 @@ void correct_dispersion(Model& model) {
 
 std::vector<Feature> features() {
   const std::vector<std::function<void(Model&)>> all = {
-      push, pull_from_the_start, add_weight,    shake,         absorb,
-      spin, prestress,           damp_per_step, damp_per_time, weigh_strains, correct_dispersion};
+      push,          pull_from_the_start, add_weight,        shake, absorb, spin, prestress, damp_per_step,
+      damp_per_time, weigh_strains,       correct_dispersion};
   const auto with_push = [](const std::function<void(Model&)>& other) {
     return [other](Model& model) {
       push(model);

@@ -1,5 +1,6 @@
 #include "dda/simulation/linear_operators.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -155,8 +156,10 @@ std::vector<double> load_sharpening(const Model& model, const Stage& stage, cons
     const Interface& interface = contacts.interfaces[i];
     const double share = element.law == InterfaceLaw::cubic ? load_sharpening(model, interface, error, stage.dt)
                                                             : mesh_load_sharpening(model, interface, error, stage.dt);
-    shares[static_cast<std::size_t>(element.block_a)] = share;
-    shares[static_cast<std::size_t>(element.block_b)] = share;
+    for (const int block : {element.block_a, element.block_b}) {
+      double& least = shares[static_cast<std::size_t>(block)];
+      least = least == 0 ? share : std::min(least, share);  // interfaces at their caps have less than others
+    }
   }
   return shares;
 }

@@ -173,8 +173,8 @@ StoredEnergy Simulation::linear_stored_energy() const {
   return {flat(state_.velocity).dot(momentum_) / 2, strain, linear_elastic_energy() + energy_offset_ - strain};
 }
 
-// Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole, and
-// those of later stages go on from the ledger.
+// Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole,
+// and those of later stages go on from the ledger.
 void Simulation::set_energy_offset() {
   energy_offset_ = initial_contact_energy() + strain_energy(terms_, state_) - linear_elastic_energy();
 }

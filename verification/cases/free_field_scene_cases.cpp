@@ -158,11 +158,11 @@ void assert_surface(const Ground& ground, const std::string& wave, const char* m
                     const std::string& source, Outcome& outcome) {
   const double coarse = difference_from_column(ground, outcome);
   const double fine = difference_from_column(finer(ground), outcome);
-  outcome.assertions.push_back({"largest difference of any point of the surface from the exact motion, " + wave, "-",
-                                coarse, 0, source, coarse, tolerance,
-                                fmt::format("measured {} with margin", measured),
-                                // Blocks' errors are of order 4 inside a layer, of order 2 at its edges; steps' of order 2.
-                                Order{order(coarse, fine), 2, 0.4}});
+  outcome.assertions.push_back(
+      {"largest difference of any point of the surface from the exact motion, " + wave, "-", coarse, 0, source, coarse,
+       tolerance, fmt::format("measured {} with margin", measured),
+       // Blocks' errors are of order 4 inside a layer, of order 2 at its edges; steps' of order 2.
+       Order{order(coarse, fine), 2, 0.4}});
   Ground alone = ground;
   alone.sides = Sides::dashpots;
   const double without = difference_from_column(alone, outcome);
@@ -190,8 +190,7 @@ Outcome rising_pulse() {
 Outcome layers() {
   Outcome outcome;
   const std::string source = "verification/exact/layered_ground.h";
-  assert_surface(surface_of(soft, false), "SV",
-                 "1.3e-3", 2e-3, source, outcome);
+  assert_surface(surface_of(soft, false), "SV", "1.3e-3", 2e-3, source, outcome);
   assert_surface(surface_of(soft, true), "P", "1.1e-3", 2e-3, source, outcome);
   return outcome;
 }

@@ -41,8 +41,8 @@ double least_error(const std::vector<Measured>& runs, Norm norm) {
 std::string words(Norm norm) { return norm == Norm::l2 ? "L2 norm" : "velocity and amplitude"; }
 
 constexpr double enough_passes = 1.2e4;  // for the accurate scheme at every error asked for
-constexpr double passes_to_see = 3e4;  // of finer runs too
-constexpr double plate_passes = 2e5;   // 3 % and the runs around it
+constexpr double passes_to_see = 3e4;    // of finer runs too
+constexpr double plate_passes = 2e5;     // 3 % and the runs around it
 
 bool is_accurate(const PrecisionScheme& scheme) { return scheme == accurate_scheme(Problem::bar); }
 bool is_thesis(const PrecisionScheme& scheme) { return scheme == thesis_scheme(); }
@@ -110,11 +110,7 @@ Outcome plate_case() {
 std::vector<Case> work_precision_cases() {
   return {
       {"work-precision-gain", "What accuracy costs the thesis' scheme on the bar", {32}, CaseLabel::slow, gain_case},
-      {"work-precision-front",
-       "The accurate scheme among all laws and integrators",
-       {32},
-       CaseLabel::slow,
-       front_case},
+      {"work-precision-front", "The accurate scheme among all laws and integrators", {32}, CaseLabel::slow, front_case},
       {"work-precision-plate",
        "The same in a plate, P and S waves from a smooth source",
        {42},

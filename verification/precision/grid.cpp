@@ -84,8 +84,8 @@ std::vector<PrecisionScheme> study_schemes(Problem problem) {
             {"cubic", "generalized_alpha 0.8", 1, true},
             accurate_scheme(problem),
             {std::string(yardstick_law), std::string(central_differences)}};
-  for (const char* integrator : {"thesis", "trapezoidal", "hht 0.1", "generalized_alpha 0.85", "generalized_alpha 0.8",
-                                 "generalized_alpha 0"}) {
+  for (const char* integrator :
+       {"thesis", "trapezoidal", "hht 0.1", "generalized_alpha 0.85", "generalized_alpha 0.8", "generalized_alpha 0"}) {
     schemes.push_back({"classical", integrator});
     schemes.push_back({"consistent", integrator});
     schemes.push_back({"consistent", integrator, 1, true});

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "dda/contact/contact_set.h"
 #include "dda/contact/mesh_correction.h"
@@ -134,6 +135,64 @@ PeriodicMesh irregular_mesh(unsigned seed) {
   for (int i = 0; i < side; ++i)
     for (int j = 0; j < side; ++j)
       mesh.cell.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+  return mesh;
+}
+
+namespace {
+
+constexpr int voronoi_side = 4;  // m, and blocks
+
+// Least distance of two points whose pattern repeats itself.
+double periodic_distance(const dda::Vec2& a, const dda::Vec2& b) {
+  const auto wrapped = [](double x) { return x - voronoi_side * std::round(x / voronoi_side); };
+  return std::hypot(wrapped(a.x() - b.x()), wrapped(a.y() - b.y()));
+}
+
+std::vector<dda::Vec2> scattered_points(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0, voronoi_side);
+  std::vector<dda::Vec2> points;
+  while (points.size() < voronoi_side * voronoi_side) {
+    const double x = place(random);
+    const dda::Vec2 point(x, place(random));
+    const bool clear = std::ranges::all_of(points, [&](const auto& p) { return periodic_distance(p, point) > 0.55; });
+    if (clear) points.push_back(point);
+  }
+  return points;
+}
+
+// What of a convex ring is nearer to `own` than to `other`.
+dda::Ring nearer_part(const dda::Ring& ring, const dda::Vec2& own, const dda::Vec2& other) {
+  const dda::Vec2 outward = other - own;
+  const auto beyond = [&](const dda::Vec2& p) { return outward.dot(p - (own + other) / 2); };
+  dda::Ring kept;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const dda::Vec2& from = ring[i];
+    const dda::Vec2& to = ring[(i + 1) % ring.size()];
+    const double a = beyond(from);
+    const double b = beyond(to);
+    if (a <= 0) kept.push_back(from);
+    if ((a < 0 && b > 0) || (a > 0 && b < 0)) kept.push_back(from + a / (a - b) * (to - from));
+  }
+  return kept;
+}
+
+}  // namespace
+
+PeriodicMesh voronoi_mesh(unsigned seed) {
+  const std::vector<dda::Vec2> points = scattered_points(seed);
+  PeriodicMesh mesh{{}, {voronoi_side, 0}, {0, voronoi_side}};
+  for (const dda::Vec2& own : points) {
+    dda::Ring ring;
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+      ring.push_back(own + voronoi_side / 2.0 * dda::Vec2(x, y));
+    for (const dda::Vec2& other : points)
+      for (int cell = 0; cell < 9; ++cell) {
+        const dda::Vec2 image = other + translation(mesh, cell);
+        if (image != own) ring = nearer_part(ring, own, image);
+      }
+    mesh.cell.push_back(ring);
+  }
   return mesh;
 }
 

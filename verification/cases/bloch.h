@@ -27,6 +27,8 @@ struct PeriodicMesh {
 [[nodiscard]] PeriodicMesh triangle_mesh();                // squares cut along a diagonal
 [[nodiscard]] PeriodicMesh irregular_mesh(unsigned seed);  // 4 x 4 quadrilaterals, corners moved by up to 0.2 m
 
+[[nodiscard]] PeriodicMesh voronoi_mesh(unsigned seed);  // of 16 random points in 4 x 4 m, no two closer than 0.55 m
+
 // The cell with its eight neighbours, 3 x 3: cell c lies (c/3 - 1) times `first` and (c % 3 - 1) times `second` away.
 constexpr int middle_cell = 4;
 [[nodiscard]] dda::Vec2 translation(const PeriodicMesh& mesh, int cell);

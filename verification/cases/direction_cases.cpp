@@ -67,6 +67,8 @@ std::vector<Mesh> meshes() {
           {"triangles", triangle_mesh()},
           {"irregular quadrilaterals, first draw", irregular_mesh(1)},
           {"irregular quadrilaterals, second draw", irregular_mesh(2)},
+          {"Voronoi polygons, first draw", voronoi_mesh(1)},
+          {"Voronoi polygons, second draw", voronoi_mesh(2)},
           {"rhomboids of 60 degrees", sheared_mesh()}};
 }
 

@@ -177,8 +177,8 @@ Complex component(const std::vector<double>& history, double dt, double omega, d
   return sum;
 }
 
-// |R| of a matched edge with the corrections that scenes have, from waves that pass one after the other: dashpots do not
-// follow the sharpened loads.
+// |R| of a matched edge with the corrections that scenes have, from waves that pass one after the other: dashpots do
+// not follow the sharpened loads.
 double sent_back_corrected(dda::InterfaceLaw law, double courant, Outcome& outcome) {
   BarCase bar = bonded_bar(law, dda::generalized_alpha_integrator(0.85), 1, 1);
   bar.rock.poisson = 0;

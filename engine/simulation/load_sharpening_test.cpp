@@ -95,6 +95,24 @@ TEST(LoadSharpening, OnlyWhereInertiaIsLowered) {
   EXPECT_EQ(share_of_first(other), 0);
 }
 
+// What a plan says of the corrections: where joints are consistent (or cubic, for the steps) and nothing can change.
+TEST(StepPlan, TellsWhichCorrectionsAct) {
+  const auto said = [](InterfaceLaw law, bool bonded, const Integrator& integrator) {
+    Model model = bar_of(3, bond(law));
+    model.joints[0].bonded = bonded;
+    model.stages = {stage_of(integrator, 1e-4, 1)};
+    model.stages[0].correct_block_dispersion = model.stages[0].correct_time_dispersion = true;
+    const Simulation simulation = simulation_of(std::move(model));
+    return std::pair(simulation.plan().block_dispersion, simulation.plan().time_dispersion);
+  };
+  const Integrator trapezoidal = trapezoidal_integrator();
+  EXPECT_EQ(said(InterfaceLaw::consistent, true, trapezoidal), std::pair(true, true));
+  EXPECT_EQ(said(InterfaceLaw::consistent, true, static_integrator()), std::pair(true, false));
+  EXPECT_EQ(said(InterfaceLaw::cubic, true, trapezoidal), std::pair(false, true));
+  EXPECT_EQ(said(InterfaceLaw::classical, true, trapezoidal), std::pair(false, false));
+  EXPECT_EQ(said(InterfaceLaw::consistent, false, trapezoidal), std::pair(false, false));
+}
+
 // A stage that is not corrected sees the load as given.
 TEST(LoadSharpening, EndsWithItsStage) {
   Model model = pushed_bar(trapezoidal_integrator(), true);

@@ -21,6 +21,11 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
   return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, plan.finite_kinematics});
 }
 
+bool has_law(const ContactSet& contacts, InterfaceLaw law) {
+  return std::any_of(contacts.elements.begin(), contacts.elements.end(),
+                     [&](const InterfaceElement& element) { return element.law == law; });
+}
+
 }  // namespace
 
 StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& contacts, int couplings, double chi) {
@@ -42,6 +47,10 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
                                                           [](const auto& joint) { return joint.dilation_angle > 0; });
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
   plan.linear = !plan.contacts_can_change && !plan.finite_kinematics;
+  plan.block_dispersion = plan.linear && stage.correct_block_dispersion && has_law(contacts, InterfaceLaw::consistent);
+  plan.time_dispersion =
+      plan.linear && stage.correct_time_dispersion && !stage.integrator.is_static &&
+      (has_law(contacts, InterfaceLaw::consistent) || has_law(contacts, InterfaceLaw::cubic));
   plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
   plan.is_static = stage.integrator.is_static;
   plan.chi = chi;
@@ -64,6 +73,8 @@ std::vector<std::string> StepPlan::describe() const {
   add(contacts, contacts_judged ? "contacts: open-close iteration" : "contacts: bonded, never judged");
   add(dilation, "dilation of joints that slide");
   add(linear, "linear: forces by one constant matrix");
+  add(block_dispersion, "waves: corrected for the size of blocks");
+  add(time_dispersion, "waves: corrected for the time steps");
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
   add(!finite_kinematics, "geometry: as drawn, matrix built once");
   add(velocity_damping, "velocity damping");

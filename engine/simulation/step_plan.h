@@ -25,6 +25,8 @@ struct StepPlan {
   bool dilation = false;             // some joint opens as it slides
   bool finite_kinematics = false;    // geometry and matrix are rebuilt every step
   bool linear = false;               // nothing can change: forces are one product with a constant matrix
+  bool block_dispersion = false;     // waves are corrected for the size of blocks
+  bool time_dispersion = false;      // and for the time steps
   bool velocity_damping = false;
   bool is_static = false;
   double chi = 0;  // k dt^2/m

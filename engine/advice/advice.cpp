@@ -67,7 +67,7 @@ class Adviser {
     advice.joints_may_open = contacts_.can_change;
     for (const Stage& stage : model_.stages) {
       advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
-      advice.stages.push_back(of_stage(stage, matrix, advice.size));
+      advice.stages.push_back(of_stage(model_.with_acting_corrections(stage), matrix, advice.size));
     }
     return advice;
   }

@@ -49,15 +49,30 @@ double duration_of(const std::vector<double>& samples, double interval) {
   return static_cast<double>(last) * interval;
 }
 
+// s, up to which a history is zero. What a load does before it begins says nothing of its wave, and would be counted as
+// a part of it: after a static stage that may be the longest part by far.
+double start_of(const TimeFunction& function) {
+  if (const auto* sine = std::get_if<SineCycles>(&function)) return sine->start;
+  if (const auto* decay = std::get_if<ExponentialDecay>(&function)) return decay->start;
+  if (const auto* record = std::get_if<Recorded>(&function)) return record->start;
+  const auto* table = std::get_if<PiecewiseLinear>(&function);
+  if (table == nullptr) return 0;
+  const auto first = std::ranges::find_if(table->values, [](double value) { return value != 0; });
+  if (first == table->values.begin() || first == table->values.end()) return 0;
+  return table->times[static_cast<std::size_t>(first - table->values.begin()) - 1];
+}
+
 LoadHistory history_of(const Model& model, const TimeFunction& function) {
-  const double end = end_of_run(model);
+  const double begun = start_of(function);
+  const double start = begun > 0 && begun < end_of_run(model) ? begun : 0;
+  const double end = end_of_run(model) - start;
   const double interval = std::max(shortest_step(model), end / most_samples);
   std::vector<double> samples;
-  for (double t = 0; t <= end; t += interval) samples.push_back(evaluate(function, t));
+  for (double t = 0; t <= end; t += interval) samples.push_back(evaluate(function, start + t));
   LoadHistory history;
-  history.value = [function, end](double t) { return t < 0 || t > end ? 0 : evaluate(function, t); };
+  history.value = [=](double t) { return t < 0 || t > end ? 0 : evaluate(function, start + t); };
   const auto* sine = std::get_if<SineCycles>(&function);
-  const double last = sine != nullptr ? sine->start + sine->cycles / sine->frequency : duration_of(samples, interval);
+  const double last = sine != nullptr ? sine->cycles / sine->frequency : duration_of(samples, interval);
   history.duration = std::min(last, end);
   const double slowest = history.duration > 0 ? 0.5 / history.duration : 0.5 / end;
   history.period =

@@ -120,8 +120,9 @@ BlockWave worst_wave(const Material& material, const std::vector<Crossing>& cros
 
 }  // namespace
 
-std::vector<SurveyedWave> survey_waves(const Model& model, const ContactSet& contacts, const Stage& stage,
+std::vector<SurveyedWave> survey_waves(const Model& model, const ContactSet& contacts, const Stage& asked,
                                        double frequency) {
+  const Stage stage = model.with_acting_corrections(asked);
   std::vector<SurveyedWave> waves;
   if (stage.integrator.is_static || contacts.interfaces.empty()) return waves;
   const std::vector<Kind> kinds =

@@ -14,14 +14,6 @@ Vec2 moved(const Model& model, const State& state, int block, const Vec2& refere
   return current_position(model, state, block, reference);
 }
 
-bool stays_linear(const Model& model) {
-  return model.bolts.empty() &&
-         std::all_of(model.joints.begin(), model.joints.end(),
-                     [](const JointMaterial& joint) { return joint.bonded; }) &&
-         std::all_of(model.stages.begin(), model.stages.end(),
-                     [](const Stage& stage) { return stage.kinematics == Kinematics::small; });
-}
-
 InterfaceLaw usable_law(InterfaceLaw wanted, const Interface& interface, bool can_be_cubic) {
   if (interface.length == 0) return InterfaceLaw::classical;
   return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
@@ -82,7 +74,7 @@ ContactSet make_contacts(const Model& model) {
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
   const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
-  const bool cubic_allowed = stays_linear(model);
+  const bool cubic_allowed = model.stays_linear();
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];

@@ -22,6 +22,18 @@ const JointMaterial& Model::joint_between(int block_a, int block_b) const {
   return joints[at(joint_index(block_a, block_b))];
 }
 
+bool Model::stays_linear() const {
+  return bolts.empty() && std::ranges::all_of(joints, [](const JointMaterial& joint) { return joint.bonded; }) &&
+         std::ranges::all_of(stages, [](const Stage& stage) { return stage.kinematics == Kinematics::small; });
+}
+
+Stage Model::with_acting_corrections(const Stage& stage) const {
+  Stage acting = stage;
+  if (stays_linear() && !stage.integrator.is_static) return acting;
+  acting.correct_block_dispersion = acting.correct_time_dispersion = false;
+  return acting;
+}
+
 bool Model::is_held(int block) const {
   return std::any_of(held_blocks.begin(), held_blocks.end(),
                      [block](const HeldBlock& held) { return held.block == block; });

@@ -49,12 +49,12 @@ struct Stage {
   // which removes the leading dispersion of a chain of bonded blocks and leaves rigid motion exact.
   double strain_inertia = 1;
 
-  // Inertia between neighbours that consistent joints hold, which makes up for the blocks' size (ADR 24). Scenes in
-  // which nothing can change only.
+  // Inertia between neighbours that consistent joints hold, which makes up for the blocks' size (ADR 24). See
+  // Model::with_acting_corrections() for where it acts.
   bool correct_block_dispersion = false;
 
   // Lowers the inertia between neighbours by what the integrator's period error adds at this dt, so that waves keep
-  // their speed to fourth order in dt (ADR 6, 24). Scenes in which nothing can change only.
+  // their speed to fourth order in dt (ADR 6, 24). Acts where the other does.
   bool correct_time_dispersion = false;
 
   // False: the blocks of cubic chains contract sideways without inertia, as in the elementary theory of bars (waves of

@@ -39,9 +39,8 @@ void remove_lateral_inertia(const Model& model, const ContactSet& contacts, Bloc
   }
 }
 
-// Static stages carry no waves; their steps are as long as one likes.
 double corrected_period_error(const Stage& stage) {
-  return stage.correct_time_dispersion && !stage.integrator.is_static ? period_error(stage.integrator) : 0;
+  return stage.correct_time_dispersion ? period_error(stage.integrator) : 0;
 }
 
 // Whether motion relative to each other has inertia in this interface.
@@ -133,8 +132,9 @@ void add_scaled(double factor, const BlockMatrix& matrix, BlockMatrix& sum) {
 
 }  // namespace
 
-LinearOperators make_linear_operators(const Model& model, const Stage& stage, const BlockTerms& terms,
+LinearOperators make_linear_operators(const Model& model, const Stage& asked, const BlockTerms& terms,
                                       const ContactSet& contacts, const std::vector<SupportElement>& supports) {
+  const Stage stage = model.with_acting_corrections(asked);
   BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
   const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
   assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
@@ -146,7 +146,8 @@ LinearOperators make_linear_operators(const Model& model, const Stage& stage, co
   return {std::move(stiffness), std::move(inertia), std::move(stiffness_times), std::move(inertia_times)};
 }
 
-std::vector<double> load_sharpening(const Model& model, const Stage& stage, const ContactSet& contacts) {
+std::vector<double> load_sharpening(const Model& model, const Stage& asked, const ContactSet& contacts) {
+  const Stage stage = model.with_acting_corrections(asked);
   std::vector<double> shares(model.blocks.size(), 0);
   const double error = corrected_period_error(stage);
   if (error == 0) return shares;

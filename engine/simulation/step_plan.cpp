@@ -47,10 +47,10 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
                                                           [](const auto& joint) { return joint.dilation_angle > 0; });
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
   plan.linear = !plan.contacts_can_change && !plan.finite_kinematics;
-  plan.block_dispersion = plan.linear && stage.correct_block_dispersion && has_law(contacts, InterfaceLaw::consistent);
-  plan.time_dispersion =
-      plan.linear && stage.correct_time_dispersion && !stage.integrator.is_static &&
-      (has_law(contacts, InterfaceLaw::consistent) || has_law(contacts, InterfaceLaw::cubic));
+  const Stage acting = model.with_acting_corrections(stage);
+  const bool in_mesh = has_law(contacts, InterfaceLaw::consistent);
+  plan.block_dispersion = acting.correct_block_dispersion && in_mesh;
+  plan.time_dispersion = acting.correct_time_dispersion && (in_mesh || has_law(contacts, InterfaceLaw::cubic));
   plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
   plan.is_static = stage.integrator.is_static;
   plan.chi = chi;

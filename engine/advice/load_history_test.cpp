@@ -43,9 +43,30 @@ TEST(LoadHistory, ConstantLoadsAreNoWaves) {
   ASSERT_TRUE(load.has_value());
   EXPECT_EQ(load->place, Vec2(0, 0.5));
   EXPECT_DOUBLE_EQ(load->history.period, 0.02);
-  EXPECT_NEAR(load->history.duration, 0.05, 2e-4);  // two samples
+  EXPECT_NEAR(load->history.duration, 0.04, 2e-4);  // two samples; from where it begins
   EXPECT_EQ(load->history.value(-1), 0);
-  EXPECT_NEAR(load->history.value(0.015), 1, 1e-12);
+  EXPECT_NEAR(load->history.value(0.005), 1, 1e-12);
+}
+
+// As after a static stage of 10 s: what a load does is counted from where it begins.
+TEST(LoadHistory, SilenceBeforeALoadDoesNotCount) {
+  Stage settle;
+  settle.dt = settle.duration = 10;
+  for (const auto& [late, at_once] :
+       {std::pair<TimeFunction, TimeFunction>(SineCycles{50, 1, 10}, SineCycles{50, 1, 0}),
+        {PiecewiseLinear{{0, 10, 10.01, 10.02}, {0, 0, 1, 0}}, PiecewiseLinear{{0, 0.01, 0.02}, {0, 1, 0}}}}) {
+    Model model = two_blocks();
+    model.point_loads.push_back({0, {0, 0.5}, {1, 0}, at_once});
+    const auto expected = scene_load(model);
+    model.point_loads[0].history = late;
+    model.stages.insert(model.stages.begin(), settle);
+    const auto load = scene_load(model);
+    ASSERT_TRUE(load && expected);
+    EXPECT_NEAR(load->history.period, expected->history.period, 1e-9);
+    EXPECT_NEAR(load->history.duration, expected->history.duration, 2e-4);
+    for (const double t : {0.004, 0.011, 0.018})
+      EXPECT_NEAR(load->history.value(t), expected->history.value(t), 1e-9) << t;
+  }
 }
 
 // Six cycles under an envelope: the spectrum is largest at their frequency; one transform bin is 5 Hz.

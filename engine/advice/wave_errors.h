@@ -43,7 +43,7 @@ struct TotalErrors {
 std::optional<TotalErrors> total_steady_errors(const WaveQuestion& question, double frequency);
 
 struct LoadHistory {
-  std::function<double(double)> value;  // dimensionless, 0 before time 0
+  std::function<double(double)> value;  // dimensionless, of s since the load began; 0 before
   double duration = 0;                  // s, that matters
   double period = 0;                    // s, of its main frequency
   double window = 0;                    // s, that is looked at; 0: until the wave has passed

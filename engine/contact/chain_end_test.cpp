@@ -167,7 +167,7 @@ Eigen::MatrixXd axial_inertia(const Model& model, double period_error, double dt
     whole.block<6, 6>(6 * i, 6 * i) += mass_matrix({model.mass_of(i), mean_squares(block.moments), 1});
   }
   for (const Interface& interface : contacts.interfaces) {
-    const InterfaceInertia between = interface_inertia(model, interface, period_error, dt);
+    const InterfaceMatrices between = interface_inertia(model, interface, period_error, dt);
     const int a = 6 * interface.block_a, b = 6 * interface.block_b;
     whole.block<6, 6>(a, a) += between.aa;
     whole.block<6, 6>(b, b) += between.bb;

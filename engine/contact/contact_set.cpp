@@ -20,13 +20,13 @@ InterfaceLaw usable_law(InterfaceLaw wanted, const Interface& interface, bool ca
 }
 
 template <int rows>
-InterfaceStiffness stiffness_of_rows(const InterfaceElement& element, const Vec4& mask) {
+InterfaceMatrices stiffness_of_rows(const InterfaceElement& element, const Vec4& mask) {
   const auto stiffness = element.stiffness.cwiseProduct(mask).head<rows>().asDiagonal();
   const auto a = element.rows_a.topRows<rows>();
   const auto b = element.rows_b.topRows<rows>();
   const Eigen::Matrix<double, 6, rows> weighted_a = a.transpose() * stiffness;
   const Eigen::Matrix<double, 6, rows> weighted_b = b.transpose() * stiffness;
-  InterfaceStiffness k;
+  InterfaceMatrices k;
   k.aa.noalias() = weighted_a * a;
   k.bb.noalias() = weighted_b * b;
   k.ba.noalias() = weighted_b * a;
@@ -167,8 +167,8 @@ Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {
   return gap;
 }
 
-InterfaceStiffness stiffness_of(const InterfaceElement& element, const Vec4& mask) {
-  InterfaceStiffness k =
+InterfaceMatrices stiffness_of(const InterfaceElement& element, const Vec4& mask) {
+  InterfaceMatrices k =
       is_lone_vertex(element) ? stiffness_of_rows<2>(element, mask) : stiffness_of_rows<4>(element, mask);
   if (!has_stress_rows(element)) return k;
   const Eigen::Matrix<double, 6, 3> a = element.rows_a.transpose() * element.strain_rows_a;

@@ -59,12 +59,8 @@ void add_interface_force(const InterfaceElement& element, const Vec4& interface_
 // The change of the gaps by the displacement increments `d` (6 entries a block).
 Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d);
 
-// Stiffness of an interface in the blocks a and b whose rows with mask 0 carry no stiffness: aa, bb, and ba (force on b
-// by the unknowns of a).
-struct InterfaceStiffness {
-  Mat6 aa, bb, ba;
-};
-InterfaceStiffness stiffness_of(const InterfaceElement& element, const Vec4& mask);
+// Stiffness of an interface whose rows with mask 0 carry no stiffness.
+InterfaceMatrices stiffness_of(const InterfaceElement& element, const Vec4& mask);
 
 // Elastic energy of the interface, J per m of thickness.
 double interface_energy(const InterfaceElement& element, const InterfaceState& state);

@@ -99,7 +99,7 @@ std::vector<bool> cubic_candidates(const Model& model, const std::vector<Interfa
   return candidates;
 }
 
-InterfaceInertia interface_inertia(const Model& model, const Interface& interface, double period_error, double dt) {
+InterfaceMatrices interface_inertia(const Model& model, const Interface& interface, double period_error, double dt) {
   const double h = cubic_half_distance(model, interface);
   const Material& material = model.material_of(interface.block_a);
   const NormalRows a = normal_rows(interface, block_of(model, interface.block_a).moments.centroid, h);

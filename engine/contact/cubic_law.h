@@ -49,16 +49,12 @@ double side_free_ratio(const Material& material);
 std::vector<bool> cubic_candidates(const Model& model, const std::vector<Interface>& interfaces);
 
 // The part of the kinetic energy 1/2 v M v that couples the two blocks of a cubic interface.
-struct InterfaceInertia {
-  Mat6 aa, bb, ba;
-};
-
 // `period_error`: epsilon of the integrator, whose oscillators run at omega^2 (1 - epsilon omega^2 dt^2), or 0. Inertia
 // of relative motion is lowered by inertia_reduction() to make up for it: the kinetic energy by that share of
 //   rho l h (u_b'^2 - 2 u_a' u_b' + u_a'^2 + J'^2/3),   u at the centroids,
 // which is 2h rho l/2 times (2h w_x')^2 of a wave w up to the sixth power of 2h over the wavelength; the share of J'^2
 // is capped by itself.
-InterfaceInertia interface_inertia(const Model& model, const Interface& interface, double period_error, double dt);
+InterfaceMatrices interface_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 
 // The share of the mass between the centroids by which the inertia of relative motion is lowered: epsilon (c dt/2h)^2,
 // at most a tenth. At 17/140 the inertia of waves two blocks long would vanish; at 0.1 and 0.05 for the jump, the least

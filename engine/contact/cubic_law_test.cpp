@@ -139,7 +139,7 @@ TEST(CubicLaw, StiffnessIsTheHessianOfTheCubicsEnergy) {
       const Model model = pair_of(material, angle);
       const ContactSet contacts = make_contacts(model);
       ASSERT_EQ(contacts.elements.at(0).law, InterfaceLaw::cubic);
-      const InterfaceStiffness k = stiffness_of(contacts.elements[0], Vec4::Ones());
+      const InterfaceMatrices k = stiffness_of(contacts.elements[0], Vec4::Ones());
       const auto energy = [&](const Vec12& q) {
         return axial_potential(hermite(q, angle), elasticity_matrix(material)) + transverse_potential(model, q, angle);
       };
@@ -197,7 +197,7 @@ TEST(CubicLaw, TractionIsThatOfTheCubicAtTheInterface) {
 TEST(CubicLaw, InertiaIsTheHessianOfTheCubicsKineticEnergy) {
   for (const double angle : angles) {
     const Model model = pair_of(materials()[0], angle);
-    const InterfaceInertia m = interface_inertia(model, find_interfaces(model).at(0), 0, 0.1);
+    const InterfaceMatrices m = interface_inertia(model, find_interfaces(model).at(0), 0, 0.1);
     const auto energy = [&](const Vec12& v) { return axial_kinetic(hermite(v, angle), 2.3); };
     EXPECT_LT(relative_difference(joined(m.aa, m.ba, m.bb), hessian<12>(energy, 1)), round_off);
   }
@@ -209,8 +209,8 @@ TEST(CubicLaw, CorrectionLowersTheInertiaOfRelativeMotionUpToALimit) {
   const double mass = 2.3 * length * width;
   const double courant = std::sqrt(5.0 / 2.3) * 0.1 / length;
   for (const auto& [error, expected] : {std::pair(0.2, 0.2 * courant * courant), std::pair(1e3, 0.1)}) {
-    const InterfaceInertia plain = interface_inertia(model, interface, 0, 0.1);
-    const InterfaceInertia lowered = interface_inertia(model, interface, error, 0.1);
+    const InterfaceMatrices plain = interface_inertia(model, interface, 0, 0.1);
+    const InterfaceMatrices lowered = interface_inertia(model, interface, error, 0.1);
     Vec12 apart = some_motion(1);
     const AxialMotion a(apart.head<6>(), 0.4), b(apart.tail<6>(), 0.4);
     const double relative = b.displacement - a.displacement;

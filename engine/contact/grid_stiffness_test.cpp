@@ -45,7 +45,7 @@ Eigen::MatrixXd stiffness_matrix(const Model& model, const ContactSet& contacts)
         strain_stiffness(model.blocks[i].moments.area, elasticity_matrix(model.materials[0]));
   }
   for (const InterfaceElement& element : contacts.elements) {
-    const InterfaceStiffness part = stiffness_of(element, Vec4::Ones());
+    const InterfaceMatrices part = stiffness_of(element, Vec4::Ones());
     const Eigen::Index a = 6 * element.block_a;
     const Eigen::Index b = 6 * element.block_b;
     k.block<6, 6>(a, a) += part.aa;

@@ -45,6 +45,12 @@ inline int ends_of(const InterfaceSprings& springs) { return is_lone_vertex(spri
 
 inline bool has_stress_rows(const InterfaceSprings& springs) { return springs.law != InterfaceLaw::classical; }
 
+// What an interface adds to a symmetric matrix over the unknowns of its blocks a and b: stiffness (N/m per m of
+// thickness and so on) or inertia. ba: on b by the unknowns of a.
+struct InterfaceMatrices {
+  Mat6 aa, bb, ba;
+};
+
 // The frame of an interface: its ends as seen by each block, its normal, and where the blocks' centroids are.
 struct InterfaceFrame {
   Vec2 from_a, to_a, from_b, to_b;

@@ -90,7 +90,7 @@ double consistent_energy(const Pair& pair, const Vec12& q) {
 }
 
 Mat12 stiffness_matrix(const InterfaceElement& element, const Vec4& mask = Vec4::Ones()) {
-  const InterfaceStiffness k = stiffness_of(element, mask);
+  const InterfaceMatrices k = stiffness_of(element, mask);
   Mat12 matrix;
   matrix << k.aa, k.ba.transpose(), k.ba, k.bb;
   return matrix;

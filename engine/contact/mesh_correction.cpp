@@ -71,8 +71,8 @@ bool is_in_mesh(const Model& model, const InterfaceElement& element) {
   return element.law == InterfaceLaw::consistent && !model.is_held(element.block_a) && !model.is_held(element.block_b);
 }
 
-InterfaceStiffness jump_stiffness(const Model& model, const Interface& interface) {
-  InterfaceStiffness stiffness{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()};
+InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface) {
+  InterfaceMatrices stiffness{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()};
   if (!can_jump(model, interface)) return stiffness;
   const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
   const Mat3 strains = strains_along(interface.normal);
@@ -89,7 +89,7 @@ double jump_share(const Material& material, double stabilisation, const Vec3& st
          strains.dot(elasticity_matrix(material) * strains);
 }
 
-InterfaceInertia mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt) {
+InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt) {
   const double mass = density(model, interface) * interface.length * width(model, interface);
   Mat6 inertia = Mat6::Zero();
   inertia.topLeftCorner<2, 2>() = -inertia_share(model, interface, period_error, dt) * mass * Mat2::Identity();

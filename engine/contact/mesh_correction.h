@@ -21,7 +21,6 @@
 // Both are bounded, which K is not: at their caps short waves keep a third of their inertia, and strains a tenth.
 #pragma once
 
-#include "dda/contact/contact_set.h"
 #include "dda/contact/cubic_law.h"
 #include "dda/contact/interface.h"
 #include "dda/core/types.h"
@@ -46,14 +45,14 @@ inline constexpr double most_strain_correction = 0.9;  // of the inertia that ca
 bool is_in_mesh(const Model& model, const InterfaceElement& element);
 
 // Of the strains' jump. Zero between unlike materials, where strains do jump, and beside blocks that are not convex.
-InterfaceStiffness jump_stiffness(const Model& model, const Interface& interface);
+InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface);
 
 // What this takes off (rho omega^2)/k^2 of a wave along the normals of equal blocks, over (k d)^2 and the wave's
 // modulus; `strains`: of the wave, (n, t, nt).
 double jump_share(const Material& material, double stabilisation, const Vec3& strains);
 
 // Between the centroids. `period_error`: epsilon of the integrator (cubic_law.h).
-InterfaceInertia mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);
+InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 
 // What is taken from the inertia of a block's strains: of the dilatation in a mesh, of e_nn in a chain along a normal.
 // `strain_inertia`: see Stage.

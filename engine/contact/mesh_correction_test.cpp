@@ -49,7 +49,7 @@ Model two_blocks(const Ring& a, const Ring& b) {
   return model;
 }
 
-double energy(const InterfaceStiffness& stiffness, const Vec6& a, const Vec6& b) {
+double energy(const InterfaceMatrices& stiffness, const Vec6& a, const Vec6& b) {
   return (a.dot(stiffness.aa * a) + b.dot(stiffness.bb * b)) / 2 + b.dot(stiffness.ba * a);
 }
 
@@ -120,7 +120,7 @@ TEST(MeshCorrection, UniformStrainHasNoPartInIt) {
   finish_model(model);
   const Vec6 q = (Vec6() << 1, 2, 3, 1e-3, -2e-3, 3e-3).finished();
   for (const Interface& interface : find_interfaces(model)) {
-    const InterfaceStiffness stiffness = jump_stiffness(model, interface);
+    const InterfaceMatrices stiffness = jump_stiffness(model, interface);
     EXPECT_EQ(Vec6(stiffness.aa * q + stiffness.ba.transpose() * q), Vec6::Zero());
     EXPECT_EQ(Vec6(stiffness.bb * q + stiffness.ba * q), Vec6::Zero());
   }
@@ -171,10 +171,10 @@ TEST(MeshCorrection, InertiaIsLoweredByWhatTimeStepsAdd) {
         q.head<2>() = direction.dot(model.blocks[static_cast<std::size_t>(block)].moments.centroid) * particles;
         return q;
       };
-      const InterfaceInertia inertia = mesh_inertia(model, interface, error, dt);
+      const InterfaceMatrices inertia = mesh_inertia(model, interface, error, dt);
       const Vec6 a = motion(interface.block_a);
       const Vec6 b = motion(interface.block_b);
-      sum += energy({inertia.aa, inertia.bb, inertia.ba}, a, b) / 2;
+      sum += energy(inertia, a, b) / 2;
     }
     const Vec6 q = strained(direction.x() * particles.x(), direction.y() * particles.y(),
                             direction.x() * particles.y() + direction.y() * particles.x());
@@ -200,7 +200,7 @@ TEST(MeshCorrection, ChainsAreCorrectedAsBars) {
   const Vec6 strain = strained(n.x() * n.x() - nu * t.x() * t.x(), n.y() * n.y() - nu * t.y() * t.y(),
                                2 * (n.x() * n.y() - nu * t.x() * t.y()));
   const Vec6 moved = (Vec6() << n, 0, 0, 0, 0).finished();
-  const InterfaceInertia between = mesh_inertia(model, interface, error, dt);
+  const InterfaceMatrices between = mesh_inertia(model, interface, error, dt);
   const double sum = moved.dot(between.bb * moved) - strain.dot(axial_reduction(model, 0, n, 1, error, dt) * strain);
   EXPECT_NEAR(sum, -error * dt * dt * modulus * height, 1e-12 * error * dt * dt * modulus);
 }
@@ -256,9 +256,9 @@ TEST(MeshCorrection, LeavesStiffnessToEveryMotion) {
     Eigen::MatrixXd jumps = Eigen::MatrixXd::Zero(size, size);
     const ContactSet contacts = make_contacts(model);
     for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-      const InterfaceStiffness own = stiffness_of(contacts.elements[i], Vec4::Ones());
+      const InterfaceMatrices own = stiffness_of(contacts.elements[i], Vec4::Ones());
       add_pair(contacts.interfaces[i], own.aa, own.bb, own.ba, before);
-      const InterfaceStiffness jump = jump_stiffness(model, contacts.interfaces[i]);
+      const InterfaceMatrices jump = jump_stiffness(model, contacts.interfaces[i]);
       add_pair(contacts.interfaces[i], jump.aa, jump.bb, jump.ba, jumps);
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(before);
@@ -285,7 +285,7 @@ TEST(MeshCorrection, LeavesInertiaAtAnyStep) {
     }
     for (const Interface& interface : find_interfaces(model)) {
       if (interface.length == 0) continue;
-      const InterfaceInertia between = mesh_inertia(model, interface, 1.0 / 6, 1e3);
+      const InterfaceMatrices between = mesh_inertia(model, interface, 1.0 / 6, 1e3);
       add_pair(interface, between.aa, between.bb, between.ba, lowered);
     }
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> shares(lowered, own, Eigen::EigenvaluesOnly);

@@ -83,14 +83,16 @@ void lower_strains(const Model& model, const Stage& stage, const BlockTerms& ter
   }
 }
 
+void add(const InterfaceElement& element, const InterfaceMatrices& part, BlockMatrix& sum) {
+  sum.diagonal(element.block_a) += part.aa;
+  sum.diagonal(element.block_b) += part.bb;
+  sum.add_coupling(element.block_b, element.block_a, part.ba);
+}
+
 void soften_jumps(const Model& model, const ContactSet& contacts, BlockMatrix& stiffness) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (!is_in_mesh(model, element)) continue;
-    const InterfaceStiffness jump = jump_stiffness(model, contacts.interfaces[i]);
-    stiffness.diagonal(element.block_a) += jump.aa;
-    stiffness.diagonal(element.block_b) += jump.bb;
-    stiffness.add_coupling(element.block_b, element.block_a, jump.ba);
+    if (is_in_mesh(model, element)) add(element, jump_stiffness(model, contacts.interfaces[i]), stiffness);
   }
 }
 
@@ -106,12 +108,10 @@ BlockMatrix make_inertia(const Model& model, const Stage& stage, const BlockTerm
     const InterfaceElement& element = contacts.elements[i];
     if (!has_inertia(model, element, error)) continue;
     const Interface& interface = contacts.interfaces[i];
-    const InterfaceInertia between = element.law == InterfaceLaw::cubic
-                                         ? interface_inertia(model, interface, error, stage.dt)
-                                         : mesh_inertia(model, interface, error, stage.dt);
-    inertia.diagonal(element.block_a) += between.aa;
-    inertia.diagonal(element.block_b) += between.bb;
-    inertia.add_coupling(element.block_b, element.block_a, between.ba);
+    add(element,
+        element.law == InterfaceLaw::cubic ? interface_inertia(model, interface, error, stage.dt)
+                                           : mesh_inertia(model, interface, error, stage.dt),
+        inertia);
   }
   if (error != 0) lower_strains(model, stage, terms, contacts, inertia);
   for (const ChainEnd& end : contacts.chain_ends)

@@ -43,7 +43,7 @@ BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pair
 void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
                  BlockMatrix& matrix) {
   if (mask.isZero(0) && !has_stress_rows(element)) return;  // open
-  const InterfaceStiffness k = stiffness_of(element, mask);
+  const InterfaceMatrices k = stiffness_of(element, mask);
   if (in_a) matrix.diagonal(element.block_a) += factor * k.aa;
   if (in_b) matrix.diagonal(element.block_b) += factor * k.bb;
   if (in_a && in_b) matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);

@@ -17,6 +17,7 @@
 #include "dda/advice/advice.h"
 #include "dda/advice/half_row.h"
 #include "dda/contact/contact_models.h"
+#include "dda/scene/scheme.h"
 #include "verification/cases/open_field.h"
 #include "verification/exact/joint_waves.h"
 #include "verification/exact/signal.h"
@@ -291,11 +292,12 @@ dda::JointMaterial springs(double over_young) {
 }  // namespace
 
 std::vector<Case> advised_wave_cases() {
+  const dda::Stage preset = dda::preset_stage({}, dda::Kinematics::small, true);
   const std::vector<Steps> steps{{dda::thesis_integrator(), 40},
                                  {dda::hht_integrator(0.1), 24},
                                  {dda::generalized_alpha_integrator(0.8), 16},
                                  {dda::trapezoidal_integrator(), 30},
-                                 {dda::generalized_alpha_integrator(0.85), 20, true}};  // as scenes have it
+                                 {preset.integrator, 20, true}};
   const std::vector<Steps> two{steps[0], steps[2]};
   const std::vector<Steps> three{steps[0], steps[2], steps[4]};
   const auto passing = [](const Mesh& mesh, const std::vector<double>& directions, const std::vector<Steps>& all) {

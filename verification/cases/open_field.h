@@ -8,7 +8,7 @@
 #include "dda/advice/plane_wave.h"
 #include "dda/core/counters.h"
 #include "dda/model/model.h"
-#include "verification/cases/bloch.h"
+#include "verification/cases/periodic_mesh.h"
 
 namespace verify {
 

@@ -3,12 +3,13 @@
 #include <array>
 #include <stdexcept>
 
+#include "dda/scene/scheme.h"
+
 namespace verify {
 namespace {
 
 constexpr std::array<std::string_view, 5> names = {"thesis", "classical_trapezoidal", "consistent", "accurate",
                                                    "accurate_strip"};
-constexpr double rho_inf = 0.85;  // the engine's default in bonded scenes
 
 dda::JointMaterial joint_of(const ThesisBar& bar, dda::InterfaceLaw law, bool bonded) {
   dda::JointMaterial joint;
@@ -64,7 +65,7 @@ SchemeSettings accurate(const ThesisBar& bar) {
                         "corrected in the inertia, no lateral inertia (elementary bar theory, as the analytic "
                         "solution has it); stress of the reconstruction at 50 m.",
                         joint_of(bar, dda::InterfaceLaw::cubic, true),
-                        small_motion(dda::generalized_alpha_integrator(rho_inf))};
+                        small_motion(dda::preset_stage({}, dda::Kinematics::small, true).integrator)};
   scheme.stage.correct_time_dispersion = true;
   scheme.stage.lateral_inertia = false;
   return scheme;

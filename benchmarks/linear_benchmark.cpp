@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "dda/linear/cholesky_solver.h"
-#include "dda/linear/pcg_solver.h"
+#include "engine/linear/cholesky_solver.h"
+#include "engine/linear/pcg_solver.h"
 
 namespace dda {
 namespace {

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/contact/open_close.h"
-#include "dda/simulation/linear_operators.h"
-#include "dda/simulation/simulation.h"
-#include "dda/simulation/system_matrix.h"
+#include "engine/contact/contact_set.h"
+#include "engine/contact/open_close.h"
+#include "engine/simulation/linear_operators.h"
+#include "engine/simulation/simulation.h"
+#include "engine/simulation/system_matrix.h"
 #include "scenes.h"
 
 namespace dda::benchmarks {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "dda/scene/generators.h"
+#include "engine/scene/generators.h"
 
 namespace dda::benchmarks {
 namespace {

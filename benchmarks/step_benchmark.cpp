@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "dda/core/allocation_counter.h"
-#include "dda/simulation/simulation.h"
+#include "engine/core/allocation_counter.h"
+#include "engine/simulation/simulation.h"
 #include "scenes.h"
 
 namespace dda::benchmarks {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "scenes.h"
 
 namespace {

@@ -31,11 +31,8 @@ target_compile_options(dda_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -
   -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wnull-dereference -Wdouble-promotion
   $<$<BOOL:${DDA_WERROR}>:-Werror>)
 
-# Headers are included as "dda/FOLDER/file.h" in the tree and after installation alike, those of verification as
-# "verification/FOLDER/file.h". Who may include whom is checked by ci/check-layers.
-file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/include")
-file(CREATE_LINK "${CMAKE_SOURCE_DIR}/engine" "${CMAKE_BINARY_DIR}/include/dda" SYMBOLIC)
-file(CREATE_LINK "${CMAKE_SOURCE_DIR}/verification" "${CMAKE_BINARY_DIR}/include/verification" SYMBOLIC)
+# Headers are included by their path in the repository: "engine/FOLDER/file.h", "verification/FOLDER/file.h". Who may
+# include whom is checked by ci/check-layers.
 
 add_custom_target(unit_tests)
 
@@ -59,8 +56,8 @@ function(dda_module NAME)
   add_library(dda::${NAME} ALIAS dda_${NAME})
   list(TRANSFORM ARG_DEPENDS PREPEND "dda::")
   target_link_libraries(dda_${NAME} ${scope} Eigen3::Eigen ${ARG_DEPENDS} ${ARG_LINK})
-  target_include_directories(dda_${NAME} ${scope} $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_include_directories(dda_${NAME} ${scope} $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/dda>)
   set_target_properties(dda_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   set_property(GLOBAL APPEND PROPERTY DDA_MODULES dda_${NAME})
   if(tests AND BUILD_TESTING)

@@ -1,7 +1,7 @@
 // The least a program outside this repository does: read a scene, run it, look at the result. The bar falls freely, so
 // its velocity after 0.01 s is -g t; 1e-9 of it is far above round-off over 100 steps, far below any wrong step.
-#include <dda/scene/scene.h>
-#include <dda/simulation/simulation.h>
+#include <engine/scene/scene.h>
+#include <engine/simulation/simulation.h>
 
 #include <cmath>
 

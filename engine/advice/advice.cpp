@@ -1,4 +1,4 @@
-#include "dda/advice/advice.h"
+#include "engine/advice/advice.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "dda/advice/load_history.h"
-#include "dda/simulation/block_terms.h"
-#include "dda/simulation/system_matrix.h"
+#include "engine/advice/load_history.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/system_matrix.h"
 
 namespace dda {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "dda/advice/cost.h"
-#include "dda/advice/limits.h"
-#include "dda/advice/wave_errors.h"
-#include "dda/simulation/simulation.h"
+#include "engine/advice/cost.h"
+#include "engine/advice/limits.h"
+#include "engine/advice/wave_errors.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

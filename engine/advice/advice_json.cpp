@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "dda/advice/advice.h"
+#include "engine/advice/advice.h"
 
 namespace dda {
 namespace {

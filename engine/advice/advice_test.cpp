@@ -1,11 +1,11 @@
-#include "dda/advice/advice.h"
+#include "engine/advice/advice.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "dda/advice/lattice_test_support.h"
+#include "engine/advice/lattice_test_support.h"
 
 namespace dda {
 namespace {

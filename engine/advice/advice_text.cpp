@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <iterator>
 
-#include "dda/advice/advice.h"
+#include "engine/advice/advice.h"
 
 namespace dda {
 namespace {

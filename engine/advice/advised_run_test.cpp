@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/advice/advice.h"
-#include "dda/advice/lattice_test_support.h"
-#include "dda/advice/wave_errors.h"
-#include "dda/simulation/simulation.h"
+#include "engine/advice/advice.h"
+#include "engine/advice/lattice_test_support.h"
+#include "engine/advice/wave_errors.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/advice/arrival.h"
+#include "engine/advice/arrival.h"
 
 #include <algorithm>
 #include <cmath>

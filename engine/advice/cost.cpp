@@ -1,4 +1,4 @@
-#include "dda/advice/cost.h"
+#include "engine/advice/cost.h"
 
 #include <algorithm>
 #include <cmath>

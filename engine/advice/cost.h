@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "dda/contact/contact_set.h"
-#include "dda/linear/block_matrix.h"
-#include "dda/linear/cholesky_solver.h"
-#include "dda/simulation/step_plan.h"
+#include "engine/contact/contact_set.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/linear/cholesky_solver.h"
+#include "engine/simulation/step_plan.h"
 
 namespace dda {
 

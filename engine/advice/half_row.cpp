@@ -1,4 +1,4 @@
-#include "dda/advice/half_row.h"
+#include "engine/advice/half_row.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "dda/terms/load.h"
+#include "engine/terms/load.h"
 
 namespace dda {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "dda/advice/plane_wave.h"
+#include "engine/advice/plane_wave.h"
 
 namespace dda {
 

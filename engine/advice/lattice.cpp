@@ -1,4 +1,4 @@
-#include "dda/advice/lattice.h"
+#include "engine/advice/lattice.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "dda/contact/joint_stiffness.h"
-#include "dda/simulation/linear_operators.h"
+#include "engine/contact/joint_stiffness.h"
+#include "engine/simulation/linear_operators.h"
 
 namespace dda {
 namespace {

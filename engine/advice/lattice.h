@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/geometry/polygon.h"
-#include "dda/model/model.h"
+#include "engine/contact/contact_set.h"
+#include "engine/geometry/polygon.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,10 +1,10 @@
-#include "dda/advice/lattice.h"
+#include "engine/advice/lattice.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dda/advice/lattice_test_support.h"
+#include "engine/advice/lattice_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,8 +1,8 @@
 // For tests: scenes of blocks that repeat themselves.
 #pragma once
 
-#include "dda/advice/lattice.h"
-#include "dda/contact/contact_models.h"
+#include "engine/advice/lattice.h"
+#include "engine/contact/contact_models.h"
 
 namespace dda {
 

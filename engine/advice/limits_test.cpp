@@ -1,4 +1,4 @@
-#include "dda/advice/limits.h"
+#include "engine/advice/limits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dda/advice/load_history.h"
+#include "engine/advice/load_history.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "dda/advice/load_trace.h"
+#include "engine/advice/load_trace.h"
 
 namespace dda {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "dda/advice/wave_errors.h"
-#include "dda/model/model.h"
+#include "engine/advice/wave_errors.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

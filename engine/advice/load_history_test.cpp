@@ -1,11 +1,11 @@
-#include "dda/advice/load_history.h"
+#include "engine/advice/load_history.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "dda/contact/contact_models.h"
+#include "engine/contact/contact_models.h"
 
 namespace dda {
 namespace {

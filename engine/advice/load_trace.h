@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "dda/advice/time_steps.h"
+#include "engine/advice/time_steps.h"
 
 namespace dda {
 

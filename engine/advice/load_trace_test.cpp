@@ -1,4 +1,4 @@
-#include "dda/advice/load_trace.h"
+#include "engine/advice/load_trace.h"
 
 #include <gtest/gtest.h>
 

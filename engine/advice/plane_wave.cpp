@@ -1,4 +1,4 @@
-#include "dda/advice/plane_wave.h"
+#include "engine/advice/plane_wave.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "dda/contact/cubic_law.h"
+#include "engine/contact/cubic_law.h"
 
 namespace dda {
 

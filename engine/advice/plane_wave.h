@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "dda/advice/lattice.h"
-#include "dda/advice/time_steps.h"
+#include "engine/advice/lattice.h"
+#include "engine/advice/time_steps.h"
 
 namespace dda {
 

@@ -1,14 +1,14 @@
 // Waves in lattices against the continuum they stand for, and the two ways to a wave against each other. Against closed
 // forms of chains: verification/sweep.
-#include "dda/advice/plane_wave.h"
+#include "engine/advice/plane_wave.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "dda/advice/half_row.h"
-#include "dda/advice/lattice_test_support.h"
+#include "engine/advice/half_row.h"
+#include "engine/advice/lattice_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/advice/time_steps.h"
+#include "engine/advice/time_steps.h"
 
 namespace dda {
 

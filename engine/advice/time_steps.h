@@ -4,7 +4,7 @@
 #include <complex>
 #include <optional>
 
-#include "dda/model/settings.h"
+#include "engine/model/settings.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/advice/wave_errors.h"
+#include "engine/advice/wave_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "dda/advice/half_row.h"
-#include "dda/advice/load_trace.h"
+#include "engine/advice/half_row.h"
+#include "engine/advice/load_trace.h"
 
 namespace dda {
 namespace {

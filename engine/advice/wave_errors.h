@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "dda/advice/arrival.h"
-#include "dda/advice/lattice.h"
-#include "dda/advice/plane_wave.h"
+#include "engine/advice/arrival.h"
+#include "engine/advice/lattice.h"
+#include "engine/advice/plane_wave.h"
 
 namespace dda {
 

@@ -1,10 +1,10 @@
-#include "dda/app/advise_command.h"
+#include "engine/app/advise_command.h"
 
 #include <ostream>
 
-#include "dda/core/error.h"
-#include "dda/scene/scene.h"
-#include "dda/simulation/simulation.h"
+#include "engine/core/error.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

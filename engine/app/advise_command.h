@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iosfwd>
 
-#include "dda/advice/advice.h"
+#include "engine/advice/advice.h"
 
 namespace dda {
 

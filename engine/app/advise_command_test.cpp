@@ -1,4 +1,4 @@
-#include "dda/app/advise_command.h"
+#include "engine/app/advise_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <sstream>
 #include <vector>
 
-#include "dda/app/app_test_support.h"
-#include "dda/app/command_line.h"
+#include "engine/app/app_test_support.h"
+#include "engine/app/command_line.h"
 
 namespace dda {
 namespace {

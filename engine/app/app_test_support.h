@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "dda/core/temporary_folder.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/app/command_line.h"
+#include "engine/app/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -9,13 +9,13 @@
 #include <ostream>
 #include <string>
 
-#include "dda/app/advise_command.h"
-#include "dda/app/run_command.h"
-#include "dda/app/scene_report.h"
-#include "dda/app/view_command.h"
-#include "dda/core/error.h"
-#include "dda/core/quantity.h"
-#include "dda/scene/scene.h"
+#include "engine/app/advise_command.h"
+#include "engine/app/run_command.h"
+#include "engine/app/scene_report.h"
+#include "engine/app/view_command.h"
+#include "engine/core/error.h"
+#include "engine/core/quantity.h"
+#include "engine/scene/scene.h"
 
 namespace dda {
 namespace {

@@ -1,11 +1,11 @@
-#include "dda/app/command_line.h"
+#include "engine/app/command_line.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "dda/app/command_line_test_support.h"
-#include "dda/scene/scene.h"
+#include "engine/app/command_line_test_support.h"
+#include "engine/scene/scene.h"
 
 namespace dda {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "dda/app/app_test_support.h"
-#include "dda/app/command_line.h"
+#include "engine/app/app_test_support.h"
+#include "engine/app/command_line.h"
 
 namespace dda {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/app/command_line_test_support.h"
+#include "engine/app/command_line_test_support.h"
 
 namespace dda {
 namespace {

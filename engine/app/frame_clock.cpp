@@ -1,4 +1,4 @@
-#include "dda/app/frame_clock.h"
+#include "engine/app/frame_clock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "dda/model/model.h"
-#include "dda/record/summary.h"
+#include "engine/model/model.h"
+#include "engine/record/summary.h"
 
 namespace dda {
 

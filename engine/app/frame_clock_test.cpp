@@ -1,8 +1,8 @@
-#include "dda/app/frame_clock.h"
+#include "engine/app/frame_clock.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/model/settings.h"
+#include "engine/model/settings.h"
 
 namespace dda {
 namespace {

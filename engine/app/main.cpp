@@ -1,5 +1,5 @@
 #include <iostream>
 
-#include "dda/app/command_line.h"
+#include "engine/app/command_line.h"
 
 int main(int argc, char** argv) { return dda::run_command_line(argc, argv, std::cout, std::cerr); }

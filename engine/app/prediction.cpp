@@ -1,12 +1,12 @@
-#include "dda/app/prediction.h"
+#include "engine/app/prediction.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
-#include "dda/contact/cubic_law.h"
-#include "dda/contact/mesh_correction.h"
+#include "engine/contact/cubic_law.h"
+#include "engine/contact/mesh_correction.h"
 
 namespace dda {
 namespace {

@@ -2,7 +2,7 @@
 // speed, cause by cause. README.md has the formulas.
 #pragma once
 
-#include "dda/model/settings.h"
+#include "engine/model/settings.h"
 
 namespace dda {
 

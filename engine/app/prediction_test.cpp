@@ -1,4 +1,4 @@
-#include "dda/app/prediction.h"
+#include "engine/app/prediction.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "dda/contact/cubic_law.h"
+#include "engine/contact/cubic_law.h"
 
 namespace dda {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "dda/app/app_test_support.h"
+#include "engine/app/app_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/app/recording_report.h"
+#include "engine/app/recording_report.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/app/run_command.h"
+#include "engine/app/run_command.h"
 
 #include <fmt/format.h>
 
@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "dda/app/frame_clock.h"
-#include "dda/app/run_files.h"
-#include "dda/app/run_position.h"
-#include "dda/app/stop_signal.h"
-#include "dda/core/error.h"
-#include "dda/record/progress.h"
-#include "dda/scene/scene.h"
-#include "dda/simulation/probes.h"
-#include "dda/simulation/simulation.h"
+#include "engine/app/frame_clock.h"
+#include "engine/app/run_files.h"
+#include "engine/app/run_position.h"
+#include "engine/app/stop_signal.h"
+#include "engine/core/error.h"
+#include "engine/record/progress.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {

@@ -1,9 +1,9 @@
-#include "dda/app/run_files.h"
+#include "engine/app/run_files.h"
 
 #include <string_view>
 #include <utility>
 
-#include "dda/model/quantity_names.h"
+#include "engine/model/quantity_names.h"
 
 namespace dda {
 namespace {

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "dda/app/frame_clock.h"
-#include "dda/app/run_position.h"
-#include "dda/record/bolt_frame_writer.h"
-#include "dda/record/contact_frame_writer.h"
-#include "dda/record/frame_writer.h"
-#include "dda/record/history_writer.h"
-#include "dda/record/summary.h"
-#include "dda/simulation/probes.h"
-#include "dda/simulation/simulation.h"
+#include "engine/app/frame_clock.h"
+#include "engine/app/run_position.h"
+#include "engine/record/bolt_frame_writer.h"
+#include "engine/record/contact_frame_writer.h"
+#include "engine/record/frame_writer.h"
+#include "engine/record/history_writer.h"
+#include "engine/record/summary.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

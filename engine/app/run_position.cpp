@@ -1,13 +1,13 @@
-#include "dda/app/run_position.h"
+#include "engine/app/run_position.h"
 
 #include <cstddef>
 #include <cstring>
 #include <span>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/record/checkpoint.h"
-#include "dda/simulation/snapshot.h"
+#include "engine/core/error.h"
+#include "engine/record/checkpoint.h"
+#include "engine/simulation/snapshot.h"
 
 namespace dda {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/app/scene_report.h"
+#include "engine/app/scene_report.h"
 
 #include <fmt/format.h>
 
@@ -13,21 +13,21 @@
 #include <numbers>
 #include <vector>
 
-#include "dda/advice/advice.h"
-#include "dda/advice/load_history.h"
-#include "dda/app/recording_report.h"
-#include "dda/app/stiffness_report.h"
-#include "dda/app/wave_survey.h"
-#include "dda/contact/contact_set.h"
-#include "dda/geometry/box.h"
-#include "dda/linear/cholesky_solver.h"
-#include "dda/model/free_field_side.h"
-#include "dda/model/quantity_names.h"
-#include "dda/simulation/block_terms.h"
-#include "dda/simulation/probes.h"
-#include "dda/simulation/simulation.h"
-#include "dda/simulation/step_plan.h"
-#include "dda/simulation/system_matrix.h"
+#include "engine/advice/advice.h"
+#include "engine/advice/load_history.h"
+#include "engine/app/recording_report.h"
+#include "engine/app/stiffness_report.h"
+#include "engine/app/wave_survey.h"
+#include "engine/contact/contact_set.h"
+#include "engine/geometry/box.h"
+#include "engine/linear/cholesky_solver.h"
+#include "engine/model/free_field_side.h"
+#include "engine/model/quantity_names.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation.h"
+#include "engine/simulation/step_plan.h"
+#include "engine/simulation/system_matrix.h"
 
 namespace dda {
 namespace {

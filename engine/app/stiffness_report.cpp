@@ -1,9 +1,9 @@
-#include "dda/app/stiffness_report.h"
+#include "engine/app/stiffness_report.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/contact/contact_set.h"
+#include "engine/contact/contact_set.h"
 
 namespace dda {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "dda/contact/joint_stiffness.h"
-#include "dda/model/model.h"
+#include "engine/contact/joint_stiffness.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/app/stop_signal.h"
+#include "engine/app/stop_signal.h"
 
 #include <signal.h>
 

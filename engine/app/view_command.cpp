@@ -1,4 +1,4 @@
-#include "dda/app/view_command.h"
+#include "engine/app/view_command.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <ostream>
 #include <system_error>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/view/page.h"
-#include "dda/view/quantities.h"
-#include "dda/view/run_facts.h"
-#include "dda/view/svg_picture.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/view/page.h"
+#include "engine/view/quantities.h"
+#include "engine/view/run_facts.h"
+#include "engine/view/svg_picture.h"
 
 namespace dda {
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "dda/app/command_line_test_support.h"
-#include "dda/app/run_files.h"
-#include "dda/scene/scene.h"
-#include "dda/view/run_results.h"
+#include "engine/app/command_line_test_support.h"
+#include "engine/app/run_files.h"
+#include "engine/scene/scene.h"
+#include "engine/view/run_results.h"
 
 namespace dda {
 namespace {

@@ -1,11 +1,11 @@
-#include "dda/app/wave_survey.h"
+#include "engine/app/wave_survey.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "dda/contact/cubic_law.h"
-#include "dda/contact/mesh_correction.h"
+#include "engine/contact/cubic_law.h"
+#include "engine/contact/mesh_correction.h"
 
 namespace dda {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dda/app/prediction.h"
-#include "dda/contact/contact_set.h"
-#include "dda/model/model.h"
+#include "engine/app/prediction.h"
+#include "engine/contact/contact_set.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/app/wave_survey.h"
+#include "engine/app/wave_survey.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "dda/scene/scene.h"
-#include "dda/simulation/probes.h"
-#include "dda/simulation/simulation.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {

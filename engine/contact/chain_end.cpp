@@ -1,9 +1,9 @@
-#include "dda/contact/chain_end.h"
+#include "engine/contact/chain_end.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "dda/contact/cubic_law.h"
+#include "engine/contact/cubic_law.h"
 
 namespace dda {
 namespace {

@@ -19,10 +19,10 @@
 #include <numbers>
 #include <vector>
 
-#include "dda/contact/interface.h"
-#include "dda/contact/interface_element.h"
-#include "dda/core/types.h"
-#include "dda/model/model.h"
+#include "engine/contact/interface.h"
+#include "engine/contact/interface_element.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

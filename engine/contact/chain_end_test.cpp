@@ -1,5 +1,5 @@
 // The half blocks at the free ends of cubic chains.
-#include "dda/contact/chain_end.h"
+#include "engine/contact/chain_end.h"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@
 #include <array>
 #include <cmath>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_set.h"
-#include "dda/contact/cubic_law.h"
-#include "dda/scene/generators.h"
-#include "dda/terms/elasticity.h"
-#include "dda/terms/inertia.h"
-#include "dda/terms/load.h"
-#include "dda/terms/potential_check.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_set.h"
+#include "engine/contact/cubic_law.h"
+#include "engine/scene/generators.h"
+#include "engine/terms/elasticity.h"
+#include "engine/terms/inertia.h"
+#include "engine/terms/load.h"
+#include "engine/terms/potential_check.h"
 
 namespace dda {
 namespace {

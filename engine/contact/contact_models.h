@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "dda/geometry/polygon.h"
-#include "dda/geometry/rotation.h"
-#include "dda/model/model.h"
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/rotation.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/contact/contact_pieces.h"
+#include "engine/contact/contact_pieces.h"
 
 #include <cmath>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-#include "dda/contact/open_close.h"
+#include "engine/contact/open_close.h"
 
 namespace dda {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "dda/contact/contact_pieces.h"
-#include "dda/contact/open_close_models.h"
+#include "engine/contact/contact_pieces.h"
+#include "engine/contact/open_close_models.h"
 
 namespace dda {
 namespace {

@@ -1,9 +1,9 @@
-#include "dda/contact/contact_points.h"
+#include "engine/contact/contact_points.h"
 
 #include <array>
 #include <cstddef>
 
-#include "dda/contact/contact_set.h"
+#include "engine/contact/contact_set.h"
 
 namespace dda {
 namespace {

@@ -1,9 +1,9 @@
-#include "dda/contact/contact_points.h"
+#include "engine/contact/contact_points.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_set.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_set.h"
 
 namespace dda {
 namespace {

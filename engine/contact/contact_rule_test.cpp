@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "dda/contact/open_close.h"
+#include "engine/contact/open_close.h"
 
 namespace dda {
 namespace {

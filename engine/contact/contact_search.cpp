@@ -1,10 +1,10 @@
-#include "dda/contact/contact_search.h"
+#include "engine/contact/contact_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "dda/geometry/box_pairs.h"
+#include "engine/geometry/box_pairs.h"
 
 namespace dda {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/outlines.h"
-#include "dda/contact/vertex_contact.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/contact/outlines.h"
+#include "engine/contact/vertex_contact.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

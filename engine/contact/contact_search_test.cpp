@@ -1,4 +1,4 @@
-#include "dda/contact/contact_search.h"
+#include "engine/contact/contact_search.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "dda/contact/contact_models.h"
+#include "engine/contact/contact_models.h"
 
 namespace dda {
 namespace {

@@ -1,9 +1,9 @@
-#include "dda/contact/contact_set.h"
+#include "engine/contact/contact_set.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/contact/cubic_law.h"
+#include "engine/contact/cubic_law.h"
 
 namespace dda {
 namespace {

@@ -4,12 +4,12 @@
 #include <array>
 #include <vector>
 
-#include "dda/contact/chain_end.h"
-#include "dda/contact/interface.h"
-#include "dda/contact/interface_element.h"
-#include "dda/contact/interface_state.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/contact/chain_end.h"
+#include "engine/contact/interface.h"
+#include "engine/contact/interface_element.h"
+#include "engine/contact/interface_state.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

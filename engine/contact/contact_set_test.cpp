@@ -1,10 +1,10 @@
-#include "dda/contact/contact_set.h"
+#include "engine/contact/contact_set.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dda/contact/contact_models.h"
+#include "engine/contact/contact_models.h"
 
 namespace dda {
 namespace {

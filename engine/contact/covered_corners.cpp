@@ -1,4 +1,4 @@
-#include "dda/contact/covered_corners.h"
+#include "engine/contact/covered_corners.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,8 +11,8 @@
 
 #include <vector>
 
-#include "dda/contact/outlines.h"
-#include "dda/contact/vertex_contact.h"
+#include "engine/contact/outlines.h"
+#include "engine/contact/vertex_contact.h"
 
 namespace dda {
 

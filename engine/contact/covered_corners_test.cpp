@@ -1,13 +1,13 @@
 // Corners of four blocks that meet in a point, or nearly.
-#include "dda/contact/covered_corners.h"
+#include "engine/contact/covered_corners.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_search.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_search.h"
 
 namespace dda {
 namespace {

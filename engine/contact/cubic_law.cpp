@@ -1,4 +1,4 @@
-#include "dda/contact/cubic_law.h"
+#include "engine/contact/cubic_law.h"
 
 #include <algorithm>
 #include <cmath>

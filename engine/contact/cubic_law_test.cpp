@@ -1,5 +1,5 @@
 // The cubic law against the cubic itself: Hermite interpolation between two centroids, integrated by Gauss quadrature.
-#include "dda/contact/cubic_law.h"
+#include "engine/contact/cubic_law.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <complex>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_set.h"
-#include "dda/scene/generators.h"
-#include "dda/terms/potential_check.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_set.h"
+#include "engine/scene/generators.h"
+#include "engine/terms/potential_check.h"
 
 namespace dda {
 namespace {

@@ -7,11 +7,11 @@
 #include <array>
 #include <string>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_set.h"
-#include "dda/scene/generators.h"
-#include "dda/terms/elasticity.h"
-#include "dda/terms/support.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_set.h"
+#include "engine/scene/generators.h"
+#include "engine/terms/elasticity.h"
+#include "engine/terms/support.h"
 
 namespace dda {
 namespace {

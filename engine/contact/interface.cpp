@@ -1,4 +1,4 @@
-#include "dda/contact/interface.h"
+#include "engine/contact/interface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "dda/contact/surface_joints.h"
-#include "dda/geometry/box.h"
-#include "dda/geometry/box_pairs.h"
-#include "dda/geometry/segment.h"
+#include "engine/contact/surface_joints.h"
+#include "engine/geometry/box.h"
+#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

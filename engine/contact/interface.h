@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/model/model.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

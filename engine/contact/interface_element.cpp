@@ -1,10 +1,10 @@
-#include "dda/contact/interface_element.h"
+#include "engine/contact/interface_element.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/contact/cubic_law.h"
-#include "dda/contact/joint_stiffness.h"
+#include "engine/contact/cubic_law.h"
+#include "engine/contact/joint_stiffness.h"
 
 namespace dda {
 namespace {

@@ -13,9 +13,9 @@
 // symmetric: the blocks' strains carry the extra forces strain_rows^T g, strain_rows = stress_rows * elasticity.
 #pragma once
 
-#include "dda/contact/interface.h"
-#include "dda/core/types.h"
-#include "dda/model/model.h"
+#include "engine/contact/interface.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,14 +1,14 @@
 // Stiffness and forces of an interface against its potential, written here from displacements at points alone.
-#include "dda/contact/interface_element.h"
+#include "engine/contact/interface_element.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_set.h"
-#include "dda/terms/potential_check.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_set.h"
+#include "engine/terms/potential_check.h"
 
 namespace dda {
 namespace {

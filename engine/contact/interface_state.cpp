@@ -1,4 +1,4 @@
-#include "dda/contact/interface_state.h"
+#include "engine/contact/interface_state.h"
 
 #include <cmath>
 #include <limits>

@@ -1,12 +1,12 @@
-#include "dda/contact/interface.h"
+#include "engine/contact/interface.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dda/contact/contact_models.h"
-#include "dda/scene/generators.h"
+#include "engine/contact/contact_models.h"
+#include "engine/scene/generators.h"
 
 namespace dda {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dda/contact/open_close_models.h"
+#include "engine/contact/open_close_models.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/contact/joint_stiffness.h"
+#include "engine/contact/joint_stiffness.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 // penetration_target of a block whatever lies above. The limit keeps half of the digits of a solve.
 #pragma once
 
-#include "dda/contact/interface.h"
-#include "dda/model/model.h"
+#include "engine/contact/interface.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,12 +1,12 @@
-#include "dda/contact/joint_stiffness.h"
+#include "engine/contact/joint_stiffness.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/interface_element.h"
-#include "dda/contact/moving_contacts.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/interface_element.h"
+#include "engine/contact/moving_contacts.h"
 
 namespace dda {
 namespace {

@@ -1,10 +1,10 @@
-#include "dda/contact/mesh_correction.h"
+#include "engine/contact/mesh_correction.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "dda/geometry/triangulate.h"
+#include "engine/geometry/triangulate.h"
 
 namespace dda {
 namespace {

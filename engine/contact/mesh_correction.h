@@ -21,10 +21,10 @@
 // Both are bounded, which K is not: at their caps short waves keep a third of their inertia, and strains a tenth.
 #pragma once
 
-#include "dda/contact/cubic_law.h"
-#include "dda/contact/interface.h"
-#include "dda/core/types.h"
-#include "dda/model/model.h"
+#include "engine/contact/cubic_law.h"
+#include "engine/contact/interface.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/contact/mesh_correction.h"
+#include "engine/contact/mesh_correction.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_set.h"
-#include "dda/terms/inertia.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_set.h"
+#include "engine/terms/inertia.h"
 
 namespace dda {
 namespace {

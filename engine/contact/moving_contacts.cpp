@@ -1,12 +1,12 @@
-#include "dda/contact/moving_contacts.h"
+#include "engine/contact/moving_contacts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include "dda/contact/covered_corners.h"
-#include "dda/model/tolerance.h"
+#include "engine/contact/covered_corners.h"
+#include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_search.h"
-#include "dda/contact/contact_set.h"
-#include "dda/contact/surface_joints.h"
-#include "dda/contact/vertex_contact.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/contact/contact_search.h"
+#include "engine/contact/contact_set.h"
+#include "engine/contact/surface_joints.h"
+#include "engine/contact/vertex_contact.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/contact/open_close.h"
+#include "engine/contact/open_close.h"
 
 #include <algorithm>
 #include <cmath>

@@ -16,9 +16,9 @@
 #include <array>
 #include <cstddef>
 
-#include "dda/contact/interface_element.h"
-#include "dda/contact/interface_state.h"
-#include "dda/core/types.h"
+#include "engine/contact/interface_element.h"
+#include "engine/contact/interface_state.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -1,7 +1,7 @@
 // For tests: one interface with two ends, taken to given gaps.
 #pragma once
 
-#include "dda/contact/open_close.h"
+#include "engine/contact/open_close.h"
 
 namespace dda {
 

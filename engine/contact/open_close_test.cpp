@@ -1,4 +1,4 @@
-#include "dda/contact/open_close.h"
+#include "engine/contact/open_close.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_set.h"
-#include "dda/contact/open_close_models.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_set.h"
+#include "engine/contact/open_close_models.h"
 
 namespace dda {
 namespace {

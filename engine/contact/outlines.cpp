@@ -1,4 +1,4 @@
-#include "dda/contact/outlines.h"
+#include "engine/contact/outlines.h"
 
 #include <cstddef>
 

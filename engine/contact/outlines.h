@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/geometry/box.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/core/types.h"
+#include "engine/geometry/box.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "dda/contact/interface_element.h"
-#include "dda/core/types.h"
+#include "engine/contact/interface_element.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

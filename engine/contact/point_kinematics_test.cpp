@@ -1,11 +1,11 @@
-#include "dda/contact/point_kinematics.h"
+#include "engine/contact/point_kinematics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
-#include "dda/contact/contact_set.h"
+#include "engine/contact/contact_set.h"
 
 namespace dda {
 namespace {

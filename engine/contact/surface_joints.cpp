@@ -1,9 +1,9 @@
-#include "dda/contact/surface_joints.h"
+#include "engine/contact/surface_joints.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/model/tolerance.h"
+#include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {

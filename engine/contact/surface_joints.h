@@ -8,10 +8,10 @@
 
 #include <vector>
 
-#include "dda/contact/outlines.h"
-#include "dda/contact/vertex_contact.h"
-#include "dda/geometry/segment.h"
-#include "dda/model/model.h"
+#include "engine/contact/outlines.h"
+#include "engine/contact/vertex_contact.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/contact/surface_joints.h"
+#include "engine/contact/surface_joints.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "dda/contact/contact_models.h"
-#include "dda/contact/contact_search.h"
-#include "dda/contact/contact_set.h"
+#include "engine/contact/contact_models.h"
+#include "engine/contact/contact_search.h"
+#include "engine/contact/contact_set.h"
 
 namespace dda {
 namespace {

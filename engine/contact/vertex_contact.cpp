@@ -1,4 +1,4 @@
-#include "dda/contact/vertex_contact.h"
+#include "engine/contact/vertex_contact.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-#include "dda/contact/outlines.h"
-#include "dda/core/types.h"
+#include "engine/contact/outlines.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/contact/vertex_contact.h"
+#include "engine/contact/vertex_contact.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
-#include "dda/contact/contact_models.h"
-#include "dda/geometry/random_polygon.h"
+#include "engine/contact/contact_models.h"
+#include "engine/geometry/random_polygon.h"
 
 namespace dda {
 namespace {

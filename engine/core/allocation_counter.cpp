@@ -1,4 +1,4 @@
-#include "dda/core/allocation_counter.h"
+#include "engine/core/allocation_counter.h"
 
 #include <atomic>
 #include <cerrno>

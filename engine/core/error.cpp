@@ -1,4 +1,4 @@
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

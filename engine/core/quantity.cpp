@@ -1,4 +1,4 @@
-#include "dda/core/quantity.h"
+#include "engine/core/quantity.h"
 
 #include <array>
 #include <charconv>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <system_error>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

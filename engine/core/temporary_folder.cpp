@@ -1,4 +1,4 @@
-#include "dda/core/temporary_folder.h"
+#include "engine/core/temporary_folder.h"
 
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "dda/geometry/polygon.h"
+#include "engine/geometry/polygon.h"
 
 namespace dda {
 

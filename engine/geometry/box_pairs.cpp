@@ -1,4 +1,4 @@
-#include "dda/geometry/box_pairs.h"
+#include "engine/geometry/box_pairs.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/geometry/box.h"
+#include "engine/geometry/box.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/geometry/box_pairs.h"
+#include "engine/geometry/box_pairs.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "dda/geometry/random_polygon.h"
+#include "engine/geometry/random_polygon.h"
 
 namespace dda {
 namespace {

@@ -1,11 +1,11 @@
-#include "dda/geometry/overlap.h"
+#include "engine/geometry/overlap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "dda/geometry/box.h"
-#include "dda/geometry/segment.h"
+#include "engine/geometry/box.h"
+#include "engine/geometry/segment.h"
 
 // With E(B) the part of B deeper than the tolerance, A and E(B) meet if and only if an edge of A meets E(B) or, no edge
 // of A entering E(B), A holds a whole component of E(B). The first is decided on each edge: what the strips of

@@ -1,7 +1,7 @@
 // Whether two polygons occupy the same ground.
 #pragma once
 
-#include "dda/geometry/polygon.h"
+#include "engine/geometry/polygon.h"
 
 namespace dda {
 

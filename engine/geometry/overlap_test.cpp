@@ -1,4 +1,4 @@
-#include "dda/geometry/overlap.h"
+#include "engine/geometry/overlap.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "dda/geometry/random_polygon.h"
-#include "dda/geometry/rotation.h"
-#include "dda/geometry/segment.h"
+#include "engine/geometry/random_polygon.h"
+#include "engine/geometry/rotation.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

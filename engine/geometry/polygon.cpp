@@ -1,9 +1,9 @@
-#include "dda/geometry/polygon.h"
+#include "engine/geometry/polygon.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "dda/geometry/segment.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

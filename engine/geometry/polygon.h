@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "dda/geometry/box_pairs.h"
-#include "dda/geometry/polygon.h"
-#include "dda/geometry/segment.h"
+#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

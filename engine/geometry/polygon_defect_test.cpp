@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "dda/geometry/polygon.h"
-#include "dda/geometry/random_polygon.h"
-#include "dda/geometry/rotation.h"
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/random_polygon.h"
+#include "engine/geometry/rotation.h"
 
 namespace dda {
 namespace {

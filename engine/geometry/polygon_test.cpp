@@ -1,4 +1,4 @@
-#include "dda/geometry/polygon.h"
+#include "engine/geometry/polygon.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/geometry/box.h"
-#include "dda/geometry/random_polygon.h"
-#include "dda/geometry/rotation.h"
-#include "dda/geometry/segment.h"
+#include "engine/geometry/box.h"
+#include "engine/geometry/random_polygon.h"
+#include "engine/geometry/rotation.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

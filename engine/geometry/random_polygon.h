@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/geometry/polygon.h"
+#include "engine/geometry/polygon.h"
 
 namespace dda::random {
 

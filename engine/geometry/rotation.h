@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

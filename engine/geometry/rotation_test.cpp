@@ -1,12 +1,12 @@
-#include "dda/geometry/rotation.h"
+#include "engine/geometry/rotation.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <numbers>
 
-#include "dda/geometry/random_polygon.h"
-#include "dda/geometry/segment.h"
+#include "engine/geometry/random_polygon.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

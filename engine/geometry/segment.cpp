@@ -1,4 +1,4 @@
-#include "dda/geometry/segment.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -1,10 +1,10 @@
-#include "dda/geometry/segment.h"
+#include "engine/geometry/segment.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "dda/geometry/random_polygon.h"
-#include "dda/geometry/rotation.h"
+#include "engine/geometry/random_polygon.h"
+#include "engine/geometry/rotation.h"
 
 namespace dda {
 namespace {

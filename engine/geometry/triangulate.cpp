@@ -1,4 +1,4 @@
-#include "dda/geometry/triangulate.h"
+#include "engine/geometry/triangulate.h"
 
 #include <algorithm>
 #include <cmath>

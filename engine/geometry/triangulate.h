@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "dda/geometry/polygon.h"
+#include "engine/geometry/polygon.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/geometry/triangulate.h"
+#include "engine/geometry/triangulate.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "dda/geometry/segment.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

@@ -1,11 +1,11 @@
-#include "dda/linear/block_matrix.h"
+#include "engine/linear/block_matrix.h"
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
-#include "dda/linear/panel_product.h"
+#include "engine/linear/panel_product.h"
 
 namespace dda {
 namespace {

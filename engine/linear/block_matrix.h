@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/linear/block_part.h"
+#include "engine/core/types.h"
+#include "engine/linear/block_part.h"
 
 namespace dda {
 

@@ -1,12 +1,12 @@
-#include "dda/linear/block_matrix.h"
+#include "engine/linear/block_matrix.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "dda/linear/dense_solver.h"
-#include "dda/linear/permuted_triangle.h"
-#include "dda/linear/random_system.h"
+#include "engine/linear/dense_solver.h"
+#include "engine/linear/permuted_triangle.h"
+#include "engine/linear/random_system.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/linear/block_order.h"
+#include "engine/linear/block_order.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dda/linear/block_matrix.h"
+#include "engine/linear/block_matrix.h"
 
 namespace dda {
 

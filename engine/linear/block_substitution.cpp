@@ -1,8 +1,8 @@
-#include "dda/linear/block_substitution.h"
+#include "engine/linear/block_substitution.h"
 
 #include <utility>
 
-#include "dda/linear/triangular_inverse.h"
+#include "engine/linear/triangular_inverse.h"
 
 namespace dda {
 namespace {

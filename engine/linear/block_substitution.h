@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

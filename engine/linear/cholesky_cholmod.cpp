@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <new>
 
-#include "dda/linear/block_substitution.h"
-#include "dda/linear/cholesky_solver.h"
-#include "dda/linear/permuted_triangle.h"
-#include "dda/linear/pivot_test.h"
-#include "dda/linear/single_thread.h"
+#include "engine/linear/block_substitution.h"
+#include "engine/linear/cholesky_solver.h"
+#include "engine/linear/permuted_triangle.h"
+#include "engine/linear/pivot_test.h"
+#include "engine/linear/single_thread.h"
 
 namespace dda {
 namespace {

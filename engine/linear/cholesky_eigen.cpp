@@ -4,10 +4,10 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 
-#include "dda/linear/block_substitution.h"
-#include "dda/linear/cholesky_solver.h"
-#include "dda/linear/permuted_triangle.h"
-#include "dda/linear/pivot_test.h"
+#include "engine/linear/block_substitution.h"
+#include "engine/linear/cholesky_solver.h"
+#include "engine/linear/permuted_triangle.h"
+#include "engine/linear/pivot_test.h"
 
 namespace dda {
 namespace {

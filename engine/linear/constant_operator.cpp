@@ -1,4 +1,4 @@
-#include "dda/linear/constant_operator.h"
+#include "engine/linear/constant_operator.h"
 
 #include <cstddef>
 

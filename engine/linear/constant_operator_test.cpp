@@ -1,8 +1,8 @@
-#include "dda/linear/constant_operator.h"
+#include "engine/linear/constant_operator.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/linear/random_system.h"
+#include "engine/linear/random_system.h"
 
 namespace dda {
 namespace {

@@ -1,8 +1,8 @@
-#include "dda/linear/dense_solver.h"
+#include "engine/linear/dense_solver.h"
 
 #include <Eigen/Cholesky>
 
-#include "dda/linear/pivot_test.h"
+#include "engine/linear/pivot_test.h"
 
 namespace dda {
 

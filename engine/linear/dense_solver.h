@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "dda/linear/solver.h"
+#include "engine/linear/solver.h"
 
 namespace dda {
 

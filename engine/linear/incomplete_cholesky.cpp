@@ -1,12 +1,12 @@
-#include "dda/linear/incomplete_cholesky.h"
+#include "engine/linear/incomplete_cholesky.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "dda/linear/block_order.h"
-#include "dda/linear/small_inverse.h"
+#include "engine/linear/block_order.h"
+#include "engine/linear/small_inverse.h"
 
 namespace dda {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "dda/linear/block_matrix.h"
-#include "dda/linear/single_block.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/linear/single_block.h"
 
 namespace dda {
 

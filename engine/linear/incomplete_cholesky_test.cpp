@@ -1,4 +1,4 @@
-#include "dda/linear/incomplete_cholesky.h"
+#include "engine/linear/incomplete_cholesky.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <limits>
 #include <numeric>
 
-#include "dda/core/allocation_counter.h"
-#include "dda/linear/block_order.h"
-#include "dda/linear/dense_solver.h"
-#include "dda/linear/random_system.h"
+#include "engine/core/allocation_counter.h"
+#include "engine/linear/block_order.h"
+#include "engine/linear/dense_solver.h"
+#include "engine/linear/random_system.h"
 
 namespace dda {
 namespace {

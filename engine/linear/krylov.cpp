@@ -1,4 +1,4 @@
-#include "dda/linear/krylov.h"
+#include "engine/linear/krylov.h"
 
 #include <cstddef>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dda/core/status.h"
+#include "engine/core/status.h"
 
 namespace dda {
 

@@ -1,12 +1,12 @@
-#include "dda/linear/krylov.h"
+#include "engine/linear/krylov.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <limits>
 
-#include "dda/core/allocation_counter.h"
-#include "dda/linear/random_system.h"
+#include "engine/core/allocation_counter.h"
+#include "engine/linear/random_system.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/linear/pcg_solver.h"
+#include "engine/linear/pcg_solver.h"
 
 namespace dda {
 

@@ -2,9 +2,9 @@
 // inertia reaches over a few blocks only.
 #pragma once
 
-#include "dda/linear/incomplete_cholesky.h"
-#include "dda/linear/krylov.h"
-#include "dda/linear/solver.h"
+#include "engine/linear/incomplete_cholesky.h"
+#include "engine/linear/krylov.h"
+#include "engine/linear/solver.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/linear/permuted_triangle.h"
+#include "engine/linear/permuted_triangle.h"
 
 #include <algorithm>
 

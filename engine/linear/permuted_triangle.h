@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dda/linear/block_matrix.h"
+#include "engine/linear/block_matrix.h"
 
 namespace dda {
 

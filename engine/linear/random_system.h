@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/linear/block_matrix.h"
+#include "engine/linear/block_matrix.h"
 
 namespace dda {
 

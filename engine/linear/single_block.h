@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

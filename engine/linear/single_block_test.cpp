@@ -1,5 +1,5 @@
 // Blocks in single precision against the same in double precision.
-#include "dda/linear/single_block.h"
+#include "engine/linear/single_block.h"
 
 #include <gtest/gtest.h>
 

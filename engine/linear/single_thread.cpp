@@ -1,4 +1,4 @@
-#include "dda/linear/single_thread.h"
+#include "engine/linear/single_thread.h"
 
 #include <dlfcn.h>
 

@@ -2,8 +2,8 @@
 // divisions and no square root.
 #pragma once
 
-#include "dda/core/types.h"
-#include "dda/linear/pivot_test.h"
+#include "engine/core/types.h"
+#include "engine/linear/pivot_test.h"
 
 namespace dda {
 

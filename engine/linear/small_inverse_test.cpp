@@ -1,4 +1,4 @@
-#include "dda/linear/small_inverse.h"
+#include "engine/linear/small_inverse.h"
 
 #include <gtest/gtest.h>
 

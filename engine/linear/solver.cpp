@@ -1,4 +1,4 @@
-#include "dda/linear/solver.h"
+#include "engine/linear/solver.h"
 
 #include <stdexcept>
 

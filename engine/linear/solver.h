@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "dda/core/status.h"
-#include "dda/core/types.h"
-#include "dda/linear/block_matrix.h"
+#include "engine/core/status.h"
+#include "engine/core/types.h"
+#include "engine/linear/block_matrix.h"
 
 namespace dda {
 

@@ -1,10 +1,10 @@
-#include "dda/linear/solver_choice.h"
+#include "engine/linear/solver_choice.h"
 
 #include <cmath>
 
-#include "dda/linear/cholesky_solver.h"
-#include "dda/linear/dense_solver.h"
-#include "dda/linear/pcg_solver.h"
+#include "engine/linear/cholesky_solver.h"
+#include "engine/linear/dense_solver.h"
+#include "engine/linear/pcg_solver.h"
 
 namespace dda {
 

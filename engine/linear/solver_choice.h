@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "dda/linear/solver.h"
+#include "engine/linear/solver.h"
 
 namespace dda {
 

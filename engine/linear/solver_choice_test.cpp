@@ -1,4 +1,4 @@
-#include "dda/linear/solver_choice.h"
+#include "engine/linear/solver_choice.h"
 
 #include <gtest/gtest.h>
 

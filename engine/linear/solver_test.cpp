@@ -1,4 +1,4 @@
-#include "dda/linear/solver.h"
+#include "engine/linear/solver.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "dda/core/allocation_counter.h"
-#include "dda/linear/cholesky_solver.h"
-#include "dda/linear/pcg_solver.h"
-#include "dda/linear/random_system.h"
-#include "dda/linear/solver_choice.h"
+#include "engine/core/allocation_counter.h"
+#include "engine/linear/cholesky_solver.h"
+#include "engine/linear/pcg_solver.h"
+#include "engine/linear/random_system.h"
+#include "engine/linear/solver_choice.h"
 
 namespace dda {
 namespace {

@@ -2,7 +2,7 @@
 // takes to finish.
 #pragma once
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -2,11 +2,11 @@
 
 #include <set>
 
-#include "dda/core/error.h"
-#include "dda/geometry/box_pairs.h"
-#include "dda/geometry/overlap.h"
-#include "dda/model/check_parts.h"
-#include "dda/model/checks.h"
+#include "engine/core/error.h"
+#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/overlap.h"
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
 
 namespace dda::model_checks {
 namespace {

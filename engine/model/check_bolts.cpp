@@ -3,8 +3,8 @@
 #include <limits>
 #include <set>
 
-#include "dda/model/check_parts.h"
-#include "dda/model/checks.h"
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
 
 namespace dda::model_checks {
 namespace {

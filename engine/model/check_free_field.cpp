@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
-#include "dda/core/error.h"
-#include "dda/geometry/segment.h"
-#include "dda/model/check_parts.h"
-#include "dda/model/checks.h"
-#include "dda/model/free_field_side.h"
-#include "dda/model/tolerance.h"
+#include "engine/core/error.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
+#include "engine/model/free_field_side.h"
+#include "engine/model/tolerance.h"
 
 namespace dda::model_checks {
 namespace {

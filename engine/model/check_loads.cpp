@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "dda/geometry/segment.h"
-#include "dda/model/check_parts.h"
-#include "dda/model/checks.h"
-#include "dda/model/tolerance.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
+#include "engine/model/tolerance.h"
 
 namespace dda::model_checks {
 namespace {

@@ -3,9 +3,9 @@
 #include <limits>
 #include <numbers>
 
-#include "dda/core/error.h"
-#include "dda/model/check_parts.h"
-#include "dda/model/checks.h"
+#include "engine/core/error.h"
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
 
 namespace dda::model_checks {
 namespace {

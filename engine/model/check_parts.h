@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 
 namespace dda::model_checks {
 

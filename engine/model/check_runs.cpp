@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "dda/model/check_parts.h"
-#include "dda/model/checks.h"
-#include "dda/model/tolerance.h"
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
+#include "engine/model/tolerance.h"
 
 namespace dda::model_checks {
 namespace {

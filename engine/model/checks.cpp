@@ -1,10 +1,10 @@
-#include "dda/model/checks.h"
+#include "engine/model/checks.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda::model_checks {
 

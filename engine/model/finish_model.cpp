@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/geometry/box.h"
-#include "dda/model/check_parts.h"
-#include "dda/model/model.h"
+#include "engine/core/error.h"
+#include "engine/geometry/box.h"
+#include "engine/model/check_parts.h"
+#include "engine/model/model.h"
 
 namespace dda {
 namespace {

@@ -6,8 +6,8 @@
 #include <ostream>
 #include <string>
 
-#include "dda/core/error.h"
-#include "dda/model/model.h"
+#include "engine/core/error.h"
+#include "engine/model/model.h"
 
 namespace dda {
 namespace {

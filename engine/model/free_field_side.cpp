@@ -1,9 +1,9 @@
-#include "dda/model/free_field_side.h"
+#include "engine/model/free_field_side.h"
 
 #include <cmath>
 #include <cstddef>
 
-#include "dda/model/tolerance.h"
+#include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {

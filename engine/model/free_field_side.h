@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/geometry/segment.h"
-#include "dda/model/model.h"
+#include "engine/core/types.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,11 +1,11 @@
-#include "dda/model/free_field_side.h"
+#include "engine/model/free_field_side.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

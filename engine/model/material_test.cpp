@@ -1,4 +1,4 @@
-#include "dda/model/material.h"
+#include "engine/model/material.h"
 
 #include <gtest/gtest.h>
 

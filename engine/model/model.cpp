@@ -1,4 +1,4 @@
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/geometry/polygon.h"
-#include "dda/model/material.h"
-#include "dda/model/motion.h"
-#include "dda/model/settings.h"
-#include "dda/model/time_function.h"
+#include "engine/core/types.h"
+#include "engine/geometry/polygon.h"
+#include "engine/model/material.h"
+#include "engine/model/motion.h"
+#include "engine/model/settings.h"
+#include "engine/model/time_function.h"
 
 namespace dda {
 

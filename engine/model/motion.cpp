@@ -1,4 +1,4 @@
-#include "dda/model/motion.h"
+#include "engine/model/motion.h"
 
 #include <algorithm>
 #include <cmath>

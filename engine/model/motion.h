@@ -2,7 +2,7 @@
 // belong to it.
 #pragma once
 
-#include "dda/model/time_function.h"
+#include "engine/model/time_function.h"
 
 namespace dda {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,11 +1,11 @@
-#include "dda/model/recording.h"
+#include "engine/model/recording.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

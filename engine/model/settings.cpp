@@ -1,4 +1,4 @@
-#include "dda/model/settings.h"
+#include "engine/model/settings.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/model/state.h"
+#include "engine/model/state.h"
 
 #include <cstddef>
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/model/model.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

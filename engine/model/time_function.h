@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "dda/model/recording.h"
+#include "engine/model/recording.h"
 
 namespace dda {
 

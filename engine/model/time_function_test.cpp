@@ -1,4 +1,4 @@
-#include "dda/model/time_function.h"
+#include "engine/model/time_function.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // How far points given from outside may lie off the block they are meant for.
 #pragma once
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/record/record_test_support.h"
+#include "engine/record/record_test_support.h"
 
 namespace dda {
 namespace {

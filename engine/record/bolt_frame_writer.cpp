@@ -1,4 +1,4 @@
-#include "dda/record/bolt_frame_writer.h"
+#include "engine/record/bolt_frame_writer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/model/state.h"
+#include "engine/model/state.h"
 
 namespace dda {
 namespace {

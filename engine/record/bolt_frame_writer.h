@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
-#include "dda/record/vtp_series.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/record/vtp_series.h"
 
 namespace dda {
 

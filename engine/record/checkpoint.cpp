@@ -1,4 +1,4 @@
-#include "dda/record/checkpoint.h"
+#include "engine/record/checkpoint.h"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <string_view>
 #include <type_traits>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/fnv_hash.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/fnv_hash.h"
 
 namespace dda {
 namespace {

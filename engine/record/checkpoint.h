@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

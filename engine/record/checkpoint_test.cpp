@@ -1,4 +1,4 @@
-#include "dda/record/checkpoint.h"
+#include "engine/record/checkpoint.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <random>
 #include <string>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/fnv_hash.h"
-#include "dda/record/record_test_support.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/fnv_hash.h"
+#include "engine/record/record_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/record/contact_frame_writer.h"
+#include "engine/record/contact_frame_writer.h"
 
 #include <numeric>
 #include <string>

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <span>
 
-#include "dda/contact/contact_points.h"
-#include "dda/record/vtp_series.h"
+#include "engine/contact/contact_points.h"
+#include "engine/record/vtp_series.h"
 
 namespace dda {
 

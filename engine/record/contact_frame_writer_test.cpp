@@ -1,9 +1,9 @@
-#include "dda/record/contact_frame_writer.h"
+#include "engine/record/contact_frame_writer.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/record/record_test_support.h"
-#include "dda/record/vtp_test_reader.h"
+#include "engine/record/record_test_support.h"
+#include "engine/record/vtp_test_reader.h"
 
 namespace dda {
 namespace {

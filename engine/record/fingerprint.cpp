@@ -1,5 +1,5 @@
-#include "dda/record/checkpoint.h"
-#include "dda/record/fnv_hash.h"
+#include "engine/record/checkpoint.h"
+#include "engine/record/fnv_hash.h"
 
 namespace dda {
 namespace {

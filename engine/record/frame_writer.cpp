@@ -1,4 +1,4 @@
-#include "dda/record/frame_writer.h"
+#include "engine/record/frame_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "dda/geometry/segment.h"
-#include "dda/geometry/triangulate.h"
+#include "engine/geometry/segment.h"
+#include "engine/geometry/triangulate.h"
 
 namespace dda {
 namespace {

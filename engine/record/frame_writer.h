@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "dda/model/model.h"
-#include "dda/model/state.h"
-#include "dda/record/vtp_series.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/record/vtp_series.h"
 
 namespace dda {
 

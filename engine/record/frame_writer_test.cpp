@@ -1,4 +1,4 @@
-#include "dda/record/frame_writer.h"
+#include "engine/record/frame_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <map>
 
-#include "dda/geometry/rotation.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/record_test_support.h"
-#include "dda/record/vtp_test_reader.h"
+#include "engine/geometry/rotation.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/record_test_support.h"
+#include "engine/record/vtp_test_reader.h"
 
 namespace dda {
 namespace {

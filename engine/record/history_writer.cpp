@@ -1,4 +1,4 @@
-#include "dda/record/history_writer.h"
+#include "engine/record/history_writer.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/record/history_writer.h"
+#include "engine/record/history_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <random>
 #include <sstream>
 
-#include "dda/core/allocation_counter.h"
-#include "dda/core/error.h"
-#include "dda/model/quantity_names.h"
-#include "dda/record/record_test_support.h"
+#include "engine/core/allocation_counter.h"
+#include "engine/core/error.h"
+#include "engine/model/quantity_names.h"
+#include "engine/record/record_test_support.h"
 
 namespace dda {
 namespace {

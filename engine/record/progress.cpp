@@ -1,4 +1,4 @@
-#include "dda/record/progress.h"
+#include "engine/record/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

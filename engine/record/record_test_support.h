@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "dda/core/temporary_folder.h"
+#include "engine/core/temporary_folder.h"
 
 namespace dda {
 

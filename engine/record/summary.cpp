@@ -1,8 +1,8 @@
-#include "dda/record/summary.h"
+#include "engine/record/summary.h"
 
 #include <nlohmann/json.hpp>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 namespace {

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "dda/core/counters.h"
-#include "dda/core/status.h"
-#include "dda/model/energy.h"
-#include "dda/record/history_writer.h"
+#include "engine/core/counters.h"
+#include "engine/core/status.h"
+#include "engine/model/energy.h"
+#include "engine/record/history_writer.h"
 
 namespace dda {
 

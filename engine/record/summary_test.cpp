@@ -1,4 +1,4 @@
-#include "dda/record/summary.h"
+#include "engine/record/summary.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "dda/record/atomic_file.h"
-#include "dda/record/record_test_support.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/record_test_support.h"
 
 namespace dda {
 namespace {

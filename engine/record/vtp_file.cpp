@@ -1,4 +1,4 @@
-#include "dda/record/vtp_file.h"
+#include "engine/record/vtp_file.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <iterator>
 #include <span>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 namespace {

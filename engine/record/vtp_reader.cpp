@@ -1,4 +1,4 @@
-#include "dda/record/vtp_reader.h"
+#include "engine/record/vtp_reader.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,9 +9,9 @@
 #include <system_error>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/xml_tags.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/xml_tags.h"
 
 namespace dda {
 namespace {

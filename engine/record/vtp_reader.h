@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dda/record/vtp_file.h"
+#include "engine/record/vtp_file.h"
 
 namespace dda {
 

@@ -1,11 +1,11 @@
-#include "dda/record/vtp_reader.h"
+#include "engine/record/vtp_reader.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/record_test_support.h"
-#include "dda/record/vtp_series.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/record_test_support.h"
+#include "engine/record/vtp_series.h"
 
 namespace dda {
 namespace {

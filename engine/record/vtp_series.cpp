@@ -1,4 +1,4 @@
-#include "dda/record/vtp_series.h"
+#include "engine/record/vtp_series.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 namespace {

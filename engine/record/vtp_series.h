@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "dda/record/vtp_file.h"
+#include "engine/record/vtp_file.h"
 
 namespace dda {
 

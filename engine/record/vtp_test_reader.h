@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "dda/geometry/polygon.h"
-#include "dda/record/atomic_file.h"
+#include "engine/geometry/polygon.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 

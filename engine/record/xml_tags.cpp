@@ -1,4 +1,4 @@
-#include "dda/record/xml_tags.h"
+#include "engine/record/xml_tags.h"
 
 #include <array>
 #include <utility>

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/core/error.h"
-#include "dda/scene/scene.h"
+#include "engine/core/error.h"
+#include "engine/scene/scene.h"
 
 namespace dda {
 

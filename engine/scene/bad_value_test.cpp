@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/scene/bad_scene_test_support.h"
+#include "engine/scene/bad_scene_test_support.h"
 
 namespace dda {
 namespace {

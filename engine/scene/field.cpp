@@ -1,4 +1,4 @@
-#include "dda/scene/field.h"
+#include "engine/scene/field.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,9 +8,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "dda/core/error.h"
-#include "dda/scene/json_path.h"
-#include "dda/scene/nearest_word.h"
+#include "engine/core/error.h"
+#include "engine/scene/json_path.h"
+#include "engine/scene/nearest_word.h"
 
 namespace dda {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "dda/core/quantity.h"
-#include "dda/core/types.h"
+#include "engine/core/quantity.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

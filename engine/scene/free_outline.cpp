@@ -1,4 +1,4 @@
-#include "dda/scene/free_outline.h"
+#include "engine/scene/free_outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "dda/geometry/box_pairs.h"
-#include "dda/model/tolerance.h"
+#include "engine/geometry/box_pairs.h"
+#include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/scene/free_outline.h"
+#include "engine/scene/free_outline.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/scene/generators.h"
-#include "dda/scene/scene.h"
+#include "engine/scene/generators.h"
+#include "engine/scene/scene.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/scene/generators.h"
+#include "engine/scene/generators.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

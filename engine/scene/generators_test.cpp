@@ -1,4 +1,4 @@
-#include "dda/scene/generators.h"
+#include "engine/scene/generators.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

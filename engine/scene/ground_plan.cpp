@@ -1,10 +1,10 @@
-#include "dda/scene/ground_plan.h"
+#include "engine/scene/ground_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "dda/model/tolerance.h"
+#include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "dda/geometry/box.h"
-#include "dda/geometry/segment.h"
-#include "dda/model/model.h"
+#include "engine/geometry/box.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

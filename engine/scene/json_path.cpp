@@ -1,4 +1,4 @@
-#include "dda/scene/json_path.h"
+#include "engine/scene/json_path.h"
 
 #include <fmt/format.h>
 

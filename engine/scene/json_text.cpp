@@ -1,4 +1,4 @@
-#include "dda/scene/json_text.h"
+#include "engine/scene/json_text.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/core/error.h"
-#include "dda/scene/json_path.h"
+#include "engine/core/error.h"
+#include "engine/scene/json_path.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/scene/nearest_word.h"
+#include "engine/scene/nearest_word.h"
 
 #include <algorithm>
 #include <cctype>

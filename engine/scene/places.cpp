@@ -1,4 +1,4 @@
-#include "dda/scene/places.h"
+#include "engine/scene/places.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/model/tolerance.h"
-#include "dda/scene/free_outline.h"
+#include "engine/core/error.h"
+#include "engine/model/tolerance.h"
+#include "engine/scene/free_outline.h"
 
 namespace dda {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "dda/model/time_function.h"
-#include "dda/scene/field.h"
-#include "dda/scene/ground_plan.h"
-#include "dda/scene/record_files.h"
+#include "engine/model/time_function.h"
+#include "engine/scene/field.h"
+#include "engine/scene/ground_plan.h"
+#include "engine/scene/record_files.h"
 
 namespace dda {
 

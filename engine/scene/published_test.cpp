@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "dda/scene/scene.h"
+#include "engine/scene/scene.h"
 
 namespace dda {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/scene/generators.h"
-#include "dda/scene/sections.h"
+#include "engine/core/error.h"
+#include "engine/scene/generators.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/core/error.h"
-#include "dda/scene/places.h"
-#include "dda/scene/sections.h"
+#include "engine/core/error.h"
+#include "engine/scene/places.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

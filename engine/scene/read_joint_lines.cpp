@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "dda/model/tolerance.h"
-#include "dda/scene/places.h"
-#include "dda/scene/sections.h"
+#include "engine/model/tolerance.h"
+#include "engine/scene/places.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dda/scene/places.h"
-#include "dda/scene/sections.h"
+#include "engine/scene/places.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

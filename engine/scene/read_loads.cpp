@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/model/check_parts.h"
-#include "dda/scene/places.h"
-#include "dda/scene/sections.h"
+#include "engine/core/error.h"
+#include "engine/model/check_parts.h"
+#include "engine/scene/places.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

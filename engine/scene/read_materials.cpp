@@ -3,7 +3,7 @@
 #include <numbers>
 #include <set>
 
-#include "dda/scene/sections.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

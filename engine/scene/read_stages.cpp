@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-#include "dda/scene/sections.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "dda/core/error.h"
-#include "dda/scene/places.h"
-#include "dda/scene/sections.h"
+#include "engine/core/error.h"
+#include "engine/scene/places.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/scene/record_file.h"
+#include "engine/scene/record_file.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include <system_error>
 #include <vector>
 
-#include "dda/core/error.h"
-#include "dda/scene/json_path.h"
+#include "engine/core/error.h"
+#include "engine/scene/json_path.h"
 
 namespace dda {
 namespace {

@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <string>
 
-#include "dda/core/quantity.h"
-#include "dda/model/recording.h"
+#include "engine/core/quantity.h"
+#include "engine/model/recording.h"
 
 namespace dda {
 

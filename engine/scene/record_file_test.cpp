@@ -1,4 +1,4 @@
-#include "dda/scene/record_file.h"
+#include "engine/scene/record_file.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "dda/core/error.h"
-#include "dda/core/temporary_folder.h"
-#include "dda/scene/bad_scene_test_support.h"
+#include "engine/core/error.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/scene/bad_scene_test_support.h"
 
 namespace dda {
 namespace {

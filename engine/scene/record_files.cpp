@@ -1,8 +1,8 @@
-#include "dda/scene/record_files.h"
+#include "engine/scene/record_files.h"
 
 #include <fmt/format.h>
 
-#include "dda/scene/record_file.h"
+#include "engine/scene/record_file.h"
 
 namespace dda {
 namespace {

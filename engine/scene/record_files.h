@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "dda/core/quantity.h"
-#include "dda/model/time_function.h"
-#include "dda/scene/field.h"
+#include "engine/core/quantity.h"
+#include "engine/model/time_function.h"
+#include "engine/scene/field.h"
 
 namespace dda {
 

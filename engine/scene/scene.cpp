@@ -1,14 +1,14 @@
-#include "dda/scene/scene.h"
+#include "engine/scene/scene.h"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
-#include "dda/core/error.h"
-#include "dda/scene/json_text.h"
-#include "dda/scene/schema_check.h"
-#include "dda/scene/sections.h"
+#include "engine/core/error.h"
+#include "engine/scene/json_text.h"
+#include "engine/scene/schema_check.h"
+#include "engine/scene/sections.h"
 
 namespace dda {
 namespace {

@@ -1,5 +1,5 @@
 // Good scenes: what each section becomes in the model.
-#include "dda/scene/scene.h"
+#include "engine/scene/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

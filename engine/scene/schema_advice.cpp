@@ -1,4 +1,4 @@
-#include "dda/scene/schema_advice.h"
+#include "engine/scene/schema_advice.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/scene/json_path.h"
-#include "dda/scene/nearest_word.h"
+#include "engine/scene/json_path.h"
+#include "engine/scene/nearest_word.h"
 
 namespace dda {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 

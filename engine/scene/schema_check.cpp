@@ -1,4 +1,4 @@
-#include "dda/scene/schema_check.h"
+#include "engine/scene/schema_check.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,8 +8,8 @@
 #include <valijson/validator.hpp>
 #include <vector>
 
-#include "dda/scene/scene.h"
-#include "dda/scene/schema_advice.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/schema_advice.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/scene/scheme.h"
+#include "engine/scene/scheme.h"
 
 namespace dda {
 namespace {

@@ -1,8 +1,8 @@
 // Presets: what a scene's joints and steps leave unsaid.
 #pragma once
 
-#include "dda/model/material.h"
-#include "dda/model/settings.h"
+#include "engine/model/material.h"
+#include "engine/model/settings.h"
 
 namespace dda {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "dda/model/model.h"
-#include "dda/scene/field.h"
-#include "dda/scene/ground_plan.h"
-#include "dda/scene/record_files.h"
-#include "dda/scene/scheme.h"
+#include "engine/model/model.h"
+#include "engine/scene/field.h"
+#include "engine/scene/ground_plan.h"
+#include "engine/scene/record_files.h"
+#include "engine/scene/scheme.h"
 
 namespace dda {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <tuple>
 
-#include "dda/core/error.h"
-#include "dda/core/temporary_folder.h"
-#include "dda/scene/bad_scene_test_support.h"
+#include "engine/core/error.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/scene/bad_scene_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,10 +1,10 @@
-#include "dda/simulation/block_terms.h"
+#include "engine/simulation/block_terms.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/terms/viscous_boundary.h"
+#include "engine/terms/viscous_boundary.h"
 
 namespace dda {
 namespace {

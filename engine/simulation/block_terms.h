@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
-#include "dda/terms/inertia.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/terms/inertia.h"
 
 namespace dda {
 

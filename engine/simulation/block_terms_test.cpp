@@ -1,8 +1,8 @@
-#include "dda/simulation/block_terms.h"
+#include "engine/simulation/block_terms.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/simulation/simulation_models.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/simulation/bolt_set.h"
+#include "engine/simulation/bolt_set.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/linear/block_matrix.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
-#include "dda/simulation/energy_audit.h"
-#include "dda/terms/bolt.h"
+#include "engine/core/types.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/simulation/energy_audit.h"
+#include "engine/terms/bolt.h"
 
 namespace dda {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/simulation/simulation_models.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

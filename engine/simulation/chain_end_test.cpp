@@ -1,12 +1,12 @@
 // Runs of cubic chains whose ends nothing holds.
-#include "dda/contact/chain_end.h"
+#include "engine/contact/chain_end.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dda/simulation/simulation_models.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dda/simulation/simulation_models.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

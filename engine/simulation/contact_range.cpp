@@ -1,4 +1,4 @@
-#include "dda/simulation/contact_range.h"
+#include "engine/simulation/contact_range.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "dda/geometry/box.h"
-#include "dda/geometry/box_pairs.h"
-#include "dda/geometry/overlap.h"
+#include "engine/geometry/box.h"
+#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/overlap.h"
 
 namespace dda {
 namespace {

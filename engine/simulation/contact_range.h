@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/contact/contact_set.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

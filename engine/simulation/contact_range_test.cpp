@@ -1,12 +1,12 @@
-#include "dda/simulation/contact_range.h"
+#include "engine/simulation/contact_range.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "dda/simulation/simulation.h"
-#include "dda/simulation/simulation_models.h"
+#include "engine/simulation/simulation.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

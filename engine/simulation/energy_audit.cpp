@@ -1,8 +1,8 @@
-#include "dda/simulation/energy_audit.h"
+#include "engine/simulation/energy_audit.h"
 
 #include <cstddef>
 
-#include "dda/terms/elasticity.h"
+#include "engine/terms/elasticity.h"
 
 namespace dda {
 namespace {

@@ -11,12 +11,12 @@
 
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/model/energy.h"
-#include "dda/model/state.h"
-#include "dda/simulation/block_terms.h"
-#include "dda/simulation/step_coefficients.h"
-#include "dda/simulation/support_set.h"
+#include "engine/contact/contact_set.h"
+#include "engine/model/energy.h"
+#include "engine/model/state.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/step_coefficients.h"
+#include "engine/simulation/support_set.h"
 
 namespace dda {
 

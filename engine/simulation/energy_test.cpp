@@ -6,9 +6,9 @@
 #include <functional>
 #include <string>
 
-#include "dda/simulation/kinematic_update.h"
-#include "dda/simulation/simulation_models.h"
-#include "dda/terms/viscous_boundary.h"
+#include "engine/simulation/kinematic_update.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/terms/viscous_boundary.h"
 
 namespace dda {
 namespace {

@@ -1,10 +1,10 @@
-#include "dda/simulation/external_forces.h"
+#include "engine/simulation/external_forces.h"
 
 #include <cstddef>
 
-#include "dda/simulation/support_set.h"
-#include "dda/terms/gravity.h"
-#include "dda/terms/load.h"
+#include "engine/simulation/support_set.h"
+#include "engine/terms/gravity.h"
+#include "engine/terms/load.h"
 
 namespace dda {
 namespace {

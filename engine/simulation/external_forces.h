@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "dda/contact/chain_end.h"
-#include "dda/core/types.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/contact/chain_end.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

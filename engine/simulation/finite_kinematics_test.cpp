@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "dda/simulation/simulation_models.h"
-#include "dda/simulation/step_coefficients.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/simulation/step_coefficients.h"
 
 namespace dda {
 namespace {

@@ -1,9 +1,9 @@
-#include "dda/simulation/free_field.h"
+#include "engine/simulation/free_field.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "dda/terms/viscous_boundary.h"
+#include "engine/terms/viscous_boundary.h"
 
 namespace dda {
 namespace {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/core/status.h"
-#include "dda/core/types.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
-#include "dda/simulation/free_field_columns.h"
-#include "dda/simulation/simulation.h"
+#include "engine/contact/contact_set.h"
+#include "engine/core/status.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/simulation/free_field_columns.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

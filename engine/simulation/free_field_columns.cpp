@@ -1,4 +1,4 @@
-#include "dda/simulation/free_field_columns.h"
+#include "engine/simulation/free_field_columns.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
-#include "dda/geometry/box.h"
-#include "dda/geometry/segment.h"
-#include "dda/model/free_field_side.h"
-#include "dda/model/tolerance.h"
+#include "engine/geometry/box.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/free_field_side.h"
+#include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/model/model.h"
+#include "engine/contact/contact_set.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

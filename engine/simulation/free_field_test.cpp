@@ -1,5 +1,5 @@
 // Sides that go with columns of their blocks.
-#include "dda/simulation/free_field.h"
+#include "engine/simulation/free_field.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,12 +9,12 @@
 #include <cstddef>
 #include <utility>
 
-#include "dda/core/allocation_counter.h"
-#include "dda/core/error.h"
-#include "dda/geometry/rotation.h"
-#include "dda/simulation/free_field_columns.h"
-#include "dda/simulation/simulation_models.h"
-#include "dda/terms/load.h"
+#include "engine/core/allocation_counter.h"
+#include "engine/core/error.h"
+#include "engine/geometry/rotation.h"
+#include "engine/simulation/free_field_columns.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/terms/load.h"
 
 namespace dda {
 namespace {

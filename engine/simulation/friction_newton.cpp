@@ -6,14 +6,14 @@
 // of A as its preconditioner, and a step is only solved for as well as its pieces are likely to hold. No potential
 // falls with such a step, and nothing assures that the passes end: mostly they do after a few, and where they do not,
 // settle_contacts goes the sure way.
-#include "dda/simulation/friction_newton.h"
+#include "engine/simulation/friction_newton.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "dda/contact/open_close.h"
-#include "dda/simulation/simulation.h"
+#include "engine/contact/open_close.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {

@@ -7,11 +7,11 @@
 #include <numeric>
 #include <vector>
 
-#include "dda/contact/contact_pieces.h"
-#include "dda/contact/interface_element.h"
-#include "dda/contact/point_kinematics.h"
-#include "dda/linear/block_part.h"
-#include "dda/linear/krylov.h"
+#include "engine/contact/contact_pieces.h"
+#include "engine/contact/interface_element.h"
+#include "engine/contact/point_kinematics.h"
+#include "engine/linear/block_part.h"
+#include "engine/linear/krylov.h"
 
 namespace dda {
 

@@ -1,8 +1,8 @@
-#include "dda/simulation/held_blocks.h"
+#include "engine/simulation/held_blocks.h"
 
 #include <cstddef>
 
-#include "dda/geometry/rotation.h"
+#include "engine/geometry/rotation.h"
 
 namespace dda {
 namespace {

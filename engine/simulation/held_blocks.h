@@ -7,11 +7,11 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "dda/contact/interface_element.h"
-#include "dda/core/types.h"
-#include "dda/linear/block_matrix.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/contact/interface_element.h"
+#include "engine/core/types.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

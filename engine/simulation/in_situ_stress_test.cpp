@@ -1,7 +1,7 @@
 // In-situ stress in blocks between springs: what is in equilibrium stays where it is.
 #include <gtest/gtest.h>
 
-#include "dda/simulation/simulation_models.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

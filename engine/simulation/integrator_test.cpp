@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/simulation/simulation_models.h"
-#include "dda/simulation/step_coefficients.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/simulation/step_coefficients.h"
 
 namespace dda {
 namespace {

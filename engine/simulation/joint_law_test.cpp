@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/simulation/simulation_models.h"
-#include "dda/simulation/snapshot.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/simulation/snapshot.h"
 
 namespace dda {
 namespace {

@@ -1,8 +1,8 @@
-#include "dda/simulation/kinematic_update.h"
+#include "engine/simulation/kinematic_update.h"
 
 #include <cstddef>
 
-#include "dda/geometry/rotation.h"
+#include "engine/geometry/rotation.h"
 
 namespace dda {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "dda/contact/interface_element.h"
-#include "dda/core/types.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
-#include "dda/simulation/block_terms.h"
-#include "dda/simulation/step_coefficients.h"
+#include "engine/contact/interface_element.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/step_coefficients.h"
 
 namespace dda {
 

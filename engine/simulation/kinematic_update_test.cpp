@@ -1,9 +1,9 @@
-#include "dda/simulation/kinematic_update.h"
+#include "engine/simulation/kinematic_update.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/geometry/rotation.h"
-#include "dda/simulation/simulation_models.h"
+#include "engine/geometry/rotation.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

@@ -1,13 +1,13 @@
-#include "dda/simulation/linear_operators.h"
+#include "engine/simulation/linear_operators.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include "dda/contact/cubic_law.h"
-#include "dda/contact/mesh_correction.h"
-#include "dda/simulation/system_matrix.h"
+#include "engine/contact/cubic_law.h"
+#include "engine/contact/mesh_correction.h"
+#include "engine/simulation/system_matrix.h"
 
 namespace dda {
 namespace {

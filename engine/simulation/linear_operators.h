@@ -5,13 +5,13 @@
 
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/linear/block_matrix.h"
-#include "dda/linear/constant_operator.h"
-#include "dda/model/model.h"
-#include "dda/simulation/block_terms.h"
-#include "dda/simulation/step_coefficients.h"
-#include "dda/simulation/support_set.h"
+#include "engine/contact/contact_set.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/linear/constant_operator.h"
+#include "engine/model/model.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/step_coefficients.h"
+#include "engine/simulation/support_set.h"
 
 namespace dda {
 

@@ -3,8 +3,8 @@
 #include <limits>
 #include <memory>
 
-#include "dda/simulation/kinematic_update.h"
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/kinematic_update.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/contact/cubic_law.h"
-#include "dda/simulation/external_forces.h"
-#include "dda/simulation/simulation_models.h"
+#include "engine/contact/cubic_law.h"
+#include "engine/simulation/external_forces.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/simulation/friction_newton.h"
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/friction_newton.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {

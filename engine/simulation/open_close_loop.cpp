@@ -13,8 +13,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "dda/contact/open_close.h"
-#include "dda/simulation/simulation.h"
+#include "engine/contact/open_close.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {

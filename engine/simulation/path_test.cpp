@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "dda/core/allocation_counter.h"
-#include "dda/simulation/simulation_models.h"
+#include "engine/core/allocation_counter.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

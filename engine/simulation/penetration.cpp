@@ -1,4 +1,4 @@
-#include "dda/simulation/penetration.h"
+#include "engine/simulation/penetration.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/simulation/block_terms.h"
+#include "engine/contact/contact_set.h"
+#include "engine/simulation/block_terms.h"
 
 namespace dda {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/simulation/free_field.h"
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/free_field.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/simulation/probes.h"
+#include "engine/simulation/probes.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "dda/core/error.h"
-#include "dda/geometry/segment.h"
+#include "engine/core/error.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "dda/simulation/shared_edge.h"
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/shared_edge.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "dda/simulation/simulation_models.h"
-#include "dda/terms/inertia.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/terms/inertia.h"
 
 namespace dda {
 namespace {

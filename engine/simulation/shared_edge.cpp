@@ -1,10 +1,10 @@
-#include "dda/simulation/shared_edge.h"
+#include "engine/simulation/shared_edge.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "dda/contact/contact_search.h"
+#include "engine/contact/contact_search.h"
 
 namespace dda {
 namespace {

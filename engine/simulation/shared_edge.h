@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "dda/contact/contact_set.h"
-#include "dda/geometry/segment.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/contact/contact_set.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

@@ -1,5 +1,5 @@
 // Tractions on joints along which blocks slide, as measurements read them.
-#include "dda/simulation/shared_edge.h"
+#include "engine/simulation/shared_edge.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/core/error.h"
-#include "dda/simulation/probes.h"
-#include "dda/simulation/simulation_models.h"
+#include "engine/core/error.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

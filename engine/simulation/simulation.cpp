@@ -1,4 +1,4 @@
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/simulation.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include <limits>
 #include <utility>
 
-#include "dda/simulation/free_field.h"
-#include "dda/simulation/kinematic_update.h"
-#include "dda/simulation/system_matrix.h"
-#include "dda/terms/elasticity.h"
-#include "dda/terms/velocity_damping.h"
+#include "engine/simulation/free_field.h"
+#include "engine/simulation/kinematic_update.h"
+#include "engine/simulation/system_matrix.h"
+#include "engine/terms/elasticity.h"
+#include "engine/terms/velocity_damping.h"
 
 namespace dda {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_models.h"
-#include "dda/model/model.h"
-#include "dda/simulation/simulation.h"
+#include "engine/contact/contact_models.h"
+#include "engine/model/model.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

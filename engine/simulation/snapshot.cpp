@@ -1,4 +1,4 @@
-#include "dda/simulation/snapshot.h"
+#include "engine/simulation/snapshot.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/simulation/free_field.h"
-#include "dda/simulation/step_coefficients.h"
-#include "dda/simulation/system_matrix.h"
+#include "engine/core/error.h"
+#include "engine/simulation/free_field.h"
+#include "engine/simulation/step_coefficients.h"
+#include "engine/simulation/system_matrix.h"
 
 namespace dda {
 namespace {

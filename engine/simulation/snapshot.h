@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "dda/model/state.h"
-#include "dda/simulation/simulation.h"
+#include "engine/model/state.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 

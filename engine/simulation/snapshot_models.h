@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "dda/simulation/simulation_models.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda::snapshots {
 

@@ -1,4 +1,4 @@
-#include "dda/simulation/snapshot.h"
+#include "engine/simulation/snapshot.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "dda/core/error.h"
-#include "dda/simulation/snapshot_models.h"
+#include "engine/core/error.h"
+#include "engine/simulation/snapshot_models.h"
 
 namespace dda {
 namespace {

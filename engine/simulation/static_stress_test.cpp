@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dda/simulation/simulation_models.h"
-#include "dda/simulation/snapshot.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/simulation/snapshot.h"
 
 namespace dda {
 namespace {

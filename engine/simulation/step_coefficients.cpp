@@ -1,4 +1,4 @@
-#include "dda/simulation/step_coefficients.h"
+#include "engine/simulation/step_coefficients.h"
 
 namespace dda {
 

@@ -6,7 +6,7 @@
 // which is the integrator's balance (settings.h) with a1 and v1 written in d, v0, a0.
 #pragma once
 
-#include "dda/model/settings.h"
+#include "engine/model/settings.h"
 
 namespace dda {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "dda/simulation/simulation.h"
-#include "dda/simulation/system_matrix.h"
+#include "engine/simulation/simulation.h"
+#include "engine/simulation/system_matrix.h"
 
 namespace dda {
 Status Simulation::refactor() {

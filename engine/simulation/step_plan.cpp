@@ -1,11 +1,11 @@
-#include "dda/simulation/step_plan.h"
+#include "engine/simulation/step_plan.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "dda/simulation/support_set.h"
+#include "engine/simulation/support_set.h"
 
 namespace dda {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/linear/solver_choice.h"
-#include "dda/model/model.h"
+#include "engine/contact/contact_set.h"
+#include "engine/linear/solver_choice.h"
+#include "engine/model/model.h"
 
 namespace dda {
 

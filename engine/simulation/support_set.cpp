@@ -1,4 +1,4 @@
-#include "dda/simulation/support_set.h"
+#include "engine/simulation/support_set.h"
 
 #include <cstddef>
 

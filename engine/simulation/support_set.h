@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
+#include "engine/core/types.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
 
 namespace dda {
 

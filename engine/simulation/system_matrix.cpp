@@ -1,12 +1,12 @@
-#include "dda/simulation/system_matrix.h"
+#include "engine/simulation/system_matrix.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
 
-#include "dda/terms/elasticity.h"
-#include "dda/terms/support.h"
+#include "engine/terms/elasticity.h"
+#include "engine/terms/support.h"
 
 namespace dda {
 namespace {

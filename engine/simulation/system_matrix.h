@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_set.h"
-#include "dda/linear/block_matrix.h"
-#include "dda/simulation/block_terms.h"
-#include "dda/simulation/step_coefficients.h"
-#include "dda/simulation/support_set.h"
+#include "engine/contact/contact_set.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/step_coefficients.h"
+#include "engine/simulation/support_set.h"
 
 namespace dda {
 

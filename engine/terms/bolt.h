@@ -6,7 +6,7 @@
 // (Huber's function; half a parabola for a bolt that goes slack), which the open-close iteration needs.
 #pragma once
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/terms/bolt.h"
+#include "engine/terms/bolt.h"
 
 #include <gtest/gtest.h>
 

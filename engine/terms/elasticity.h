@@ -2,7 +2,7 @@
 // carried from step to step, so in-situ (initial) stress needs no term of its own.
 #pragma once
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

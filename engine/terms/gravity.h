@@ -1,7 +1,7 @@
 // Weight: acts at the centroid.
 #pragma once
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

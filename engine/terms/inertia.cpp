@@ -1,4 +1,4 @@
-#include "dda/terms/inertia.h"
+#include "engine/terms/inertia.h"
 
 namespace dda {
 

@@ -2,8 +2,8 @@
 // (Shi 1988).
 #pragma once
 
-#include "dda/core/types.h"
-#include "dda/geometry/polygon.h"
+#include "engine/core/types.h"
+#include "engine/geometry/polygon.h"
 
 namespace dda {
 

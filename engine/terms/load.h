@@ -1,7 +1,7 @@
 // Point and edge loads as forces on the six unknowns of a block; points relative to its centroid, m.
 #pragma once
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -1,7 +1,7 @@
 // Springs that hold a material point where it is prescribed to be.
 #pragma once
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

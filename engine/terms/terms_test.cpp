@@ -7,17 +7,17 @@
 #include <functional>
 #include <vector>
 
-#include "dda/geometry/rotation.h"
-#include "dda/geometry/triangulate.h"
-#include "dda/model/material.h"
-#include "dda/terms/elasticity.h"
-#include "dda/terms/gravity.h"
-#include "dda/terms/inertia.h"
-#include "dda/terms/load.h"
-#include "dda/terms/potential_check.h"
-#include "dda/terms/support.h"
-#include "dda/terms/velocity_damping.h"
-#include "dda/terms/viscous_boundary.h"
+#include "engine/geometry/rotation.h"
+#include "engine/geometry/triangulate.h"
+#include "engine/model/material.h"
+#include "engine/terms/elasticity.h"
+#include "engine/terms/gravity.h"
+#include "engine/terms/inertia.h"
+#include "engine/terms/load.h"
+#include "engine/terms/potential_check.h"
+#include "engine/terms/support.h"
+#include "engine/terms/velocity_damping.h"
+#include "engine/terms/viscous_boundary.h"
 
 namespace dda {
 namespace {

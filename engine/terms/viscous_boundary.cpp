@@ -1,4 +1,4 @@
-#include "dda/terms/viscous_boundary.h"
+#include "engine/terms/viscous_boundary.h"
 
 #include <cmath>
 

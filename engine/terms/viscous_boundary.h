@@ -1,7 +1,7 @@
 // Absorbing boundary of Lysmer & Kuhlemeyer (1969): traction = -impedance * velocity on an edge, implicit.
 #pragma once
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/view/base64.h"
+#include "engine/view/base64.h"
 
 #include <gtest/gtest.h>
 

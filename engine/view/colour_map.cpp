@@ -1,4 +1,4 @@
-#include "dda/view/colour_map.h"
+#include "engine/view/colour_map.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dda/view/colour_map.h"
+#include "engine/view/colour_map.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/view/colour_scale.h"
+#include "engine/view/colour_scale.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "dda/view/contact_sites.h"
+#include "engine/view/contact_sites.h"
 
 #include <cmath>
 #include <limits>
 
-#include "dda/geometry/segment.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "dda/view/run_results.h"
+#include "engine/view/run_results.h"
 
 namespace dda {
 

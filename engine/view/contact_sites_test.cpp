@@ -1,8 +1,8 @@
-#include "dda/view/contact_sites.h"
+#include "engine/view/contact_sites.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/view/view_test_support.h"
+#include "engine/view/view_test_support.h"
 
 namespace dda {
 namespace {

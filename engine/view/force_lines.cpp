@@ -1,4 +1,4 @@
-#include "dda/view/force_lines.h"
+#include "engine/view/force_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "dda/geometry/segment.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/view/run_results.h"
+#include "engine/view/run_results.h"
 
 namespace dda {
 

@@ -1,8 +1,8 @@
-#include "dda/view/force_lines.h"
+#include "engine/view/force_lines.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/geometry/segment.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/view/histories.h"
+#include "engine/view/histories.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 namespace {

@@ -1,13 +1,13 @@
-#include "dda/view/histories.h"
+#include "engine/view/histories.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dda/core/error.h"
-#include "dda/record/history_writer.h"
-#include "dda/view/view_test_support.h"
+#include "engine/core/error.h"
+#include "engine/record/history_writer.h"
+#include "engine/view/view_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "dda/view/packing.h"
+#include "engine/view/packing.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <map>
 
-#include "dda/view/colour_scale.h"
+#include "engine/view/colour_scale.h"
 
 namespace dda {
 namespace {

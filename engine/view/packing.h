@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "dda/view/contact_sites.h"
-#include "dda/view/quantities.h"
-#include "dda/view/run_results.h"
+#include "engine/view/contact_sites.h"
+#include "engine/view/quantities.h"
+#include "engine/view/run_results.h"
 
 namespace dda {
 

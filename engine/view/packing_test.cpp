@@ -1,4 +1,4 @@
-#include "dda/view/packing.h"
+#include "engine/view/packing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "dda/view/view_test_support.h"
+#include "engine/view/view_test_support.h"
 
 namespace dda {
 namespace {

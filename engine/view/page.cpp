@@ -1,4 +1,4 @@
-#include "dda/view/page.h"
+#include "engine/view/page.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/vtp_file.h"
-#include "dda/view/base64.h"
-#include "dda/view/colour_map.h"
-#include "dda/view/packing.h"
-#include "dda/view/page_parts.h"
-#include "dda/view/run_facts.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/vtp_file.h"
+#include "engine/view/base64.h"
+#include "engine/view/colour_map.h"
+#include "engine/view/packing.h"
+#include "engine/view/page_parts.h"
+#include "engine/view/run_facts.h"
 
 namespace dda {
 namespace {

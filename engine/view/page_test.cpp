@@ -1,13 +1,13 @@
-#include "dda/view/page.h"
+#include "engine/view/page.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "dda/core/error.h"
-#include "dda/view/page_parts.h"
-#include "dda/view/view_test_support.h"
+#include "engine/core/error.h"
+#include "engine/view/page_parts.h"
+#include "engine/view/view_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,11 +1,11 @@
-#include "dda/view/quantities.h"
+#include "engine/view/quantities.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <vector>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

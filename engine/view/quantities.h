@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "dda/view/run_results.h"
+#include "engine/view/run_results.h"
 
 namespace dda {
 

@@ -1,11 +1,11 @@
-#include "dda/view/quantities.h"
+#include "engine/view/quantities.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "dda/core/error.h"
-#include "dda/view/view_test_support.h"
+#include "engine/core/error.h"
+#include "engine/view/view_test_support.h"
 
 namespace dda {
 namespace {

@@ -1,9 +1,9 @@
-#include "dda/view/run_facts.h"
+#include "engine/view/run_facts.h"
 
 #include <system_error>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
 
 namespace dda {
 

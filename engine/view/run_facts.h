@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "dda/view/histories.h"
+#include "engine/view/histories.h"
 
 namespace dda {
 

@@ -1,9 +1,9 @@
-#include "dda/view/run_results.h"
+#include "engine/view/run_results.h"
 
 #include <algorithm>
 #include <system_error>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace dda {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/record/vtp_reader.h"
+#include "engine/core/types.h"
+#include "engine/record/vtp_reader.h"
 
 namespace dda {
 

@@ -1,9 +1,9 @@
-#include "dda/view/run_results.h"
+#include "engine/view/run_results.h"
 
 #include <gtest/gtest.h>
 
-#include "dda/core/error.h"
-#include "dda/view/view_test_support.h"
+#include "engine/core/error.h"
+#include "engine/view/view_test_support.h"
 
 namespace dda {
 namespace {

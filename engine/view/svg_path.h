@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "dda/core/types.h"
+#include "engine/core/types.h"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "dda/view/svg_picture.h"
+#include "engine/view/svg_picture.h"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "dda/record/vtp_file.h"
-#include "dda/view/colour_scale.h"
-#include "dda/view/force_lines.h"
-#include "dda/view/quantities.h"
-#include "dda/view/svg_path.h"
+#include "engine/record/vtp_file.h"
+#include "engine/view/colour_scale.h"
+#include "engine/view/force_lines.h"
+#include "engine/view/quantities.h"
+#include "engine/view/svg_path.h"
 
 namespace dda {
 namespace {

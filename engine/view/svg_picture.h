@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "dda/view/run_results.h"
+#include "engine/view/run_results.h"
 
 namespace dda {
 

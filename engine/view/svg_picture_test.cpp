@@ -1,4 +1,4 @@
-#include "dda/view/svg_picture.h"
+#include "engine/view/svg_picture.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <regex>
 
-#include "dda/core/error.h"
-#include "dda/record/xml_tags.h"
-#include "dda/view/colour_scale.h"
-#include "dda/view/quantities.h"
-#include "dda/view/svg_path.h"
-#include "dda/view/view_test_support.h"
+#include "engine/core/error.h"
+#include "engine/record/xml_tags.h"
+#include "engine/view/colour_scale.h"
+#include "engine/view/quantities.h"
+#include "engine/view/svg_path.h"
+#include "engine/view/view_test_support.h"
 
 namespace dda {
 namespace {

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "dda/contact/contact_points.h"
-#include "dda/core/temporary_folder.h"
-#include "dda/model/model.h"
-#include "dda/model/state.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/bolt_frame_writer.h"
-#include "dda/record/contact_frame_writer.h"
-#include "dda/record/frame_writer.h"
+#include "engine/contact/contact_points.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/bolt_frame_writer.h"
+#include "engine/record/contact_frame_writer.h"
+#include "engine/record/frame_writer.h"
 
 namespace dda {
 

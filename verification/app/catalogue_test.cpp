@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 #include "verification/cases/all_cases.h"
 #include "verification/suite/catalogue.h"
 #include "verification/suite/run_command.h"

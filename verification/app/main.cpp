@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 #include "verification/cases/all_cases.h"
 #include "verification/precision/precision_command.h"
 #include "verification/suite/run_command.h"

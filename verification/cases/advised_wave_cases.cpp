@@ -14,10 +14,10 @@
 #include <string>
 #include <utility>
 
-#include "dda/advice/advice.h"
-#include "dda/advice/half_row.h"
-#include "dda/contact/contact_models.h"
-#include "dda/scene/scheme.h"
+#include "engine/advice/advice.h"
+#include "engine/advice/half_row.h"
+#include "engine/contact/contact_models.h"
+#include "engine/scene/scheme.h"
 #include "verification/cases/open_field.h"
 #include "verification/exact/joint_waves.h"
 #include "verification/exact/signal.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/core/counters.h"
-#include "dda/model/model.h"
+#include "engine/core/counters.h"
+#include "engine/model/model.h"
 #include "verification/exact/block_chain.h"
 #include "verification/exact/time_scheme.h"
 

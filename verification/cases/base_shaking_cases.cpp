@@ -12,9 +12,9 @@
 #include <string>
 #include <utility>
 
-#include "dda/core/temporary_folder.h"
-#include "dda/scene/scene.h"
-#include "dda/simulation/simulation.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/simulation.h"
 #include "verification/exact/base_motion.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"

@@ -5,11 +5,11 @@
 #include <complex>
 #include <cstddef>
 
-#include "dda/contact/contact_set.h"
-#include "dda/contact/mesh_correction.h"
-#include "dda/model/model.h"
-#include "dda/terms/elasticity.h"
-#include "dda/terms/inertia.h"
+#include "engine/contact/contact_set.h"
+#include "engine/contact/mesh_correction.h"
+#include "engine/model/model.h"
+#include "engine/terms/elasticity.h"
+#include "engine/terms/inertia.h"
 
 namespace verify {
 namespace {

@@ -6,9 +6,9 @@
 #include <array>
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/model/material.h"
-#include "dda/model/model.h"
+#include "engine/core/types.h"
+#include "engine/model/material.h"
+#include "engine/model/model.h"
 #include "verification/cases/periodic_mesh.h"
 
 namespace verify {

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "dda/geometry/rotation.h"
-#include "dda/scene/scene.h"
-#include "dda/simulation/simulation.h"
+#include "engine/geometry/rotation.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/simulation.h"
 #include "verification/exact/rock_bolt.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "verification/exact/bounce.h"
 #include "verification/harness/recorded_run.h"
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "dda/scene/generators.h"
+#include "engine/scene/generators.h"
 #include "verification/exact/wave_speeds.h"
 
 namespace verify {

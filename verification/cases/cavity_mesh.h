@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/model/model.h"
-#include "dda/model/time_function.h"
+#include "engine/model/model.h"
+#include "engine/model/time_function.h"
 #include "verification/exact/pressurised_cavity.h"
 #include "verification/harness/cavity.h"
 #include "verification/harness/recorded_run.h"

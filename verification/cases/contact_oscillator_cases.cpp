@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "dda/simulation/simulation.h"
-#include "dda/simulation/snapshot.h"
+#include "engine/simulation/simulation.h"
+#include "engine/simulation/snapshot.h"
 #include "verification/cases/bar_case.h"
 #include "verification/exact/time_scheme.h"
 #include "verification/exact/wave_speeds.h"

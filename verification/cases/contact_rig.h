@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "dda/model/model.h"
-#include "dda/simulation/simulation.h"
+#include "engine/model/model.h"
+#include "engine/simulation/simulation.h"
 #include "verification/suite/case.h"
 
 namespace verify {

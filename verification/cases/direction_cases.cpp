@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "dda/simulation/block_terms.h"
+#include "engine/simulation/block_terms.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/bloch.h"
 #include "verification/exact/wave_speeds.h"

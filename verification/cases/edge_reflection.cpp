@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dda/terms/viscous_boundary.h"
+#include "engine/terms/viscous_boundary.h"
 
 namespace verify {
 namespace {

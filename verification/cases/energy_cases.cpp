@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/scene/generators.h"
+#include "engine/scene/generators.h"
 #include "verification/cases/bar_case.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/scene/scene.h"
+#include "engine/scene/scene.h"
 #include "verification/cases/bar_case.h"
 #include "verification/exact/layered_ground.h"
 #include "verification/harness/histories.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "dda/contact/interface_element.h"
-#include "dda/scene/generators.h"
+#include "engine/contact/interface_element.h"
+#include "engine/scene/generators.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/recorded_run.h"
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "dda/core/counters.h"
-#include "dda/model/model.h"
+#include "engine/core/counters.h"
+#include "engine/model/model.h"
 #include "verification/exact/block_chain.h"
 
 namespace verify {

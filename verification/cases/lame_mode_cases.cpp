@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "dda/scene/generators.h"
-#include "dda/simulation/simulation.h"
+#include "engine/scene/generators.h"
+#include "engine/simulation/simulation.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/swing.h"
 #include "verification/exact/wave_speeds.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "verification/cases/contact_rig.h"
 
 namespace verify {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/suite/case.h"
 
 namespace verify {

@@ -5,9 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "dda/advice/plane_wave.h"
-#include "dda/core/counters.h"
-#include "dda/model/model.h"
+#include "engine/advice/plane_wave.h"
+#include "engine/core/counters.h"
+#include "engine/model/model.h"
 #include "verification/cases/periodic_mesh.h"
 
 namespace verify {

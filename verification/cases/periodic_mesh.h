@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "dda/core/types.h"
-#include "dda/geometry/polygon.h"
+#include "engine/core/types.h"
+#include "engine/geometry/polygon.h"
 
 namespace verify {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/geometry/polygon.h"
+#include "engine/geometry/polygon.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/scene/scene.h"
+#include "engine/scene/scene.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/end_reflection.h"
 #include "verification/exact/wave_speeds.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "dda/simulation/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "verification/cases/bar_case.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "dda/core/types.h"
-#include "dda/simulation/simulation.h"
+#include "engine/core/types.h"
+#include "engine/simulation/simulation.h"
 
 namespace verify {
 

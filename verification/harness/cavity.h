@@ -1,8 +1,8 @@
 // Loads of scenes with a cavity in rock: a pressure on its wall, and an outside that absorbs waves.
 #pragma once
 
-#include "dda/model/model.h"
-#include "dda/model/time_function.h"
+#include "engine/model/model.h"
+#include "engine/model/time_function.h"
 
 namespace verify {
 

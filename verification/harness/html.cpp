@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 namespace verify {
 namespace {

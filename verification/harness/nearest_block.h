@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 
 namespace verify {
 

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "dda/simulation/probes.h"
+#include "engine/simulation/probes.h"
 
 namespace verify {
 namespace {

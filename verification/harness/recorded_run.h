@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "dda/core/counters.h"
-#include "dda/linear/solver_choice.h"
-#include "dda/model/energy.h"
-#include "dda/model/model.h"
-#include "dda/simulation/simulation.h"
+#include "engine/core/counters.h"
+#include "engine/linear/solver_choice.h"
+#include "engine/model/energy.h"
+#include "engine/model/model.h"
+#include "engine/simulation/simulation.h"
 
 namespace verify {
 

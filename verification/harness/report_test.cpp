@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "dda/core/temporary_folder.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/record/atomic_file.h"
 #include "verification/harness/gnuplot.h"
 #include "verification/harness/html.h"
 #include "verification/harness/markdown.h"

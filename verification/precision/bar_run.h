@@ -1,7 +1,7 @@
 // The thesis' bar (100 m, stress at 50 m) under one sine cycle, bare or in an envelope.
 #pragma once
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/precision/scheme_settings.h"
 
 namespace verify {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dda/model/settings.h"
+#include "engine/model/settings.h"
 
 namespace verify {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "dda/scene/scheme.h"
-#include "dda/simulation/block_terms.h"
+#include "engine/scene/scheme.h"
+#include "engine/simulation/block_terms.h"
 #include "verification/precision/bar_run.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/plane_run.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "dda/scene/generators.h"
+#include "engine/scene/generators.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/recorded_run.h"
 #include "verification/precision/scheme_settings.h"

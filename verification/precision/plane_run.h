@@ -2,7 +2,7 @@
 // until what its free edges send back could arrive.
 #pragma once
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/exact/plane_pulse.h"
 #include "verification/precision/job.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 #include "verification/harness/gnuplot.h"
 #include "verification/precision/table.h"
 

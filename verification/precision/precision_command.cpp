@@ -4,8 +4,8 @@
 
 #include <ostream>
 
-#include "dda/record/atomic_file.h"
-#include "dda/record/progress.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/progress.h"
 #include "verification/harness/gnuplot.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/other_systems.h"

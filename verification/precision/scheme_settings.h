@@ -1,7 +1,7 @@
 // A scheme of the study as the engine's settings.
 #pragma once
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/harness/recorded_run.h"
 #include "verification/precision/job.h"
 

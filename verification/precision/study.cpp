@@ -11,8 +11,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "dda/core/error.h"
-#include "dda/record/progress.h"
+#include "engine/core/error.h"
+#include "engine/record/progress.h"
 
 namespace verify {
 namespace {

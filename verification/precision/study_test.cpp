@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "dda/core/error.h"
-#include "dda/core/temporary_folder.h"
+#include "engine/core/error.h"
+#include "engine/core/temporary_folder.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/other_systems.h"
 #include "verification/precision/summary.h"

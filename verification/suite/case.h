@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/core/counters.h"
+#include "engine/core/counters.h"
 
 namespace verify {
 

@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "dda/core/error.h"
-#include "dda/core/temporary_folder.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/error.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/record/atomic_file.h"
 #include "verification/suite/catalogue.h"
 #include "verification/suite/page.h"
 #include "verification/suite/run_command.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 
 namespace verify {
 namespace {

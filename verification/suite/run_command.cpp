@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 namespace verify {
 namespace {

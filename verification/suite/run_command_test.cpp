@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "dda/core/error.h"
-#include "dda/core/temporary_folder.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/error.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/record/atomic_file.h"
 #include "verification/suite/suite_test_support.h"
 
 namespace verify {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <utility>
 
-#include "dda/core/error.h"
-#include "dda/scene/nearest_word.h"
+#include "engine/core/error.h"
+#include "engine/scene/nearest_word.h"
 
 namespace verify {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 #include "verification/suite/suite_test_support.h"
 
 namespace verify {

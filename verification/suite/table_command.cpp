@@ -5,8 +5,8 @@
 #include <map>
 #include <ostream>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
 #include "verification/suite/page.h"
 #include "verification/suite/run_command.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "dda/advice/half_row.h"
-#include "dda/advice/wave_errors.h"
+#include "engine/advice/half_row.h"
+#include "engine/advice/wave_errors.h"
 #include "verification/cases/bloch.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"

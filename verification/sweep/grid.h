@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dda/scene/field.h"
+#include "engine/scene/field.h"
 #include "verification/sweep/parameters.h"
 
 namespace verify {

@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "dda/advice/wave_errors.h"
+#include "engine/advice/wave_errors.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/half_chain.h"

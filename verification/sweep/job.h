@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dda/core/counters.h"
+#include "engine/core/counters.h"
 #include "verification/sweep/parameters.h"
 #include "verification/thesis/reference.h"
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "dda/model/material.h"
-#include "dda/model/settings.h"
+#include "engine/model/material.h"
+#include "engine/model/settings.h"
 
 namespace verify {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 #include "verification/harness/gnuplot.h"
 
 namespace verify {

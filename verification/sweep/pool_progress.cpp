@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "dda/record/progress.h"
+#include "engine/record/progress.h"
 
 namespace verify {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/scene/field.h"
-#include "dda/scene/json_text.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/scene/field.h"
+#include "engine/scene/json_text.h"
 #include "verification/sweep/grid.h"
 
 namespace verify {

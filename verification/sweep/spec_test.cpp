@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dda/core/error.h"
+#include "engine/core/error.h"
 #include "verification/sweep/plots.h"
 #include "verification/thesis/reference.h"
 

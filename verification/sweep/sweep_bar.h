@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/sweep/parameters.h"
 #include "verification/thesis/reference.h"
 

@@ -7,9 +7,9 @@
 #include <ostream>
 #include <thread>
 
-#include "dda/core/error.h"
-#include "dda/record/atomic_file.h"
-#include "dda/record/progress.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/progress.h"
 #include "verification/harness/gnuplot.h"
 #include "verification/sweep/job.h"
 #include "verification/sweep/job_list.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 
 namespace verify {
 namespace {

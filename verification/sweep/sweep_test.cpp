@@ -5,9 +5,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "dda/core/error.h"
-#include "dda/core/temporary_folder.h"
-#include "dda/record/atomic_file.h"
+#include "engine/core/error.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/record/atomic_file.h"
 #include "verification/sweep/job_list.h"
 #include "verification/sweep/process_pool.h"
 #include "verification/sweep/sweep_command.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dda/scene/generators.h"
+#include "engine/scene/generators.h"
 
 namespace verify {
 namespace {

@@ -1,7 +1,7 @@
 // The thesis' bar as a Model of the engine.
 #pragma once
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/thesis/reference.h"
 #include "verification/thesis/schemes.h"
 

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 #include "verification/harness/markdown.h"
 #include "verification/harness/page_check.h"
 #include "verification/thesis/blast_report.h"

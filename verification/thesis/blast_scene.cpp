@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "dda/scene/ground_plan.h"
+#include "engine/scene/ground_plan.h"
 #include "verification/harness/cavity.h"
 
 namespace verify {

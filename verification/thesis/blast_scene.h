@@ -1,7 +1,7 @@
 // The blast of the thesis' chapter 4 as a Model, as far as the text defines it.
 #pragma once
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/thesis/blast_reference.h"
 
 namespace verify {

@@ -4,8 +4,8 @@
 
 #include <iostream>
 
-#include "dda/record/atomic_file.h"
-#include "dda/record/progress.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/progress.h"
 #include "verification/harness/gnuplot.h"
 #include "verification/harness/html.h"
 #include "verification/harness/markdown.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "dda/record/progress.h"
+#include "engine/record/progress.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
 #include "verification/thesis/bar_scene.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/linear/solver_choice.h"
+#include "engine/linear/solver_choice.h"
 #include "verification/thesis/oracle_study.h"
 #include "verification/thesis/readings_study.h"
 #include "verification/thesis/reference.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "dda/contact/interface_element.h"
+#include "engine/contact/interface_element.h"
 #include "verification/exact/bar_stress.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/exact/block_chain.h"
 #include "verification/exact/time_scheme.h"
 #include "verification/thesis/reference.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "dda/record/atomic_file.h"
+#include "engine/record/atomic_file.h"
 #include "verification/harness/gnuplot.h"
 
 namespace verify {

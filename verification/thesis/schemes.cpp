@@ -3,7 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "dda/scene/scheme.h"
+#include "engine/scene/scheme.h"
 
 namespace verify {
 namespace {

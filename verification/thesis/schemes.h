@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "dda/model/model.h"
+#include "engine/model/model.h"
 #include "verification/thesis/reference.h"
 
 namespace verify {

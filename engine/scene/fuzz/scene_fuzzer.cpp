@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "dda/core/error.h"
-#include "dda/scene/scene.h"
+#include "engine/core/error.h"
+#include "engine/scene/scene.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

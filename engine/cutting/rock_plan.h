@@ -1,0 +1,65 @@
+// A plan of rock: what is drawn before anything is cut. Scenes and readers of drawings fill it, cut_rock cuts it into
+// blocks. Plain data; lengths in m, x right, y up. Nothing here has to be clean: lines may cross, touch, run along each
+// other, stick out of the boundary or end inside the rock, and rings may turn either way.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/geometry/polygon.h"
+
+namespace dda {
+
+// A joint or any other line that cuts, straight or with corners.
+struct PlanLine {
+  std::vector<Vec2> points;  // two or more, from end to end; a closed one repeats its first point at the end
+  std::string joint;         // name of the joint along it; empty: the default joint
+  std::string origin;        // where it was given, for messages: "lines[3]", "plan.dxf line 214 (layer rock)"
+  // Cuts only, as the lines of a mesh inside intact rock do: where another line runs along it, that one's joint counts.
+  bool construction = false;
+};
+
+// A named part of the rock that is, or can be, taken out: a tunnel, a shaft, a removable hole.
+struct PlanOpening {
+  std::string name;  // of the group of its blocks
+  Ring outline;
+  std::string joint;      // along its outline; empty: the default joint
+  bool left_out = false;  // true: no blocks inside; false: cut like the rest, as a group to be excavated
+  std::string origin;
+};
+
+// Blocks whose inside lies in the outline have this material. Where regions overlap, the later one counts.
+struct PlanRegion {
+  Ring outline;
+  std::string material;
+  std::string origin;
+};
+
+// A place that a drawing marks: a fixed point, a load point, a measuring point, a hole point, a blast.
+struct PlanPoint {
+  Vec2 at = Vec2::Zero();
+  std::string layer;  // what it marks: "measure point"
+  std::string name;
+  std::string origin;
+};
+
+// Lines that a drawing marks without cutting along them: absorbing boundaries and the like.
+struct PlanMark {
+  std::vector<Vec2> points;
+  std::string layer;
+  std::string origin;
+};
+
+struct RockPlan {
+  Ring boundary;  // the first vertex is not repeated
+  std::vector<Ring> holes;
+  std::string boundary_origin;  // for messages: "boundary", "plan.dxf (layer boundary)"
+  std::string material;         // of blocks in no region; empty: the only one
+  std::vector<PlanLine> lines;
+  std::vector<PlanOpening> openings;
+  std::vector<PlanRegion> regions;
+  std::vector<PlanPoint> points;
+  std::vector<PlanMark> marks;
+};
+
+}  // namespace dda

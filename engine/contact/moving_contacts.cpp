@@ -17,6 +17,12 @@ const JointMaterial& joint_of(const Model& model, const Interface& interface) {
   return model.joints[at(interface.joint)];
 }
 
+// The two blocks of an interface or of an end of one, the smaller index first.
+template <typename Between>
+std::pair<int, int> pair_of(const Between& between) {
+  return std::minmax(between.block_a, between.block_b);
+}
+
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
@@ -151,7 +157,7 @@ bool MovingContacts::follow(const Model& model, const State& state, ContactSet& 
 }
 
 // Forces, slip and dilation of stretches that are dry (at the start) or broken at both ends (later) go on in the vertex
-// contacts that take their place.
+// contacts that take their place. They are sorted by their pair of blocks, so that first_state() finds them quickly.
 void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones) {
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
@@ -173,15 +179,19 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
           {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own});
     }
   }
+  std::stable_sort(lost_ends_.begin(), lost_ends_.end(),
+                   [](const StretchEnd& a, const StretchEnd& b) { return pair_of(a) < pair_of(b); });
 }
 
 // Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
 InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) const {
-  for (const StretchEnd& end : lost_ends_) {
-    const bool same_way = end.block_a == interface.block_a && end.block_b == interface.block_b;
-    const bool other_way = end.block_a == interface.block_b && end.block_b == interface.block_a;
-    if ((!same_way && !other_way) || (end.place - interface.from).norm() > point_tolerance(model)) continue;
-    if ((same_way ? 1 : -1) * end.normal.dot(interface.normal) >= same_direction) return end.state;
+  const std::pair<int, int> pair = pair_of(interface);
+  auto end = std::lower_bound(lost_ends_.begin(), lost_ends_.end(), pair,
+                              [](const StretchEnd& each, const auto& wanted) { return pair_of(each) < wanted; });
+  for (; end != lost_ends_.end() && pair_of(*end) == pair; ++end) {
+    if ((end->place - interface.from).norm() > point_tolerance(model)) continue;
+    const double sense = end->block_a == interface.block_a ? 1 : -1;
+    if (sense * end->normal.dot(interface.normal) >= same_direction) return end->state;
   }
   const bool failed = !is_dry(joint_of(model, interface));
   InterfaceState state;

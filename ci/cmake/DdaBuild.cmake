@@ -12,7 +12,10 @@ endif()
 
 find_program(DDA_CCACHE ccache)
 if(DDA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${DDA_CCACHE}")
+  # ccache keeps what was made with a precompiled header only when told that time stamps and macros in it do not matter, and
+  # reads such a header, of 140 MB, once and not for every object when it may remember files by their inode.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+    CCACHE_INODECACHE=true "${DDA_CCACHE}")
 endif()
 find_program(DDA_MOLD mold)
 if(DDA_MOLD)
@@ -36,6 +39,25 @@ target_compile_options(dda_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -
 
 add_custom_target(unit_tests)
 
+# The code under test comes from libraries at full optimization; that of the tests themselves only has to compile fast.
+# (At -O1 GCC 12 sees uninitialized values in Eigen that are not there.)
+function(dda_fast_to_compile TARGET)
+  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
+  set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+endfunction()
+
+# dda_add_layers(): the folders that layers.txt of this folder names, in its order.
+function(dda_add_layers)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS layers.txt)
+  file(STRINGS layers.txt lines REGEX "^[^#]")
+  foreach(line ${lines})
+    separate_arguments(folders UNIX_COMMAND "${line}")
+    foreach(folder ${folders})
+      add_subdirectory(${folder})
+    endforeach()
+  endforeach()
+endfunction()
+
 # dda_module(NAME DEPENDS other... [LINK library...] [PRIVATE_LINK library...] [TEST_LINK library...])
 # One engine folder: every .cpp of it but main.cpp and *_test.cpp becomes the static library dda::NAME; every
 # *_test.cpp becomes its unit-test program NAME_test, known to ctest under the labels "fast" and "unit".
@@ -49,6 +71,7 @@ function(dda_module NAME)
     set(scope PUBLIC)
     add_library(dda_${NAME} STATIC ${sources})
     target_link_libraries(dda_${NAME} PRIVATE $<BUILD_INTERFACE:dda_options> ${ARG_PRIVATE_LINK})
+    dda_use_headers(dda_${NAME} dda_library_headers)
   else()
     set(scope INTERFACE)
     add_library(dda_${NAME} INTERFACE)
@@ -74,9 +97,8 @@ function(dda_test NAME)
   endif()
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE dda_options ${ARG_LINK} GTest::gtest_main)
-  # The code under test comes from libraries at full optimization; that of the tests themselves only has to compile fast.
-  # (At -O1 GCC 12 sees uninitialized values in Eigen that are not there.)
-  target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
+  dda_fast_to_compile(${NAME})
+  dda_use_headers(${NAME} dda_test_headers)
   gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60)
   # gtest_discover_tests(PROPERTIES LABELS ...) loses all labels but the first, so they are set when ctest reads the tests.
   set(labels_file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_labels.cmake")

@@ -1,22 +1,17 @@
 // dda-verify: the verification studies from the command line.
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 
-#include "engine/core/error.h"
+#include "verification/app/program.h"
 #include "verification/cases/all_cases.h"
 #include "verification/precision/precision_command.h"
 #include "verification/suite/run_command.h"
 #include "verification/suite/table_command.h"
 #include "verification/sweep/sweep_command.h"
 #include "verification/thesis/blast_command.h"
-#include "verification/thesis/calibrate_command.h"
 
 namespace {
-
-constexpr int failed = 1;
-constexpr int bad_input = 2;
 
 struct Arguments {
   verify::CalibrateCommand calibrate;
@@ -31,14 +26,7 @@ struct Arguments {
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
-  CLI::App* calibrate = app.add_subcommand(
-      "calibrate",
-      "The P wave of Zelig (2015), chapter 3: Tables 3.2 and 3.3 from this engine, beside the printed numbers, its "
-      "accurate scheme and the closed form of the discrete problem.\nWrites calibration.json, calibration.md, "
-      "calibration.html and plots/. Exit code 1 if a promised accuracy is not met.");
-  calibrate->add_option("--out", arguments.calibrate.folder, "folder of the report; made if it is not there")
-      ->required();
-  calibrate->add_flag("--quick", arguments.calibrate.quick, "the time step of 0.1 ms only, each run once");
+  verify::add_calibrate_options(*app.add_subcommand("calibrate", verify::calibrate_description), arguments.calibrate);
 }
 
 void add_selection(CLI::App& command, verify::Selection& selection) {
@@ -158,7 +146,9 @@ int carry_out(const CLI::App& app, const Arguments& arguments) {
   return 0;
 }
 
-int run(int argc, char** argv) {
+}  // namespace
+
+int main(int argc, char** argv) {
   CLI::App app("Verification studies of the dda engine.", "dda-verify");
   app.require_subcommand(1);
   Arguments arguments;
@@ -170,27 +160,5 @@ int run(int argc, char** argv) {
   add_job(app, arguments);
   add_collect(app, arguments);
   add_precision(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : bad_input;
-  }
-  return carry_out(app, arguments);
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const dda::InputError& error) {
-    std::cerr << "dda-verify: " << error.what() << "\n";
-    return bad_input;
-  } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "dda-verify: " << error.path1().string() << ": " << error.code().message() << "\n";
-    return bad_input;
-  } catch (const std::exception& error) {
-    std::cerr << "dda-verify: " << error.what() << "\n";
-    return failed;
-  }
+  return verify::run_program(app, argc, argv, [&app, &arguments] { return carry_out(app, arguments); });
 }

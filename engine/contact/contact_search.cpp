@@ -9,9 +9,9 @@
 namespace dda {
 namespace {
 
-constexpr double growth = 0.1;   // of a block's size, on every side of its box
-constexpr double deepest = 0.1;  // of the smaller size: a vertex further inside has not come in through this edge
-constexpr double corner_distance = 1e-6;  // of the smaller size: corners nearer than this meet
+constexpr double growth = 0.1;      // of a block's size, on every side of its box
+constexpr double deepest = 0.1;     // of the smaller size: a vertex further inside has not come in through this edge
+constexpr double round_off = 1e-9;  // of the smaller size: gaps and places on edges nearer than this are the same
 
 bool contains(const Box& outer, const Box& inner) {
   return (inner.lower.array() >= outer.lower.array()).all() && (inner.upper.array() <= outer.upper.array()).all();
@@ -47,7 +47,7 @@ std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, 
     if (std::binary_search(bonded.begin(), bonded.end(), pair)) continue;
     const double smaller = std::min(size_of(pair.first), size_of(pair.second));
     find_vertex_contacts(outlines_, pair.first, pair.second, reach * smaller + lift_, deepest * smaller,
-                         corner_distance * smaller, found);
+                         round_off * smaller, found);
   }
   std::sort(found.begin(), found.end());
   return found;

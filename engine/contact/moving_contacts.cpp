@@ -113,6 +113,8 @@ class Succession {
   std::vector<std::pair<int, std::size_t>> by_vertex_;  // vertex and index of the known contacts, when asked for
 };
 
+bool is_same(const VertexContact& a, const VertexContact& b) { return a.edge == b.edge && a.vertex == b.vertex; }
+
 // The springs go on with the force that the state comes with, if it presses.
 void seat(const InterfaceElement& element, double distance, InterfaceState& state) {
   if (state.force(0) >= 0) return;
@@ -120,13 +122,33 @@ void seat(const InterfaceElement& element, double distance, InterfaceState& stat
   state.gap(1) = elastic_gap(state.force(1), element.stiffness(1), 0);
 }
 
+// Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
+InterfaceState new_state(const JointMaterial& joint) {
+  const bool failed = !is_dry(joint);
+  InterfaceState state;
+  state.broken = {true, true};
+  state.residual = {failed, failed};
+  state.status = {ContactStatus::open, ContactStatus::open};
+  return state;
+}
+
+// A contact that comes from nowhere does not press at once, and one that comes from another vertex or edge presses more
+// than that one only by what it has moved (m): what it is pressed in beyond that its spring closes deeper. So a wrong
+// choice of contacts brings no energy, whatever the choice.
+void press_no_more(double distance, double moved, InterfaceState& state) {
+  const double pressed = std::min(0.0, state.gap(0)) - moved;
+  state.seat[0] = std::min(state.seat[0], distance - state.dilation[0] - pressed);
+}
+
+// A spring that opens has lost what it was seated with, but for a depth that it has not yet come out of.
 void measure(const InterfaceElement& element, double distance, InterfaceState& state) {
   const double gap = distance - state.held_open(0);
   state.gap(0) = gap;
   if (gap > 0) {
     state.status[0] = ContactStatus::open;
     state.gap(1) = 0;
-    state.seat[0] = 0;
+    state.seat[0] = std::min(0.0, distance - state.dilation[0]);
+    if (state.seat[0] < 0) state.gap(0) = 0;
   } else if (state.status[0] == ContactStatus::open) {
     state.status[0] = ContactStatus::locked;
   }
@@ -183,21 +205,28 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
                    [](const StretchEnd& a, const StretchEnd& b) { return pair_of(a) < pair_of(b); });
 }
 
-// Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
-InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface) const {
+// The end of a stretch that was where the contact is.
+const InterfaceState* MovingContacts::lost_end(const Model& model, const Interface& interface) const {
   const std::pair<int, int> pair = pair_of(interface);
   auto end = std::lower_bound(lost_ends_.begin(), lost_ends_.end(), pair,
                               [](const StretchEnd& each, const auto& wanted) { return pair_of(each) < wanted; });
   for (; end != lost_ends_.end() && pair_of(*end) == pair; ++end) {
     if ((end->place - interface.from).norm() > point_tolerance(model)) continue;
     const double sense = end->block_a == interface.block_a ? 1 : -1;
-    if (sense * end->normal.dot(interface.normal) >= same_direction) return end->state;
+    if (sense * end->normal.dot(interface.normal) >= same_direction) return &end->state;
   }
-  const bool failed = !is_dry(joint_of(model, interface));
-  InterfaceState state;
-  state.broken = {true, true};
-  state.residual = {failed, failed};
-  state.status = {ContactStatus::open, ContactStatus::open};
+  return nullptr;
+}
+
+InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface,
+                                           const InterfaceElement& element, double distance) const {
+  InterfaceState state = new_state(joint_of(model, interface));
+  if (const InterfaceState* end = lost_end(model, interface)) {
+    state = *end;
+    seat(element, distance, state);
+  } else {
+    press_no_more(distance, 0, state);
+  }
   return state;
 }
 
@@ -273,10 +302,12 @@ void MovingContacts::refresh(const Model& model, const State& state, ContactSet&
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     const std::ptrdiff_t earlier = succession.earlier()[i];
     if (earlier >= 0) {
-      states.push_back(contacts.states[stretches_ + static_cast<std::size_t>(earlier)]);
+      const VertexContact& before = known_[static_cast<std::size_t>(earlier)];
+      InterfaceState& own = states.emplace_back(contacts.states[stretches_ + static_cast<std::size_t>(earlier)]);
+      const double moved = std::abs(own.gap(0) + own.held_open(0) - before.gap);
+      if (!is_same(found[i], before)) press_no_more(found[i].gap, moved, own);
     } else {
-      states.push_back(first_state(model, interface));
-      seat(contacts.elements[entry], found[i].gap, states.back());
+      states.push_back(first_state(model, interface, contacts.elements[entry], found[i].gap));
     }
     measure(contacts.elements[entry], found[i].gap, states.back());
   }

@@ -44,7 +44,9 @@ class MovingContacts {
   void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones);
   void refresh(const Model& model, const State& state, ContactSet& contacts);
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact) const;
-  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface) const;
+  [[nodiscard]] const InterfaceState* lost_end(const Model& model, const Interface& interface) const;
+  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface,
+                                           const InterfaceElement& element, double distance) const;
 
   ContactSearch search_;
   SurfaceJoints surfaces_;

@@ -1,10 +1,8 @@
 // Narrow phase: which vertices of one block touch, or nearly touch, which edges of another.
 //
-// Edge-edge contact is two vertex-edge contacts, one at each end of the common stretch. A vertex enters through an edge
-// when both its own edges leave that edge's line on the outer side (up to `entrance_slack`): a reflex corner never
-// enters, and a corner that meets another corner enters through the edge that keeps both wedges apart. A vertex inside
-// a block has come in through the edge nearest to it, or, in a notch, through both. Where two corners meet, only one
-// contact is made: the one with the least penetration.
+// They are the covers on the outline of the two blocks' entrance block near the place taken now (entrance_cover.h):
+// those behind which the blocks really overlap (real_overlap.h), and at its corners those that keep them apart
+// (cover_corners.h). Edge-edge contact is two of them, one at each end of the common stretch.
 #pragma once
 
 #include <vector>
@@ -38,13 +36,9 @@ int facing_edge(const Outlines& outlines, const VertexContact& contact);
 // Length (m) along which the contact's edge and the facing one are beside each other; 0 where blocks meet in corners.
 double common_length(const Outlines& outlines, const VertexContact& contact);
 
-// Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat
-// on each other rock within it.
-inline constexpr double entrance_slack = 0.05;
-
-// Contacts between blocks `a` and `b` with gaps from -`depth` to `reach` (m). A vertex nearer than `corner` (m), along
-// an edge, to the edge's end meets the corner there.
-void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double corner,
+// Contacts between blocks `a` and `b` with gaps from -`depth` to `reach` (m). Gaps and places on edges that differ by
+// less than `round_off` (m) are the same.
+void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double round_off,
                           std::vector<VertexContact>& found);
 
 }  // namespace dda

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/contact/contact_models.h"
+#include "engine/contact/entrance_cover.h"
 #include "engine/geometry/random_polygon.h"
 
 namespace dda {
@@ -19,7 +20,7 @@ namespace {
 
 constexpr double reach = 0.02;
 constexpr double depth = 0.1;
-constexpr double corner = 1e-6;
+constexpr double corner = 1e-9;
 
 // Blocks as given, wherever they are: finish_model would refuse overlaps.
 Outlines outlines_of(const std::vector<Polygon>& shapes) {
@@ -48,8 +49,8 @@ std::vector<VertexContact> contacts_of(const std::vector<Polygon>& shapes) { ret
 
 // ---- Particular positions.
 
-// Vertical gaps of blocks that lie on each other; the corner distance is 1e-6 m.
-const std::vector<double> small_gaps = {1e-3, 1e-9, 0, -1e-9, -1e-7, -1e-5, -1e-4};
+// Vertical gaps of blocks that lie on each other; gaps of 1e-9 m count as none.
+const std::vector<double> small_gaps = {1e-3, 1e-9, 0, -2e-9, -1e-7, -1e-5, -1e-4};
 
 TEST(VertexContact, AlignedBoxesTouchInTwoCorners) {
   for (const double gap : small_gaps) {
@@ -78,7 +79,7 @@ TEST(VertexContact, ABoxThatSlidesAcrossAnotherHasTwo) {
           const auto found = contacts_of({box(0, 0, 3, 1), box(left, 1 + gap, 1, 0.5, angle)});
           // A box that overlaps by less than it has sunk in leaves by the side just as well.
           const double unsure = corner + 2 * std::abs(gap);
-          ASSERT_LE(found.size(), 2U) << left << ' ' << gap << ' ' << angle;
+          ASSERT_LE(found.size(), std::abs(common) < unsure ? 3U : 2U) << left << ' ' << gap << ' ' << angle;
           if (common < -unsure) {
             for (const VertexContact& contact : found) ASSERT_GT(contact.gap, 0) << left << ' ' << gap << ' ' << angle;
           }
@@ -248,18 +249,21 @@ RC_GTEST_PROP(VertexContactProperty, OnlyWhatTheOracleAllowsAndNoneTwice, ()) {
         std::find_if(expected.begin(), expected.end(), [&](const Expected& e) { return same(found[i], e); });
     RC_ASSERT(match != expected.end());
     RC_ASSERT(std::abs(match->gap - found[i].gap) < 1e-12);
-    // A vertex pressed into a notch lies beyond the ends of both edges there, by as much as it is pressed in.
-    RC_ASSERT(match->margin > -1e-9 - (is_by_a_notch(outlines, found[i]) ? reach : corner));
+    // A vertex pressed into a notch lies beyond the ends of both edges there, by as much as it is pressed in. One that
+    // is not pressed in may come over an end in the next step.
+    const bool may_be_beyond = found[i].gap >= 0 || is_by_a_notch(outlines, found[i]);
+    RC_ASSERT(match->margin > -1e-9 - (may_be_beyond ? reach : entrance_slack * -found[i].gap));
     if (i > 0) RC_ASSERT(found[i - 1] < found[i]);
   }
 }
 
-// What the oracle is sure of is found, unless the same vertex is nearer to another edge of the same block.
+// What the oracle is sure of is found, unless the same vertex is nearer to another edge of the same block. (Of gaps
+// that are closed contact_population_test.cpp judges.)
 RC_GTEST_PROP(VertexContactProperty, EveryContactOfTheOracleIsFoundOrANearerOne, ()) {
   const Outlines outlines = outlines_of(touching_pair());
   const std::vector<VertexContact> found = contacts_of(outlines);
   for (const Expected& expected : expectations(outlines)) {
-    if (expected.margin < 1e-9 || is_far(outlines, expected)) continue;
+    if (expected.margin < 1e-9 || expected.gap < 0 || is_far(outlines, expected)) continue;
     const bool covered = std::any_of(found.begin(), found.end(), [&](const VertexContact& contact) {
       const bool same_vertex = contact.vertex == expected.vertex;
       const Vec2 apart = outlines.current[static_cast<std::size_t>(contact.vertex)] -

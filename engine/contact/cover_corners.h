@@ -1,0 +1,19 @@
+// Which covers count where the entrance block has a corner: where a vertex of one block meets a vertex of the other.
+//
+// The covers that end in a corner go on beyond it, and a step may lead over it. At a convex corner the blocks are apart
+// as soon as one cover says so: the one with the largest gap counts. At a reflex corner, which a vertex in a notch
+// makes, they are apart only if both say so: both count. Two covers in line, of corners above each other, are one, and
+// so are the ends of a common stretch that is shorter than the blocks are pressed in.
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/entrance_cover.h"
+
+namespace dda {
+
+// Takes out the covers that do not count. `reach`: m, as given to find_covers. `round_off`: m, gaps and
+// stretches that count as none.
+void choose_at_corners(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers);
+
+}  // namespace dda

@@ -1,0 +1,92 @@
+#include "engine/contact/entrance_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// One block's vertices against another's edges.
+class Side {
+ public:
+  Side(const Outlines& outlines, int vertex_block, int edge_block, double reach, double depth, double round_off)
+      : outlines_(outlines),
+        vertex_block_(vertex_block),
+        edge_block_(edge_block),
+        reach_(reach),
+        round_off_(round_off),
+        farthest_squared_(std::max(reach * reach, depth * depth)),
+        depth_(depth) {}
+
+  void collect(std::vector<Cover>& found) const {
+    const Box near = expanded(outlines_.boxes[at(edge_block_)], reach_);
+    for (int vertex = outlines_.starts[at(vertex_block_)]; vertex < outlines_.starts[at(vertex_block_) + 1]; ++vertex) {
+      const Vec2& point = outlines_.current[at(vertex)];
+      if ((point.array() < near.lower.array()).any() || (point.array() > near.upper.array()).any()) continue;
+      for (int edge = outlines_.starts[at(edge_block_)]; edge < outlines_.starts[at(edge_block_) + 1]; ++edge)
+        try_pair(vertex, edge, found);
+    }
+  }
+
+ private:
+  void try_pair(int vertex, int edge, std::vector<Cover>& found) const {
+    const Vec2 along = outlines_.along(edge);
+    const Vec2 offset = outlines_.current[at(vertex)] - outlines_.current[at(edge)];
+    const double squared = along.squaredNorm();
+    const double gap_by_length = cross(offset, along);
+    if (gap_by_length * gap_by_length > squared * farthest_squared_) return;
+    const double length = std::sqrt(squared);
+    const double gap = gap_by_length / length;
+    const double place = offset.dot(along) / length;
+    const double beyond = std::max(-place, place - length);
+    if (gap > reach_ || gap < -depth_ || (beyond > 0 && beyond * beyond + gap * gap > reach_ * reach_)) return;
+    const Vec2 normal = Vec2(along.y(), -along.x()) / length;
+    if (!faces(vertex, normal)) return;
+    const bool at_end = beyond >= -round_off_ && beyond <= std::max(round_off_, entrance_slack * std::abs(gap));
+    found.push_back({{edge_block_, vertex_block_, edge, vertex, normal, gap},
+                     at_end ? 0 : beyond,
+                     place < length / 2 ? edge : outlines_.next[at(edge)],
+                     true});
+  }
+
+  // Whether both edges of the vertex leave on the normal's side, but for the slack, and do not face the same way as the
+  // edge: a needle's tip passes the first test on both of its sides.
+  [[nodiscard]] bool faces(int vertex, const Vec2& normal) const {
+    const Vec2 out = outlines_.along(vertex);
+    const double out_length = out.norm();
+    if (normal.dot(out) < -entrance_slack * out_length) return false;
+    const Vec2 in = outlines_.along(outlines_.previous[at(vertex)]);
+    const double in_length = in.norm();
+    if (normal.dot(in) > entrance_slack * in_length) return false;
+    return cross(normal, out) * in_length + cross(normal, in) * out_length < 0;
+  }
+
+  const Outlines& outlines_;
+  int vertex_block_;
+  int edge_block_;
+  double reach_;
+  double round_off_;
+  double farthest_squared_;
+  double depth_;
+};
+
+}  // namespace
+
+Vec2 normal_of(const Outlines& outlines, int edge) {
+  const Vec2 along = outlines.along(edge);
+  return Vec2(along.y(), -along.x()).normalized();
+}
+
+std::vector<Cover> find_covers(const Outlines& outlines, int a, int b, double reach, double depth, double round_off) {
+  std::vector<Cover> found;
+  Side(outlines, a, b, reach, depth, round_off).collect(found);
+  Side(outlines, b, a, reach, depth, round_off).collect(found);
+  return found;
+}
+
+}  // namespace dda

@@ -1,0 +1,38 @@
+// The covers of two blocks' entrance block, which are what the narrow phase chooses from.
+//
+// Hold block b and move block a without turning it. The places that a cannot take, because the two would overlap, are
+// the Minkowski difference of b and a: the entrance block (Shi, Contact theory, Science China Technological Sciences
+// 58, 2015). Its outline is made of covers. A cover is a vertex of one block on an edge of the other whose normal lies
+// between the vertex' own edges, so that a reflex corner has none. In the plane of translations a cover is a straight
+// stretch as long as the edge; the vertex' distance from the edge's line is that of the place taken now from the
+// stretch's line, and the end of a stretch is where the vertex meets a vertex of the other block. Covers that are not
+// on the outline lie within the entrance block: real_overlap.h and cover_corners.h tell.
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/outlines.h"
+#include "engine/contact/vertex_contact.h"
+
+namespace dda {
+
+struct Cover {
+  VertexContact contact;
+  double beyond =
+      0;           // m, by which the vertex' foot lies past the edge's nearer end; 0 at the end, negative on the edge
+  int corner = 0;  // that end: a vertex of the edge's block
+  bool counts = true;  // as a contact
+};
+
+// Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat
+// on each other rock within it. By as much of its gap a vertex may lie past an end.
+inline constexpr double entrance_slack = 0.05;
+
+// Unit normal of an edge, out of its block.
+Vec2 normal_of(const Outlines& outlines, int edge);
+
+// Covers within `reach` (m) of the place taken now, or at most `depth` (m) behind it. Feet
+// nearer to an end than `round_off` (m) are at the end.
+std::vector<Cover> find_covers(const Outlines& outlines, int a, int b, double reach, double depth, double round_off);
+
+}  // namespace dda

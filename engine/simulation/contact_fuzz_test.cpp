@@ -1,0 +1,182 @@
+// Random rock, cut from one piece with short faces, needles and slivers on purpose, thrown, dropped and stacked: no run
+// may gain energy, let blocks through each other or stop.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/cut_pieces.h"
+#include "engine/geometry/overlap.h"
+#include "engine/geometry/rotation.h"
+#include "engine/simulation/simulation_models.h"
+
+namespace dda {
+namespace {
+
+constexpr double dt = 5e-5;  // s
+constexpr int steps = 150;
+constexpr double least_area = 1e-4;  // m2; pieces have a radius of 1 m
+
+Model rock_of(const std::vector<Ring>& blocks, SeededNumbers& random) {
+  Model model;
+  model.materials = {{"rock", 2700, 50e9, 0.25, PlaneState::strain}};
+  JointMaterial joint;
+  joint.law = InterfaceLaw::classical;
+  joint.friction_angle = random.chance(0.3) ? 0 : random.number(0.2, 0.8);
+  model.joints = {joint};
+  for (const Ring& ring : blocks) {
+    Block& block = model.blocks.emplace_back();
+    block.name = "block " + std::to_string(model.blocks.size());
+    block.shape.outer = ring;
+  }
+  // An integrator that loses energy by itself, so that what is gained is the contacts'. The steps are far too long for
+  // what small blocks do on their springs.
+  model.stages = {stage_of(thesis_integrator(), dt, steps, Kinematics::finite)};
+  return model;
+}
+
+// Velocities that leave the centre of mass at rest, so that the energy is all in what blocks do to each other.
+void throw_about(Model& model, SeededNumbers& random, double speed) {
+  Vec2 momentum = Vec2::Zero();
+  double area = 0;
+  for (Block& block : model.blocks) {
+    block.initial_velocity = speed * random.number(0, 1) * random.direction();
+    momentum += signed_area(block.shape.outer) * block.initial_velocity;
+    area += signed_area(block.shape.outer);
+  }
+  for (Block& block : model.blocks) block.initial_velocity -= momentum / area;
+}
+
+void hold(Model& model, int block) {
+  model.held_blocks.emplace_back().block = block;
+  model.blocks[static_cast<std::size_t>(block)].initial_velocity = Vec2::Zero();
+}
+
+// Below all of them.
+void add_floor(Model& model, double gap) {
+  double lowest = 1e300;
+  for (const Block& block : model.blocks)
+    for (const Vec2& vertex : block.shape.outer) lowest = std::min(lowest, vertex.y());
+  Block& floor = model.blocks.emplace_back();
+  floor.name = "floor";
+  floor.shape.outer = box_ring(-5, lowest - gap - 1, 5, lowest - gap);
+  hold(model, static_cast<int>(model.blocks.size()) - 1);
+  model.gravity = {0, -9.81};
+}
+
+std::vector<Ring> two_neighbours(SeededNumbers& random) {
+  while (true) {
+    const std::vector<Ring> blocks = random_blocks(random, random.integer(1, 5), least_area);
+    if (blocks.size() < 2) continue;
+    const Ring& a = random.one_of(blocks);
+    const Ring& b = random.one_of(blocks);
+    if (&a == &b) continue;
+    for (const Vec2& vertex : a)
+      if (locate({b, {}}, vertex, 1e-9) == Location::boundary) return {a, b};
+  }
+}
+
+Model random_scene(std::uint64_t seed) {
+  SeededNumbers random(seed);
+  const double kind = random.number(0, 1);
+  if (kind < 0.4) {  // two neighbours against each other, one of them held or not
+    Model model = rock_of(two_neighbours(random), random);
+    throw_about(model, random, random.magnitude(-1.5, 0));
+    if (random.chance(0.4)) hold(model, 0);
+    return model;
+  }
+  Model model = rock_of(random_blocks(random, random.integer(2, 6), least_area), random);
+  if (kind < 0.7) {
+    throw_about(model, random, random.magnitude(-1.5, 0));
+  } else {  // dropped, or laid on a floor that it hardly touches
+    add_floor(model, random.chance(0.5) ? 0 : random.magnitude(-5, -3));
+    if (random.chance(0.5)) throw_about(model, random, 0.1);
+    model.blocks.back().initial_velocity = Vec2::Zero();
+  }
+  return model;
+}
+
+// What there is beyond what there was and what loads brought, as a share of the most that there was to have.
+struct Gain {
+  double worst = 0;
+  double most = 1e-9;  // J/m
+
+  void look(const EnergyLedger& energy) {
+    const double had = energy.initial_kinetic + energy.initial_strain + energy.initial_contact;
+    const double stored = energy.kinetic + energy.strain + energy.contact;
+    const double brought = energy.external_work + energy.gravity_work;
+    most = std::max({most, had, std::abs(energy.gravity_work), energy.kinetic});
+    worst = std::max(worst, (stored - had - brought) / most);
+  }
+};
+
+Polygon shape_now(const Simulation& simulation, std::size_t block) {
+  const Model& model = simulation.model();
+  Polygon shape = model.blocks[block].shape;
+  const Vec2 now = current_centroid(model, simulation.state(), static_cast<int>(block));
+  for (Vec2& vertex : shape.outer)
+    vertex = now + simulation.state().deformation[block] * (vertex - model.blocks[block].moments.centroid);
+  return shape;
+}
+
+// Two blocks of which one is deeper in the other than `share` of the smaller one's size, or an empty string.
+std::string blocks_in_each_other(const Simulation& simulation, double share) {
+  const std::size_t count = simulation.model().blocks.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Polygon a = shape_now(simulation, i);
+      const Polygon b = shape_now(simulation, j);
+      const double size = std::sqrt(std::min(signed_area(a.outer), signed_area(b.outer)));
+      if (interiors_overlap(a, b, share * size))
+        return simulation.model().blocks[i].name + " and " + simulation.model().blocks[j].name;
+    }
+  return "";
+}
+
+// A sentence on what is wrong, or an empty string.
+std::string fault_of(std::uint64_t seed, double& worst_gain) {
+  Simulation simulation = simulation_of(random_scene(seed));
+  Gain gain;
+  gain.look(simulation.energy());
+  while (!simulation.finished()) {
+    const Status status = simulation.step();
+    if (status != Status::ok) return std::string(to_string(status)) + ": " + simulation.message();
+    gain.look(simulation.energy());
+  }
+  worst_gain = std::max(worst_gain, gain.worst);
+  const double residual = std::abs(simulation.energy().relative_residual());
+  if (gain.worst > 1e-6) return "gains " + std::to_string(gain.worst);
+  if (residual > 1e-9) return "energy out of balance by " + std::to_string(residual);
+  const std::string overlap = blocks_in_each_other(simulation, 5e-3);
+  return overlap.empty() ? "" : "deep in each other: " + overlap;
+}
+
+int faults(std::uint64_t first, int count) {
+  int wrong = 0;
+  double worst_gain = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    const std::string fault = fault_of(seed, worst_gain);
+    if (fault.empty()) continue;
+    ++wrong;
+    std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed), fault.c_str());
+  }
+  std::printf("largest gain %.2g\n", worst_gain);
+  return wrong;
+}
+
+// DDA_FUZZ=COUNT takes as many scenes from another seed on.
+TEST(ContactFuzz, RandomRockGainsNothingAndDoesNotStop) {
+  if (const char* count = std::getenv("DDA_FUZZ")) {
+    EXPECT_EQ(faults(1000, std::atoi(count)), 0);
+    return;
+  }
+  EXPECT_EQ(faults(1, 40), 0);
+}
+
+}  // namespace
+}  // namespace dda

@@ -21,7 +21,7 @@ BlockMatrix matrix_of(const Simulation& simulation, const MovingContacts& moving
   BlockMatrix matrix = make_system_matrix(static_cast<int>(model.blocks.size()), moving.pairs());
   assemble(step_coefficients(stage.integrator, stage.dt), make_block_terms(model), {},
            make_supports(model, simulation.state()), contacts, all_rows, matrix);
-  HeldBlocks(model).take_out(matrix);
+  HeldCouplings().take_out(make_held_unknowns(model), matrix);
   return matrix;
 }
 

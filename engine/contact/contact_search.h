@@ -36,9 +36,14 @@ class ContactSearch {
   // half of that in one step.
   static constexpr double reach = 0.02;
 
- private:
-  friend struct SnapshotAccess;  // engine/simulation/snapshot.h
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [outlines, sizes, lift, grown, pairs] = self;
+    archive.each(grown);
+    archive(pairs);  // sizes are the drawing's; outlines and lift are brought up to date before they are read
+  }
 
+ private:
   void list_pairs();
 
   Outlines outlines_;

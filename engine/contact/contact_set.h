@@ -20,6 +20,12 @@ struct ContactSet {
   std::vector<InterfaceState> states;
   std::vector<ChainEnd> chain_ends;
   bool can_change = false;  // some joint can open, slide or break
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [interfaces, elements, strengths, states, chain_ends, can_change] = self;
+    archive(interfaces, elements, strengths, states);  // the others are the drawing's
+  }
 };
 
 // Cubic joints become consistent ones unless all joints are bonded, all stages have small kinematics and there are no

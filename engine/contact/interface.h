@@ -18,6 +18,12 @@ struct Interface {
   double length = 0;  // m
   int joint = 0;      // index into Model::joints
   double share = 0;   // m, length of the joint for which each of its springs stands: half of a stretch
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [block_a, block_b, from, to, normal, length, joint, share] = self;
+    archive(block_a, block_b, from, to, normal, length, joint, share);
+  }
 };
 
 // What a contact in a point stands for, of the smaller block's size (the side of the square with its area).

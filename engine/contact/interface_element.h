@@ -13,6 +13,9 @@
 // symmetric: the blocks' strains carry the extra forces strain_rows^T g, strain_rows = stress_rows * elasticity.
 #pragma once
 
+#include <array>
+#include <type_traits>
+
 #include "engine/contact/interface.h"
 #include "engine/core/types.h"
 #include "engine/model/model.h"
@@ -29,6 +32,12 @@ struct InterfaceSprings {
   double length = 0;
   Vec4 stiffness;               // N/m per m of thickness, of each row while it is closed and stuck
   Vec4 dashpot = Vec4::Zero();  // N s/m per m of thickness, of each row while it is closed and stuck
+
+  template <typename Self, typename Archive>
+  static void visit_springs(Self& self, Archive& archive) {
+    auto& [law, length, stiffness, dashpot] = self;
+    archive(law, length, stiffness, dashpot);
+  }
 };
 
 struct InterfaceElement : InterfaceSprings {
@@ -37,6 +46,9 @@ struct InterfaceElement : InterfaceSprings {
   Mat46 rows_a, rows_b;
   Mat43 stress_rows_a, stress_rows_b;  // m; not set in the classical law
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set in the classical law
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive);
 };
 
 // A vertex on an edge or against another vertex: its second end (rows 2 and 3) is not there.
@@ -44,6 +56,21 @@ inline bool is_lone_vertex(const InterfaceSprings& springs) { return springs.len
 inline int ends_of(const InterfaceSprings& springs) { return is_lone_vertex(springs) ? 1 : 2; }
 
 inline bool has_stress_rows(const InterfaceSprings& springs) { return springs.law != InterfaceLaw::classical; }
+
+template <typename Self, typename Archive>
+void InterfaceElement::visit(Self& self, Archive& archive) {
+  // A member more, and this no longer compiles: it must be visited too.
+  struct Members : InterfaceSprings {
+    std::array<int, 2> blocks;
+    std::array<Mat46, 2> rows;
+    std::array<Mat43, 4> stress_rows;
+  };
+  static_assert(sizeof(InterfaceElement) == sizeof(Members));
+  using OwnSprings = std::conditional_t<std::is_const_v<Self>, const InterfaceSprings, InterfaceSprings>;
+  InterfaceSprings::visit_springs(static_cast<OwnSprings&>(self), archive);
+  archive(self.block_a, self.block_b, self.rows_a, self.rows_b);
+  if (has_stress_rows(self)) archive(self.stress_rows_a, self.stress_rows_b, self.strain_rows_a, self.strain_rows_b);
+}
 
 // What an interface adds to a symmetric matrix over the unknowns of its blocks a and b: stiffness (N/m per m of
 // thickness and so on) or inertia. ba: on b by the unknowns of a.

@@ -40,6 +40,12 @@ struct InterfaceState {
   std::array<double, 2> dilation{0, 0};  // m, normal, by the slip
   std::array<double, 2> seat{0, 0};      // m, normal, until it opens
 
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [gap, force, status, broken, slip, residual, dilation, seat] = self;
+    archive(gap, force, status, broken, slip, residual, dilation, seat);
+  }
+
   // The distance at which an end closes, m.
   [[nodiscard]] double held_open(std::size_t end) const { return dilation[end] + seat[end]; }
 };
@@ -53,6 +59,12 @@ struct EndStrength {
   double friction_drop = 0;                                        // friction less residual friction
   double dilation = 0;                                             // tangent of the dilation angle
   double dilation_slip = std::numeric_limits<double>::infinity();  // m
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [tension, cohesion, friction, residual_cohesion, friction_drop, dilation, dilation_slip] = self;
+    archive(tension, cohesion, friction, residual_cohesion, friction_drop, dilation, dilation_slip);
+  }
 
   [[nodiscard]] bool is_dry() const { return cohesion == 0 && tension == 0; }
   // Tangent of the friction angle before or after failure.

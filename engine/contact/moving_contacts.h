@@ -29,9 +29,13 @@ class MovingContacts {
 
   [[nodiscard]] double size_of(int block) const { return search_.size_of(block); }
 
- private:
-  friend struct SnapshotAccess;  // engine/simulation/snapshot.h
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [search, surfaces, lost_ends, stretches, known] = self;
+    archive(search, stretches, known);  // surfaces are the drawing's; no end is lost between steps
+  }
 
+ private:
   // An end of a stretch, in place of which there is now a vertex contact.
   struct StretchEnd {
     int block_a = 0, block_b = 0;

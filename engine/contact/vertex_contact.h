@@ -20,6 +20,12 @@ struct VertexContact {
   Vec2 normal;     // unit, out of the edge's block
   double gap = 0;  // m, distance of the vertex from the edge's line, negative inside the edge's block
 
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [edge_block, vertex_block, edge, vertex, normal, gap] = self;
+    archive(edge_block, vertex_block, edge, vertex, normal, gap);
+  }
+
   // Identity from step to step.
   [[nodiscard]] bool operator<(const VertexContact& other) const {
     return edge != other.edge ? edge < other.edge : vertex < other.vertex;

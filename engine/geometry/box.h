@@ -11,6 +11,12 @@ namespace dda {
 struct Box {
   Vec2 lower = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 upper = Vec2::Constant(-std::numeric_limits<double>::infinity());
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [lower, upper] = self;
+    archive(lower, upper);
+  }
 };
 
 inline bool is_empty(const Box& box) { return (box.lower.array() > box.upper.array()).any(); }

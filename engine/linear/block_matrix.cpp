@@ -103,6 +103,12 @@ void BlockMatrix::add_coupling(int i, int j, const Mat6& stiffness) {
 
 void BlockMatrix::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
 
+void BlockMatrix::set_values(const BlockMatrix& same_pattern) {
+  if (same_pattern.values_.size() != values_.size())
+    throw std::invalid_argument("BlockMatrix: values of a matrix of another pattern");
+  std::copy(same_pattern.values_.begin(), same_pattern.values_.end(), values_.begin());
+}
+
 template <typename Meets>
 void BlockMatrix::multiply_where(const Meets& meets, const Vector& x, Vector& y) const {
   y.setZero();

@@ -48,6 +48,8 @@ class BlockMatrix {
   void add_coupling(int i, int j, const Mat6& stiffness);
 
   void set_zero();
+  // Takes over the values of a matrix of the same pattern.
+  void set_values(const BlockMatrix& same_pattern);
 
   // y = A x; x and y hold 6n numbers each and are different vectors. Allocates nothing.
   void multiply(const Vector& x, Vector& y) const;

@@ -27,6 +27,14 @@ struct EnergyLedger {
   double initial_contact = 0;
   double initial_bolts = 0;
 
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping, numerical,
+           initial_kinetic, initial_strain, initial_contact, initial_bolts] = self;
+    archive(kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping,
+            numerical, initial_kinetic, initial_strain, initial_contact, initial_bolts);
+  }
+
   // What the balance does not explain: zero but for round-off when every term is right.
   [[nodiscard]] double residual() const {
     const double stored =

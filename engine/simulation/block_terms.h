@@ -17,6 +17,14 @@ struct BlockTerms {
   std::vector<double> area;      // m2
   std::vector<Mat3> elasticity;  // Pa
   std::vector<Mat3> compliance;  // 1/Pa
+
+  // What finite kinematics change.
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [inertia, area, elasticity, compliance] = self;
+    for (auto& each : inertia) archive(each.squares);
+    archive.each(area);
+  }
 };
 
 // Held blocks have no mass here: their motion does not follow from forces.

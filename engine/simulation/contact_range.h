@@ -27,9 +27,13 @@ class ContactRange {
   //     the corners of the edge it touches).
   [[nodiscard]] std::string problem(const Model& model, const State& state, const ContactSet& contacts);
 
- private:
-  friend struct SnapshotAccess;
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [radius, thickness, slide_limit, of_pair, least_thickness, checked_displacement, checked_deformation] = self;
+    archive(checked_displacement, checked_deformation);  // the others are the drawing's
+  }
 
+ private:
   [[nodiscard]] bool moved_beyond_skin(const State& state) const;
   [[nodiscard]] std::string sliding_problem(const Model& model, const State& state, const ContactSet& contacts) const;
   [[nodiscard]] std::string overlap_problem(const Model& model, const State& state, const ContactSet& contacts) const;

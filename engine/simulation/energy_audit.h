@@ -95,9 +95,13 @@ class EnergyAudit {
 
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
- private:
-  friend struct SnapshotAccess;  // snapshot.h
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [ledger, replaced] = self;
+    archive(ledger, replaced);
+  }
 
+ private:
   EnergyLedger ledger_;
   double replaced_ = 0;  // losses by interface_replaced in the step under way
 };

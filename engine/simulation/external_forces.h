@@ -34,10 +34,17 @@ class ExternalForces {
   // Replaces it where inertia couples blocks: weight is inertia times gravity then too.
   void set_weight(const Eigen::VectorXd& weight) { weight_ = weight; }
   [[nodiscard]] bool has_loads() const { return !loads_.empty(); }
+  [[nodiscard]] std::size_t number_of_loads() const { return loads_.size(); }
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [loads, reactions, sharpening_interval, weight] = self;
+    for (auto& load : loads) archive(load.force);
+    for (auto& reaction : reactions) archive(reaction.force);
+    // Sharpening and weight follow from the stage.
+  }
 
  private:
-  friend struct SnapshotAccess;  // snapshot.h
-
   struct Load {
     int block;
     Vec6 force;

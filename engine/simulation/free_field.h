@@ -42,12 +42,24 @@ class FreeField {
 
   [[nodiscard]] const Simulation& columns() const { return columns_; }
 
- private:
-  friend struct SnapshotAccess;  // snapshot.h
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [contacts, columns, time_old, time] = self;
+    archive.run(columns);
+    archive(time_old, time);
+    for (auto& contact : contacts) archive(contact);
+  }
 
+ private:
   struct Motion {
     Vec6 velocity = Vec6::Zero();
     Vec2 force = Vec2::Zero();  // N, on the right side of the block
+
+    template <typename Self, typename Archive>
+    static void visit(Self& self, Archive& archive) {
+      auto& [velocity, force] = self;
+      archive(velocity, force);
+    }
   };
 
   // Where a block of a column acts on a block of the model.
@@ -59,6 +71,12 @@ class FreeField {
     Eigen::Matrix<double, 6, 2> middle = Eigen::Matrix<double, 6, 2>::Zero();  // of the edge, times the ties' force
     Vec2 force_before = Vec2::Zero();                                          // N, when the side began to act
     Motion old, now;                                                           // at the ends of the columns' last step
+
+    template <typename Self, typename Archive>
+    static void visit(Self& self, Archive& archive) {
+      auto& [block, column_block, ties, dashpots, middle, force_before, old, now] = self;
+      archive(dashpots, middle, force_before, old, now);  // the others are the drawing's
+    }
   };
 
   FreeField(const Model& model, const State& state, FreeFieldColumns&& columns);

@@ -7,6 +7,7 @@
 
 #include "engine/contact/cubic_law.h"
 #include "engine/simulation/external_forces.h"
+#include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {

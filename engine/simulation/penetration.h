@@ -13,6 +13,12 @@ struct Penetration {
   double share = 0;  // of the size of the smaller block
   int block_a = -1, block_b = -1;
   double time = 0;  // s
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [depth, share, block_a, block_b, time] = self;
+    archive(depth, share, block_a, block_b, time);
+  }
 };
 
 // Beyond this share a run is doubtful: joints are too soft for what presses them, or a step too long for an impact.

@@ -97,6 +97,26 @@ inline Model two_stages() {
   return model;
 }
 
+// Two dry bricks with dampers in their contacts slide down a slope after a stage in which they stick: what the rule for
+// contacts says depends on the stage.
+inline Model slides_after_sticking() {
+  Model model = bare_model(InterfaceLaw::classical, Kinematics::finite);
+  model.joints[0].friction_angle = 0.3;
+  model.joints[0].contact_damping = 0.2;
+  model.blocks = {rectangle("slope", -1, -1, 6, 1), rectangle("low", 0, 0, 1, 0.5), rectangle("high", 0, 0.5, 1, 0.5)};
+  model.held_blocks = {HeldBlock{}};
+  model.gravity = {7, -7};
+  model.stages[0].integrator = static_integrator();
+  model.stages[0].unlimited_strength = true;
+  model.stages[0].duration = 20e-4;
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].integrator = generalized_alpha_integrator(0.8);
+  model.stages[1].unlimited_strength = false;
+  model.stages[1].duration = 80e-4;
+  finish_model(model);
+  return model;
+}
+
 // A linear stage that begins with stresses, displacements and gaps.
 inline Model bar_first_finite() {
   Model model = bar(InterfaceLaw::consistent);

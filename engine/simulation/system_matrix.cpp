@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/solve/step_matrix.h"
 #include "engine/terms/elasticity.h"
 #include "engine/terms/support.h"
 
@@ -17,6 +18,15 @@ void add_blocks(const StepCoefficients& step, const BlockTerms& terms, BlockMatr
     diagonal += step.mass * mass_matrix(terms.inertia[i]);
     diagonal.bottomRightCorner<3, 3>() += step.stiffness * strain_stiffness(terms.area[i], terms.elasticity[i]);
   }
+}
+
+void add_all_but_contacts(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
+                          const std::vector<SupportElement>& supports, BlockMatrix& matrix) {
+  matrix.set_zero();
+  add_blocks(step, terms, matrix);
+  for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
+  for (const SupportElement& support : supports)
+    matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.rows, support.stiffness);
 }
 
 // Of the blocks that are not held; infinite where both are.
@@ -40,25 +50,20 @@ BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pair
   return {blocks, std::move(pairs)};
 }
 
-void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
-                 BlockMatrix& matrix) {
-  if (mask.isZero(0) && !has_stress_rows(element)) return;  // open
-  const InterfaceMatrices k = stiffness_of(element, mask);
-  if (in_a) matrix.diagonal(element.block_a) += factor * k.aa;
-  if (in_b) matrix.diagonal(element.block_b) += factor * k.bb;
-  if (in_a && in_b) matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
-}
-
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
               const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
               BlockMatrix& matrix) {
-  matrix.set_zero();
-  add_blocks(step, terms, matrix);
-  for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
-  for (const SupportElement& support : supports)
-    matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.rows, support.stiffness);
+  add_all_but_contacts(step, terms, damping, supports, matrix);
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
     add_contact(step.stiffness, contacts.elements[i], active[i], true, true, matrix);
+}
+
+void assemble_base_matrix(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
+                          const std::vector<SupportElement>& supports, const ContactSet& contacts,
+                          std::span<const int> bonded, BlockMatrix& matrix) {
+  add_all_but_contacts(step, terms, damping, supports, matrix);
+  for (const int i : bonded)
+    add_contact(step.stiffness, contacts.elements[static_cast<std::size_t>(i)], Vec4::Ones(), true, true, matrix);
 }
 
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {

@@ -1,6 +1,7 @@
 // The matrix of one step: mass M + damping C + stiffness K with the coefficients of the integrator.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,10 @@ void assemble(const StepCoefficients& step, const BlockTerms& terms, const Block
               const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
               BlockMatrix& matrix);
 
-// Adds `mask` times the stiffness of the rows of one interface, in those of its blocks that take part.
-void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
-                 BlockMatrix& matrix);
+// The same with the interfaces of `bonded` alone, all of their rows.
+void assemble_base_matrix(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
+                          const std::vector<SupportElement>& supports, const ContactSet& contacts,
+                          std::span<const int> bonded, BlockMatrix& matrix);
 
 // chi = k dt^2/m: the stiffest interface of a block against its inertia, which decides on the solver. Supports do not
 // count: PCG inverts the blocks they act on.

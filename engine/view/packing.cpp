@@ -106,25 +106,25 @@ void PackedRun::add(const Frame& frame) {
 }
 
 void PackedRun::add_bolts(const std::vector<DrawnBolt>& bolts) {
-  const bool first = bolt_names_.empty();
+  const bool first = bolts_.names.empty();
   std::vector<double> x, y, forces;
   for (const DrawnBolt& bolt : bolts) {
     if (first) {
-      bolt_names_.push_back(bolt.name);
-      bolt_reference_.insert(bolt_reference_.end(), bolt.reference.begin(), bolt.reference.end());
-      bolt_begin_.push_back(static_cast<std::uint32_t>(bolt_reference_.size()));
+      bolts_.names.push_back(bolt.name);
+      bolts_.reference.insert(bolts_.reference.end(), bolt.reference.begin(), bolt.reference.end());
+      bolts_.begin.push_back(static_cast<std::uint32_t>(bolts_.reference.size()));
     }
     for (const Vec2& moved : bolt.displacement) {
       x.push_back(moved.x());
       y.push_back(moved.y());
     }
     forces.push_back(bolt.force);
-    bolt_conditions_ += static_cast<char>(bolt.condition);
-    if (std::isfinite(bolt.force)) most_bolt_force_ = std::max(most_bolt_force_, std::abs(bolt.force));
+    bolts_.conditions += static_cast<char>(bolt.condition);
+    if (std::isfinite(bolt.force)) bolts_.most_force = std::max(bolts_.most_force, std::abs(bolt.force));
   }
-  bolt_x_.add(x);
-  bolt_y_.add(y);
-  bolt_force_.add(forces);
+  bolts_.x.add(x);
+  bolts_.y.add(y);
+  bolts_.force.add(forces);
 }
 
 void PackedRun::add_contacts(const std::vector<DrawnContact>& contacts) {
@@ -165,8 +165,8 @@ std::size_t PackedRun::size() const {
   std::size_t bytes = displacement_x_.bytes.size() + displacement_y_.bytes.size() + contact_forces_.size();
   for (const PackedField& field : quantities_) bytes += field.bytes.size();
   bytes += contact_sites_.size() * (wide_sites() ? 4 : 2) + sites_.sites().size() * sizeof(ContactSite);
-  bytes += (drawing_.reference.size() + bolt_reference_.size()) * 2 * sizeof(float);
-  bytes += bolt_x_.bytes.size() + bolt_y_.bytes.size() + bolt_force_.bytes.size() + bolt_conditions_.size();
+  bytes += (drawing_.reference.size() + bolts_.reference.size()) * 2 * sizeof(float);
+  bytes += bolts_.x.bytes.size() + bolts_.y.bytes.size() + bolts_.force.bytes.size() + bolts_.conditions.size();
   return bytes * 4 / 3;
 }
 
@@ -206,13 +206,13 @@ Json PackedRun::header() const {
 
 // null where there are none.
 Json PackedRun::bolt_header() const {
-  if (bolt_names_.empty()) return nullptr;
-  return {{"names", bolt_names_},
-          {"begin", bolt_begin_},
-          {"x", ranges_of(bolt_x_)},
-          {"y", ranges_of(bolt_y_)},
-          {"force", ranges_of(bolt_force_)},
-          {"most_force", most_bolt_force_}};
+  if (bolts_.names.empty()) return nullptr;
+  return {{"names", bolts_.names},
+          {"begin", bolts_.begin},
+          {"x", ranges_of(bolts_.x)},
+          {"y", ranges_of(bolts_.y)},
+          {"force", ranges_of(bolts_.force)},
+          {"most_force", bolts_.most_force}};
 }
 
 // From the origin, as floats.
@@ -235,12 +235,12 @@ std::vector<std::pair<std::string, std::string>> PackedRun::sections() const {
                                                                {"sites", std::move(sites)},
                                                                {"contact-sites", packed(contact_sites_, wide_sites())},
                                                                {"contact-forces", contact_forces_}};
-  if (!bolt_names_.empty()) {
-    sections.emplace_back("bolt-reference", packed_points(bolt_reference_));
-    sections.emplace_back("bolt-x", bolt_x_.bytes);
-    sections.emplace_back("bolt-y", bolt_y_.bytes);
-    sections.emplace_back("bolt-force", bolt_force_.bytes);
-    sections.emplace_back("bolt-condition", bolt_conditions_);
+  if (!bolts_.names.empty()) {
+    sections.emplace_back("bolt-reference", packed_points(bolts_.reference));
+    sections.emplace_back("bolt-x", bolts_.x.bytes);
+    sections.emplace_back("bolt-y", bolts_.y.bytes);
+    sections.emplace_back("bolt-force", bolts_.force.bytes);
+    sections.emplace_back("bolt-condition", bolts_.conditions);
   }
   for (std::size_t q = 0; q < quantities_.size(); ++q)
     sections.emplace_back("quantity-" + std::string(drawn_quantities[q].id), quantities_[q].bytes);

@@ -50,6 +50,15 @@ class PackedRun {
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> sections() const;
 
  private:
+  struct Bolts {
+    std::vector<std::string> names;       // of each link
+    std::vector<std::uint32_t> begin{0};  // link i has the points begin[i] to begin[i + 1]
+    std::vector<Vec2> reference;          // m
+    PackedField x, y, force;
+    std::string conditions;  // a byte for each link, frame by frame
+    double most_force = 0;   // N
+  };
+
   void add_contacts(const std::vector<DrawnContact>& contacts);
   void add_bolts(const std::vector<DrawnBolt>& bolts);
   [[nodiscard]] nlohmann::ordered_json bolt_header() const;
@@ -68,12 +77,7 @@ class PackedRun {
   std::string contact_forces_;
   std::vector<double> force_units_;                  // N/m, of each frame
   std::vector<double> contact_sizes_, joint_sizes_;  // N/m, sizes of all forces and of all resultants
-  std::vector<std::string> bolt_names_;              // of each link
-  std::vector<std::uint32_t> bolt_begin_{0};         // link i has the points bolt_begin_[i] to bolt_begin_[i + 1]
-  std::vector<Vec2> bolt_reference_;                 // m
-  PackedField bolt_x_, bolt_y_, bolt_force_;
-  std::string bolt_conditions_;  // a byte for each link, frame by frame
-  double most_bolt_force_ = 0;   // N
+  Bolts bolts_;
 };
 
 }  // namespace dda

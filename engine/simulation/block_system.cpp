@@ -1,0 +1,75 @@
+#include "engine/simulation/block_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/simulation/free_field.h"
+#include "engine/simulation/held_blocks.h"
+#include "engine/terms/elasticity.h"
+
+namespace dda {
+
+BlockSystem::BlockSystem(Model finished_model)
+    : model(std::move(finished_model)),
+      state(initial_state(model)),
+      contacts(make_contacts(model)),
+      supports(make_supports(model, state)),
+      bolts(model, state),
+      held(make_held_unknowns(model)),
+      terms(make_block_terms(model)),
+      damping(make_block_damping(model, state, 0)),
+      external(model, state, contacts.chain_ends) {
+  const auto unknowns = static_cast<Eigen::Index>(6 * model.blocks.size());
+  for (Eigen::VectorXd* vector :
+       {&forces.load_old, &forces.load_new, &forces.internal_old, &forces.internal_new, &increment})
+    vector->setZero(unknowns);
+}
+
+BlockSystem::~BlockSystem() = default;
+
+const Stage& BlockSystem::stage_in_force() const {
+  return model.stages[std::min(clock.stage, model.stages.size() - 1)];
+}
+
+std::int64_t BlockSystem::steps_in_stage() const { return std::llround(stage().duration / stage().dt); }
+
+double BlockSystem::end_of_stage() const { return clock.start + static_cast<double>(steps_in_stage()) * stage().dt; }
+
+bool BlockSystem::geometry_moves() const {
+  const auto begun = model.stages.begin() + static_cast<std::ptrdiff_t>(std::min(clock.stage + 1, model.stages.size()));
+  return std::any_of(model.stages.begin(), begun,
+                     [](const Stage& each) { return each.kinematics == Kinematics::finite; });
+}
+
+void BlockSystem::loads_at(double time, Eigen::VectorXd& force) const {
+  external.loads_at(time, force);
+  if (free_field) free_field->add_loads_at(time, force);
+}
+
+void BlockSystem::sum_internal_forces(Eigen::VectorXd& force) const {
+  for (std::size_t i = 0; i < state.stress.size(); ++i) {
+    auto own = force.segment<6>(static_cast<Eigen::Index>(6 * i));
+    own.head<3>().setZero();
+    own.tail<3>() = stress_force(terms.area[i], state.stress[i]);
+  }
+  add_contact_force(contacts, force);
+  for (const ChainEnd& end : contacts.chain_ends)
+    force.segment<6>(6 * end.block) += end_force(model, end, state.stress[static_cast<std::size_t>(end.block)]);
+  add_support_force(supports, force);
+  bolts.add_force(force);
+}
+
+StoredEnergy BlockSystem::stored_energy_now() const {
+  StoredEnergy stored = stored_energy(terms, state, contacts, supports);
+  stored.bolts = bolts.stored_energy();
+  return stored;
+}
+
+Eigen::VectorXd BlockSystem::unbalanced_forces() const {
+  Eigen::VectorXd unbalanced = forces.load_old - forces.internal_old;
+  if (plan.gravity) unbalanced += external.weight();
+  return unbalanced;
+}
+
+}  // namespace dda

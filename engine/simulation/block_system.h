@@ -1,0 +1,114 @@
+// The block system in a run: the model, where its blocks are, and everything that acts on or between them. Both kinds
+// of steps work on it; what only one of them needs it keeps itself.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/contact/contact_set.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/bolt_set.h"
+#include "engine/simulation/energy_audit.h"
+#include "engine/simulation/external_forces.h"
+#include "engine/simulation/step_coefficients.h"
+#include "engine/simulation/step_plan.h"
+#include "engine/simulation/support_set.h"
+#include "engine/solve/costs.h"
+#include "engine/solve/held_unknowns.h"
+
+namespace dda {
+
+class FreeField;
+
+// Where a run is in its stages.
+struct StageClock {
+  std::size_t stage = 0;
+  std::int64_t step = 0;  // in the stage
+  double start = 0;       // s, of the stage
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [stage, step, start] = self;
+    archive(stage, step, start);
+  }
+};
+
+// Forces on the blocks' unknowns, 6 entries a block, without weight. `old`: at the state's time; `now`: at the end of
+// the step under way.
+struct BlockForces {
+  Eigen::VectorXd load_old, load_new;
+  Eigen::VectorXd internal_old, internal_new;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [load_old, load_new, internal_old, internal_new] = self;
+    archive(load_old, internal_old);  // the others are written before they are read
+  }
+};
+
+struct BlockSystem {
+  explicit BlockSystem(Model finished_model);
+  ~BlockSystem();
+  BlockSystem(const BlockSystem&) = delete;
+  BlockSystem& operator=(const BlockSystem&) = delete;
+
+  Model model;
+  State state;
+  ContactSet contacts;
+  std::vector<SupportElement> supports;
+  BoltSet bolts;
+  HeldUnknowns held;
+  BlockTerms terms;
+  BlockDamping damping;
+  ExternalForces external;
+  std::unique_ptr<FreeField> free_field;  // only where a side has one
+  EnergyAudit audit;
+  Costs costs;
+
+  StageClock clock;
+  StepPlan plan;                  // of the stage
+  StepCoefficients coefficients;  // of the step under way
+  BlockForces forces;
+  Eigen::VectorXd increment;  // of the last step tried, 6 entries a block
+
+  [[nodiscard]] const Stage& stage() const { return model.stages[clock.stage]; }
+  // The same; of a run that is over, its last one.
+  [[nodiscard]] const Stage& stage_in_force() const;
+  [[nodiscard]] std::int64_t steps_in_stage() const;
+  [[nodiscard]] double end_of_stage() const;
+
+  // Geometry of a scene whose blocks never left the drawing is that of the model.
+  [[nodiscard]] bool geometry_moves() const;
+
+  // Loads (without weight) at `time`, s.
+  void loads_at(double time, Eigen::VectorXd& force) const;
+
+  // Forces of stresses, interfaces, supports and bolts, as they are.
+  void sum_internal_forces(Eigen::VectorXd& force) const;
+  [[nodiscard]] StoredEnergy stored_energy_now() const;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [model, state, contacts, supports, bolts, held, terms, damping, external, free_field, audit, costs, clock,
+           plan, coefficients, forces, increment] = self;
+    const bool moves = self.geometry_moves();
+    if (moves || contacts.can_change || !bolts.empty()) archive(contacts);
+    if (moves) archive(terms);
+    archive.each(supports);
+    archive(bolts, external, audit, forces, increment, plan.chi, plan.solver);
+    for (auto& [block, matrix] : damping) archive(matrix);
+    if (free_field) archive(*free_field);
+    // State and clock are saved beside this; all else follows from the model.
+  }
+
+  // External less internal forces at the state's time: what is left of static equilibrium.
+  [[nodiscard]] Eigen::VectorXd unbalanced_forces() const;
+};
+
+}  // namespace dda

@@ -1,0 +1,332 @@
+#include "engine/simulation/general_step.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/simulation/free_field.h"
+#include "engine/simulation/held_blocks.h"
+#include "engine/simulation/kinematic_update.h"
+#include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/system_matrix.h"
+
+namespace dda {
+namespace {
+
+// Geometry is followed, and the matrix built anew, when some block has moved by this share of its size: directions are
+// then off by as much, and gaps by half its square.
+constexpr double geometry_tolerance = 1e-6;
+
+// Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
+bool contacts_move(const Model& model) {
+  const bool can_touch =
+      model.blocks.size() > 1 &&
+      std::any_of(model.joints.begin(), model.joints.end(), [](const JointMaterial& joint) { return !joint.bonded; });
+  return can_touch && std::any_of(model.stages.begin(), model.stages.end(),
+                                  [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
+}
+
+ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
+  const Integrator& integrator = stage.integrator;
+  const double rate = integrator.is_static ? 0 : 1 / (dt * (1 - integrator.alpha_f));
+  return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
+}
+
+}  // namespace
+
+GeneralStep::GeneralStep(BlockSystem& system)
+    : system_(system),
+      solver_(system.costs),
+      range_(system.model, system.contacts.interfaces),
+      turned_(system.model.blocks.size(), Vec4::Zero()),
+      base_(0, {}) {
+  if (!contacts_move(system.model)) return;
+  system.contacts.can_change = true;
+  moving_.emplace(system.model, system.state, system.contacts);
+}
+
+BlockMatrix GeneralStep::pattern() const {
+  std::vector<std::pair<int, int>> pairs = system_.bolts.pairs();
+  const int blocks = static_cast<int>(system_.model.blocks.size());
+  if (!moving_) return make_system_matrix(blocks, system_.contacts, std::move(pairs));
+  pairs.insert(pairs.end(), moving_->pairs().begin(), moving_->pairs().end());
+  return make_system_matrix(blocks, std::move(pairs));
+}
+
+void GeneralStep::set_up(BlockMatrix pattern) {
+  base_ = pattern;
+  solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
+  set_step_size(system_.stage_in_force().dt);
+  list_contacts();
+}
+
+void GeneralStep::set_step_size(double dt) {
+  const Stage& stage = system_.stage_in_force();
+  system_.coefficients = step_coefficients(stage.integrator, dt);
+  rule_ = contact_rule(system_.model, stage, dt);
+  base_is_current_ = false;
+}
+
+// Acceleration from the forces at the start of a stage, without those that constrain: each block on its own.
+void GeneralStep::begin() {
+  if (system_.plan.is_static) return;
+  const Eigen::VectorXd unbalanced = accelerating_forces(system_);
+  for (std::size_t i = 0; i < system_.state.acceleration.size(); ++i) {
+    const Inertia& inertia = system_.terms.inertia[i];
+    if (inertia.mass == 0) continue;  // held
+    system_.state.acceleration[i] =
+        mass_matrix(inertia).llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
+  }
+}
+
+void GeneralStep::list_contacts() {
+  changing_.clear();
+  bonded_.clear();
+  for (std::size_t i = 0; i < system_.contacts.elements.size(); ++i) {
+    const bool can_change = system_.plan.contacts_judged && !has_stress_rows(system_.contacts.elements[i]);
+    (can_change ? changing_ : bonded_).push_back(static_cast<int>(i));
+  }
+}
+
+Status GeneralStep::advance(double dt) {
+  if (dt != system_.coefficients.dt) set_step_size(dt);
+  const double end = system_.state.time + dt;
+  if (system_.plan.finite_kinematics) follow_geometry();
+  if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
+  form_rhs();
+  aim(system_.model, system_.state, end, system_.held);
+  Status status = solve();
+  system_.increment = solver_.increment();
+  if (status == Status::ok && moving_ && moves_too_far()) status = Status::not_converged;
+  if (status == Status::ok) accept();
+  return status;
+}
+
+void GeneralStep::follow_geometry() {
+  if (moved_ <= geometry_tolerance) return;
+  const PhaseTimer timer(system_.costs.times.geometry);
+  BlockSystem& s = system_;
+  moved_ = 0;
+  turn_stresses(s.terms, s.state, turned_);
+  update_geometry(s.model, s.state, s.terms);
+  follow_contacts();
+  update_geometry(s.model, s.state, s.supports);
+  for (std::size_t i = 0; i < s.supports.size(); ++i) measure_gap(s.model, s.state, i, s.supports[i]);
+  s.bolts.update_geometry(s.model, s.state);
+  if (s.plan.viscous_edges) update_geometry(s.model, s.state, s.clock.stage, s.damping);
+  if (s.plan.loads) {
+    s.external.update_geometry(s.model, s.state);
+    if (s.free_field) s.free_field->update_geometry(s.model, s.state, s.clock.stage);
+    s.loads_at(s.state.time, s.forces.load_old);
+  }
+  refresh_tractions(s.state, s.contacts);
+  s.sum_internal_forces(s.forces.internal_old);
+  s.audit.geometry_followed(s.stored_energy_now());
+  base_is_current_ = false;
+}
+
+void GeneralStep::follow_contacts() {
+  BlockSystem& s = system_;
+  if (!moving_) {
+    update_geometry(s.model, s.state, s.contacts);
+    return;
+  }
+  ++s.costs.counters.contact_searches;
+  if (moving_->follow(s.model, s.state, s.contacts)) {
+    base_ = pattern();
+    solver_.set_pattern(base_);
+  }
+  list_contacts();
+}
+
+void GeneralStep::form_rhs() {
+  const StepCoefficients& c = system_.coefficients;
+  const State& state = system_.state;
+  const BlockForces& forces = system_.forces;
+  rhs_ = -forces.internal_old;
+  if (system_.plan.loads) rhs_ += c.load_new * forces.load_new + c.load_old * forces.load_old;
+  if (system_.plan.gravity) rhs_ += system_.external.weight();
+  for (std::size_t i = 0; i < state.velocity.size(); ++i)
+    rhs_.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
+        momentum(system_.terms.inertia[i], c.mass_v * state.velocity[i] + c.mass_a * state.acceleration[i]);
+  add_dashpot_and_support_rhs(system_, rhs_);
+}
+
+void GeneralStep::assemble_base() {
+  if (base_is_current_) return;
+  const PhaseTimer timer(system_.costs.times.assembly);
+  const BlockSystem& s = system_;
+  assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
+  base_is_current_ = true;
+  ++base_version_;
+}
+
+StepProblem GeneralStep::problem() const {
+  const BlockSystem& s = system_;
+  return {.base = base_,
+          .base_version = base_version_,
+          .rhs = rhs_,
+          .guess = s.increment,
+          .factor = s.coefficients.stiffness,
+          .areas = s.terms.area,
+          .contacts = {changing_, s.contacts.elements, s.contacts.strengths, s.contacts.states, rule_},
+          .bolts = s.bolts.links(),
+          .held = s.held,
+          .dilates = s.plan.dilation,
+          .max_passes = s.stage().max_open_close_iterations};
+}
+
+Status GeneralStep::solve() {
+  assemble_base();
+  const StepSolution& solution = solver_.solve(problem());
+  while (solution.status == Status::ok) {
+    const bool replaced = replace_broken_joints();
+    if (!replaced && !solution.something_broke()) return Status::ok;
+    solver_.go_on(problem());
+  }
+  message_ = solution.failure == Failure::unsettled ? unsettled_message(solution) : sentence(solution.failure);
+  return solution.status;
+}
+
+// Bonded joints lie outside of the problem, and break here: see weaken().
+bool GeneralStep::replace_broken_joints() {
+  if (!system_.plan.contacts_judged || rule_.sticks) return false;
+  const ContactSet& contacts = system_.contacts;
+  bool replaced = false;
+  for (std::size_t b = 0; b < bonded_.size();) {
+    const int index = bonded_[b];
+    const auto i = static_cast<std::size_t>(index);
+    const Vec4 gap = contacts.states[i].gap + gap_increment(contacts.elements[i], solver_.increment());
+    const std::array<bool, 2> broken = ends_beyond_strength(contacts.strengths[i], bonded_force(i, gap));
+    if (!broken[0] && !broken[1]) {
+      ++b;
+      continue;
+    }
+    weaken(i);  // it leaves the list
+    const auto place = std::lower_bound(changing_.begin(), changing_.end(), index);
+    solver_.admit(problem(), static_cast<std::size_t>(place - changing_.begin()), broken);
+    replaced = true;
+  }
+  if (!replaced) return false;
+  system_.sum_internal_forces(system_.forces.internal_old);
+  form_rhs();
+  assemble_base();
+  return true;
+}
+
+// An interface with an end beyond its strength goes on under the classical law, with the same forces at the start of
+// the step and that end broken: blocks lose with the law the forces that it makes of their strains, and what that
+// leaves may be within the strength again. Its other end is judged from the next pass on.
+void GeneralStep::weaken(std::size_t i) {
+  BlockSystem& s = system_;
+  InterfaceElement& element = s.contacts.elements[i];
+  const Interface& interface = s.contacts.interfaces[i];
+  const double energy_before = interface_energy(element, s.contacts.states[i]);
+  element = make_element(s.model, interface, InterfaceLaw::classical);
+  const InterfaceFrame frame =
+      s.plan.finite_kinematics ? current_frame(s.model, s.state, interface) : reference_frame(s.model, interface);
+  set_geometry(s.model, frame, element);
+  s.contacts.states[i] = as_classical(s.contacts.states[i], element.stiffness);
+  s.audit.interface_replaced(energy_before - interface_energy(element, s.contacts.states[i]));
+  list_contacts();
+  base_is_current_ = false;
+}
+
+// Of a bonded interface at the end of the step, before the state moves.
+Vec4 GeneralStep::bonded_force(std::size_t i, const Vec4& gap) const {
+  const auto stress = [this](int block) -> Vec3 {
+    const auto b = static_cast<std::size_t>(block);
+    return system_.state.stress[b] + system_.terms.elasticity[b] * solver_.increment().segment<3>(6 * block + 3);
+  };
+  const InterfaceElement& element = system_.contacts.elements[i];
+  return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
+}
+
+std::string GeneralStep::unsettled_message(const StepSolution& solution) const {
+  if (solution.restless_contact < 0) return sentence(solution.failure);
+  const InterfaceElement& worst = system_.contacts.elements[static_cast<std::size_t>(solution.restless_contact)];
+  const auto name = [&](int block) { return system_.model.blocks[static_cast<std::size_t>(block)].name; };
+  return fmt::format(
+      "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: "
+      "take another dt or a static stage first",
+      system_.stage().max_open_close_iterations, name(worst.block_a), name(worst.block_b), solution.restless_force);
+}
+
+// The block that moves most in the step solved last, in sizes of that block.
+GeneralStep::Motion GeneralStep::largest_motion() const {
+  Motion largest;
+  const std::vector<double>& area = system_.terms.area;
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const auto own = system_.increment.segment<6>(static_cast<Eigen::Index>(6 * i));
+    const double motion = own.head<2>().norm() / std::sqrt(area[i]) + own.tail<4>().cwiseAbs().maxCoeff();
+    if (motion > largest.share) largest = {i, motion};
+  }
+  return largest;
+}
+
+bool GeneralStep::moves_too_far() {
+  const Motion motion = largest_motion();
+  if (motion.share <= ContactSearch::reach / 2) return false;
+  base_is_current_ = false;
+  message_ = fmt::format(
+      "block \"{}\" would move by {:.2g} of its size in a step of {:.3g} s, and contacts could be missed beyond {:g}: "
+      "take a "
+      "smaller dt",
+      system_.model.blocks[motion.block].name, motion.share, system_.coefficients.dt, ContactSearch::reach / 2);
+  return true;
+}
+
+bool GeneralStep::is_in_contact_range() {
+  if (!system_.plan.finite_kinematics || moving_) return true;
+  message_ = range_.problem(system_.model, system_.state, system_.contacts);
+  return message_.empty();
+}
+
+void GeneralStep::accept() {
+  BlockSystem& s = system_;
+  const double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
+  accept_bonded();  // by the stresses of the start
+  move_blocks(s.stage().kinematics, s);
+  if (s.plan.finite_kinematics) moved_ += largest_motion().share;
+  accept_contacts();
+  if (s.plan.contacts_can_change) note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
+  s.bolts.accept(solver_.bolts(), s.audit);
+  accept_supports(s);
+  s.sum_internal_forces(s.forces.internal_new);
+  finish_step(work, s.stored_energy_now(), s);
+}
+
+void GeneralStep::accept_bonded() {
+  for (const int index : bonded_) {
+    const auto i = static_cast<std::size_t>(index);
+    InterfaceState& state = system_.contacts.states[i];
+    state.gap += gap_increment(system_.contacts.elements[i], system_.increment);
+    state.force = bonded_force(i, state.gap);
+  }
+}
+
+void GeneralStep::accept_contacts() {
+  BlockSystem& s = system_;
+  const double weight = s.coefficients.stiffness;
+  const InterfaceTrials& trials = solver_.contacts();
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    const std::size_t i = trials.place(k);
+    const InterfaceElement& element = s.contacts.elements[i];
+    const InterfaceState before = s.contacts.states[i];
+    const InterfaceState after = finish_trial(element, before, trials[k]);
+    const Vec4 dropped = trials[k].force - after.force;
+    const bool drops = trials[k].force != after.force;
+    if (drops && !s.held.empty())  // the rest of their work is in audit_held_blocks
+      s.audit.held_blocks_moved_against(weight * s.held.gap_increment(element).dot(dropped));
+    if (before.status != after.status || before.slip != after.slip || drops)
+      s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
+                                weight * dashpot_force(element, trials[k]));
+    s.contacts.states[i] = after;
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,101 @@
+// The step of a scene in which something can change: geometry, contacts, joints or bolts.
+//
+//   follow the geometry -> pose a StepProblem -> ContactSolver -> replace joints that broke, and solve on -> accept
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/contact/moving_contacts.h"
+#include "engine/contact/open_close.h"
+#include "engine/core/status.h"
+#include "engine/simulation/block_system.h"
+#include "engine/simulation/contact_range.h"
+#include "engine/simulation/penetration.h"
+#include "engine/simulation/step.h"
+#include "engine/solve/contact_solver.h"
+
+namespace dda {
+
+class GeneralStep : public Step {
+ public:
+  // Where blocks can move against each other the contacts of the system become those that are followed.
+  explicit GeneralStep(BlockSystem& system);
+
+  void set_up(BlockMatrix pattern) override;
+  void begin() override;
+  [[nodiscard]] Status advance(double dt) override;
+  void hand_over() override { solver_.end(); }
+  void take_over() override {}
+  [[nodiscard]] StoredEnergy stored_energy() const override { return system_.stored_energy_now(); }
+  [[nodiscard]] const std::string& message() const override { return message_; }
+
+  // The pattern of the system's matrix: blocks that touch, or can before the pattern changes, and those that bolts tie.
+  [[nodiscard]] BlockMatrix pattern() const;
+
+  // Contacts are looked for anew as blocks move.
+  [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
+  // False when bonded blocks have left the contacts of the start, which are then not followed; message() says which.
+  [[nodiscard]] bool is_in_contact_range();
+  [[nodiscard]] const Penetration& deepest_penetration() const { return deepest_; }
+  [[nodiscard]] std::int64_t solver_iterations() const { return solver_.solver_iterations(); }
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [system, solver, moving, range, moved, turned, deepest, changing, bonded, base, base_version, base_is_current,
+           rule, rhs, message] = self;
+    if (moving) archive(*moving);
+    archive(solver, deepest);
+    if (system.geometry_moves()) archive(range, moved, turned);
+    // The others follow from the system, or begin with every step.
+  }
+
+ private:
+  struct Motion {
+    std::size_t block = 0;
+    double share = 0;
+  };
+
+  void set_step_size(double dt);
+  void list_contacts();
+
+  void follow_geometry();
+  void follow_contacts();
+  void form_rhs();
+  void assemble_base();
+  [[nodiscard]] StepProblem problem() const;
+
+  [[nodiscard]] Status solve();
+  [[nodiscard]] bool replace_broken_joints();
+  void weaken(std::size_t i);
+  [[nodiscard]] Vec4 bonded_force(std::size_t i, const Vec4& gap) const;
+  [[nodiscard]] std::string unsettled_message(const StepSolution& solution) const;
+  [[nodiscard]] Motion largest_motion() const;
+  [[nodiscard]] bool moves_too_far();
+
+  void accept();
+  void accept_contacts();
+  void accept_bonded();
+
+  BlockSystem& system_;
+  ContactSolver solver_;
+  std::optional<MovingContacts> moving_;  // only where blocks can move against each other
+  ContactRange range_;                    // looked at where they cannot
+  double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
+  std::vector<Vec4> turned_;              // rotation (rad) and strains of each block that its stress has followed
+  Penetration deepest_;
+
+  std::vector<int> changing_, bonded_;  // interfaces that can change in a step, and the others; ascending
+  BlockMatrix base_;                    // of the problem: all but the contacts that can change and bolts
+  std::uint64_t base_version_ = 0;
+  bool base_is_current_ = false;
+  ContactRule rule_;
+  Eigen::VectorXd rhs_;
+  std::string message_;
+};
+
+}  // namespace dda

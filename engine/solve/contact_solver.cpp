@@ -1,0 +1,106 @@
+#include "engine/solve/contact_solver.h"
+
+#include <utility>
+
+#include "engine/contact/contact_set.h"
+#include "engine/contact/open_close.h"
+
+namespace dda {
+
+void ContactSolver::begin(BlockMatrix pattern, SolverKind kind, double chi) {
+  const Eigen::Index unknowns = pattern.unknowns();
+  at_.matrix.begin(std::move(pattern), kind, chi);
+  at_.increment.setZero(unknowns);
+}
+
+void ContactSolver::set_pattern(BlockMatrix pattern) { at_.matrix.set_pattern(std::move(pattern)); }
+
+const StepSolution& ContactSolver::solve(const StepProblem& problem) {
+  at_.problem = &problem;
+  at_.contacts.start(problem.contacts);
+  at_.bolts.start(problem.bolts);
+  if (at_.matrix.is_amended()) at_.matrix.outdate();
+  convex_.start(problem.guess);
+  at_.increment.setZero();
+  rises_ = 0;
+  if (problem.held.move && friction_.has_something_to_settle(at_)) move_held_blocks();
+  return go_on(problem);
+}
+
+const StepSolution& ContactSolver::go_on(const StepProblem& problem) {
+  at_.problem = &problem;
+  at_.contacts.look_at(problem.contacts);
+  at_.bolts.look_at(problem.bolts);
+  if (problem.base_version != base_version_) at_.matrix.outdate();
+  base_version_ = problem.base_version;
+  solution_.broken_contacts.clear();
+  solution_.broken_links.clear();
+  solution_.failure = Failure::none;
+  solution_.status = settle();
+  if (solution_.status == Status::ok) {
+    at_.bolts.break_links(solution_.broken_links);
+    at_.contacts.break_ends_beyond_strength(solution_.broken_contacts);
+  } else {
+    at_.matrix.outdate();
+    if (solution_.failure == Failure::unsettled) note_restless();
+  }
+  return solution_;
+}
+
+void ContactSolver::admit(const StepProblem& problem, std::size_t k, const std::array<bool, 2>& broken) {
+  at_.contacts.look_at(problem.contacts);
+  at_.contacts.admit(k, broken, at_.increment);
+}
+
+// Held blocks go all their way at once; the others start from rest. (The increments of the step before would be no
+// nearer to the answer where contacts change, and of several answers that friction may have favour those that move.)
+void ContactSolver::move_held_blocks() {
+  at_.problem->held.put(at_.increment);
+  InterfaceTrials& contacts = at_.contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Vec4 moved = gap_increment(contacts.element(k), at_.increment);
+    if (contacts.is_whole(k) || moved.isZero(0)) continue;
+    contacts[k].gap += moved;
+    respond_with_friction(contacts.element(k), contacts.strength(k), contacts[k]);
+  }
+  at_.bolts.aim(at_.increment);
+  at_.bolts.follow(1);
+}
+
+Status ContactSolver::settle() {
+  while (true) {
+    const Status status = settle_contacts();
+    if (status != Status::ok || !at_.problem->dilates) return status;
+    const double change = at_.contacts.follow_dilations();
+    if (change <= negligible_force(at_)) return Status::ok;
+    if (++rises_ <= at_.problem->max_passes) continue;
+    solution_.failure = Failure::unsettled;
+    return Status::not_converged;
+  }
+}
+
+Status ContactSolver::settle_contacts() {
+  if (friction_.has_something_to_settle(at_)) {
+    if (friction_.find_balance(at_)) return Status::ok;
+    convex_.restart(at_);
+  }
+  const Status status = convex_.settle(at_);
+  solution_.failure = convex_.failure();
+  return status;
+}
+
+void ContactSolver::note_restless() {
+  solution_.restless_contact = -1;
+  solution_.restless_force = 0;
+  for (std::size_t k = 0; k < at_.contacts.size(); ++k) {
+    const InterfaceElement& element = at_.contacts.element(k);
+    InterfaceTrial again = at_.contacts[k];
+    const double change = update_capacity(element, at_.contacts.strength(k), again) +
+                          element.stiffness.cwiseProduct(again.direction).cwiseAbs().maxCoeff();
+    if (solution_.restless_contact >= 0 && change <= solution_.restless_force) continue;
+    solution_.restless_contact = static_cast<int>(at_.contacts.place(k));
+    solution_.restless_force = change;
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,244 @@
+#include "engine/solve/friction_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "engine/contact/open_close.h"
+
+namespace dda {
+namespace {
+
+// The balance holds when no block is out of it by more than this share of the largest contact force: far below what a
+// stress or displacement is read to.
+constexpr double balance_tolerance = 1e-10;
+
+// An end may be off what it answers by this many times as much. (Once is too strict: where blocks just touch, ends hop
+// at that level, and walls of 10,000 bricks take two thirds more passes. A hundred times saves nothing.)
+constexpr double piece_tolerance = 10;
+
+// Measured on walls of 1,600 to 10,000 bricks that gravity is switched on for: where passes settle they take 5 to 20,
+// and up to 60 in the first step, when all contacts start without force. Hardly any step settles that has not come
+// nearer to the balance with the work of ten passes over all blocks; a local pass does its part of that, and this much
+// in any case.
+constexpr double patience = 10;
+constexpr double local_overhead = 0.05;
+
+// When the balance has not come nearer for this many passes but is near (this share of the largest force), every other
+// pass goes half its way: a few ends that drive each other in a circle fall out of step. Farther away half steps lead
+// astray.
+constexpr int full_passes = 3;
+constexpr double near_balance = 1e-3;
+
+// Passes in which ends may open or close as they like. From then on those that keep hopping are made to slide first.
+constexpr int free_passes = 4;
+
+// A step is solved for to this share of what is out of balance, or as far as the end of the iteration needs: all the
+// way when the pass before changed no piece. (1e-1 takes four times as many passes, 1e-2 a quarter more.)
+constexpr double step_tolerance = 1e-3;
+constexpr double last_step_margin = 0.1;
+
+constexpr int most_iterations = 400;
+
+}  // namespace
+
+void FrictionPasses::resize(Eigen::Index unknowns) {
+  if (residual_.size() == unknowns) return;
+  for (Eigen::VectorXd* vector : {&residual_, &step_, &image_}) vector->setZero(unknowns);
+  gradients_.resize(unknowns);
+  gmres_.resize(unknowns);
+}
+
+Vec4 FrictionPasses::gap(const LiveContact& contact, const Eigen::VectorXd& d) {
+  return contact.points.gap(d.segment<6>(6 * contact.block_a), d.segment<6>(6 * contact.block_b));
+}
+
+void FrictionPasses::add_force(const LiveContact& contact, const Vec4& contact_force, Eigen::VectorXd& force) {
+  contact.points.add_force(contact_force, force.segment<6>(6 * contact.block_a), force.segment<6>(6 * contact.block_b));
+}
+
+void FrictionPasses::take_all() {
+  is_local_ = false;
+  taken_.resize(live_.size());
+  std::iota(taken_.begin(), taken_.end(), std::size_t{0});
+}
+
+void FrictionPasses::take_part() {
+  is_local_ = true;
+  taken_.clear();
+  for (std::size_t k = 0; k < live_.size(); ++k)
+    if (part_.contains(live_[k].block_a) || part_.contains(live_[k].block_b)) taken_.push_back(k);
+}
+
+bool FrictionPasses::has_something_to_settle(const Iterate& at) {
+  live_.clear();
+  between_pieces_ = false;
+  live_.reserve(at.contacts.size());
+  couplings_.reserve(at.contacts.size());
+  taken_.reserve(at.contacts.size());
+  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+    if (at.contacts.is_whole(k)) continue;
+    const InterfaceElement& element = at.contacts.element(k);
+    const InterfaceSprings& springs = element;
+    live_.push_back(
+        {k, element.block_a, element.block_b, pieces_of(at.contacts[k]), false, springs, PointKinematics(element)});
+  }
+  take_all();
+  return !live_.empty() || !at.bolts.empty();
+}
+
+bool FrictionPasses::find_balance(Iterate& at) {
+  resize(at.increment.size());
+  bool changed = false;
+  // As a whole at first: what a step does is to depend on the state alone, and not on the round-off of steps before.
+  if (at.bring_matrix_up_to_date(changed) != Status::ok) return false;
+  form_residual(at);
+  double best = imbalance_;
+  int best_pass = 0;
+  double work = 0;  // since then, in passes over all blocks
+  for (int pass = 0; !is_balanced(at); ++pass) {
+    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > patience) return false;
+    if (pass > 0 && prepare_pass(at, changed) != Status::ok) return false;
+    ++at.costs.counters.open_close_iterations;
+    const double enough = last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
+    if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) return false;
+    if (goes_in_circles(pass - best_pass)) step_ /= 2;
+    take_newton_step(at, pass >= free_passes);
+    work += work_of_pass(at);
+    if (imbalance_ >= best) continue;
+    best = imbalance_;
+    best_pass = pass;
+    work = 0;
+  }
+  for (std::size_t k = 0; k < at.contacts.size(); ++k)
+    if (at.contacts.is_whole(k)) at.contacts.measure(k, at.increment);
+  return true;
+}
+
+bool FrictionPasses::goes_in_circles(int stalled_passes) const {
+  const bool is_near = imbalance_ <= near_balance * largest_force_;
+  return is_near && stalled_passes > full_passes && stalled_passes % 2 == 0;
+}
+
+double FrictionPasses::work_of_pass(const Iterate& at) const {
+  return is_local_ ? local_overhead + part_.size() / static_cast<double>(at.problem->areas.size()) : 1;
+}
+
+bool FrictionPasses::is_balanced(const Iterate& at) const {
+  return !between_pieces_ && imbalance_ <= negligible_imbalance(at);
+}
+
+double FrictionPasses::negligible_imbalance(const Iterate& at) const {
+  return std::max(balance_tolerance * largest_force_, at.round_off_of_forces());
+}
+
+// What the balance leaves at the increments reached. Where interfaces are linear the matrix gives their forces.
+void FrictionPasses::form_residual(const Iterate& at) {
+  residual_ = at.problem->rhs;
+  largest_force_ = at.bolts.largest_force();
+  for (const LiveContact& contact : live_) {
+    const Vec4 constant = at.contacts.constant_force(contact.trial, contact.springs);
+    if (!constant.isZero(0)) add_force(contact, -at.problem->factor * constant, residual_);
+    largest_force_ = std::max(largest_force_, at.contacts[contact.trial].force.cwiseAbs().maxCoeff());
+  }
+  at.bolts.add_rhs(at.problem->factor, residual_);
+  at.matrix.couplings().move_to_right(at.problem->held, residual_);
+  at.matrix.values().multiply(at.increment, image_);
+  residual_ -= image_;
+  at.problem->held.clear(residual_);
+  measure_imbalance(at);
+}
+
+double largest_entry(const Eigen::VectorXd& force, std::size_t block, double area) {
+  const auto own = force.segment<6>(static_cast<Eigen::Index>(6 * block));
+  const double moments = own.tail<4>().cwiseAbs().maxCoeff() / std::sqrt(area);
+  return std::max(own.head<2>().cwiseAbs().maxCoeff(), moments);
+}
+
+// Not a number where an entry is none.
+void FrictionPasses::measure_imbalance(const Iterate& at) {
+  double largest = 0;
+  for (std::size_t i = 0; i < at.problem->areas.size(); ++i)
+    largest = std::max(largest, largest_entry(residual_, i, at.problem->areas[i]));
+  imbalance_ = largest + 0 * residual_.sum();
+}
+
+Status FrictionPasses::solve_newton_step(Iterate& at, double relative) {
+  const PhaseTimer timer(at.costs.times.solution);
+  list_couplings(at);
+  ++at.costs.counters.solves;
+  const auto precondition = [&at](const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+    return at.matrix.solver().precondition(r, z);
+  };
+  KrylovResult result;
+  step_.setZero();
+  if (couplings_.empty()) {
+    const auto multiply = [&](const Eigen::VectorXd& v, Eigen::VectorXd& w) { multiply_in_pass(at, v, w); };
+    result = gradients_.solve(multiply, precondition, residual_, relative, most_iterations, step_);
+  } else {
+    const auto multiply = [&](const Eigen::VectorXd& v, Eigen::VectorXd& w) { multiply_coupled(at, v, w); };
+    result = gmres_.solve(multiply, precondition, residual_, relative, most_iterations, step_);
+  }
+  at.costs.counters.solver_iterations += result.iterations;
+  // What an iteration did not reach the next pass may.
+  return result.status == Status::not_converged ? Status::ok : result.status;
+}
+
+void FrictionPasses::list_couplings(const Iterate& at) {
+  couplings_.clear();
+  for (const std::size_t k : taken_) {
+    const LiveContact& contact = live_[k];
+    const Vec4 slopes = shear_by_normal_gap(contact.springs, at.contacts.strength(contact.trial),
+                                            at.contacts[contact.trial], contact.pieces);
+    if (!slopes.isZero(0)) couplings_.push_back({&contact, slopes});
+  }
+}
+
+void FrictionPasses::multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const {
+  if (is_local_) {
+    at.matrix.values().multiply(part_, v, w);
+  } else {
+    at.matrix.values().multiply(v, w);
+  }
+}
+
+void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const {
+  multiply_in_pass(at, v, w);
+  for (const auto& [contact, slopes] : couplings_) {
+    const Vec4 opening = gap(*contact, v);
+    const Vec4 shear(0, slopes(1) * opening(0), 0, slopes(3) * opening(2));
+    add_force(*contact, at.problem->factor * shear, w);
+  }
+  at.problem->held.clear(w);
+}
+
+void FrictionPasses::take_newton_step(Iterate& at, bool strictly) {
+  const PieceRule rule{.strict = strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
+  at.increment += step_;
+  if (is_local_) {
+    multiply_in_pass(at, step_, image_);
+    residual_ -= image_;
+  }
+  between_pieces_ = false;
+  for (const std::size_t k : taken_) {
+    LiveContact& contact = live_[k];
+    const EndStrength& strength = at.contacts.strength(contact.trial);
+    InterfaceTrial& trial = at.contacts[contact.trial];
+    const Vec4 force_before = trial.force;
+    const Vec4 moved = gap(contact, step_);
+    trial.gap += moved;
+    respond_with_friction(contact.springs, strength, trial);
+    contact.between = keep_to_bordering_pieces(contact.springs, strength, rule, trial, contact.pieces);
+    between_pieces_ = between_pieces_ || contact.between;
+    if (is_local_) follow_residual(at, contact, moved, force_before);
+  }
+  at.bolts.aim(step_);
+  at.bolts.follow(1);
+  if (is_local_) {
+    at.problem->held.clear(residual_);
+    measure_imbalance(at);
+  }
+  if (!is_local_ || is_balanced(at)) form_residual(at);  // what was followed is only believed while it is not the end
+}
+
+}  // namespace dda

@@ -1,0 +1,105 @@
+// The quick passes of the open-close iteration: Newton's method on the balance of a step with Coulomb friction in it.
+//
+// The forces of the interfaces are piecewise linear in the increments. With the pieces of the point reached, a pass
+// solves (A + C) step = residual, where A is the symmetric matrix of the active rows and C lets the shear force of ends
+// that slide follow their normal force. C is not symmetric, so the solver is GMRES, with what is known of the inverse
+// of A as its preconditioner, and a step is only solved for as well as its pieces are likely to hold. No potential
+// falls with such a step, and nothing assures that the passes end: mostly they do after a few, and where they do not,
+// ConvexPasses go the sure way.
+//
+// Local passes: after a few passes most of a large scene is in balance, and only where contacts still change is there
+// something to do. Such a pass moves the blocks that are out of balance and some rings of neighbours, as if all others
+// were held; what that brings out of balance beside them belongs to the part of the next pass.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "engine/contact/contact_pieces.h"
+#include "engine/contact/interface_element.h"
+#include "engine/contact/point_kinematics.h"
+#include "engine/core/status.h"
+#include "engine/linear/block_part.h"
+#include "engine/linear/krylov.h"
+#include "engine/solve/iterate.h"
+
+namespace dda {
+
+class FrictionPasses {
+ public:
+  // Lists the contacts with a broken end, which are not linear. False where everything is linear, whatever comes: one
+  // solve is then all there is to do.
+  [[nodiscard]] bool has_something_to_settle(const Iterate& at);
+
+  // Moves the iterate to the balance. False where that was not found; the iterate is then anywhere.
+  [[nodiscard]] bool find_balance(Iterate& at);
+
+ private:
+  struct LiveContact {
+    std::size_t trial;
+    int block_a, block_b;
+    ContactPieces pieces;  // what the pass takes its ends to be
+    bool between;          // its forces are not what it answers: keep_to_bordering_pieces
+    InterfaceSprings springs;
+    PointKinematics points;
+  };
+
+  // How friction ties the shear forces of sliding ends to their normal gaps.
+  struct Coupling {
+    const LiveContact* contact;
+    Vec4 shear_by_gap;  // N/m per m of thickness: rows 1 and 3 by the gaps of rows 0 and 2
+  };
+
+  static constexpr int basis = 40;  // of GMRES
+
+  [[nodiscard]] static Vec4 gap(const LiveContact& contact, const Eigen::VectorXd& d);
+  static void add_force(const LiveContact& contact, const Vec4& contact_force, Eigen::VectorXd& force);
+
+  void resize(Eigen::Index unknowns);
+  void take_all();
+  void take_part();
+
+  [[nodiscard]] bool goes_in_circles(int stalled_passes) const;
+  [[nodiscard]] double work_of_pass(const Iterate& at) const;
+  [[nodiscard]] bool is_balanced(const Iterate& at) const;
+  [[nodiscard]] double negligible_imbalance(const Iterate& at) const;
+  void form_residual(const Iterate& at);
+  void measure_imbalance(const Iterate& at);
+
+  [[nodiscard]] Status solve_newton_step(Iterate& at, double relative);
+  void list_couplings(const Iterate& at);
+  void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
+  void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
+  void take_newton_step(Iterate& at, bool strictly);
+
+  // local_pass.cpp
+  [[nodiscard]] Status prepare_pass(Iterate& at, bool& changed);
+  [[nodiscard]] Status amend_matrix(Iterate& at, bool& changed) const;
+  [[nodiscard]] Status prepare_whole_pass(Iterate& at);
+  [[nodiscard]] bool choose_part(const Iterate& at);
+  void add_neighbours(const Iterate& at);
+  void follow_residual(const Iterate& at, const LiveContact& contact, const Vec4& moved, const Vec4& force_before);
+
+  std::vector<LiveContact> live_;
+  std::vector<std::size_t> taken_;  // of these, those that the pass moves
+  std::vector<Coupling> couplings_;
+  BlockPart part_;               // the blocks that a local pass moves
+  bool is_local_ = false;        // the pass
+  bool between_pieces_ = false;  // some live contact is
+
+  // 6 entries a block.
+  Eigen::VectorXd residual_;  // what is left of the balance at the increments reached
+  Eigen::VectorXd step_;      // of Newton's method
+  Eigen::VectorXd image_;     // matrix * increments
+  ConjugateGradients gradients_;
+  Gmres gmres_{basis};
+
+  double imbalance_ = 0;      // largest entry of the residual, N per m of thickness
+  double largest_force_ = 0;  // of contacts and bolts, N per m of thickness
+};
+
+// Forces, and moments as forces at the arm of the block's size.
+double largest_entry(const Eigen::VectorXd& force, std::size_t block, double area);
+
+}  // namespace dda

@@ -1,0 +1,49 @@
+// The point that the iteration of a step has reached: increments, trials, and the matrix that belongs to them. Both
+// kinds of passes move it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/core/status.h"
+#include "engine/solve/bolt_trials.h"
+#include "engine/solve/costs.h"
+#include "engine/solve/interface_trials.h"
+#include "engine/solve/step_matrix.h"
+#include "engine/solve/step_problem.h"
+
+namespace dda {
+
+struct Iterate {
+  explicit Iterate(Costs& shared) : costs(shared), matrix(shared) {}
+
+  Costs& costs;
+  const StepProblem* problem = nullptr;
+  InterfaceTrials contacts;
+  BoltTrials bolts;
+  StepMatrix matrix;
+  Eigen::VectorXd increment;
+
+  // No contact and no bolt: one linear solve is all there is to do.
+  [[nodiscard]] bool is_linear() const { return contacts.empty() && bolts.empty(); }
+
+  // What a solve leaves of the forces on blocks that only just touch, N per m of thickness.
+  [[nodiscard]] double round_off_of_forces() const;
+
+  // The matrix is to hold the stiffness of the rows active now: assembled and factored anew where it does not.
+  // `changed` tells whether some row did.
+  [[nodiscard]] Status bring_matrix_up_to_date(bool& changed);
+
+  // Adds what of the contacts' and bolts' forces does not depend on the unknowns.
+  void add_constant_forces(Eigen::VectorXd& rhs) const;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [costs, problem, contacts, bolts, matrix, increment] = self;
+    archive(contacts, bolts);  // the matrix is made anew, increments begin at zero
+  }
+
+ private:
+  [[nodiscard]] Status refactor();
+};
+
+}  // namespace dda

@@ -1,0 +1,80 @@
+#include "engine/solve/step_matrix.h"
+
+#include <utility>
+
+#include "engine/contact/contact_set.h"
+
+namespace dda {
+
+void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
+                 BlockMatrix& matrix) {
+  if (mask.isZero(0)) return;  // open
+  const InterfaceMatrices k = stiffness_of(element, mask);
+  if (in_a) matrix.diagonal(element.block_a) += factor * k.aa;
+  if (in_b) matrix.diagonal(element.block_b) += factor * k.bb;
+  if (in_a && in_b) matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
+}
+
+void StepMatrix::begin(BlockMatrix pattern, SolverKind kind, double chi) {
+  end();
+  solver_ = make_solver(kind, chi);
+  set_pattern(std::move(pattern));
+}
+
+void StepMatrix::set_pattern(BlockMatrix pattern) {
+  matrix_ = std::move(pattern);
+  solver_->analyze(*matrix_);
+  ++costs_.counters.analyses;
+  is_current_ = false;
+}
+
+void StepMatrix::end() {
+  costs_.counters.solver_iterations += iterations();
+  solver_.reset();
+  matrix_.reset();
+  is_current_ = false;
+}
+
+Status StepMatrix::factorize() {
+  const PhaseTimer timer(costs_.times.factorization);
+  amendments_ = 0;
+  factor_is_of_part_ = false;
+  const Status status = solver_->factorize(*matrix_);
+  ++costs_.counters.factorizations;
+  is_current_ = status == Status::ok;
+  if (status != Status::ok) failure_ = Failure::singular_matrix;
+  return status;
+}
+
+Status StepMatrix::factorize(const BlockPart& part) {
+  const PhaseTimer timer(costs_.times.factorization);
+  ++costs_.counters.factorizations;
+  factor_is_of_part_ = true;
+  is_amended_ = true;  // the next step starts with matrix and factor of the whole
+  return solver_->factorize(*matrix_, part);
+}
+
+void StepMatrix::amend(double factor, const InterfaceElement& element, const Vec4& mask, const HeldUnknowns& held) {
+  add_contact(factor, element, mask, !held.holds(element.block_a), !held.holds(element.block_b), *matrix_);
+  ++amendments_;
+  is_amended_ = true;
+}
+
+Status StepMatrix::solve(const HeldUnknowns& held, Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
+  const PhaseTimer timer(costs_.times.solution);
+  ++costs_.counters.solves;
+  couplings_.move_to_right(held, rhs);
+  held.put(x);
+  const Status status = solver_->solve(rhs, x);
+  held.put(x);
+  if (status != Status::ok) {
+    failure_ = Failure::linear_solver;
+    return status;
+  }
+  // 0 times anything not finite is NaN, and so is a sum with a NaN: allFinite(), vectorized.
+  if ((0 * x).sum() == 0) return Status::ok;
+  failure_ = Failure::not_finite;
+  return Status::not_finite;
+}
+
+}  // namespace dda

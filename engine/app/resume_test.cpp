@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t most_steps = 400;  // of either half: long runs are not looked at to their end
+constexpr std::int64_t most_steps = 200;  // of either half: long runs are not looked at to their end
 
 std::vector<fs::path> scenes() {
   std::vector<fs::path> found;

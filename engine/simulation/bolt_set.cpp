@@ -46,16 +46,15 @@ void place(const Model& model, const State& state, const Bolt& bolt, const BoltL
 }  // namespace
 
 BoltSet::BoltSet(const Model& model, const State& state) {
-  for (std::size_t i = 0; i < model.bolts.size(); ++i) {
-    const Bolt& bolt = model.bolts[i];
+  for (const Bolt& bolt : model.bolts) {
     first_link_.push_back(links_.size());
-    for (std::size_t j = 0; j < bolt.links.size(); ++j) {
+    for (const BoltLink& drawn : bolt.links) {
       LinkElement link;
-      link.block_a = bolt.links[j].block_a;
-      link.block_b = bolt.links[j].block_b;
-      link.law = law_of(bolt, bolt.links[j]);
+      link.block_a = drawn.block_a;
+      link.block_b = drawn.block_b;
+      link.law = law_of(bolt, drawn);
       link.rupture_elongation = bolt.rupture_elongation;
-      link.pretension_gap = bolt.pretension / bolt.links[j].axial_stiffness;
+      link.pretension_gap = bolt.pretension / drawn.axial_stiffness;
       links_.push_back(link);
     }
   }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/app/advise_command.h"
+#include "engine/app/cut_command.h"
 #include "engine/app/run_command.h"
 #include "engine/app/scene_report.h"
 #include "engine/app/view_command.h"
@@ -27,6 +28,7 @@ constexpr auto program_details =
     "Examples:\n"
     "  dda check bar.json                    say what would be run, and how accurate it will be\n"
     "  dda advise bar.json                   why, at what cost, and how coarse it may be\n"
+    "  dda cut tunnel.json --out blocks      cut its rock into blocks: a scene of polygons, figures, a picture\n"
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
     "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda run --help                        more on a command\n\n"
@@ -73,6 +75,13 @@ constexpr auto view_details =
     "  dda run arch.json --out results --frames 200 && dda view results     then open results/view.html\n"
     "  dda view results --svg last --out arch.svg --quantity stress_2\n"
     "  dda view results --svg 40 --out arch.svg --forces contacts --window -6,-1,6,6\n";
+
+constexpr auto cut_details =
+    "DIR gets scene.json, with all blocks and joints of the rock written out, which runs as the given scene does;\n"
+    "cut.json, with figures and all that was cleaned; and cut.svg, a picture. check, run and view cut by "
+    "themselves.\n\n"
+    "Example:\n"
+    "  dda cut tunnel.json --out blocks                                 then open blocks/cut.svg\n";
 
 constexpr auto schema_details =
     "Name the file in \"$schema\" of a scene, and editors complete keys and underline mistakes.\n\n"
@@ -182,6 +191,12 @@ void add_view(CLI::App& app, Arguments& arguments) {
       ->needs(svg);
 }
 
+void add_cut(CLI::App& app, Arguments& arguments) {
+  CLI::App* cut = app.add_subcommand("cut", "Cut the rock of a scene into blocks")->footer(cut_details);
+  cut->add_option("scene", arguments.scene, "scene file (JSON) with rock")->required()->type_name("SCENE.json");
+  cut->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
+}
+
 void check_scene(const Arguments& arguments, std::ostream& out) {
   std::optional<double> frequency;
   if (!arguments.frequency.empty())
@@ -221,7 +236,7 @@ int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
   if (unknown_command)
-    return "the command is \"" + std::string(argv[1]) + "\", expected check, advise, run, view or schema";
+    return "the command is \"" + std::string(argv[1]) + "\", expected check, advise, cut, run, view or schema";
   return error.what();
 }
 
@@ -232,6 +247,10 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
   }
   if (app.got_subcommand("advise")) {
     advise_scene(arguments, out);
+    return 0;
+  }
+  if (app.got_subcommand("cut")) {
+    cut_into_folder(arguments.scene, arguments.folder, out);
     return 0;
   }
   if (app.got_subcommand("run")) return run(arguments, out, errors);
@@ -254,6 +273,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   app.get_formatter()->column_width(32);
   add_check(app, arguments);
   add_advise(app, arguments);
+  add_cut(app, arguments);
   add_run(app, arguments);
   add_view(app, arguments);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);

@@ -32,7 +32,7 @@ TEST_F(CommandLine, VersionAndSchema) {
 TEST_F(CommandLine, MistakesInTheCommandItself) {
   write("scene.json", bar_scene(3, 10));
   expect_refusal({}, "subcommand is required");
-  expect_refusal({"solve", "scene.json"}, "the command is \"solve\", expected check, advise, run, view or schema");
+  expect_refusal({"solve", "scene.json"}, "the command is \"solve\", expected check, advise, cut, run, view or schema");
   expect_refusal({"run", path("scene.json")}, "--out is required");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "0"}, "--frames");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "abc"},

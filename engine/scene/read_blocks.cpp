@@ -3,41 +3,13 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/scene/block_group.h"
 #include "engine/scene/generators.h"
+#include "engine/scene/read_rock.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
 namespace {
-
-std::vector<std::string> names_of(const std::vector<Material>& materials) {
-  std::vector<std::string> names;
-  for (const Material& material : materials) names.push_back(material.name);
-  return names;
-}
-
-int read_material_reference(const Field& owner, const Model& model) {
-  const auto names = names_of(model.materials);
-  if (const auto field = owner.find("material")) return static_cast<int>(field->choice(names));
-  if (names.size() == 1) return 0;
-  throw InputError("", owner.path() + ".material", "missing", "one of the names in materials, as there are several");
-}
-
-Vec3 read_stress(const Field& field) {
-  const auto stress = [](const Field& f) { return f.quantity(Dimension::stress); };
-  return {value_or(field, "xx", 0.0, stress), value_or(field, "yy", 0.0, stress), value_or(field, "xy", 0.0, stress)};
-}
-
-BlockGroup read_group(const Field& field, std::string default_name, const Model& model) {
-  BlockGroup group;
-  group.name = value_or(field, "name", std::move(default_name), [](const Field& f) { return f.name(); });
-  group.material = read_material_reference(field, model);
-  group.initial_stress = value_or(field, "initial_stress", group.initial_stress, read_stress);
-  group.initial_velocity = value_or(field, "initial_velocity", group.initial_velocity,
-                                    [](const Field& f) { return f.vector(Dimension::velocity); });
-  group.initial_spin =
-      value_or(field, "initial_spin", 0.0, [](const Field& f) { return f.quantity(Dimension::angular_velocity); });
-  return group;
-}
 
 Vec2 read_origin(const Field& field) {
   return value_or(field, "origin", Vec2(Vec2::Zero()), [](const Field& f) { return f.vector(Dimension::length); });
@@ -88,20 +60,9 @@ void read_rings(const Field& field, Model& model) {
   append_at(field, [&] { append_rings(model, spec); });
 }
 
-Ring read_ring(const Field& field) {
-  Ring ring;
-  for (const Field& vertex : field.items()) ring.push_back(vertex.vector(Dimension::length));
-  return ring;
-}
-
 void read_polygon(const Field& field, Model& model) {
   const BlockGroup group = read_group(field, fmt::format("block {}", model.blocks.size() + 1), model);
-  Block block;
-  block.name = group.name;
-  block.material = group.material;
-  block.initial_stress = group.initial_stress;
-  block.initial_velocity = group.initial_velocity;
-  block.initial_spin = group.initial_spin;
+  Block block = block_of(group, group.name);
   block.shape.outer = read_ring(field.at("vertices"));
   if (const auto holes = field.find("holes")) {
     for (const Field& hole : holes->items()) block.shape.holes.push_back(read_ring(hole));
@@ -110,10 +71,14 @@ void read_polygon(const Field& field, Model& model) {
   model.blocks.push_back(std::move(block));
 }
 
-// Returns the group name of the blocks just read.
-std::string read_entry(const Field& entry, Model& model) {
+// Appends the blocks of the entry and the group of each.
+void read_entry(const Field& entry, Model& model, std::vector<std::string>& groups) {
   const auto members = entry.members();
   const auto& [kind, field] = members.front();
+  if (kind == "rock") {
+    append_rock(read_rock(field, model), model, groups);
+    return;
+  }
   if (kind == "bar") {
     read_bar(field, model);
   } else if (kind == "grid") {
@@ -123,8 +88,10 @@ std::string read_entry(const Field& entry, Model& model) {
   } else {
     read_polygon(field, model);
   }
-  return value_or(field, "name", kind == "polygon" ? model.blocks.back().name : kind,
-                  [](const Field& f) { return f.name(); });
+  const bool is_polygon = kind == "polygon";
+  const std::string name = is_polygon ? model.blocks.back().name : kind;
+  groups.resize(model.blocks.size(),
+                value_or(field, is_polygon ? "group" : "name", name, [](const Field& f) { return f.name(); }));
 }
 
 }  // namespace
@@ -132,10 +99,8 @@ std::string read_entry(const Field& entry, Model& model) {
 std::vector<std::string> read_blocks(const Field& scene, Model& model) {
   const Field blocks = scene.at("blocks");
   std::vector<std::string> groups;
-  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
-    const std::string group = read_entry(entry, model);
-    groups.resize(model.blocks.size(), group);
-  }
+  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks})
+    read_entry(entry, model, groups);
   return groups;
 }
 

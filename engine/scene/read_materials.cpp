@@ -2,6 +2,7 @@
 
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include "engine/scene/sections.h"
 
@@ -140,21 +141,37 @@ JointMaterial read_joint(const std::string& name, const Field& field, const Sche
   return joint;
 }
 
-// A joint under another name than "default" that no pair or line uses would silently do nothing.
+// Everything in a scene that names a joint in a key "joint".
+std::vector<Field> joint_users(const Field& scene) {
+  std::vector<Field> users;
+  const auto add_entries = [&](const Field& owner, const char* key) {
+    const auto entries = owner.find(key);
+    if (!entries) return;
+    for (const Field& entry : entries->items()) users.push_back(entry);
+  };
+  for (const char* key : {"joint_pairs", "joint_lines"}) add_entries(scene, key);
+  const Field blocks = scene.at("blocks");
+  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
+    const auto rock = entry.find("rock");
+    if (!rock) continue;
+    for (const char* key : {"lines", "joint_sets", "openings"}) add_entries(*rock, key);
+  }
+  return users;
+}
+
+// A joint under another name than "default" that nothing uses would silently do nothing.
 // Misspelt references come first: they are why joints seem to be without use.
 void refuse_unused_joints(const Field& scene, const Field& joints) {
   std::vector<std::string> names = {"default"};
   for (const auto& [name, field] : joints.members())
     if (name != "default") names.push_back(name);
   std::set<std::string> used = {"default"};
-  for (const char* key : {"joint_pairs", "joint_lines"}) {
-    const auto entries = scene.find(key);
-    if (!entries) continue;
-    for (const Field& entry : entries->items()) used.insert(names[entry.at("joint").choice(names)]);
+  for (const Field& user : joint_users(scene)) {
+    if (const auto joint = user.find("joint")) used.insert(names[joint->choice(names)]);
   }
   for (const auto& [name, field] : joints.members()) {
     if (!used.contains(name))
-      field.fail("in no entry of joint_pairs or joint_lines", "\"default\" or a name that they use");
+      field.fail("in no entry of joint_pairs, joint_lines or rock", "\"default\" or a name that they use");
   }
 }
 

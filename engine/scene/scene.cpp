@@ -49,7 +49,19 @@ Model read_model(const Field& scene, const std::filesystem::path& folder) {
   return model;
 }
 
-std::string file_text(const std::filesystem::path& file) {
+}  // namespace
+
+Model parse_scene(std::string_view json_text, const std::string& name_for_errors, const std::filesystem::path& folder) {
+  try {
+    const nlohmann::json document = parse_json(json_text);
+    check_schema(document);
+    return read_model(Field(document, ""), folder);
+  } catch (const InputError& error) {
+    throw error.in_file(name_for_errors);
+  }
+}
+
+std::string scene_text(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
     throw InputError(file.string(), "the scene file", "a directory", "a JSON file");
@@ -64,20 +76,8 @@ std::string file_text(const std::filesystem::path& file) {
   return text.str();
 }
 
-}  // namespace
-
-Model parse_scene(std::string_view json_text, const std::string& name_for_errors, const std::filesystem::path& folder) {
-  try {
-    const nlohmann::json document = parse_json(json_text);
-    check_schema(document);
-    return read_model(Field(document, ""), folder);
-  } catch (const InputError& error) {
-    throw error.in_file(name_for_errors);
-  }
-}
-
 Model read_scene(const std::filesystem::path& file) {
-  return parse_scene(file_text(file), file.string(), file.parent_path());
+  return parse_scene(scene_text(file), file.string(), file.parent_path());
 }
 
 }  // namespace dda

@@ -18,6 +18,9 @@ Model read_scene(const std::filesystem::path& file);
 Model parse_scene(std::string_view json_text, const std::string& name_for_errors,
                   const std::filesystem::path& folder = {});
 
+// The text of a scene file. Throws InputError when it cannot be read.
+std::string scene_text(const std::filesystem::path& file);
+
 // The published JSON Schema (draft 7) of scene files, as text.
 std::string_view scene_schema();
 

@@ -1,0 +1,33 @@
+// What cutting a scene came to, for people and for programs.
+#pragma once
+
+#include <string>
+
+#include "engine/scene/cut_scene.h"
+
+namespace dda {
+
+// Of all rock of a scene together.
+struct CutFigures {
+  std::size_t blocks = 0;
+  double area = 0;            // m2, of the blocks
+  double boundary_area = 0;   // m2, boundaries less holes
+  double left_out_area = 0;   // m2, of it in openings that are left out
+  double dropped_area = 0;    // m2, of it dropped as slivers
+  double smallest_area = 0;   // m2
+  double smallest_angle = 0;  // rad, between two edges of a block
+  double largest_aspect = 0;  // longest over shortest extent of a block
+  std::size_t slender = 0;    // blocks with an aspect above 10
+  std::size_t lines = 0;
+  int dangles_trimmed = 0;
+  int merged = 0;
+  double seconds = 0;
+};
+
+inline constexpr double slender_aspect = 10;
+
+CutFigures figures_of(const CutScene& scene, double seconds);
+std::string report_json(const CutScene& scene, const CutFigures& figures);
+std::string report_text(const CutScene& scene, const CutFigures& figures);
+
+}  // namespace dda

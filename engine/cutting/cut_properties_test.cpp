@@ -1,0 +1,221 @@
+// What must hold for any lines, checked by geometry that knows nothing of how blocks are found.
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "engine/cutting/cutting_test_support.h"
+#include "engine/geometry/box_pairs.h"
+
+namespace dda {
+namespace {
+
+class Lots {
+ public:
+  explicit Lots(unsigned seed) : random_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  Vec2 point(double low, double high) { return {between(low, high), between(low, high)}; }
+  std::mt19937_64& bits() { return random_; }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+RockPlan random_plan(Lots& lots, int lines) {
+  RockPlan plan = square_plan();
+  for (int i = 0; i < lines; ++i) add_line(plan, {lots.point(-2, 12), lots.point(-2, 12)});
+  return plan;
+}
+
+// Lines on a coarse grid, some of them moved by about the tolerance or by round-off: crossings in one point, ends on
+// lines, lines along each other and along the boundary.
+RockPlan degenerate_plan(Lots& lots, int lines) {
+  RockPlan plan = square_plan();
+  const double moves[] = {0, 0, 0, 1e-15, 1e-12, 1e-9, 5e-6, 1.4e-5, 3e-5};
+  const auto point = [&] {
+    const Vec2 shift = moves[lots.whole(0, 8)] * lots.point(-1, 1);
+    return Vec2(Vec2(lots.whole(0, 5), lots.whole(0, 5)) * 2 + shift);
+  };
+  for (int i = 0; i < lines; ++i) add_line(plan, {point(), point()});
+  return plan;
+}
+
+void expect_no_overlap(const CutRock& rock, double tolerance) {
+  std::vector<Box> boxes;
+  for (const CutBlock& block : rock.blocks) boxes.push_back(bounding_box(block.shape));
+  for (const auto& [a, b] : overlapping_pairs(boxes)) {
+    EXPECT_FALSE(interiors_overlap(rock.blocks[static_cast<std::size_t>(a)].shape,
+                                   rock.blocks[static_cast<std::size_t>(b)].shape, tolerance));
+  }
+}
+
+// Connected parts of what the corners and edges make, by walking over them.
+std::size_t parts_of(const Topology& topology) {
+  std::map<Place, std::vector<Place>> neighbours;
+  for (const auto& [edge, times] : topology.edges) {
+    neighbours[edge.first].push_back(edge.second);
+    neighbours[edge.second].push_back(edge.first);
+  }
+  std::set<Place> seen;
+  std::size_t parts = 0;
+  for (const Place& start : topology.corners) {
+    if (!seen.insert(start).second) continue;
+    ++parts;
+    std::vector<Place> to_do{start};
+    while (!to_do.empty()) {
+      const Place at = to_do.back();
+      to_do.pop_back();
+      for (const Place& next : neighbours[at]) {
+        if (seen.insert(next).second) to_do.push_back(next);
+      }
+    }
+  }
+  return parts;
+}
+
+// corners - edges + faces = 1 + parts, the outside being a face.
+void expect_euler(const CutRock& rock) {
+  const Topology topology = topology_of(rock);
+  const std::size_t edges = topology.shared + topology.single;
+  EXPECT_EQ(topology.corners.size() + rock.blocks.size() + 1, edges + 1 + parts_of(topology));
+}
+
+void expect_same(const std::vector<Signature>& a, const std::vector<Signature>& b, double tolerance) {
+  ASSERT_EQ(a.size(), b.size());
+  // Sorted by area, which round-off may exchange: look for each block near its place.
+  for (const auto& [area, x, y] : a) {
+    const double wanted_area = area;
+    const double wanted_x = x;
+    const double wanted_y = y;
+    const auto low = std::lower_bound(b.begin(), b.end(), Signature(wanted_area - tolerance, -1e300, -1e300));
+    const bool found = std::any_of(low, b.end(), [&](const Signature& other) {
+      const auto& [other_area, other_x, other_y] = other;
+      return std::abs(other_area - wanted_area) <= tolerance && std::abs(other_x - wanted_x) <= 1e3 * tolerance &&
+             std::abs(other_y - wanted_y) <= 1e3 * tolerance;
+    });
+    EXPECT_TRUE(found) << wanted_area << " at " << wanted_x << ", " << wanted_y;
+  }
+}
+
+TEST(CutProperties, RandomLinesFillTheRockOnce) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Lots lots(seed);
+    const RockPlan plan = random_plan(lots, lots.whole(1, 60));
+    const CutRock rock = cut_rock(plan);
+    expect_sound(rock, plan);
+    expect_no_overlap(rock, 1e-9);
+    expect_euler(rock);
+  }
+}
+
+TEST(CutProperties, SoDoDegenerateOnes) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Lots lots(seed);
+    const RockPlan plan = degenerate_plan(lots, lots.whole(1, 30));
+    const CutRock rock = cut_rock(plan);
+    expect_sound(rock, plan);
+    expect_no_overlap(rock, 1e-9);
+    expect_euler(rock);
+  }
+}
+
+TEST(CutProperties, TheOrderOfLinesAndTheirDirectionDoNotMatterToTheBit) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Lots lots(seed);
+    RockPlan plan = seed % 2 == 0 ? random_plan(lots, 40) : degenerate_plan(lots, 25);
+    const CutRock rock = cut_rock(plan);
+    std::shuffle(plan.lines.begin(), plan.lines.end(), lots.bits());
+    for (PlanLine& line : plan.lines) {
+      if (lots.whole(0, 1) == 1) std::swap(line.points.front(), line.points.back());
+    }
+    const CutRock again = cut_rock(plan);
+    ASSERT_EQ(rock.blocks.size(), again.blocks.size());
+    for (std::size_t i = 0; i < rock.blocks.size(); ++i) {
+      EXPECT_EQ(rock.blocks[i].shape.outer, again.blocks[i].shape.outer);
+      EXPECT_EQ(rock.blocks[i].shape.holes, again.blocks[i].shape.holes);
+    }
+  }
+}
+
+// Round-off: coordinates of 1e3 m have one of 1e-13 m, and a crossing at an angle of 1e-3 a thousand times that.
+TEST(CutProperties, NeitherDoesWhereTheRockLiesAndHowItIsTurned) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Lots lots(seed);
+    RockPlan plan = random_plan(lots, 30);
+    CutOptions options;
+    options.tolerance = 1e-5;
+    const auto before = signatures_of(cut_rock(plan, options));
+    const double angle = lots.between(0, 2 * std::numbers::pi);
+    const Vec2 shift = lots.point(-100, 100);
+    const Vec2 x(std::cos(angle), std::sin(angle));
+    const Vec2 y(-x.y(), x.x());
+    const auto move = [&](Vec2& point) { point = shift + point.x() * x + point.y() * y; };
+    for (Vec2& point : plan.boundary) move(point);
+    for (PlanLine& line : plan.lines) {
+      for (Vec2& point : line.points) move(point);
+    }
+    std::vector<Signature> after;
+    for (const auto& [area, at_x, at_y] : signatures_of(cut_rock(plan, options))) {
+      const Vec2 back = Vec2(at_x, at_y) - shift;
+      after.emplace_back(area, back.dot(x), back.dot(y));
+    }
+    expect_same(before, after, 1e-10);
+  }
+}
+
+// With lines from side to side nothing is trimmed, and their number of blocks is known: one, and one more for every
+// line and every crossing.
+TEST(CutProperties, LinesFromSideToSideMakeAsManyBlocksAsTheyCross) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Lots lots(seed);
+    RockPlan plan = square_plan();
+    std::vector<Segment> lines;
+    for (int i = 0; i < 25; ++i) {
+      lines.push_back({{0, lots.between(0, 10)}, {10, lots.between(0, 10)}});
+      add_line(plan, {lines.back().start, lines.back().end});
+    }
+    std::size_t expected = 1 + lines.size();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (proper_intersection(lines[i], lines[j])) ++expected;
+      }
+    }
+    const CutRock rock = cut_rock(plan);
+    EXPECT_EQ(rock.blocks.size() + static_cast<std::size_t>(rock.merged), expected);
+    EXPECT_EQ(rock.dangles_trimmed, 0);
+  }
+}
+
+// All along a line two blocks touch there, but for the parts that are said to be trimmed.
+TEST(CutProperties, JointsCoverTheLinesLessWhatIsReported) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Lots lots(seed);
+    RockPlan plan = square_plan();
+    double length = 0;
+    for (int i = 0; i < 40; ++i) {
+      add_line(plan, {lots.point(0, 10), lots.point(0, 10)});
+      length += (plan.lines.back().points[1] - plan.lines.back().points[0]).norm();
+    }
+    const CutRock rock = cut_rock(plan);
+    double joints = 0;
+    for (const CutJoint& run : rock.joints) joints += (run.to - run.from).norm();
+    double trimmed = 0;
+    double moved = 0;  // of two corners that become one, up to four lines change their length
+    for (const Cleaned& each : rock.cleaned) {
+      if (each.what == Cleaning::dangle_trimmed) trimmed += each.size;
+      if (each.what == Cleaning::short_edge_closed) moved += 4 * each.size;
+      if (each.what == Cleaning::sliver_merged) moved += 4 * rock.tolerance;
+    }
+    EXPECT_NEAR(joints + trimmed, length, 1e-9 + moved);
+  }
+}
+
+}  // namespace
+}  // namespace dda

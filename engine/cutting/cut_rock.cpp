@@ -1,0 +1,115 @@
+#include "engine/cutting/cut_rock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/cutting/check_plan.h"
+#include "engine/cutting/finish_blocks.h"
+#include "engine/cutting/line_report.h"
+#include "engine/cutting/materials.h"
+#include "engine/cutting/merging.h"
+#include "engine/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+void append(std::vector<Cleaned>& all, std::vector<Cleaned> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+// Blocks can only become fewer from here on.
+void check_count(const std::vector<FacePlace>& places, const RockPlan& plan, const CutOptions& options) {
+  const auto blocks =
+      std::count_if(places.begin(), places.end(), [](const FacePlace& place) { return place.in_rock(); });
+  if (static_cast<std::size_t>(blocks) > options.most_blocks)
+    throw InputError("", plan.boundary_origin, fmt::format("around rock cut into {} blocks", blocks),
+                     fmt::format("at most {}", options.most_blocks));
+}
+
+double left_out_area(const Arrangement& arrangement, const std::vector<FacePlace>& places) {
+  double area = 0;
+  const Vec2 reference = arrangement.position(0);
+  for (int h = 0; h < arrangement.half_edges(); ++h) {
+    const FacePlace& place = places[static_cast<std::size_t>(arrangement.face(h))];
+    if (!place.in_boundary || !place.left_out) continue;
+    area += cross(Vec2(arrangement.position(arrangement.origin(h)) - reference),
+                  Vec2(arrangement.position(arrangement.target(h)) - reference)) /
+            2;
+  }
+  return area;
+}
+
+double boundary_area(const RockPlan& plan) {
+  double area = std::abs(signed_area(plan.boundary));
+  for (const Ring& hole : plan.holes) area -= std::abs(signed_area(hole));
+  return area;
+}
+
+// The corner that a block gets where its outline would touch itself lies aside by as much as is still told apart.
+void part_where_touching(Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces,
+                         std::vector<Outline>& outlines, std::vector<Cleaned>& cleaned) {
+  if (part_touching(arrangement, outlines, pieces.grid, 2 * pieces.tolerance, cleaned))
+    outlines = trace_outlines(arrangement, groups);
+}
+
+}  // namespace
+
+std::string_view to_string(Cleaning cleaning) {
+  switch (cleaning) {
+    case Cleaning::line_without_length: return "line without length";
+    case Cleaning::line_not_used: return "line not used";
+    case Cleaning::dangle_trimmed: return "dangling end trimmed";
+    case Cleaning::end_prolonged: return "end prolonged";
+    case Cleaning::lines_overlap: return "line along another";
+    case Cleaning::sliver_merged: return "sliver merged";
+    case Cleaning::sliver_dropped: return "sliver dropped";
+    case Cleaning::small_block_merged: return "small block merged";
+    case Cleaning::sharp_block_merged: return "sharp block merged";
+    case Cleaning::short_edge_closed: return "short edge closed";
+    case Cleaning::touching_parted: return "touching outline parted";
+  }
+  return "unknown";
+}
+
+CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
+  const auto say = [&](std::string_view what) {
+    if (options.progress) options.progress(what);
+  };
+  check_plan(plan);
+  CutRock rock;
+  PlanPieces pieces = pieces_of(plan, options.tolerance);
+  rock.tolerance = pieces.tolerance;
+  rock.boundary_area = boundary_area(plan);
+  append(rock.cleaned, std::move(pieces.cleaned));
+  say("finding crossings");
+  Noding noding = node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid);
+  say("finding blocks");
+  Arrangement arrangement(std::move(noding));
+  const std::vector<FacePlace> places = places_of_faces(arrangement, pieces, plan);
+  check_openings(arrangement, places, pieces, plan);
+  check_count(places, plan, options);
+  rock.left_out_area = left_out_area(arrangement, places);
+  FaceGroups groups(places);
+  append(rock.cleaned, cleaned_lines(arrangement, groups, pieces, plan));
+  rock.dangles_trimmed = static_cast<int>(std::count_if(
+      rock.cleaned.begin(), rock.cleaned.end(), [](const Cleaned& c) { return c.what == Cleaning::dangle_trimmed; }));
+  say("cleaning");
+  Merging merging =
+      merge_blocks(arrangement, places, {pieces.tolerance, options.least_area, options.least_angle}, groups);
+  append(rock.cleaned, std::move(merging.cleaned));
+  rock.merged = merging.merged;
+  rock.dropped_area = merging.dropped_area;
+  part_where_touching(arrangement, groups, pieces, merging.outlines, rock.cleaned);
+  finish_blocks(arrangement, groups, places, merging.outlines, pieces, plan, rock);
+  assign_materials(plan, rock);
+  return rock;
+}
+
+}  // namespace dda

@@ -1,0 +1,73 @@
+// A plan of rock, cut into blocks.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/cutting/rock_plan.h"
+
+namespace dda {
+
+struct CutOptions {
+  double tolerance = 0;    // m; 0: 1e-6 of the diagonal of the boundary's box
+  double least_area = 0;   // m2: smaller blocks are merged into a neighbour
+  double least_angle = 0;  // rad: so are blocks with a sharper corner
+  std::size_t most_blocks = 2'000'000;
+  // Called with what is being done, before each part of the work.
+  std::function<void(std::string_view)> progress;
+};
+
+struct CutBlock {
+  Polygon shape;     // outer ring counter-clockwise, from its leftmost vertex on; neighbours share their corners' bits
+  int opening = -1;  // of the plan, which will take it out; -1: none
+  std::string material;  // as the plan names it; empty: that of all blocks
+};
+
+// A straight run along which blocks touch.
+struct CutJoint {
+  Vec2 from, to;
+  std::string joint;  // as the plan names it; empty: the default joint
+};
+
+enum class Cleaning {
+  line_without_length,  // a line, or a straight part of one, shorter than a step of the grid
+  line_not_used,        // no block ends at it: outside, along the boundary, or a dangling end as a whole
+  dangle_trimmed,       // a part of a line that ends inside a block
+  end_prolonged,        // a line that ended short of another by less than the tolerance
+  lines_overlap,        // a line runs along another, whose joint counts
+  sliver_merged,        // a block narrower than the tolerance went to a neighbour
+  sliver_dropped,       // one without neighbour was left out
+  small_block_merged,   // asked for by least_area
+  sharp_block_merged,   // asked for by least_angle
+  short_edge_closed,    // two corners nearer than the tolerance became one
+  touching_parted,      // the outline of a block touched itself in a point
+};
+std::string_view to_string(Cleaning cleaning);
+
+// One thing that was cleaned, and where.
+struct Cleaned {
+  Cleaning what = Cleaning::dangle_trimmed;
+  Vec2 from, to;       // ends of a stretch; the same point twice for a block or a corner
+  double size = 0;     // m of a stretch or distance, m2 of a block
+  std::string origin;  // of the line, as the plan has it
+};
+
+struct CutRock {
+  std::vector<CutBlock> blocks;  // from left to right
+  std::vector<CutJoint> joints;
+  std::vector<Cleaned> cleaned;
+  double tolerance = 0;      // m, that was used
+  double boundary_area = 0;  // m2: boundary less holes, from the plan
+  double left_out_area = 0;  // m2, of it in openings that are left out
+  double dropped_area = 0;   // m2, of it in slivers without neighbour; blocks are the rest
+  int merged = 0;            // blocks that went to a neighbour
+  int dangles_trimmed = 0;
+};
+
+// Throws InputError, without a file, for a plan that cannot be cut: a boundary that crosses itself, an opening outside
+// the rock, too many blocks.
+CutRock cut_rock(const RockPlan& plan, const CutOptions& options = {});
+
+}  // namespace dda

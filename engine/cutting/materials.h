@@ -1,0 +1,14 @@
+// Which material blocks have.
+#pragma once
+
+#include "engine/cutting/cut_rock.h"
+
+namespace dda {
+
+// A point inside a valid polygon: the centroid where it can be.
+Vec2 point_inside(const Polygon& polygon);
+
+// Each block has that of the last region which holds a point inside it, else that of the plan.
+void assign_materials(const RockPlan& plan, CutRock& rock);
+
+}  // namespace dda

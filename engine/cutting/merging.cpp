@@ -1,0 +1,147 @@
+#include "engine/cutting/merging.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "engine/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+struct Shape {
+  double area = 0;
+  double perimeter = 0;
+  double sharpest = std::numeric_limits<double>::infinity();  // rad, between two edges
+};
+
+// Adds a ring of an outline; areas of holes count negative because they run clockwise.
+void add_ring(const Arrangement& arrangement, const std::vector<int>& ring, Shape& shape) {
+  const Vec2 reference = arrangement.position(arrangement.origin(ring.front()));
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 from = arrangement.position(arrangement.origin(ring[i])) - reference;
+    const Vec2 to = arrangement.position(arrangement.target(ring[i])) - reference;
+    const int following = ring[(i + 1) % ring.size()];
+    const Vec2 back = from - to;
+    const Vec2 on = arrangement.position(arrangement.target(following)) - reference - to;
+    shape.area += cross(from, to) / 2;
+    shape.perimeter += back.norm();
+    double angle = std::atan2(cross(on, back), on.dot(back));
+    if (angle < 0) angle = std::numeric_limits<double>::infinity();  // more than half a turn
+    shape.sharpest = std::min(shape.sharpest, angle);
+  }
+}
+
+Shape shape_of(const Arrangement& arrangement, const Outline& outline) {
+  Shape shape;
+  add_ring(arrangement, outline.outer, shape);
+  for (const auto& hole : outline.holes) add_ring(arrangement, hole, shape);
+  return shape;
+}
+
+std::optional<Cleaning> fault(const Shape& shape, const MergeLimits& limits) {
+  if (2 * shape.area < limits.width * shape.perimeter) return Cleaning::sliver_merged;
+  if (shape.area < limits.area) return Cleaning::small_block_merged;
+  if (shape.sharpest < limits.angle) return Cleaning::sharp_block_merged;
+  return std::nullopt;
+}
+
+struct Faulty {
+  const Outline* outline = nullptr;
+  double area = 0;
+  Cleaning why = Cleaning::sliver_merged;
+};
+
+class Merger {
+ public:
+  Merger(const Arrangement& arrangement, const std::vector<FacePlace>& places, const MergeLimits& limits,
+         FaceGroups& groups)
+      : arrangement_(arrangement), places_(places), limits_(limits), groups_(groups) {}
+
+  Merging run() {
+    bool changed = true;
+    while (changed) {
+      result_.outlines = trace_outlines(arrangement_, groups_);
+      changed = merge_once();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  bool merge_once() {
+    std::vector<Faulty> faulty;
+    for (const Outline& outline : result_.outlines) {
+      const Shape shape = shape_of(arrangement_, outline);
+      if (const auto why = fault(shape, limits_)) faulty.push_back({&outline, shape.area, *why});
+    }
+    std::stable_sort(faulty.begin(), faulty.end(), [](const Faulty& a, const Faulty& b) { return a.area < b.area; });
+    std::vector<bool> touched(at(arrangement_.faces()), false);
+    bool changed = false;
+    for (const Faulty& each : faulty) changed = merge(each, touched) || changed;
+    return changed;
+  }
+
+  // One block takes part in one merger at a time: its outline is known only before.
+  bool merge(const Faulty& faulty, std::vector<bool>& touched) {
+    const int group = faulty.outline->group;
+    if (touched[at(group)]) return true;
+    const auto neighbour = best_neighbour(*faulty.outline);
+    if (neighbour && touched[at(*neighbour)]) return true;
+    if (!neighbour && faulty.why != Cleaning::sliver_merged) return false;
+    note(faulty, neighbour.has_value());
+    const int into = neighbour.value_or(FaceGroups::outside);
+    touched[at(group)] = true;
+    if (neighbour) touched[at(into)] = true;
+    groups_.merge(into, group);
+    return true;
+  }
+
+  void note(const Faulty& faulty, bool has_neighbour) {
+    const Vec2 place = arrangement_.position(arrangement_.origin(faulty.outline->outer.front()));
+    const Cleaning what = has_neighbour ? faulty.why : Cleaning::sliver_dropped;
+    result_.cleaned.push_back({what, place, place, faulty.area, {}});
+    if (has_neighbour)
+      ++result_.merged;
+    else
+      result_.dropped_area += faulty.area;
+  }
+
+  [[nodiscard]] std::optional<int> best_neighbour(const Outline& outline) const {
+    std::map<int, double> shared;
+    const auto add = [&](const std::vector<int>& ring) {
+      for (const int h : ring) shared[groups_.of(arrangement_.face(twin(h)))] += arrangement_.length(h);
+    };
+    add(outline.outer);
+    for (const auto& hole : outline.holes) add(hole);
+    shared.erase(FaceGroups::outside);
+    if (shared.empty()) return std::nullopt;
+    const int opening = places_[at(outline.group)].opening;
+    const auto rank = [&](const auto& each) {
+      return std::tuple(places_[at(each.first)].opening == opening, each.second);
+    };
+    return std::max_element(shared.begin(), shared.end(),
+                            [&](const auto& a, const auto& b) { return rank(a) < rank(b); })
+        ->first;
+  }
+
+  const Arrangement& arrangement_;
+  const std::vector<FacePlace>& places_;
+  const MergeLimits& limits_;
+  FaceGroups& groups_;
+  Merging result_;
+};
+
+}  // namespace
+
+Merging merge_blocks(const Arrangement& arrangement, const std::vector<FacePlace>& places, const MergeLimits& limits,
+                     FaceGroups& groups) {
+  return Merger(arrangement, places, limits, groups).run();
+}
+
+}  // namespace dda

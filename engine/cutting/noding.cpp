@@ -1,0 +1,129 @@
+#include "engine/cutting/noding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+#include "engine/cutting/quadrants.h"
+#include "engine/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Where a node may lie exactly. Of all candidates in a pixel the first counts.
+enum class Kind { given, crossing, end_of_piece };
+
+struct Candidate {
+  Pixel pixel;
+  Kind kind = Kind::given;
+  Vec2 position;
+
+  [[nodiscard]] auto key() const { return std::tuple(pixel, kind, position.x(), position.y()); }
+};
+
+bool comes_first(const Vec2& a, const Vec2& b) { return std::tuple(a.x(), a.y()) < std::tuple(b.x(), b.y()); }
+
+// From left to right, so that the crossing has the same bits whichever way a line was drawn.
+Straight ordered(Straight straight) {
+  if (comes_first(straight.to, straight.from)) std::swap(straight.from, straight.to);
+  return straight;
+}
+
+Vec2 crossing_of_lines(const Straight& one, const Straight& other) {
+  Straight a = ordered(one);
+  Straight b = ordered(other);
+  if (comes_first(b.from, a.from) || (b.from == a.from && comes_first(b.to, a.to))) std::swap(a, b);
+  const double from_side = cross(a.to - a.from, Vec2(b.from - a.from));
+  const double to_side = cross(a.to - a.from, Vec2(b.to - a.from));
+  return b.from + from_side / (from_side - to_side) * (b.to - b.from);
+}
+
+// Lines that are almost parallel cross where round-off wants: then the middle of the pixel is as good.
+Vec2 place_of_crossing(const Pixel& pixel, const Straight& a, const Straight& b, const PixelGrid& grid) {
+  const Vec2 centre = grid.centre_of(pixel);
+  const Vec2 computed = crossing_of_lines(a, b);
+  return (computed - centre).cwiseAbs().maxCoeff() <= grid.step() ? computed : centre;
+}
+
+std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
+                                     const std::vector<Vec2>& ends, const PixelGrid& grid) {
+  std::vector<Candidate> found;
+  for (const Vec2& end : ends) found.push_back({grid.pixel_of(end), Kind::given, end});
+  for (const Piece& piece : pieces) {
+    for (const Pixel& end : {piece.segment.from, piece.segment.to})
+      found.push_back({end, Kind::end_of_piece, grid.centre_of(end)});
+  }
+  visit_crowds(pieces, [&](const Quadrant& quadrant, const std::vector<int>& crowd) {
+    for (std::size_t i = 0; i < crowd.size(); ++i) {
+      for (std::size_t j = i + 1; j < crowd.size(); ++j) {
+        const Piece& a = pieces[at(crowd[i])];
+        const Piece& b = pieces[at(crowd[j])];
+        const auto pixel = crossing(a.segment, b.segment);
+        if (!pixel || !quadrant.holds(*pixel)) continue;
+        found.push_back({*pixel, Kind::crossing,
+                         place_of_crossing(*pixel, straights[at(a.straight)], straights[at(b.straight)], grid)});
+      }
+    }
+  });
+  return found;
+}
+
+void fill_nodes(std::vector<Candidate> candidates, Noding& noding) {
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); });
+  for (const Candidate& candidate : candidates) {
+    if (!noding.pixels.empty() && noding.pixels.back() == candidate.pixel) continue;
+    noding.pixels.push_back(candidate.pixel);
+    noding.positions.push_back(candidate.position);
+  }
+}
+
+// A piece enters pixels in an order in which neither x nor y ever goes back.
+struct Entry {
+  int piece = 0;
+  std::int64_t way = 0;
+  int node = 0;
+  auto operator<=>(const Entry&) const = default;
+};
+
+std::int64_t way_along(const PixelSegment& segment, const Pixel& pixel) {
+  const Pixel along = segment.to - segment.from;
+  return (along.x < 0 ? -pixel.x : pixel.x) + (along.y < 0 ? -pixel.y : pixel.y);
+}
+
+std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels) {
+  std::vector<Entry> entries;
+  visit_meetings(pieces, pixels, [&](const std::vector<int>& crowd, const std::vector<int>& nodes) {
+    for (const int piece : crowd) {
+      const PixelSegment& segment = pieces[at(piece)].segment;
+      for (const int node : nodes) {
+        if (enters(segment, pixels[at(node)])) entries.push_back({piece, way_along(segment, pixels[at(node)]), node});
+      }
+    }
+  });
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+}  // namespace
+
+Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
+                   const std::vector<Vec2>& ends, const PixelGrid& grid) {
+  Noding noding;
+  fill_nodes(candidates_of(pieces, straights, ends, grid), noding);
+  const std::vector<Entry> entries = entries_of(pieces, noding.pixels);
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    if (entries[i].piece != entries[i - 1].piece) continue;
+    const auto [from, to] = std::minmax(entries[i - 1].node, entries[i].node);
+    noding.links.push_back({from, to, pieces[at(entries[i].piece)].straight});
+  }
+  std::sort(noding.links.begin(), noding.links.end());
+  noding.links.erase(std::unique(noding.links.begin(), noding.links.end()), noding.links.end());
+  return noding;
+}
+
+}  // namespace dda

@@ -1,0 +1,45 @@
+// Cutting segments where they meet: snap rounding (Hobby 1999; Guibas and Marimont 1998) on the pixels of a fine grid.
+//
+// The pixels of all ends and of all crossings are hot. Each segment becomes the chain of the hot pixels it enters, and
+// goes straight from the middle of one to that of the next. Such chains never cross and meet only in their nodes;
+// what comes out does not depend on the order of the segments.
+#pragma once
+
+#include <vector>
+
+#include "engine/cutting/pixel.h"
+
+namespace dda {
+
+// A straight piece to be cut. Pieces of one straight line share their number, so that it is known later what a link
+// was.
+struct Piece {
+  PixelSegment segment;
+  int straight = 0;
+};
+
+// A straight line of the drawing, as given, in m; crossings are computed from these.
+struct Straight {
+  Vec2 from;
+  Vec2 to;
+};
+
+// Part of a straight between two nodes, from < to.
+struct Link {
+  int from = 0;
+  int to = 0;
+  int straight = 0;
+  auto operator<=>(const Link&) const = default;
+};
+
+struct Noding {
+  std::vector<Pixel> pixels;    // of the nodes, ascending
+  std::vector<Vec2> positions;  // m, of the nodes; each in its pixel: an end as given, else the crossing
+  std::vector<Link> links;      // ascending, each once
+};
+
+// `ends` are the places of the drawing that nodes keep to the last bit. Other ends of pieces get the middle of a pixel.
+Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
+                   const std::vector<Vec2>& ends, const PixelGrid& grid);
+
+}  // namespace dda

@@ -1,0 +1,41 @@
+// A plan as straight pieces ready for noding, each with where it comes from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/cutting/cut_rock.h"
+#include "engine/cutting/noding.h"
+
+namespace dda {
+
+// Closed curves that say what belongs to what: the boundary, then holes, then openings.
+inline constexpr int boundary_curve = 0;
+inline constexpr int no_curve = -1;
+inline constexpr int no_line = -1;
+
+struct Source {
+  int curve = no_curve;
+  int line = no_line;  // of the plan
+};
+
+struct PlanPieces {
+  PixelGrid grid;
+  double tolerance = 0;  // m
+  std::vector<Straight> straights;
+  std::vector<Source> sources;  // by straight
+  std::vector<Piece> pieces;
+  std::vector<Vec2> ends;  // places to keep to the last bit
+  std::vector<Cleaned> cleaned;
+};
+
+inline int curve_of_hole(std::size_t hole) { return 1 + static_cast<int>(hole); }
+inline int curve_of_opening(const RockPlan& plan, std::size_t opening) {
+  return 1 + static_cast<int>(plan.holes.size() + opening);
+}
+
+// Lines are cut off well outside the boundary, and prolonged by the tolerance at both of their ends: a line that should
+// end on another meets it whatever the round-off, and what then sticks out is trimmed with the other dangling ends.
+PlanPieces pieces_of(const RockPlan& plan, double tolerance);
+
+}  // namespace dda

@@ -1,0 +1,130 @@
+#include "engine/cutting/quadrants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace dda {
+namespace {
+
+constexpr std::size_t small_crowd = 12;     // pieces: comparing all is cheaper than dividing
+constexpr std::size_t small_meeting = 128;  // pieces times nodes
+// Lines that lie on each other, or that all pass one point, are not told apart by dividing.
+constexpr double hardly_less = 0.85;
+constexpr int most_fruitless = 4;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Separating axes, with a pixel to spare, which is far more than the round-off.
+bool comes_near(const Quadrant& quadrant, const PixelSegment& segment) {
+  const double half = static_cast<double>(quadrant.size) / 2 + 1;
+  const double x = static_cast<double>(segment.from.x - quadrant.lower.x) - half;
+  const double y = static_cast<double>(segment.from.y - quadrant.lower.y) - half;
+  const double dx = static_cast<double>(segment.to.x - segment.from.x);
+  const double dy = static_cast<double>(segment.to.y - segment.from.y);
+  const double reach = half + 1;
+  if (std::min(x, x + dx) > reach || std::max(x, x + dx) < -reach) return false;
+  if (std::min(y, y + dy) > reach || std::max(y, y + dy) < -reach) return false;
+  return std::abs(x * dy - y * dx) <= reach * (std::abs(dx) + std::abs(dy));
+}
+
+Quadrant root_of(const std::vector<Piece>& pieces) {
+  Pixel lower = pieces.front().segment.from;
+  Pixel upper = lower;
+  for (const Piece& piece : pieces) {
+    for (const Pixel& end : {piece.segment.from, piece.segment.to}) {
+      lower = {std::min(lower.x, end.x), std::min(lower.y, end.y)};
+      upper = {std::max(upper.x, end.x), std::max(upper.y, end.y)};
+    }
+  }
+  Quadrant root{lower, 1};
+  while (root.size <= std::max(upper.x - lower.x, upper.y - lower.y)) root.size *= 2;
+  return root;
+}
+
+std::array<Quadrant, 4> parts_of(const Quadrant& whole) {
+  const std::int64_t half = whole.size / 2;
+  const auto [x, y] = whole.lower;
+  return {Quadrant{{x, y}, half}, {{x + half, y}, half}, {{x, y + half}, half}, {{x + half, y + half}, half}};
+}
+
+std::vector<int> all_of(std::size_t count) {
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+class Crowds {
+ public:
+  Crowds(const std::vector<Piece>& pieces, const std::function<void(const Quadrant&, const std::vector<int>&)>& visit)
+      : pieces_(pieces), visit_(visit) {}
+
+  void divide(const Quadrant& quadrant, const std::vector<int>& crowd, int fruitless) const {
+    if (crowd.size() < 2) return;
+    if (crowd.size() <= small_crowd || quadrant.size == 1 || fruitless == most_fruitless) {
+      visit_(quadrant, crowd);
+      return;
+    }
+    std::vector<int> part_crowd;
+    for (const Quadrant& part : parts_of(quadrant)) {
+      part_crowd.clear();
+      std::copy_if(crowd.begin(), crowd.end(), std::back_inserter(part_crowd),
+                   [&](int piece) { return comes_near(part, pieces_[at(piece)].segment); });
+      const bool in_vain = static_cast<double>(part_crowd.size()) > hardly_less * static_cast<double>(crowd.size());
+      divide(part, part_crowd, in_vain ? fruitless + 1 : 0);
+    }
+  }
+
+ private:
+  const std::vector<Piece>& pieces_;
+  const std::function<void(const Quadrant&, const std::vector<int>&)>& visit_;
+};
+
+class Meetings {
+ public:
+  Meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes,
+           const std::function<void(const std::vector<int>&, const std::vector<int>&)>& visit)
+      : pieces_(pieces), nodes_(nodes), visit_(visit) {}
+
+  void divide(const Quadrant& quadrant, const std::vector<int>& crowd, const std::vector<int>& nodes) const {
+    if (crowd.empty() || nodes.empty()) return;
+    if (crowd.size() * nodes.size() <= small_meeting || nodes.size() == 1) {
+      visit_(crowd, nodes);
+      return;
+    }
+    std::vector<int> part_crowd;
+    std::vector<int> part_nodes;
+    for (const Quadrant& part : parts_of(quadrant)) {
+      part_nodes.clear();
+      part_crowd.clear();
+      std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(part_nodes),
+                   [&](int node) { return part.holds(nodes_[at(node)]); });
+      if (part_nodes.empty()) continue;
+      std::copy_if(crowd.begin(), crowd.end(), std::back_inserter(part_crowd),
+                   [&](int piece) { return comes_near(part, pieces_[at(piece)].segment); });
+      divide(part, part_crowd, part_nodes);
+    }
+  }
+
+ private:
+  const std::vector<Piece>& pieces_;
+  const std::vector<Pixel>& nodes_;
+  const std::function<void(const std::vector<int>&, const std::vector<int>&)>& visit_;
+};
+
+}  // namespace
+
+void visit_crowds(const std::vector<Piece>& pieces,
+                  const std::function<void(const Quadrant&, const std::vector<int>&)>& visit) {
+  if (pieces.empty()) return;
+  Crowds(pieces, visit).divide(root_of(pieces), all_of(pieces.size()), 0);
+}
+
+void visit_meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes,
+                    const std::function<void(const std::vector<int>&, const std::vector<int>&)>& visit) {
+  if (pieces.empty()) return;
+  Meetings(pieces, nodes, visit).divide(root_of(pieces), all_of(pieces.size()), all_of(nodes.size()));
+}
+
+}  // namespace dda

@@ -1,0 +1,25 @@
+// Outlines of groups of faces: walks along the edges between groups.
+#pragma once
+
+#include <vector>
+
+#include "engine/cutting/face_groups.h"
+
+namespace dda {
+
+struct Outline {
+  int group = 0;
+  std::vector<int> outer;               // half-edges, the block on their left
+  std::vector<std::vector<int>> holes;  // around what lies inside the block
+};
+
+// Of all groups but that outside, by the first of their half-edges.
+std::vector<Outline> trace_outlines(const Arrangement& arrangement, const FaceGroups& groups);
+
+// Where the outline of a block touches itself in a point, as around a block that hangs with one corner at a joint, the
+// blocks in the loop get a corner of their own, `distance` (m) inside the loop or less. Appends what was done to
+// `cleaned` and returns whether there was anything.
+bool part_touching(Arrangement& arrangement, const std::vector<Outline>& outlines, const PixelGrid& grid,
+                   double distance, std::vector<Cleaned>& cleaned);
+
+}  // namespace dda

@@ -1,0 +1,173 @@
+#include "engine/scene/cut_scene.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/scene/json_text.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/schema_check.h"
+#include "engine/scene/sections.h"
+
+namespace dda {
+namespace {
+
+using nlohmann::json;
+
+json point(const Vec2& place) { return {place.x(), place.y()}; }
+
+json ring(const Ring& vertices) {
+  json points = json::array();
+  for (const Vec2& vertex : vertices) points.push_back(point(vertex));
+  return points;
+}
+
+// A block of cut rock as an entry of its own; what it shares with the rock's others is copied from there.
+json polygon_entry(const Block& block, const std::string& group, const json& rock, const Model& model) {
+  json polygon = {{"name", block.name}, {"group", group}, {"vertices", ring(block.shape.outer)}};
+  for (const Ring& hole : block.shape.holes) polygon["holes"].push_back(ring(hole));
+  if (model.materials.size() > 1) polygon["material"] = model.materials[static_cast<std::size_t>(block.material)].name;
+  for (const char* key : {"initial_stress", "initial_velocity", "initial_spin"}) {
+    if (rock.contains(key)) polygon[key] = rock[key];
+  }
+  return {{"polygon", std::move(polygon)}};
+}
+
+json joint_line_entry(const JointLine& line, const Model& model) {
+  return {{"points", {point(line.from), point(line.to)}},
+          {"joint", model.joints[static_cast<std::size_t>(line.joint)].name}};
+}
+
+// Records are named relative to the scene that names them.
+void move_records(json& value, const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (!value.is_structured()) return;
+  for (const auto& [key, part] : value.items()) {
+    if (key == "record" && part.is_object() && part.contains("file")) {
+      const std::filesystem::path file = part["file"].get<std::string>();
+      if (file.is_relative()) part["file"] = std::filesystem::proximate(from / file, to).generic_string();
+    }
+    move_records(part, from, to);
+  }
+}
+
+// One line for each entry of a list, so that the file can be read and compared.
+std::string written(const json& document) {
+  std::string text = "{";
+  for (const auto& [key, value] : document.items()) {
+    text += fmt::format("{}\n  {}: ", text.size() == 1 ? "" : ",", json(key).dump());
+    if (!value.is_array() || value.empty()) {
+      text += value.dump();
+      continue;
+    }
+    text += '[';
+    for (std::size_t i = 0; i < value.size(); ++i) text += (i == 0 ? "\n    " : ",\n    ") + value[i].dump();
+    text += "\n  ]";
+  }
+  return text + "\n}\n";
+}
+
+class Cutter {
+ public:
+  Cutter(json document, const std::function<void(std::string_view)>& progress)
+      : document_(std::move(document)), progress_(progress) {}
+
+  CutScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
+    const Field scene(document_, "");
+    read_materials(scene, model_);
+    read_joints(scene, read_scheme(scene), model_);
+    const Field blocks = scene.at("blocks");
+    for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) add_rock_of(entry);
+    if (result_.entries.empty()) blocks.fail("without rock", "an entry \"rock\" to cut");
+    for (const JointMaterial& joint : model_.joints) result_.joint_names.push_back(joint.name);
+    json cut = with_polygons();
+    move_records(cut, from, to);
+    result_.text = written(cut);
+    return std::move(result_);
+  }
+
+ private:
+  void add_rock_of(const Field& entry) {
+    const auto rock = entry.find("rock");
+    if (!rock) return;
+    CutEntry cut_entry;
+    cut_entry.rock = read_rock(*rock, model_);
+    cut_entry.rock.options.progress = progress_;
+    cut_entry.cut = dda::cut(cut_entry.rock);
+    result_.entries.push_back(std::move(cut_entry));
+  }
+
+  [[nodiscard]] json with_polygons() {
+    json cut = document_;
+    const json& old = document_["blocks"];
+    cut["blocks"] = json::array();
+    json lines = json::array();
+    std::size_t number = 0;
+    for (const json& entry : old.is_array() ? old : json::array({old})) {
+      if (entry.contains("rock"))
+        append(result_.entries[number++], entry["rock"], cut["blocks"], lines);
+      else
+        cut["blocks"].push_back(entry);
+    }
+    if (document_.contains("joint_lines")) {
+      for (const json& line : document_["joint_lines"]) lines.push_back(line);
+    }
+    if (!lines.empty()) cut["joint_lines"] = std::move(lines);
+    drop_unused_joints(cut);
+    return cut;
+  }
+
+  // Those whose lines all were outside or trimmed; a scene may not have joints that nothing uses.
+  static void drop_unused_joints(json& scene) {
+    if (!scene.contains("joints")) return;
+    std::set<std::string> used{"default"};
+    for (const char* key : {"joint_lines", "joint_pairs"}) {
+      if (!scene.contains(key)) continue;
+      for (const json& entry : scene[key]) used.insert(entry["joint"].get<std::string>());
+    }
+    json kept = json::object();
+    for (const auto& [name, joint] : scene["joints"].items()) {
+      if (used.contains(name)) kept[name] = joint;
+    }
+    scene["joints"] = std::move(kept);
+  }
+
+  void append(const CutEntry& entry, const json& rock, json& blocks, json& lines) const {
+    Model part;
+    part.materials = model_.materials;
+    part.joints = model_.joints;
+    std::vector<std::string> groups;
+    append_rock(entry.rock, entry.cut, part, groups);
+    for (std::size_t i = 0; i < part.blocks.size(); ++i)
+      blocks.push_back(polygon_entry(part.blocks[i], groups[i], rock, part));
+    for (const JointLine& line : part.joint_lines) lines.push_back(joint_line_entry(line, part));
+  }
+
+  json document_;
+  const std::function<void(std::string_view)>& progress_;
+  Model model_;
+  CutScene result_;
+};
+
+}  // namespace
+
+CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder,
+                   const std::function<void(std::string_view)>& progress) {
+  const std::string text = scene_text(file);
+  CutScene result;
+  try {
+    json document = parse_json(text);
+    check_schema(document);
+    result = Cutter(std::move(document), progress).cut(file.parent_path(), folder);
+  } catch (const InputError& error) {
+    throw error.in_file(file.string());
+  }
+  if (progress) progress("checking the scene");
+  parse_scene(result.text, file.string() + " (cut)", folder);
+  return result;
+}
+
+}  // namespace dda

@@ -1,0 +1,129 @@
+#include "engine/scene/read_rock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/scene/block_group.h"
+#include "engine/scene/places.h"
+#include "engine/scene/read_joint_sets.h"
+#include "engine/scene/read_openings.h"
+
+namespace dda {
+namespace {
+
+PlanLine read_line(const Field& field, const Model& model) {
+  PlanLine line;
+  for (const Field& point : field.at("points").items()) line.points.push_back(point.vector(Dimension::length));
+  const JointMaterial& joint = model.joints[static_cast<std::size_t>(read_joint_reference(field.at("joint"), model))];
+  line.joint = joint.name;
+  line.construction = joint.bonded;
+  line.origin = field.path();
+  return line;
+}
+
+PlanRegion read_region(const Field& field, const Model& model) {
+  const int material = material_named(field.at("material"), model);
+  const Field outline = field.at("outline");
+  return {read_ring(outline), model.materials[static_cast<std::size_t>(material)].name, outline.path()};
+}
+
+void read_sets(const Field& field, const Model& model, RockPlan& plan) {
+  const auto sets = field.find("joint_sets");
+  if (!sets) return;
+  const int seed = value_or(field, "seed", 1, [](const Field& f) { return f.whole_number(); });
+  const std::vector<JointSet> read = read_joint_sets(*sets, model);
+  for (PlanLine& trace : traces_of(read, plan.boundary, static_cast<std::uint64_t>(seed)))
+    plan.lines.push_back(std::move(trace));
+}
+
+RockPlan read_plan(const Field& field, const Model& model) {
+  RockPlan plan;
+  const Field boundary = field.at("boundary");
+  plan.boundary = read_ring(boundary);
+  plan.boundary_origin = boundary.path();
+  if (const auto why = defect({plan.boundary, {}})) boundary.fail(*why, "a closed line that does not meet itself");
+  if (const auto holes = field.find("holes")) {
+    for (const Field& hole : holes->items()) plan.holes.push_back(read_ring(hole));
+  }
+  read_sets(field, model, plan);
+  if (const auto lines = field.find("lines")) {
+    for (const Field& line : lines->items()) plan.lines.push_back(read_line(line, model));
+  }
+  if (const auto openings = field.find("openings")) {
+    for (const Field& opening : openings->items()) plan.openings.push_back(read_opening(opening, model));
+  }
+  if (const auto regions = field.find("regions")) {
+    for (const Field& region : regions->items()) plan.regions.push_back(read_region(region, model));
+  }
+  return plan;
+}
+
+CutOptions read_options(const Field& field) {
+  CutOptions options;
+  options.tolerance = value_or(field, "tolerance", 0.0, [](const Field& f) { return f.positive(Dimension::length); });
+  if (const auto merge = field.find("merge")) {
+    options.least_area =
+        value_or(*merge, "area", 0.0, [](const Field& f) { return f.positive(Dimension::dimensionless); });
+    options.least_angle = value_or(*merge, "angle", 0.0, [](const Field& f) { return f.positive(Dimension::angle); });
+  }
+  return options;
+}
+
+int joint_named(const std::string& name, const Model& model) {
+  const auto found = std::find_if(model.joints.begin(), model.joints.end(),
+                                  [&](const JointMaterial& joint) { return joint.name == name; });
+  return found == model.joints.end() ? 0 : static_cast<int>(found - model.joints.begin());
+}
+
+int material_of(const CutBlock& block, const BlockGroup& group, const Model& model) {
+  const auto found = std::find_if(model.materials.begin(), model.materials.end(),
+                                  [&](const Material& material) { return material.name == block.material; });
+  return found == model.materials.end() ? group.material : static_cast<int>(found - model.materials.begin());
+}
+
+}  // namespace
+
+Rock read_rock(const Field& field, const Model& model) {
+  Rock rock;
+  rock.path = field.path();
+  rock.group = read_group(field, "rock", model);
+  rock.plan = read_plan(field, model);
+  rock.options = read_options(field);
+  return rock;
+}
+
+const std::string& group_name(const Rock& rock, const CutBlock& block) {
+  return block.opening < 0 ? rock.group.name : rock.plan.openings[static_cast<std::size_t>(block.opening)].name;
+}
+
+CutRock cut(const Rock& rock) {
+  CutRock result = cut_rock(rock.plan, rock.options);
+  if (result.blocks.empty()) throw InputError("", rock.path, "without any block", "rock to cut");
+  return result;
+}
+
+void append_rock(const Rock& rock, const CutRock& cut, Model& model, std::vector<std::string>& groups) {
+  std::map<std::string, int> counts;
+  for (const CutBlock& piece : cut.blocks) {
+    const std::string& group = group_name(rock, piece);
+    Block block = block_of(rock.group, fmt::format("{} {}", group, ++counts[group]));
+    block.shape = piece.shape;
+    block.material = material_of(piece, rock.group, model);
+    model.blocks.push_back(std::move(block));
+    groups.push_back(group);
+  }
+  for (const CutJoint& run : cut.joints) {
+    const int joint = joint_named(run.joint, model);
+    if (joint != 0) model.joint_lines.push_back({run.from, run.to, joint});
+  }
+}
+
+void append_rock(const Rock& rock, Model& model, std::vector<std::string>& groups) {
+  append_rock(rock, cut(rock), model, groups);
+}
+
+}  // namespace dda

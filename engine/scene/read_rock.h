@@ -1,0 +1,35 @@
+// Rock in a scene: read as a plan, cut, and made into blocks and joint lines of the model.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/cutting/cut_rock.h"
+#include "engine/model/model.h"
+#include "engine/scene/field.h"
+#include "engine/scene/generators.h"
+
+namespace dda {
+
+struct Rock {
+  std::string path;  // of the scene's entry
+  RockPlan plan;
+  CutOptions options;
+  BlockGroup group;
+};
+
+// `field` is {"boundary": ..., ...}; the model has its materials and joints.
+Rock read_rock(const Field& field, const Model& model);
+
+// Cuts the plan. Errors name fields of the scene.
+CutRock cut(const Rock& rock);
+
+// Name of the group of a block: that of its opening, else that of the rock.
+const std::string& group_name(const Rock& rock, const CutBlock& block);
+
+// Appends the blocks, "GROUP 1", "GROUP 2", ... from left to right in each group, the group of each, and a joint line
+// for every run of a joint that is not the default one.
+void append_rock(const Rock& rock, Model& model, std::vector<std::string>& groups);
+void append_rock(const Rock& rock, const CutRock& cut, Model& model, std::vector<std::string>& groups);
+
+}  // namespace dda

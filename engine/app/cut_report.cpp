@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/cutting/block_shape.h"
+#include "engine/cutting/rock_statistics.h"
 
 namespace dda {
 namespace {
@@ -43,6 +44,17 @@ json entry_of(const Cleaned& cleaned) {
   return entry;
 }
 
+json statistics_entry(const CutEntry& entry) {
+  const RockStatistics statistics = statistics_of(entry.cut);
+  return {{"rock", entry.rock.group.name},
+          {"mean_area", statistics.mean_area},
+          {"area_10_50_90_percent", statistics.area_shares},
+          {"p20", statistics.p20},
+          {"p21", statistics.p21},
+          {"rqd_level", statistics.rqd_level},
+          {"rqd_upright", statistics.rqd_upright}};
+}
+
 std::string cleaned_text(const CutScene& scene) {
   std::map<Cleaning, int> counts;
   for (const CutEntry& entry : scene.entries) {
@@ -67,7 +79,9 @@ CutFigures figures_of(const CutScene& scene, double seconds) {
 
 std::string report_json(const CutScene& scene, const CutFigures& figures) {
   json cleaned = json::array();
+  json statistics = json::array();
   for (const CutEntry& entry : scene.entries) {
+    statistics.push_back(statistics_entry(entry));
     for (const Cleaned& each : entry.cut.cleaned) cleaned.push_back(entry_of(each));
   }
   const json report = {{"blocks", figures.blocks},
@@ -84,6 +98,7 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
                        {"merged", figures.merged},
                        {"tolerance", scene.entries.front().cut.tolerance},
                        {"seconds", figures.seconds},
+                       {"statistics", statistics},
                        {"cleaned", cleaned}};
   return report.dump(1) + "\n";
 }

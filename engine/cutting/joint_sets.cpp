@@ -52,7 +52,11 @@ std::vector<Segment> parts_inside(const Segment& segment, const Ring& region) {
 class SetDrawer {
  public:
   SetDrawer(const JointSet& set, std::size_t number, const Box& box, std::uint64_t seed)
-      : set_(set), number_(number), random_(seed, number), along_(std::cos(set.dip.mean), std::sin(set.dip.mean)) {
+      : set_(set),
+        number_(number),
+        box_(box),
+        random_(seed, number),
+        along_(std::cos(set.dip.mean), std::sin(set.dip.mean)) {
     const Vec2 middle = (box.lower + box.upper) / 2;
     const double diagonal = (box.upper - box.lower).norm();
     across_ = {-along_.y(), along_.x()};
@@ -66,6 +70,9 @@ class SetDrawer {
   }
 
   std::vector<Trace> draw() {
+    const Vec2 size = frame_.upper - frame_.lower;
+    const double on_a_line = set_.length ? 1 + size.x() / (set_.length->mean + set_.bridge.mean) : 1;
+    if (size.y() / set_.spacing.mean * on_a_line > static_cast<double>(most_traces)) refuse();
     add_line(0);
     for (double height = 0; height < frame_.upper.y();) add_line(height += random_.positive_sample(set_.spacing));
     for (double height = 0; height > frame_.lower.y();) add_line(height -= random_.positive_sample(set_.spacing));
@@ -78,6 +85,11 @@ class SetDrawer {
   static double reach(const RandomQuantity& length) {
     const double tail = length.spread == Spread::none ? 1 : 5;
     return tail * (length.mean + length.deviation);
+  }
+
+  [[noreturn]] void refuse() const {
+    throw InputError("", set_.origin, fmt::format("a set of more than {} traces", most_traces),
+                     "a wider spacing or longer traces");
   }
 
   void add_line(double height) {
@@ -106,18 +118,18 @@ class SetDrawer {
   void add_trace(double height, double from, double to) {
     const double turn = turns() ? random_.sample(set_.dip) : set_.dip.mean;
     if (to < frame_.lower.x() || from > frame_.upper.x()) return;
-    if (traces_.size() == most_traces)
-      throw InputError("", set_.origin, fmt::format("a set of more than {} traces", most_traces),
-                       "a wider spacing or longer traces");
+    if (traces_.size() == most_traces) refuse();
     const Vec2 middle = origin_ + (from + to) / 2 * along_ + height * across_;
     const double half = set_.length ? (to - from) / 2 : (frame_.upper - frame_.lower).norm();
     const Vec2 way = half * Vec2(std::cos(turn), std::sin(turn));
-    for (const Segment& part : parts_inside({middle - way, middle + way}, set_.region))
-      traces_.push_back({part, number_});
+    const Segment trace{middle - way, middle + way};
+    if (!overlap(box_, expanded(expanded(Box{}, trace.start), trace.end))) return;
+    for (const Segment& part : parts_inside(trace, set_.region)) traces_.push_back({part, number_});
   }
 
   const JointSet& set_;
   std::size_t number_;
+  Box box_;  // of the rock
   RandomStream random_;
   Vec2 along_, across_, origin_;
   Box frame_;

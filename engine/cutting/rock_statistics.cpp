@@ -1,0 +1,91 @@
+#include "engine/cutting/rock_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "engine/geometry/box.h"
+
+namespace dda {
+namespace {
+
+constexpr double sound_piece = 0.1;  // m
+constexpr int scan_lines = 20;
+
+// Places where the ring crosses the level; an edge has its lower end and not its upper one.
+void append_crossings(const Ring& ring, double height, std::vector<double>& places) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2& a = ring[i];
+    const Vec2& b = ring[(i + 1) % ring.size()];
+    if ((a.y() <= height) == (b.y() <= height)) continue;
+    places.push_back(a.x() + (height - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+}
+
+double quality_on_levels(const std::vector<CutBlock>& blocks) {
+  Box box;
+  for (const CutBlock& block : blocks) {
+    for (const Vec2& vertex : block.shape.outer) box = expanded(box, vertex);
+  }
+  double sound = 0;
+  double all = 0;
+  for (int i = 0; i < scan_lines; ++i) {
+    const double height = box.lower.y() + (i + 0.5) / scan_lines * (box.upper.y() - box.lower.y());
+    for (const double piece : pieces_on_level(blocks, height)) {
+      all += piece;
+      if (piece >= sound_piece) sound += piece;
+    }
+  }
+  return all > 0 ? sound / all : 0;
+}
+
+// The same rock with x and y exchanged.
+std::vector<CutBlock> on_its_side(std::vector<CutBlock> blocks) {
+  const auto swap_ring = [](Ring& ring) {
+    for (Vec2& vertex : ring) std::swap(vertex.x(), vertex.y());
+  };
+  for (CutBlock& block : blocks) {
+    swap_ring(block.shape.outer);
+    for (Ring& hole : block.shape.holes) swap_ring(hole);
+  }
+  return blocks;
+}
+
+}  // namespace
+
+std::vector<double> pieces_on_level(const std::vector<CutBlock>& blocks, double height) {
+  std::vector<double> pieces;
+  std::vector<double> places;
+  for (const CutBlock& block : blocks) {
+    places.clear();
+    append_crossings(block.shape.outer, height, places);
+    for (const Ring& hole : block.shape.holes) append_crossings(hole, height, places);
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 1; i < places.size(); i += 2) pieces.push_back(places[i] - places[i - 1]);
+  }
+  return pieces;
+}
+
+RockStatistics statistics_of(const CutRock& rock) {
+  RockStatistics statistics;
+  std::vector<double> areas;
+  for (const CutBlock& block : rock.blocks) areas.push_back(area_moments(block.shape).area);
+  if (areas.empty()) return statistics;
+  std::sort(areas.begin(), areas.end());
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const auto count = static_cast<double>(areas.size());
+  statistics.mean_area = area / count;
+  std::size_t number = 0;
+  for (const double share : {0.1, 0.5, 0.9})
+    statistics.area_shares.at(number++) = areas[static_cast<std::size_t>(share * (count - 1))];
+  double length = 0;
+  for (const CutJoint& run : rock.joints) length += (run.to - run.from).norm();
+  statistics.p20 = static_cast<double>(rock.joints.size()) / area;
+  statistics.p21 = length / area;
+  statistics.rqd_level = quality_on_levels(rock.blocks);
+  statistics.rqd_upright = quality_on_levels(on_its_side(rock.blocks));
+  return statistics;
+}
+
+}  // namespace dda

@@ -1,0 +1,27 @@
+// Figures by which jointed rock is described.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/cutting/cut_rock.h"
+
+namespace dda {
+
+struct RockStatistics {
+  double mean_area = 0;                 // m2, of blocks
+  std::array<double, 3> area_shares{};  // m2: a tenth, half and nine tenths of the blocks are smaller
+  double p20 = 0;                       // 1/m2, runs of joints by area of rock
+  double p21 = 0;                       // 1/m, their length by area of rock
+  // Rock quality designation: share of a scan line in pieces of 0.1 m and more (Deere 1963), mean over lines that
+  // divide the rock evenly.
+  double rqd_level = 0;
+  double rqd_upright = 0;
+};
+
+RockStatistics statistics_of(const CutRock& rock);
+
+// Lengths of the pieces that a level line at this height cuts out of blocks, in no order. Used for RQD.
+std::vector<double> pieces_on_level(const std::vector<CutBlock>& blocks, double height);
+
+}  // namespace dda

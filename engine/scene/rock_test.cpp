@@ -1,0 +1,131 @@
+// Rock in scenes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/core/temporary_folder.h"
+#include "engine/scene/cut_scene.h"
+#include "engine/scene/scene.h"
+
+#include <fstream>
+
+namespace dda {
+namespace {
+
+// A joint that nothing uses would be refused.
+std::string scene_with(const std::string& rock, const std::string& more = "") {
+  const bool has_bedding = rock.find("bed") != std::string::npos;
+  return R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": "20 GPa", "poisson": 0.25}},
+ "joints": {"default": {"friction_angle": "35 deg"})" +
+         std::string(has_bedding ? R"(, "bedding": {"friction_angle": "25 deg"})" : "") + R"(}, "blocks": {"rock": )" +
+         rock + "}, " + more + R"( "steps": {"dt": "1 ms", "duration": "1 s"}})";
+}
+
+const std::string two_sets = R"({"boundary": [[0, 0], [20, 0], [20, 10], [0, 10]],
+ "joint_sets": [{"dip": "20 deg", "spacing": "2 m", "joint": "bedding"},
+                {"dip": {"mean": "80 deg", "deviation": "5 deg"}, "spacing": "3 m", "trace_length": "6 m",
+                 "persistence": 0.8, "joint": "bedding"}],
+ "lines": [{"points": [[0, 1], [20, 3]], "joint": "default"}],
+ "openings": [{"name": "tunnel", "circle": {"centre": [10, 5], "radius": 2}}]})";
+
+TEST(Rock, BlocksHaveNamesGroupsAndJoints) {
+  const Model model = parse_scene(scene_with(two_sets, R"("fixed": ["tunnel"],)"), "rock.json");
+  EXPECT_GT(model.blocks.size(), 40U);
+  const auto named = [&](const char* start) {
+    return std::count_if(model.blocks.begin(), model.blocks.end(),
+                         [&](const Block& block) { return block.name.rfind(start, 0) == 0; });
+  };
+  EXPECT_GT(named("tunnel "), 1);
+  EXPECT_EQ(named("tunnel ") + named("rock "), static_cast<long>(model.blocks.size()));
+  EXPECT_EQ(static_cast<long>(model.held_blocks.size()), named("tunnel "));
+  ASSERT_FALSE(model.joint_lines.empty());
+  EXPECT_EQ(model.joints[static_cast<std::size_t>(model.joint_lines[0].joint)].name, "bedding");
+}
+
+void expect_same(const Model& a, const Model& b) {
+  ASSERT_EQ(a.blocks.size(), b.blocks.size());
+  for (std::size_t i = 0; i < a.blocks.size(); ++i) {
+    EXPECT_EQ(a.blocks[i].name, b.blocks[i].name);
+    EXPECT_EQ(a.blocks[i].shape.outer, b.blocks[i].shape.outer);
+    EXPECT_EQ(a.blocks[i].shape.holes, b.blocks[i].shape.holes);
+    EXPECT_EQ(a.blocks[i].initial_stress, b.blocks[i].initial_stress);
+  }
+  ASSERT_EQ(a.joint_lines.size(), b.joint_lines.size());
+  for (std::size_t i = 0; i < a.joint_lines.size(); ++i) {
+    EXPECT_EQ(a.joint_lines[i].from, b.joint_lines[i].from);
+    EXPECT_EQ(a.joint_lines[i].to, b.joint_lines[i].to);
+    EXPECT_EQ(a.joint_lines[i].joint, b.joint_lines[i].joint);
+  }
+  EXPECT_EQ(a.held_blocks.size(), b.held_blocks.size());
+}
+
+TEST(Rock, TheSceneThatIsWrittenOutGivesTheSame) {
+  const TemporaryFolder folder;
+  std::string rock = two_sets;
+  rock.insert(1, R"("initial_stress": {"yy": "-1 MPa"}, )");
+  const std::string text = scene_with(rock, R"("fixed": ["tunnel"],)");
+  std::ofstream(folder / "scene.json") << text;
+  const CutScene cut = cut_scene(folder / "scene.json", folder / "out");
+  ASSERT_EQ(cut.entries.size(), 1U);
+  expect_same(parse_scene(text, "rock.json"), parse_scene(cut.text, "cut.json"));
+}
+
+TEST(Rock, AJointWithoutAnyContactLeavesTheSceneThatIsWrittenOut) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "scene.json") << scene_with(
+      R"({"boundary": [[0, 0], [1, 0], [1, 1], [0, 1]], "lines": [{"points": [[0.2, 0.2], [0.4, 0.4]], "joint": "bedding"}]})");
+  const CutScene cut = cut_scene(folder / "scene.json", folder / "out");
+  EXPECT_EQ(parse_scene(cut.text, "cut.json").blocks.size(), 1U);
+}
+
+struct Refused {
+  std::string rock;
+  std::string sentence;
+};
+
+TEST(Rock, WrongRockIsRefusedInOneSentence) {
+  const std::string square = R"("boundary": [[0, 0], [10, 0], [10, 10], [0, 10]])";
+  const auto set = [&](const std::string& keys) { return "{" + square + R"(, "joint_sets": [{)" + keys + "}]}"; };
+  const std::vector<Refused> all{
+      {R"({"boundary": [[0, 0], [10, 10], [10, 0], [0, 10]]})",
+       "blocks.rock.boundary is self-intersecting: edge 0 of the outer ring crosses or touches edge 2, expected a "
+       "closed "
+       "line that does not meet itself"},
+      {R"({"boundary": [[0, 0], [10, 10]]})", "blocks.rock.boundary is"},
+      {"{" + square + R"(, "lines": [{"points": [[0, 5], [10, 5]], "joint": "beding"}]})",
+       "blocks.rock.lines[0].joint is \"beding\", expected one of \"default\", \"bedding\" (perhaps \"bedding\")"},
+      {set(R"("dip": 0, "spacing": "2 m")"), "blocks.rock.joint_sets[0].joint is missing"},
+      {set(R"("dip": 0, "spacing": "0 m", "joint": "bedding")"),
+       "blocks.rock.joint_sets[0].spacing is \"0 m\", expected a length above 0"},
+      {set(R"("dip": 0, "spacing": {"mean": -1, "deviation": 1}, "joint": "bedding")"),
+       "blocks.rock.joint_sets[0].spacing.mean is -1, expected a length above 0"},
+      {set(R"("dip": 0, "spacing": "1 um", "joint": "bedding")"),
+       "blocks.rock.joint_sets[0] is a set of more than 2000000 traces"},
+      {set(R"("dip": 0, "spacing": 1, "persistence": 0.5, "joint": "bedding")"),
+       "blocks.rock.joint_sets[0].persistence is 0.5, expected together with a trace_length"},
+      {set(R"("dip": 0, "spacing": 1, "ends_at": ["cross"], "joint": "bedding")"),
+       "blocks.rock.joint_sets[0].ends_at is \"cross\", expected the name of an earlier set"},
+      {"{" + square +
+           R"(, "openings": [{"name": "tunnel", "circle": {"centre": [50, 5], "radius": 2}, "joint": "bedding"}]})",
+       "blocks.rock.openings[0] is \"tunnel\" around (50, 5) m, outside the rock, expected an opening inside the "
+       "boundary"},
+      {"{" + square + R"(, "openings": [{"name": "tunnel", "joint": "bedding"}]})",
+       "blocks.rock.openings[0] is without a shape"},
+      {"{" + square + R"(, "openings": [{"name": "t", "horseshoe": {"width": 4, "height": 6}, "joint": "bedding"}]})",
+       "blocks.rock.openings[0].horseshoe.height is 6, expected 0.5 to 1.36 of the width"},
+  };
+  for (const Refused& each : all) {
+    try {
+      parse_scene(scene_with(each.rock), "rock.json");
+      ADD_FAILURE() << each.sentence;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(each.sentence), std::string::npos) << error.what() << "\nexpected\n"
+                                                                                  << each.sentence;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dda

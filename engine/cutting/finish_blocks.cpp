@@ -112,8 +112,13 @@ std::vector<NodeRings> rings_of(const Arrangement& arrangement, const std::vecto
 struct ShortEdge {
   double length = 0;
   int a = 0, b = 0;
-  auto operator<=>(const ShortEdge&) const = default;
+
+  bool operator==(const ShortEdge&) const = default;
 };
+
+bool operator<(const ShortEdge& a, const ShortEdge& b) {
+  return std::tie(a.length, a.a, a.b) < std::tie(b.length, b.a, b.b);
+}
 
 class ShortEdges {
  public:

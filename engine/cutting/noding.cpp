@@ -87,8 +87,11 @@ struct Entry {
   int piece = 0;
   std::int64_t way = 0;
   int node = 0;
-  auto operator<=>(const Entry&) const = default;
 };
+
+bool operator<(const Entry& a, const Entry& b) {
+  return std::tie(a.piece, a.way, a.node) < std::tie(b.piece, b.way, b.node);
+}
 
 std::int64_t way_along(const PixelSegment& segment, const Pixel& pixel) {
   const Pixel along = segment.to - segment.from;

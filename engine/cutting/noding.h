@@ -5,6 +5,7 @@
 // what comes out does not depend on the order of the segments.
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "engine/cutting/pixel.h"
@@ -29,8 +30,12 @@ struct Link {
   int from = 0;
   int to = 0;
   int straight = 0;
-  auto operator<=>(const Link&) const = default;
+  bool operator==(const Link&) const = default;
 };
+
+inline bool operator<(const Link& a, const Link& b) {
+  return std::tie(a.from, a.to, a.straight) < std::tie(b.from, b.to, b.straight);
+}
 
 struct Noding {
   std::vector<Pixel> pixels;    // of the nodes, ascending

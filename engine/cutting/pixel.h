@@ -3,7 +3,6 @@
 // itself. Coordinates stay below 2^40 in size: products of three differences then fit into 128 bits.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <optional>
 
@@ -17,9 +16,10 @@ __extension__ using Wide = __int128;
 struct Pixel {
   std::int64_t x = 0;
   std::int64_t y = 0;
-  auto operator<=>(const Pixel&) const = default;
+  bool operator==(const Pixel&) const = default;
 };
 
+inline bool operator<(const Pixel& a, const Pixel& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 inline Pixel operator-(const Pixel& a, const Pixel& b) { return {a.x - b.x, a.y - b.y}; }
 inline Wide cross(const Pixel& a, const Pixel& b) { return Wide(a.x) * b.y - Wide(a.y) * b.x; }
 

@@ -46,7 +46,7 @@ Shape shape_of(const Arrangement& arrangement, const Outline& outline) {
 }
 
 std::optional<Cleaning> fault(const Shape& shape, const MergeLimits& limits) {
-  if (2 * shape.area < limits.width * shape.perimeter) return Cleaning::sliver_merged;
+  if (2 * shape.area <= limits.width * shape.perimeter) return Cleaning::sliver_merged;  // also without extent
   if (shape.area < limits.area) return Cleaning::small_block_merged;
   if (shape.sharpest < limits.angle) return Cleaning::sharp_block_merged;
   return std::nullopt;

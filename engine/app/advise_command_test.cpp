@@ -8,6 +8,7 @@
 
 #include "engine/app/app_test_support.h"
 #include "engine/app/command_line.h"
+#include "engine/core/read_file.h"
 
 namespace dda {
 namespace {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
 #include "engine/record/atomic_file.h"
 

@@ -1,5 +1,7 @@
 #include "engine/app/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
@@ -57,14 +59,14 @@ constexpr auto advise_details =
 constexpr auto run_details =
     "DIR gets histories.csv (the measurements), summary.json (status, counters, energy), checkpoint.bin (for "
     "--resume)\n"
-    "and, when asked for, frames.pvd with frames/ for ParaView. Files of these names are overwritten, others left "
-    "alone.\n"
+    "and, when asked for, frames.pvd with frames/ for ParaView. What an earlier run left in DIR is taken "
+    "away,\nother files are left alone; a DIR to which another run writes is refused.\n"
     "Ctrl-C stops after the current step.\n\n"
     "Examples:\n"
     "  dda run bar.json --out results\n"
     "  dda run wall.json --out results --frames 100                     then open results/frames.pvd in ParaView\n"
     "  dda run wall.json --out results --frame-interval 5ms --every 10\n"
-    "  dda run wall.json --out results --frames 100 --resume            go on where a run with these options stopped\n";
+    "  dda run wall.json --out results --frames 100 --resume            go on where this run stopped\n";
 
 constexpr auto view_details =
     "The page needs nothing but a browser: blocks, stresses, contact forces and measurements, played through time.\n"
@@ -88,14 +90,27 @@ constexpr auto schema_details =
     "Example:\n"
     "  dda schema > scene.schema.json\n";
 
+// In SI units. Far beyond what is of use, and near enough that what is computed from it, such as the size of a block
+// for a wavelength, stays a sensible number.
+struct Range {
+  double least, greatest;
+};
+constexpr Range frequencies{1e-6, 1e9};
+constexpr Range lengths{1e-6, 1e9};
+constexpr Range times{1e-12, 1e12};
+constexpr Range shares{1e-9, 1e9};
+
 // A positive number in SI or with a unit, as in scenes.
-double positive_quantity(const std::string& text, Dimension dimension, const char* option) {
+double positive_quantity(const std::string& text, Dimension dimension, const Range& range, const char* option) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool plain = error == std::errc() && end == text.data() + text.size();
   if (!plain) value = parse_quantity(text, dimension, option);
   if (!(value > 0) || !std::isfinite(value))
     throw InputError("", option, text, expected_quantity(dimension) + " above 0");
+  if (value < range.least || value > range.greatest)
+    throw InputError("", option, text,
+                     fmt::format("from {:g} to {:g} {}", range.least, range.greatest, si_unit(dimension)));
   return value;
 }
 
@@ -109,11 +124,29 @@ const CLI::Validator positive_count(
     },
     "");
 
+// A finite number within bounds, which also keep what is computed from it within the range of its type.
+CLI::Validator number_from(double least, double greatest) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool good =
+            error == std::errc() && end == text.data() + text.size() && value >= least && value <= greatest;
+        return good ? std::string()
+                    : fmt::format("is \"{}\", expected a number from {:g} to {:g}", text, least, greatest);
+      },
+      "");
+}
+
+const CLI::Validator a_name([](const std::string& text) { return text.empty() ? "is empty, expected a name" : ""; },
+                            "");
+
 struct Arguments {
   std::string scene;
   std::string folder;
   std::string frequency;
   std::string frame_interval;
+  std::string checkpoint_interval;
   std::int64_t frames = 0;
   std::string distance;
   std::string wanted_error;
@@ -124,7 +157,7 @@ struct Arguments {
 
 void add_check(CLI::App& app, Arguments& arguments) {
   CLI::App* check = app.add_subcommand("check", "Validate a scene and print what will be run")->footer(check_details);
-  check->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
+  check->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json")->check(a_name);
   check
       ->add_option("--frequency", arguments.frequency,
                    "of the waves to predict, e.g. 100Hz; default: target_frequency, or the highest sine")
@@ -134,7 +167,7 @@ void add_check(CLI::App& app, Arguments& arguments) {
 void add_advise(CLI::App& app, Arguments& arguments) {
   CLI::App* advise =
       app.add_subcommand("advise", "Say how wrong waves will be and why, and what it costs")->footer(advise_details);
-  advise->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
+  advise->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json")->check(a_name);
   advise
       ->add_option("--frequency", arguments.frequency,
                    "of a steady wave, e.g. 100Hz; default: the history of the first load that has one")
@@ -150,8 +183,11 @@ void add_advise(CLI::App& app, Arguments& arguments) {
 
 void add_run(CLI::App& app, Arguments& arguments) {
   CLI::App* run = app.add_subcommand("run", "Run a scene into a folder of results")->footer(run_details);
-  run->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
-  run->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
+  run->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json")->check(a_name);
+  run->add_option("--out", arguments.folder, "folder for the results; made if need be")
+      ->required()
+      ->type_name("DIR")
+      ->check(a_name);
   CLI::Option* frames =
       run->add_option("--frames", arguments.frames, "number of frames over the run, besides that of the start")
           ->type_name("N")
@@ -162,6 +198,9 @@ void add_run(CLI::App& app, Arguments& arguments) {
   run->add_option("--every", arguments.run.rows_every, "steps between the rows of histories.csv; default 1")
       ->type_name("K")
       ->check(positive_count);
+  run->add_option("--checkpoint-interval", arguments.checkpoint_interval,
+                  "time on the clock between checkpoints; default 10s")
+      ->type_name("TIME");
   run->add_flag("--resume", arguments.run.resume, "go on from DIR/checkpoint.bin, to the last bit as if never stopped");
   run->add_flag("--quiet", arguments.run.quiet, "no progress bar, and nothing on standard output");
 }
@@ -169,13 +208,16 @@ void add_run(CLI::App& app, Arguments& arguments) {
 void add_view(CLI::App& app, Arguments& arguments) {
   ViewOptions& options = arguments.view;
   CLI::App* view = app.add_subcommand("view", "Show a run that has frames: a page, or a picture")->footer(view_details);
-  view->add_option("folder", options.folder, "what dda run --frames wrote")->required()->type_name("DIR");
-  view->add_option("--out", options.file, "the file to write; default DIR/view.html")->type_name("FILE");
+  view->add_option("folder", options.folder, "what dda run --frames wrote")
+      ->required()
+      ->type_name("DIR")
+      ->check(a_name);
+  view->add_option("--out", options.file, "the file to write; default DIR/view.html")->type_name("FILE")->check(a_name);
   view->add_option("--quantity", options.quantity, "what blocks are coloured by; default mean_stress")
       ->type_name("NAME");
   view->add_option("--max-size", options.most_megabytes, "largest page in MB; default 50; longer runs are thinned")
       ->type_name("MB")
-      ->check(CLI::PositiveNumber);
+      ->check(number_from(0.01, 1e6));
   CLI::Option* svg = view->add_option("--svg", options.svg_frame, "a picture (SVG) of this frame, from 0, or last")
                          ->type_name("FRAME");
   view->add_option("--forces", options.forces, "contact forces in the picture: joints (default), contacts, none")
@@ -184,6 +226,7 @@ void add_view(CLI::App& app, Arguments& arguments) {
   view->add_flag("--crosses", options.crosses, "principal stresses in the picture")->needs(svg);
   view->add_option("--deformation-scale", options.deformation_scale, "factor on all motion in the picture; default 1")
       ->type_name("FACTOR")
+      ->check(number_from(0, 1e12))
       ->needs(svg);
   view->add_option("--window", options.window, "part of the plane in the picture, m; default: all blocks")
       ->type_name("LEFT,BOTTOM,RIGHT,TOP")
@@ -200,7 +243,7 @@ void add_cut(CLI::App& app, Arguments& arguments) {
 void check_scene(const Arguments& arguments, std::ostream& out) {
   std::optional<double> frequency;
   if (!arguments.frequency.empty())
-    frequency = positive_quantity(arguments.frequency, Dimension::frequency, "--frequency");
+    frequency = positive_quantity(arguments.frequency, Dimension::frequency, frequencies, "--frequency");
   const Model model = read_scene(arguments.scene);
   try {
     out << describe_scene(model, frequency);
@@ -214,11 +257,12 @@ void advise_scene(const Arguments& arguments, std::ostream& out) {
   options.scene = arguments.scene;
   options.json = arguments.json;
   if (!arguments.frequency.empty())
-    options.question.frequency = positive_quantity(arguments.frequency, Dimension::frequency, "--frequency");
+    options.question.frequency =
+        positive_quantity(arguments.frequency, Dimension::frequency, frequencies, "--frequency");
   if (!arguments.distance.empty())
-    options.question.distance = positive_quantity(arguments.distance, Dimension::length, "--distance");
+    options.question.distance = positive_quantity(arguments.distance, Dimension::length, lengths, "--distance");
   if (!arguments.wanted_error.empty())
-    options.question.error = positive_quantity(arguments.wanted_error, Dimension::dimensionless, "--error");
+    options.question.error = positive_quantity(arguments.wanted_error, Dimension::dimensionless, shares, "--error");
   advise_scene(options, out);
 }
 
@@ -228,7 +272,10 @@ int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
   options.folder = arguments.folder;
   if (arguments.frames > 0) options.frames = arguments.frames;
   if (!arguments.frame_interval.empty())
-    options.frame_interval = positive_quantity(arguments.frame_interval, Dimension::time, "--frame-interval");
+    options.frame_interval = positive_quantity(arguments.frame_interval, Dimension::time, times, "--frame-interval");
+  if (!arguments.checkpoint_interval.empty())
+    options.checkpoint_interval =
+        positive_quantity(arguments.checkpoint_interval, Dimension::time, times, "--checkpoint-interval");
   return run_scene(options, out, errors);
 }
 

@@ -1,5 +1,7 @@
 #include "engine/app/command_line.h"
 
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -34,6 +36,8 @@ TEST_F(CommandLine, MistakesInTheCommandItself) {
   expect_refusal({}, "subcommand is required");
   expect_refusal({"solve", "scene.json"}, "the command is \"solve\", expected check, advise, cut, run, view or schema");
   expect_refusal({"run", path("scene.json")}, "--out is required");
+  expect_refusal({"run", path("scene.json"), "--out", ""}, "--out: is empty, expected a name");
+  expect_refusal({"check", ""}, "is empty, expected a name");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "0"}, "--frames");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "abc"},
                  "--frames: is \"abc\", expected a whole number above 0");
@@ -45,6 +49,11 @@ TEST_F(CommandLine, MistakesInTheCommandItself) {
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "-1ms"}, "above 0");
   expect_refusal({"check", path("scene.json"), "--frequency", "0"}, "--frequency is 0, expected");
   expect_refusal({"check", path("scene.json"), "--colour"}, "--colour");
+  expect_refusal({"advise", path("scene.json"), "--frequency", "1e300"},
+                 "--frequency is 1e300, expected from 1e-06 to 1e+09 Hz");
+  expect_refusal({"advise", path("scene.json"), "--distance", "1e300"}, "--distance is 1e300, expected from");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--checkpoint-interval", "0"},
+                 "--checkpoint-interval is 0, expected");
 }
 
 TEST_F(CommandLine, BadScenesGiveOneSentenceAndNoFolder) {
@@ -115,7 +124,7 @@ TEST_F(CommandLine, RunWritesItsResults) {
   EXPECT_EQ(summary["counters"]["factorizations"], 1);
   EXPECT_EQ(summary["histories"][0]["rows"], 11);
   EXPECT_LT(std::abs(summary["energy"]["residual_relative"].get<double>()), 1e-10);
-  EXPECT_EQ(summary["outputs"].size(), 5U);
+  EXPECT_EQ(summary["outputs"].size(), 6U);
   for (const auto& output : summary["outputs"]) EXPECT_TRUE(exists("out/" + output.get<std::string>()));
 }
 
@@ -203,6 +212,28 @@ TEST_F(CommandLine, ARunWithDeepPenetrationNamesTheBlocks) {
   EXPECT_LT(nlohmann::json::parse(text("stiff/summary.json"))["deepest_penetration"]["of_smaller_block"], 1e-5);
 }
 
+TEST_F(CommandLine, CheckAndRunRemarkOnWhatIsOdd) {
+  const std::string remark = "material \"rock\": density is 2.65 kg/m3; rock has 2000 to 3000 kg/m3";
+  std::string scene = bar_scene(3, 10);
+  write("scene.json", scene);
+  EXPECT_FALSE(contains(call({"check", path("scene.json")}).out, "remark"));
+  write("scene.json", scene.replace(scene.find("2650"), 4, "2.65"));
+  const Outcome check = call({"check", path("scene.json")});
+  EXPECT_TRUE(contains(check.out, remark)) << check.out;
+  const Outcome run = call({"run", path("scene.json"), "--out", path("out")});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(contains(run.out, "remark: " + remark)) << run.out;
+  EXPECT_EQ(nlohmann::json::parse(text("out/summary.json"))["remarks"], nlohmann::json({remark}));
+}
+
+TEST_F(CommandLine, ScenesAreRegularFiles) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  expect_refusal({"check", path("pipe")}, "pipe: the scene file is a named pipe, expected a JSON file");
+  for (const char* device : {"/dev/zero", "/dev/random"})
+    for (const char* command : {"check", "advise"})
+      expect_refusal({command, device}, std::string(device) + ": the scene file is a device, expected a JSON file");
+}
+
 TEST_F(CommandLine, CheckSaysWhatSpringsDo) {
   write("scene.json", R"({"dda": 1, "materials": {"rock": {"density": 2000, "young": "1 GPa", "poisson": 0.25}},
     "joints": {"default": {"normal_stiffness": "50 GPa/m"}, "chosen": {"normal_stiffness": "auto", "law": "classical"},
@@ -219,40 +250,6 @@ TEST_F(CommandLine, CheckSaysWhatSpringsDo) {
   // The diameter of a square is sqrt(2) of its side.
   EXPECT_TRUE(contains(check, "\"chosen\": 141 to 141 GPa/m, chosen; adds at most 0.707 %")) << check;
   EXPECT_FALSE(contains(check, "springs      \"glue\"")) << check;
-}
-
-TEST_F(CommandLine, ResumeNeedsACheckpointOfThisScene) {
-  write("scene.json", bar_scene(3, 20));
-  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--resume"}, "checkpoint is unreadable");
-  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("results")}).code, 0);
-  const auto before = files_below("results");
-  write("scene.json", bar_scene(4, 20));
-  expect_refusal({"run", path("scene.json"), "--out", path("results"), "--resume"}, "of another scene");
-  std::string changed = bar_scene(3, 20);
-  changed.replace(changed.find("1e-5"), 4, "2e-5");
-  write("scene.json", changed);
-  expect_refusal({"run", path("scene.json"), "--out", path("results"), "--resume"}, "steps of 1e-05 s");
-  changed = bar_scene(3, 20);
-  changed.replace(changed.find("\"stress\""), 8, "\"strain\"");
-  write("scene.json", changed);
-  expect_refusal({"run", path("scene.json"), "--out", path("results"), "--resume"}, "of other measurements");
-  EXPECT_EQ(files_below("results"), before);
-}
-
-TEST_F(CommandLine, ResumingAFinishedRunChangesNoResult) {
-  write("scene.json", bar_scene(3, 20));
-  EXPECT_EQ(call({"run", path("scene.json"), "--out", path("out"), "--frames", "2"}).code, 0);
-  const std::string histories = text("out/histories.csv");
-  const std::string index = text("out/frames.pvd");
-  const Outcome without_frames = call({"run", path("scene.json"), "--out", path("out"), "--resume"});
-  EXPECT_EQ(without_frames.code, 2);
-  EXPECT_TRUE(contains(without_frames.errors, "--frame-interval again")) << without_frames.errors;
-  const Outcome outcome = call({"run", path("scene.json"), "--out", path("out"), "--frames", "2", "--resume"});
-  EXPECT_TRUE(contains(outcome.out, "nothing left to step"));
-  EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_TRUE(contains(outcome.out, "resumed after 20"));
-  EXPECT_EQ(text("out/histories.csv"), histories);
-  EXPECT_EQ(text("out/frames.pvd"), index);
 }
 
 }  // namespace

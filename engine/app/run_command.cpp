@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -10,12 +11,16 @@
 #include <utility>
 #include <vector>
 
+#include "engine/advice/remarks.h"
 #include "engine/app/frame_clock.h"
 #include "engine/app/run_files.h"
 #include "engine/app/run_position.h"
+#include "engine/app/run_request.h"
 #include "engine/app/stop_signal.h"
 #include "engine/core/error.h"
+#include "engine/record/folder_lock.h"
 #include "engine/record/progress.h"
+#include "engine/record/run_folder.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/simulation.h"
@@ -45,16 +50,17 @@ class Run {
  public:
   explicit Run(const RunOptions& options)
       : options_(options),
-        simulation_(read_scene(options.scene)),
+        scene_text_(scene_text(options.scene)),
+        simulation_(parse_scene(scene_text_, options.scene.string(), options.scene.parent_path())),
         probes_(checked_probes()),
+        lock_(checked_folder()),
         resumed_(position_to_resume()) {
-    check_folder();
-    check_frames_go_on();
     phases_.emplace_back("read and set up", wall_seconds() - began_);
   }
 
   int run(std::ostream& out, std::ostream& errors) {
     const StopSignal stop_signal;
+    prepare_folder();
     RunFiles files(simulation_, probes_, file_options(), resumed_);
     if (!options_.quiet) announce(out);
     const Status status = step_to_the_end(files);
@@ -76,24 +82,39 @@ class Run {
     }
   }
 
+  // Nothing is made, not even the folder, for a run that cannot begin or go on.
+  [[nodiscard]] const std::filesystem::path& checked_folder() const {
+    const std::filesystem::path& folder = options_.folder;
+    if (folder.empty()) throw InputError("", "--out", "empty", "a folder");
+    if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+      throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
+    if (options_.resume && !std::filesystem::exists(folder / checkpoint_name))
+      throw InputError("", "--resume", "asked for without " + (folder / checkpoint_name).string(),
+                       "a folder that a run has written to; begin anew without --resume");
+    check_run_folder(folder);
+    return folder;
+  }
+
   std::optional<RunPosition> position_to_resume() {
     if (!options_.resume) return std::nullopt;
-    return load_run(options_.folder / "checkpoint.bin", simulation_);
+    expect_same_request(options_, request());
+    return load_run(options_.folder / checkpoint_name, simulation_);
   }
 
-  void check_folder() const {
-    if (std::filesystem::exists(options_.folder) && !std::filesystem::is_directory(options_.folder))
-      throw InputError("", "--out", options_.folder.string() + ", which is a file", "a folder");
-  }
+  [[nodiscard]] nlohmann::json request() const { return run_request(options_, scene_text_); }
 
-  void check_frames_go_on() const {
-    if (!resumed_ || resumed_->frame_times.empty() || options_.frames || options_.frame_interval) return;
-    throw InputError("", "--resume", "without frames, which the run in " + options_.folder.string() + " began with",
-                     "the same --frames or --frame-interval again");
+  // What `dda view` shows comes from one run: what is older goes first, and the summary of a part of this run too.
+  void prepare_folder() const {
+    if (resumed_) {
+      std::filesystem::remove(options_.folder / summary_name);
+    } else {
+      clear_run_folder(options_.folder);
+      write_request(options_.folder, request());
+    }
   }
 
   [[nodiscard]] FileOptions file_options() const {
-    FileOptions files{options_.folder, options_.rows_every, options_.frame_interval};
+    FileOptions files{options_.folder, options_.rows_every, options_.frame_interval, options_.checkpoint_interval};
     if (options_.frames)
       files.frame_interval = moving_time(simulation_.model()) / static_cast<double>(*options_.frames);
     return files;
@@ -106,7 +127,9 @@ class Run {
                        simulation_.contacts().interfaces.size(), simulation_.steps_in_all_stages(),
                        resumed_ ? fmt::format(", resumed after {}", simulation_.state().step) : "");
     if (simulation_.finished()) out << "the run is over, there is nothing left to step\n";
-    out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; ")) << std::flush;
+    out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; "));
+    for (const std::string& remark : remarks_) out << fmt::format("remark: {}\n", remark);
+    out << std::flush;
   }
 
   Status step_to_the_end(RunFiles& files) {
@@ -146,11 +169,16 @@ class Run {
   [[nodiscard]] std::string energy_warning() const {
     const EnergyLedger& energy = simulation_.energy();
     if (energy.numerical >= -tolerated_gain * energy.scale()) return "";
-    return fmt::format(
-        "warning: time integration added {:.3g} J/m, {:.2g} % of the largest energy; take generalized_alpha 0 or "
-        "thesis, "
-        "or a smaller dt",
-        -energy.numerical, -100 * energy.numerical / energy.scale());
+    return fmt::format("warning: time integration added {:.3g} J/m, {:.2g} % of the largest energy; take {}",
+                       -energy.numerical, -100 * energy.numerical / energy.scale(), remedy_against_gain());
+  }
+
+  // What is not set already: gamma is 1 or more in the thesis' scheme and in generalized_alpha 0.
+  [[nodiscard]] std::string remedy_against_gain() const {
+    const bool damps = std::ranges::all_of(simulation_.model().stages, [](const Stage& stage) {
+      return stage.integrator.is_static || stage.integrator.gamma >= 1;
+    });
+    return damps ? "a smaller dt, or damping" : "generalized_alpha 0 or thesis, or a smaller dt";
   }
 
   // Contacts that are pressed in so deep carry the right forces in the wrong place.
@@ -197,6 +225,7 @@ class Run {
     summary.blocks = static_cast<std::int64_t>(simulation_.model().blocks.size());
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
     summary.penetration = penetration();
+    summary.remarks = remarks_;
     return summary;
   }
 
@@ -227,9 +256,12 @@ class Run {
 
   double began_ = wall_seconds();
   const RunOptions& options_;
+  std::string scene_text_;
   Simulation simulation_;
   Probes probes_;
+  FolderLock lock_;
   std::optional<RunPosition> resumed_;
+  std::vector<std::string> remarks_ = remarks_on(simulation_.model(), simulation_.contacts());
   double time_before_ = simulation_.state().time;  // s, at the end of the last whole step
   std::vector<std::pair<std::string, double>> phases_;
 };

@@ -14,6 +14,7 @@ struct RunOptions {
   std::optional<std::int64_t> frames;    // over the whole run, besides that of the start
   std::optional<double> frame_interval;  // s
   std::int64_t rows_every = 1;           // steps
+  double checkpoint_interval = 10;       // s, of the wall clock
   bool resume = false;
   bool quiet = false;
 };

@@ -4,17 +4,10 @@
 #include <utility>
 
 #include "engine/model/quantity_names.h"
+#include "engine/record/run_folder.h"
 
 namespace dda {
 namespace {
-
-constexpr auto checkpoint_interval = std::chrono::seconds(10);
-constexpr auto histories_name = "histories.csv";
-constexpr auto frames_name = "frames.pvd";
-constexpr auto contacts_name = "contacts.pvd";
-constexpr auto bolts_name = "bolts.pvd";
-constexpr auto checkpoint_name = "checkpoint.bin";
-constexpr auto summary_name = "summary.json";
 
 std::vector<Column> columns_of(const Model& model) {
   std::vector<Column> columns;
@@ -69,7 +62,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
     frames_->go_on_after(frame_times_);
     contact_frames_ = std::make_unique<ContactFrameWriter>(in_folder(contacts_name));
     contact_frames_->go_on_after(frame_times_);
-    open_bolt_frames(resumed.has_value());
+    if (!simulation.bolts().empty()) open_bolt_frames();
     frame_clock_.emplace(simulation.model(), *options_.frame_interval);
     if (!frame_times_.empty()) frame_clock_->taken(frame_times_.back());
   }
@@ -80,20 +73,16 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
   write_checkpoint();
 }
 
-// A run that began without bolts in its frames (an earlier version wrote none) goes on without them. An index of
-// another run, whose scene had bolts, would be taken for one of this run.
-void RunFiles::open_bolt_frames(bool resumed) {
-  const auto index = in_folder(bolts_name);
-  if (!resumed) std::filesystem::remove(index);
-  if (simulation_.bolts().empty() || (!frame_times_.empty() && !std::filesystem::exists(index))) return;
-  bolt_frames_ = std::make_unique<BoltFrameWriter>(simulation_.model(), index);
+void RunFiles::open_bolt_frames() {
+  bolt_frames_ = std::make_unique<BoltFrameWriter>(simulation_.model(), in_folder(bolts_name));
   bolt_frames_->go_on_after(frame_times_);
 }
 
 void RunFiles::after_step() {
   if (simulation_.state().step % options_.rows_every == 0) sample();
   write_frame_when_due();
-  if (std::chrono::steady_clock::now() - last_checkpoint_ > checkpoint_interval) write_checkpoint();
+  const std::chrono::duration<double> since_checkpoint = std::chrono::steady_clock::now() - last_checkpoint_;
+  if (since_checkpoint.count() > options_.checkpoint_interval) write_checkpoint();
 }
 
 void RunFiles::sample() {
@@ -128,7 +117,7 @@ void RunFiles::write_checkpoint() {
 void RunFiles::close(RunSummary summary) {
   histories_->close();
   summary.histories = {{histories_name, histories_->rows(), columns_}};
-  summary.outputs = {histories_name, checkpoint_name, summary_name};
+  summary.outputs = {histories_name, checkpoint_name, summary_name, request_name};
   if (frames_) summary.outputs.insert(summary.outputs.end(), {frames_name, contacts_name});
   if (bolt_frames_) summary.outputs.emplace_back(bolts_name);
   write_summary(in_folder(summary_name), summary);

@@ -26,6 +26,7 @@ struct FileOptions {
   std::filesystem::path folder;
   std::int64_t rows_every = 1;           // steps
   std::optional<double> frame_interval;  // s; none: no frames
+  double checkpoint_interval = 10;       // s, of the wall clock
 };
 
 // Creates the folder if need be, and writes to it what a run should leave. Other files there are left alone. All errors
@@ -50,7 +51,7 @@ class RunFiles {
   void close(RunSummary summary);
 
  private:
-  void open_bolt_frames(bool resumed);
+  void open_bolt_frames();
   void sample();
   void write_frame_when_due();
   void write_frame();

@@ -15,6 +15,7 @@
 
 #include "engine/advice/advice.h"
 #include "engine/advice/load_history.h"
+#include "engine/advice/remarks.h"
 #include "engine/app/recording_report.h"
 #include "engine/app/stiffness_report.h"
 #include "engine/app/wave_survey.h"
@@ -276,6 +277,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   add_what_acts(model, text);
   if (const Simulation* columns = simulation.free_field_columns()) add_free_field(model, *columns, text);
   add_size(model, contacts, matrix, text);
+  for (const std::string& remark : remarks_on(model, contacts)) text.line("remark", "{}", remark);
   for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(model, i, contacts, matrix, text);
   const bool given = frequency.has_value();
   if (!frequency) frequency = model.target_frequency ? model.target_frequency : highest_sine_frequency(model);

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "engine/app/command_line_test_support.h"
-#include "engine/app/run_files.h"
-#include "engine/scene/scene.h"
+#include "engine/app/stopped_run.h"
 #include "engine/view/run_results.h"
 
 namespace dda {
@@ -30,18 +29,6 @@ std::string hanging_block(int steps, bool bolts) {
                      steps * 1e-3);
 }
 
-// As a run with a frame every 10 ms that was stopped after some steps.
-void run_first_steps(const std::string& scene, const std::string& folder, int steps) {
-  Simulation simulation(read_scene(scene));
-  const Probes probes(simulation);
-  RunFiles files(simulation, probes, {folder, 1, 0.01}, std::nullopt);
-  for (int i = 0; i < steps; ++i) {
-    ASSERT_EQ(simulation.step(), Status::ok);
-    files.after_step();
-  }
-  files.write_checkpoint();
-}
-
 TEST_F(CommandLine, FramesHoldTheBolts) {
   write("scene.json", hanging_block(40, true));
   const Outcome whole = call({"run", path("scene.json"), "--out", path("whole"), "--frame-interval", "10ms"});
@@ -60,7 +47,7 @@ TEST_F(CommandLine, FramesHoldTheBolts) {
   EXPECT_EQ(last[0].force, std::stod(row.substr(row.find(',') + 1)));  // of one bolt, as measured
   EXPECT_GT(last[0].force, 0);
 
-  run_first_steps(path("scene.json"), path("out"), 25);
+  leave_stopped_run(path("scene.json"), path("out"), 0.01, 25);
   const Outcome rest = call({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "10ms", "--resume"});
   ASSERT_EQ(rest.code, 0) << rest.errors;
   EXPECT_EQ(text("out/bolts.pvd"), text("whole/bolts.pvd"));
@@ -72,13 +59,6 @@ TEST_F(CommandLine, BoltsOfAnotherRunAreNotTaken) {
   const std::vector<std::string> run = {"run", path("scene.json"), "--out", path("out"), "--frame-interval", "10ms"};
   ASSERT_EQ(call(run).code, 0);
   EXPECT_TRUE(RunResults(path("out")).has_bolts());
-  // Begun by a program that wrote no bolts yet: goes on without.
-  run_first_steps(path("scene.json"), path("old"), 25);
-  std::filesystem::remove(path("old/bolts.pvd"));
-  ASSERT_EQ(call({"run", path("scene.json"), "--out", path("old"), "--frame-interval", "10ms", "--resume"}).code, 0);
-  EXPECT_EQ(RunResults(path("old")).times().size(), 5U);
-  EXPECT_FALSE(RunResults(path("old")).has_bolts());
-
   write("bare.json", hanging_block(4, false));
   ASSERT_EQ(call({"run", path("bare.json"), "--out", path("out"), "--frames", "2"}).code, 0);
   EXPECT_FALSE(RunResults(path("out")).has_bolts());
@@ -117,7 +97,23 @@ TEST_F(CommandLine, ViewRefusesInOneSentence) {
   expect_refusal({"view", run, "--svg", "1", "--out", path("a.svg"), "--forces", "all"}, "joints, contacts or none");
   expect_refusal({"view", run, "--svg", "1", "--out", path("a.svg"), "--window", "1,1,0,2"}, "LEFT,BOTTOM,RIGHT,TOP");
   expect_refusal({"view", run, "--crosses"}, "--svg");
-  expect_refusal({"view", run, "--max-size", "0"}, "--max-size");
+  for (const char* size : {"0", "1e-9", "1e30", "nan", "inf", "-5"})
+    expect_refusal({"view", run, "--max-size", size},
+                   "--max-size: is \"" + std::string(size) + "\", expected a number");
+  const auto refuse_picture = [&](const std::string& option, std::string_view part) {
+    expect_refusal({"view", run, "--svg", "last", "--out", path("a.svg"), option}, part);
+  };
+  for (const char* scale : {"nan", "inf", "-1", "1e300"})
+    refuse_picture("--deformation-scale=" + std::string(scale), "--deformation-scale: is");
+  for (const char* window : {"0,0,1e-300,1e-300", "0,0,1e300,1", "0,0,nan,1", "0,0,inf,1", "0,0,1,1e-5", "0,0,1"})
+    refuse_picture("--window=" + std::string(window), "LEFT,BOTTOM,RIGHT,TOP in m, ");
+  refuse_picture("--out=", "--out");
+  for (const char* file : {"a.png", "a.html", "a.svg.gz"})
+    expect_refusal({"view", run, "--svg", "last", "--out", path(file)}, "expected a name that ends in .svg");
+  expect_refusal({"view", run, "--out", path("a.svg")}, "expected a name that ends in .html or .htm");
+  expect_refusal({"view", run, "--out", "/dev/null"}, "--out is /dev/null, which is a device");
+  std::filesystem::create_symlink(path("elsewhere.html"), path("link.html"));
+  expect_refusal({"view", run, "--out", path("link.html")}, "link.html, which is a symbolic link");
   write("run/frames/000001.vtp", "no frame");
   expect_refusal({"view", run}, "frames/000001.vtp: the file is ");
   EXPECT_FALSE(exists("run/view.html"));

@@ -1,13 +1,13 @@
 #include "engine/record/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace dda {
 namespace {
@@ -32,14 +32,38 @@ int write_all(int descriptor, std::string_view text) {
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
   temporary_ += ".tmp";
-  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (::unlink(temporary_.c_str()) != 0 && errno != ENOENT) fail(errno);
+  open(O_CREAT | O_EXCL);
+}
+
+AtomicFile::AtomicFile(std::filesystem::path path, std::int64_t kept)
+    : path_(std::move(path)), temporary_(path_), size_(kept) {
+  temporary_ += ".tmp";
+  open(0);
+  if (::ftruncate(descriptor_, kept) == 0 && ::lseek(descriptor_, kept, SEEK_SET) == kept) return;
+  const int error = errno;
+  close();
+  fail(error);
+}
+
+void AtomicFile::open(int flags) {
+  if (const std::string kind = why_unwritable(path_); !kind.empty())
+    throw std::runtime_error("cannot write " + path_.string() + ": it is " + kind);
+  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | flags, 0666);
   if (descriptor_ < 0) fail(errno);
 }
 
 AtomicFile::~AtomicFile() {
   if (descriptor_ < 0) return;
+  if (temporary_is_ours()) ::unlink(temporary_.c_str());
   close();
-  ::unlink(temporary_.c_str());
+}
+
+bool AtomicFile::temporary_is_ours() const {
+  struct stat ours {};
+  struct stat named {};
+  return ::fstat(descriptor_, &ours) == 0 && ::lstat(temporary_.c_str(), &named) == 0 && ours.st_dev == named.st_dev &&
+         ours.st_ino == named.st_ino;
 }
 
 void AtomicFile::fail(int error) const { throw_file_error("write", path_, error); }
@@ -57,30 +81,25 @@ void AtomicFile::write(std::string_view text) {
 void AtomicFile::commit(Survives survives) {
   // Data first, then the name, so that the name never stands for an empty file.
   if (survives == Survives::power_cut && ::fsync(descriptor_) != 0) fail(errno);
+  if (!temporary_is_ours())
+    throw std::runtime_error("cannot write " + path_.string() + ": another program is writing it too");
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
   close();
+}
+
+std::string why_unwritable(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode)) return "";
+  if (S_ISLNK(status.st_mode)) return "a symbolic link";
+  if (S_ISDIR(status.st_mode)) return "a directory";
+  if (S_ISFIFO(status.st_mode)) return "a named pipe";
+  return S_ISSOCK(status.st_mode) ? "a socket" : "a device";
 }
 
 void write_file(const std::filesystem::path& path, std::string_view text, Survives survives) {
   AtomicFile file(path);
   file.write(text);
   file.commit(survives);
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw_file_error("read", path, errno);
-  std::string text;
-  std::vector<char> chunk(1 << 16);
-  ssize_t count = 0;
-  do {
-    count = ::read(descriptor, chunk.data(), chunk.size());
-    if (count > 0) text.append(chunk.data(), static_cast<std::size_t>(count));
-  } while (count > 0 || (count < 0 && errno == EINTR));
-  const int error = errno;
-  ::close(descriptor);
-  if (count < 0) throw_file_error("read", path, error);
-  return text;
 }
 
 }  // namespace dda

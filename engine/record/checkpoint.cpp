@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cstring>
-#include <exception>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/fnv_hash.h"
 
@@ -71,8 +71,8 @@ class Refusal {
 std::string read_bytes(const std::filesystem::path& path) {
   try {
     return read_file(path);
-  } catch (const std::exception& error) {
-    throw InputError(path.string(), "checkpoint", fmt::format("unreadable ({})", error.what()), "a readable file");
+  } catch (const UnreadableFile& error) {
+    throw InputError(path.string(), "checkpoint", error.why(), "a readable file");
   }
 }
 
@@ -119,8 +119,9 @@ Checkpoint load_checkpoint(const std::filesystem::path& path, const Model& model
   const Refusal refuse_if(path);
   const Header header = checked_header(bytes, refuse_if);
   refuse_if(header.scene != fingerprint(model) || header.blocks != model.blocks.size(),
-            fmt::format("of another scene (it has {} blocks)", header.blocks),
-            fmt::format("one with the {} blocks, the materials and the joints of this scene", model.blocks.size()));
+            fmt::format("of another scene or other records (it has {} blocks)", header.blocks),
+            fmt::format("one with the {} blocks, the materials, the joints and the records of this scene",
+                        model.blocks.size()));
 
   Checkpoint checkpoint{blank_state(model.blocks.size()), {}};
   refuse_if(file_bytes(checkpoint.state, header.extra_bytes) != bytes.size(), "damaged (its sizes do not fit)",

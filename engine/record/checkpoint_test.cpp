@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/fnv_hash.h"
 #include "engine/record/record_test_support.h"
@@ -117,10 +118,9 @@ TEST_F(CheckpointFile, OfAModelWithoutBlocks) {
 
 TEST_F(CheckpointFile, MissingOrAFolder) {
   std::filesystem::remove(path_);
-  EXPECT_EQ(refusal(),
-            is("unreadable (cannot read " + path_.string() + ": No such file or directory), expected a readable file"));
+  EXPECT_EQ(refusal(), is("missing, expected a readable file"));
   std::filesystem::create_directory(path_);
-  EXPECT_EQ(refusal(), is("unreadable (cannot read " + path_.string() + ": Is a directory), expected a readable file"));
+  EXPECT_EQ(refusal(), is("a directory, expected a readable file"));
 }
 
 TEST_F(CheckpointFile, OfAnotherKind) {
@@ -181,11 +181,11 @@ TEST_F(CheckpointFile, SizesThatDoNotFit) {
 
 TEST_F(CheckpointFile, OfAnotherScene) {
   model_.blocks[2].shape.outer[1].x() += 1e-12;
-  EXPECT_EQ(refusal(), is("of another scene (it has 3 blocks), expected one with the 3 blocks, the materials and the "
-                          "joints of this scene"));
+  EXPECT_EQ(refusal(), is("of another scene or other records (it has 3 blocks), expected one with the 3 blocks, the "
+                          "materials, the joints and the records of this scene"));
   model_.blocks.pop_back();
-  EXPECT_EQ(refusal(), is("of another scene (it has 3 blocks), expected one with the 2 blocks, the materials and the "
-                          "joints of this scene"));
+  EXPECT_EQ(refusal(), is("of another scene or other records (it has 3 blocks), expected one with the 2 blocks, the "
+                          "materials, the joints and the records of this scene"));
 }
 
 TEST_F(CheckpointFile, FullDiskKeepsTheEarlierOne) {

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <map>
 
+#include "engine/core/read_file.h"
 #include "engine/geometry/rotation.h"
-#include "engine/record/atomic_file.h"
 #include "engine/record/record_test_support.h"
 #include "engine/record/vtp_test_reader.h"
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 
 namespace dda {
 namespace {
@@ -33,12 +34,11 @@ std::string header(const std::vector<Column>& columns) {
   return line + '\n';
 }
 
-// Header and first `rows` rows of the file, or nothing when it has not got them.
-std::optional<std::string> beginning_of(const std::filesystem::path& path, const std::string& header,
-                                        std::int64_t rows) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
-  std::string text = read_file(path);
+// Bytes of the header and the first `rows` rows of the file, or nothing when it has not got them.
+std::optional<std::int64_t> beginning_of(const std::filesystem::path& path, const std::string& header,
+                                         std::int64_t rows) {
+  if (!why_unwritable(path).empty() || !why_unreadable(path).empty()) return std::nullopt;
+  const std::string text = read_file(path);
   if (!text.starts_with(header)) return std::nullopt;
   std::size_t end = header.size();
   for (std::int64_t row = 0; row < rows; ++row) {
@@ -46,34 +46,41 @@ std::optional<std::string> beginning_of(const std::filesystem::path& path, const
     if (line_break == std::string::npos) return std::nullopt;
     end = line_break + 1;
   }
-  text.resize(end);
-  return text;
+  return static_cast<std::int64_t>(end);
 }
 
-std::string kept_beginning(const std::filesystem::path& path, const std::string& header, std::int64_t rows) {
+// Bytes of NAME.tmp to go on behind. Of a run that was stopped in order the rows are in NAME, which becomes NAME.tmp
+// again; of one broken off after that, NAME holds the rows of a part of the run and goes. So a kill at any moment
+// leaves a file with the rows that the checkpoint counts.
+std::int64_t kept_bytes(const std::filesystem::path& path, const std::string& header, std::int64_t rows) {
   std::filesystem::path left_over = path;
   left_over += ".tmp";
-  for (const auto& candidate : {left_over, path}) {
-    if (auto beginning = beginning_of(candidate, header, rows)) return *std::move(beginning);
+  if (const auto bytes = beginning_of(left_over, header, rows)) {
+    std::filesystem::remove(path);
+    return *bytes;
   }
-  throw InputError(path.string(), "the history to go on with", "missing, of other measurements or too short",
-                   fmt::format("a file with {} rows of this scene's measurements", rows));
+  const auto bytes = beginning_of(path, header, rows);
+  if (!bytes)
+    throw InputError(path.string(), "the history to go on with", "missing, of other measurements or too short",
+                     fmt::format("a file with {} rows of this scene's measurements", rows));
+  std::filesystem::rename(path, left_over);
+  return *bytes;
 }
 
 }  // namespace
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<Column>& columns)
-    : HistoryWriter(std::move(path), columns.size(), header(columns), 0) {}
+    : file_(std::move(path)), columns_(columns.size()) {
+  reserve_buffer();
+  file_.write(header(columns));
+}
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& path, const std::vector<Column>& columns, std::int64_t rows)
-    : HistoryWriter(path, columns.size(), kept_beginning(path, header(columns), rows), rows) {}
-
-HistoryWriter::HistoryWriter(std::filesystem::path path, std::size_t columns, const std::string& beginning,
-                             std::int64_t rows)
-    : file_(std::move(path)), columns_(columns), rows_(rows), last_flush_(std::chrono::steady_clock::now()) {
-  buffer_.reserve(buffer_size + 32 * (columns_ + 1));
-  file_.write(beginning);
+    : file_(path, kept_bytes(path, header(columns), rows)), columns_(columns.size()), rows_(rows) {
+  reserve_buffer();
 }
+
+void HistoryWriter::reserve_buffer() { buffer_.reserve(buffer_size + 32 * (columns_ + 1)); }
 
 HistoryWriter::~HistoryWriter() {
   if (closed_) return;

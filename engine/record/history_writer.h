@@ -48,7 +48,7 @@ class HistoryWriter {
   [[nodiscard]] std::int64_t rows() const { return rows_; }
 
  private:
-  HistoryWriter(std::filesystem::path path, std::size_t columns, const std::string& beginning, std::int64_t rows);
+  void reserve_buffer();
   void write_number(double value);
   void flush_when_due();
 
@@ -57,7 +57,7 @@ class HistoryWriter {
   std::string buffer_;  // whole rows that are not in the file yet
   std::int64_t rows_ = 0;
   bool closed_ = false;
-  std::chrono::steady_clock::time_point last_flush_;
+  std::chrono::steady_clock::time_point last_flush_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace dda

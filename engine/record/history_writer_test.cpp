@@ -12,6 +12,7 @@
 
 #include "engine/core/allocation_counter.h"
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/model/quantity_names.h"
 #include "engine/record/record_test_support.h"
 
@@ -179,6 +180,15 @@ TEST(HistoryWriter, GoesOnWithWhatABrokenOffRunLeft) {
   write_file(folder / "h.csv", "time [s],a [m]\n0,7\n1,7\n");  // of an earlier run
   write_file(folder / "h.csv.tmp", "time [s],a [m]\n0,1\n1,2\n2,3\n2.5,");
   EXPECT_EQ(resumed_text(folder, 2), "time [s],a [m]\n0,1\n1,2\n9,9\n");
+}
+
+// Killed at any moment after it has begun to go on, the run still has the rows that its checkpoint counts.
+TEST(HistoryWriter, GoingOnKeepsTheRowsOnDisk) {
+  const TemporaryFolder folder;
+  write_file(folder / "h.csv", "time [s],a [m]\n0,1\n1,2\n2,3\n");
+  const HistoryWriter writer(folder / "h.csv", {{"a", "m"}}, 2);
+  EXPECT_EQ(read_file(folder / "h.csv.tmp"), "time [s],a [m]\n0,1\n1,2\n");
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"h.csv.tmp"})) << "older rows would be taken for all";
 }
 
 TEST(HistoryWriter, GoesOnWithTheWholeFileWhenNothingUsefulIsLeftOver) {

@@ -73,6 +73,7 @@ Json to_json(const RunSummary& summary) {
   json["counters"] = to_json(summary.counters);
   json["energy"] = to_json(summary.energy);
   json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);
+  json["remarks"] = summary.remarks;
   json["histories"] = Json::array();
   for (const HistoryFile& history : summary.histories) json["histories"].push_back(to_json(history));
   json["outputs"] = summary.outputs;

@@ -54,6 +54,7 @@ struct RunSummary {
   std::int64_t blocks = 0;
   std::int64_t contacts = 0;
   std::optional<DeepestPenetration> penetration;  // none: no contacts that can change, or never pressed
+  std::vector<std::string> remarks;               // on what is legal in the scene but odd
   std::vector<HistoryFile> histories;
   std::vector<std::string> outputs;  // files written
 };

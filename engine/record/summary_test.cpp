@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "engine/record/atomic_file.h"
+#include "engine/core/read_file.h"
 #include "engine/record/record_test_support.h"
 
 namespace dda {
@@ -69,6 +69,7 @@ TEST(Summary, HoldsEverything) {
   summary.blocks = 200;
   summary.contacts = 199;
   summary.penetration = {1e-3, 0.02, {"a", "b"}, 0.05};
+  summary.remarks = {"gravity points upwards"};
   summary.histories = {{"histories.csv", 13, {{"at 50 m", "Pa"}}}};
   summary.outputs = {"histories.csv", "frames.pvd"};
 
@@ -88,6 +89,7 @@ TEST(Summary, HoldsEverything) {
       "gravity_work": 31.0, "friction": 17.0, "plastic": 43.0, "dashpot": 19.0, "damping": 23.0, "numerical": 29.0,
       "residual": 0.0, "residual_relative": 0.0},
     "deepest_penetration": {"depth_m": 1e-3, "of_smaller_block": 0.02, "blocks": ["a", "b"], "time_s": 0.05},
+    "remarks": ["gravity points upwards"],
     "histories": [{"file": "histories.csv", "rows": 13,
       "columns": [{"name": "time", "unit": "s"}, {"name": "at 50 m", "unit": "Pa"}]}],
     "outputs": ["histories.csv", "frames.pvd"]})");

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
-#include "engine/record/atomic_file.h"
+#include "engine/core/read_file.h"
 #include "engine/record/xml_tags.h"
 
 namespace dda {

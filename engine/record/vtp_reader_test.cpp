@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/record_test_support.h"
 #include "engine/record/vtp_series.h"

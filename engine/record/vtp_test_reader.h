@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/read_file.h"
 #include "engine/geometry/polygon.h"
-#include "engine/record/atomic_file.h"
 
 namespace dda {
 

@@ -103,6 +103,7 @@ std::string free_name(const std::string& quantity, const Model& model) {
 std::string read_name(const Field& field, const Model& model) {
   const auto name = field.find("name");
   if (!name) return free_name(field.at("quantity").text(), model);
+  if (name->name() == "time") name->fail("another name: the first column of the histories is called that");
   if (is_taken(name->name(), model)) name->fail("a name that no other measurement has");
   return name->name();
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/scene/json_path.h"
 
 namespace dda {
@@ -88,11 +89,9 @@ class RecordReader {
 
   [[nodiscard]] std::ifstream open() const {
     constexpr const char* expected = "a CSV file with a header and columns of time and value";
-    std::error_code error;
-    const auto status = std::filesystem::status(request_.file, error);
     const std::string path = shown(std::filesystem::absolute(request_.file).lexically_normal().string());
-    if (!std::filesystem::exists(status)) fail(place_, "missing (" + path + ")", expected);
-    if (!std::filesystem::is_regular_file(status)) fail(place_, "no regular file (" + path + ")", expected);
+    if (const std::string why = why_unreadable(request_.file, most_input_bytes); !why.empty())
+      fail(place_, why + " (" + path + ")", expected);
     std::ifstream stream(request_.file, std::ios::binary);
     if (!stream) fail(place_, "not readable (" + path + ")", expected);
     return stream;

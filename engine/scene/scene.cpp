@@ -1,11 +1,9 @@
 #include "engine/scene/scene.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <system_error>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/schema_check.h"
 #include "engine/scene/sections.h"
@@ -62,18 +60,11 @@ Model parse_scene(std::string_view json_text, const std::string& name_for_errors
 }
 
 std::string scene_text(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(file.string(), "the scene file", "a directory", "a JSON file");
+  try {
+    return read_file(file, most_input_bytes);
+  } catch (const UnreadableFile& error) {
+    throw InputError(file.string(), "the scene file", error.why(), "a JSON file");
   }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    const bool exists = std::filesystem::exists(file, ignored);
-    throw InputError(file.string(), "the scene file", exists ? "not readable" : "missing", "a JSON file");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 Model read_scene(const std::filesystem::path& file) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
-#include "engine/record/atomic_file.h"
+#include "engine/core/read_file.h"
 
 namespace dda {
 namespace {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/view/page_parts.h"
 #include "engine/view/view_test_support.h"
 

@@ -3,7 +3,7 @@
 #include <system_error>
 
 #include "engine/core/error.h"
-#include "engine/record/atomic_file.h"
+#include "engine/core/read_file.h"
 
 namespace dda {
 

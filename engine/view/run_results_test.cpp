@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/view/view_test_support.h"
 
 namespace dda {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "engine/record/vtp_file.h"
 #include "engine/view/colour_scale.h"
 #include "engine/view/force_lines.h"
@@ -125,6 +126,9 @@ class Picture {
       box = {std::min(box.left, point.x()), std::min(box.bottom, point.y()), std::max(box.right, point.x()),
              std::max(box.top, point.y())};
     }
+    if (!std::isfinite(box.right - box.left) || !std::isfinite(box.top - box.bottom))
+      throw InputError("", "the frame", "without blocks at finite places",
+                       "another frame, or a smaller --deformation-scale");
     const double around = room * std::max(box.right - box.left, box.top - box.bottom);
     return {box.left - around, box.bottom - around, box.right + around, box.top + around};
   }

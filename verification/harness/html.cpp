@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/record/atomic_file.h"
+#include "engine/core/read_file.h"
 
 namespace verify {
 namespace {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
 #include "engine/record/atomic_file.h"
 #include "verification/harness/gnuplot.h"

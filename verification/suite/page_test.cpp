@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
-#include "engine/record/atomic_file.h"
 #include "verification/suite/catalogue.h"
 #include "verification/suite/page.h"
 #include "verification/suite/run_command.h"

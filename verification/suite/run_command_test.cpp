@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
-#include "engine/record/atomic_file.h"
 #include "verification/suite/suite_test_support.h"
 
 namespace verify {

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
 #include "verification/suite/page.h"
 #include "verification/suite/run_command.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/core/error.h"
 #include "engine/record/atomic_file.h"
 
 namespace verify {
@@ -51,7 +52,11 @@ void write_job_list(const std::filesystem::path& program, const SweepFolder& fol
   for (const std::size_t index : indices) {
     std::vector<std::string> words = job_command(program, folder, index);
     std::transform(words.begin(), words.end(), words.begin(), shell_word);
-    lines += fmt::format("{}\n", fmt::join(words, " "));
+    const std::string line = fmt::format("{}", fmt::join(words, " "));
+    if (line.find_first_of("\n\r") != std::string::npos)
+      throw dda::InputError("", "--out", shell_word(folder.path().string()) + ", with a line break in its whole path",
+                            "a path without, as a job list has a line for each job");
+    lines += line + '\n';
   }
   const std::filesystem::path list = std::filesystem::absolute(folder.path() / job_list_name).lexically_normal();
   dda::write_file(list, lines);

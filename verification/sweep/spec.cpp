@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
-#include "engine/record/atomic_file.h"
+#include "engine/core/read_file.h"
 #include "engine/scene/field.h"
 #include "engine/scene/json_text.h"
 #include "verification/sweep/grid.h"

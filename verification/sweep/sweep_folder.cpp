@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
 
 namespace verify {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
-#include "engine/record/atomic_file.h"
 #include "verification/sweep/job_list.h"
 #include "verification/sweep/process_pool.h"
 #include "verification/sweep/sweep_command.h"
@@ -176,6 +176,13 @@ TEST_F(Sweep, TheListHasTheOpenJobs) {
   EXPECT_EQ(run(true, true), 0);
   EXPECT_EQ(dda::read_file(out() / "jobs.txt").find(" 1 --out"), std::string::npos);
   EXPECT_NE(dda::read_file(out() / "slurm.sh").find("#SBATCH --array=1-2\n"), std::string::npos);
+}
+
+TEST_F(Sweep, TheListRefusesAFolderThatWouldSplitItsLines) {
+  const SweepFolder folder(out() / "two\nlines");
+  folder.prepare("{}");
+  EXPECT_THROW(write_job_list(program(), folder, {0}), dda::InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "jobs.txt"));
 }
 
 TEST_F(Sweep, BadSpecsLeaveNothingBehind) {

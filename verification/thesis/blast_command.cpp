@@ -3,6 +3,7 @@
 #include <ostream>
 #include <string>
 
+#include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
 #include "verification/harness/markdown.h"
 #include "verification/harness/page_check.h"

@@ -1,0 +1,250 @@
+#include "engine/advice/remarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "engine/geometry/box.h"
+#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/segment.h"
+
+namespace dda {
+namespace {
+
+using Remarks = std::vector<std::string>;
+using Blocks = std::vector<int>;
+
+// Bounds between what occurs and what is most likely a mistake.
+constexpr double softest = 1e5;          // Pa: a tenth of the softest soils
+constexpr double lightest = 10;          // kg/m3: below foam; 2.65 is a density in t/m3
+constexpr double heaviest = 25'000;      // kg/m3: above all metals
+constexpr double smallest_share = 1e-2;  // of the median size: such a block decides over dt and conditioning
+constexpr double widest_gap = 1e-2;      // of the smaller block's size: wider ones are seen in a drawing
+constexpr double facing_share = 0.25;    // of the shorter of two edges that run beside each other
+constexpr double facing_cosine = 0.999;  // within 2.5 degrees of opposite directions
+constexpr double longest_fall = 0.1;     // of the smallest block, in one step; contact detection follows less
+constexpr double most_crossings = 100;   // of the whole scene by a P wave in one step
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Side of the square with its area, m.
+double size_of(const Block& block) { return std::sqrt(block.moments.area); }
+
+std::string named(const Model& model, const Blocks& blocks) {
+  std::string first = fmt::format("block \"{}\"", model.blocks[at(blocks[0])].name);
+  if (blocks.size() == 1) return first;
+  return fmt::format("{} and {} more", first, blocks.size() - 1);
+}
+
+template <typename Condition>
+Blocks blocks_with(const Model& model, const Condition& condition) {
+  Blocks found;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    if (condition(model.blocks[i])) found.push_back(static_cast<int>(i));
+  return found;
+}
+
+// Sets of blocks that touch or are bolted together: a forest of representatives.
+class Groups {
+ public:
+  Groups(const Model& model, const ContactSet& contacts) : parent_(model.blocks.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (const Interface& interface : contacts.interfaces) join(interface.block_a, interface.block_b);
+    for (const Bolt& bolt : model.bolts)
+      for (const BoltLink& link : bolt.links) join(link.block_a, link.block_b);
+  }
+  int of(int block) {
+    while (parent_[at(block)] != block) block = parent_[at(block)] = parent_[at(parent_[at(block)])];
+    return block;
+  }
+
+ private:
+  void join(int a, int b) { parent_[at(of(a))] = of(b); }
+  std::vector<int> parent_;
+};
+
+std::set<int> held_blocks_of(const Model& model) {
+  std::set<int> held;
+  for (const PointSupport& support : model.supports)
+    if (!support.partner) held.insert(support.block);
+  for (const HeldBlock& block : model.held_blocks) held.insert(block.block);
+  return held;
+}
+
+// Blocks that touch nothing that touches ... something held.
+Blocks loose_blocks(const Model& model, const ContactSet& contacts) {
+  Groups groups(model, contacts);
+  std::set<int> held_groups;
+  for (const int block : held_blocks_of(model)) held_groups.insert(groups.of(block));
+  Blocks loose;
+  for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
+    if (!held_groups.contains(groups.of(i))) loose.push_back(i);
+  return loose;
+}
+
+void remark_on_holding(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  const Blocks loose = loose_blocks(model, contacts);
+  if (loose.empty()) return;
+  if (loose.size() == model.blocks.size() && model.viscous_edges.empty() && !model.gravity.isZero(0))
+    remarks.emplace_back("nothing holds the blocks, and there is gravity: they all fall without end");
+  for (const Stage& stage : model.stages)
+    if (stage.integrator.is_static)
+      remarks.push_back(
+          fmt::format("stage \"{}\" is static, and {} touches nothing that is held: it has no equilibrium", stage.name,
+                      named(model, loose)));
+}
+
+void remark_on_gravity(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  if (model.gravity.y() <= 0) return;
+  remarks.push_back(fmt::format("gravity points upwards, [{:g}, {:g}] m/s2: y is up, so weight has a negative y",
+                                model.gravity.x(), model.gravity.y()));
+}
+
+double largest_principal(const Vec3& stress) {
+  return (stress[0] + stress[1]) / 2 + std::hypot((stress[0] - stress[1]) / 2, stress[2]);
+}
+
+void remark_on_tension(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  const Blocks pulled =
+      blocks_with(model, [](const Block& block) { return largest_principal(block.initial_stress) > 0; });
+  if (pulled.empty()) return;
+  remarks.push_back(
+      fmt::format("{} starts in tension, {:g} Pa: stresses are positive in tension, in-situ compression is negative",
+                  named(model, pulled), largest_principal(model.blocks[at(pulled[0])].initial_stress)));
+}
+
+void remark_on_materials(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (const Material& material : model.materials) {
+    if (material.young < softest)
+      remarks.push_back(
+          fmt::format("material \"{}\": young is {:g} Pa, softer than any soil (1 MPa); rock has some GPa",
+                      material.name, material.young));
+    if (material.density < lightest || material.density > heaviest)
+      remarks.push_back(fmt::format("material \"{}\": density is {:g} kg/m3; rock has 2000 to 3000 kg/m3",
+                                    material.name, material.density));
+  }
+}
+
+void remark_on_sizes(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  std::vector<double> sizes;
+  for (const Block& block : model.blocks) sizes.push_back(size_of(block));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double median = *middle;
+  Blocks tiny = blocks_with(model, [&](const Block& block) { return size_of(block) < smallest_share * median; });
+  if (tiny.empty()) return;
+  const double size = size_of(model.blocks[at(tiny[0])]);
+  remarks.push_back(fmt::format(
+      "{} is {:.2g} m in size, {:.2g} of the middle block's: such slivers make steps dear, or fail; leave them out",
+      named(model, tiny), size, size / median));
+}
+
+std::vector<Segment> edges_of(const Block& block) {
+  std::vector<Segment> edges;
+  const Ring& ring = block.shape.outer;
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  return edges;
+}
+
+// The distance at which two edges face each other over a good part of the shorter one; infinity where they do not.
+double facing_distance(const Segment& a, const Segment& b) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const Vec2 along_a = a.end - a.start;
+  const Vec2 along_b = b.end - b.start;
+  const double shorter = std::min(along_a.norm(), along_b.norm());
+  if (along_a.dot(along_b) > -facing_cosine * along_a.norm() * along_b.norm()) return none;
+  const Vec2 unit = along_a.normalized();
+  const double from = std::max(0.0, unit.dot(b.end - a.start));
+  const double to = std::min(along_a.norm(), unit.dot(b.start - a.start));
+  if (to - from < facing_share * shorter) return none;
+  const double gap = cross(b.start + b.end - 2 * a.start, unit) / 2;  // material of `a` lies on its left
+  if (gap <= 0) return none;
+  return gap;
+}
+
+double gap_between(const Block& a, const Block& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Segment& edge_a : edges_of(a))
+    for (const Segment& edge_b : edges_of(b)) least = std::min(least, facing_distance(edge_a, edge_b));
+  return least;
+}
+
+void remark_on_gaps(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  std::set<std::pair<int, int>> touching;
+  for (const Interface& interface : contacts.interfaces)
+    touching.insert(std::minmax(interface.block_a, interface.block_b));
+  std::vector<Box> boxes;
+  for (const Block& block : model.blocks)
+    boxes.push_back(expanded(bounding_box(block.shape), widest_gap * size_of(block)));
+  std::size_t count = 0;
+  std::string first;
+  for (const auto& [a, b] : overlapping_pairs(boxes)) {
+    if (touching.contains({a, b})) continue;
+    const Block& block_a = model.blocks[at(a)];
+    const Block& block_b = model.blocks[at(b)];
+    const double gap = gap_between(block_a, block_b);
+    if (gap > widest_gap * std::min(size_of(block_a), size_of(block_b))) continue;
+    if (count++ == 0)
+      first = fmt::format("blocks \"{}\" and \"{}\" are {:.2g} m apart", block_a.name, block_b.name, gap);
+  }
+  if (count == 0) return;
+  remarks.push_back(fmt::format("{}{} and do not touch: blocks touch within {:.2g} m", first,
+                                count > 1 ? fmt::format(", {} more pairs as little,", count - 1) : "",
+                                model.length_tolerance));
+}
+
+double extent_of(const Model& model) {
+  Box box;
+  for (const Block& block : model.blocks)
+    for (const Vec2& vertex : block.shape.outer) box = expanded(box, vertex);
+  return (box.upper - box.lower).norm();
+}
+
+void remark_on_steps(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Block& block : model.blocks) smallest = std::min(smallest, size_of(block));
+  double fastest = 0;
+  for (const Material& material : model.materials) fastest = std::max(fastest, p_wave_speed(material));
+  for (const Stage& stage : model.stages) {
+    if (stage.integrator.is_static) continue;
+    const double fall = model.gravity.norm() * stage.dt * stage.dt / 2;
+    const double crossings = fastest * stage.dt / extent_of(model);
+    if (fall > longest_fall * smallest)
+      remarks.push_back(
+          fmt::format("stage \"{}\": in a step of {:g} s a block falls {:.2g} m, and the smallest is {:.2g} m",
+                      stage.name, stage.dt, fall, smallest));
+    else if (crossings > most_crossings)
+      remarks.push_back(fmt::format("stage \"{}\": in a step of {:g} s a P wave crosses the scene {:.2g} times",
+                                    stage.name, stage.dt, crossings));
+  }
+}
+
+void remark_on_brittle_joints(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  std::set<int> used;
+  for (const Interface& interface : contacts.interfaces) used.insert(interface.joint);
+  for (const int index : used) {
+    const JointMaterial& joint = model.joints[at(index)];
+    if (joint.bonded || joint.cohesion == 0 || joint.residual_cohesion > 0) continue;
+    remarks.push_back(fmt::format(
+        "joint \"{}\" is brittle: residual_cohesion is 0 or left out, so a contact that fails loses all of its {:g} Pa",
+        joint.name, joint.cohesion));
+  }
+}
+
+constexpr auto all_remarks = {remark_on_holding, remark_on_gravity, remark_on_tension, remark_on_materials,
+                              remark_on_sizes,   remark_on_gaps,    remark_on_steps,   remark_on_brittle_joints};
+
+}  // namespace
+
+std::vector<std::string> remarks_on(const Model& model, const ContactSet& contacts) {
+  Remarks remarks;
+  for (const auto& remark : all_remarks) remark(model, contacts, remarks);
+  return remarks;
+}
+
+}  // namespace dda

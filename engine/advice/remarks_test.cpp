@@ -1,0 +1,147 @@
+#include "engine/advice/remarks.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dda {
+namespace {
+
+Block square(const std::string& name, double x, double y, double side) {
+  Block block;
+  block.name = name;
+  block.shape.outer = {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+  return block;
+}
+
+// Three blocks of 1 m on each other, the lowest held, under gravity: nothing to remark on.
+Model ordinary() {
+  Model model;
+  model.materials = {{"rock", 2600, 10e9, 0.2, PlaneState::stress}};
+  JointMaterial joint;
+  joint.name = "default";
+  joint.friction_angle = 0.6;
+  model.joints = {joint};
+  for (int i = 0; i < 3; ++i) model.blocks.push_back(square("b" + std::to_string(i), 0, i, 1));
+  HeldBlock held;
+  held.block = 0;
+  model.held_blocks = {held};
+  model.gravity = {0, -9.81};
+  Stage stage;
+  stage.name = "run";
+  stage.dt = 1e-3;
+  stage.duration = 1;
+  model.stages = {stage};
+  return model;
+}
+
+void make_static(Model& model) { model.stages[0].integrator.is_static = true; }
+
+std::vector<std::string> remarks_after(const std::function<void(Model&)>& change) {
+  Model model = ordinary();
+  change(model);
+  finish_model(model);
+  return remarks_on(model, make_contacts(model));
+}
+
+struct OddScene {
+  std::string name;
+  std::function<void(Model&)> change;
+  std::string remark;  // the only one; empty: none
+};
+
+class Remark : public testing::TestWithParam<OddScene> {};
+
+TEST_P(Remark, IsTheOnlyOne) {
+  const std::vector<std::string> remarks = remarks_after(GetParam().change);
+  if (GetParam().remark.empty())
+    EXPECT_EQ(remarks, std::vector<std::string>());
+  else
+    EXPECT_EQ(remarks, std::vector<std::string>{GetParam().remark});
+}
+
+const std::vector<OddScene> odd_scenes = {
+    {"none", [](Model&) {}, ""},
+    {"no_gravity_not_held",
+     [](Model& model) {
+       model.held_blocks.clear();
+       model.gravity = {0, 0};
+     },
+     ""},
+    {"one_that_falls", [](Model& model) { model.blocks.push_back(square("stone", 0, 5, 1)); }, ""},
+    {"nothing_held", [](Model& model) { model.held_blocks.clear(); },
+     "nothing holds the blocks, and there is gravity: they all fall without end"},
+    {"loose_in_a_static_stage",
+     [](Model& model) {
+       model.blocks.push_back(square("stone", 0, 5, 1));
+       model.blocks.push_back(square("other", 0, 6, 1));
+       make_static(model);
+     },
+     "stage \"run\" is static, and block \"stone\" and 1 more touches nothing that is held: it has no equilibrium"},
+    {"gravity_upwards",
+     [](Model& model) {
+       model.gravity = {0, 9.81};
+     },
+     "gravity points upwards, [0, 9.81] m/s2: y is up, so weight has a negative y"},
+    {"compression_in_situ",
+     [](Model& model) {
+       model.blocks[1].initial_stress = {-1e6, -2e6, 0};
+     },
+     ""},
+    {"tension_in_situ",
+     [](Model& model) {
+       model.blocks[1].initial_stress = {-1e6, 2e6, 0};
+     },
+     "block \"b1\" starts in tension, 2e+06 Pa: stresses are positive in tension, in-situ compression is negative"},
+    {"soft", [](Model& model) { model.materials[0].young = 20; },
+     "material \"rock\": young is 20 Pa, softer than any soil (1 MPa); rock has some GPa"},
+    {"light", [](Model& model) { model.materials[0].density = 2.65; },
+     "material \"rock\": density is 2.65 kg/m3; rock has 2000 to 3000 kg/m3"},
+    {"sliver", [](Model& model) { model.blocks.push_back(square("chip", 0.5, 3, 1e-3)); },
+     "block \"chip\" is 0.001 m in size, 0.001 of the middle block's: such slivers make steps dear, or fail; leave "
+     "them "
+     "out"},
+    {"half_the_size", [](Model& model) { model.blocks.push_back(square("chip", 0.5, 3, 0.5)); }, ""},
+    {"gap", [](Model& model) { model.blocks.push_back(square("top", 0.5, 3.001, 1)); },
+     "blocks \"b2\" and \"top\" are 0.001 m apart and do not touch: blocks touch within 4.3e-09 m"},
+    {"two_gaps",
+     [](Model& model) {
+       model.blocks.push_back(square("top", 0, 3.001, 1));
+       model.blocks.push_back(square("side", 1.001, 3.001, 1));
+     },
+     "blocks \"b2\" and \"top\" are 0.001 m apart, 1 more pairs as little, and do not touch: blocks touch within "
+     "4.5e-09 "
+     "m"},
+    {"gap_one_sees", [](Model& model) { model.blocks.push_back(square("top", 0.5, 3.1, 1)); }, ""},
+    {"long_step", [](Model& model) { model.stages[0].dt = 0.5; },
+     "stage \"run\": in a step of 0.5 s a block falls 1.2 m, and the smallest is 1 m"},
+    {"long_static_step",
+     [](Model& model) {
+       model.stages[0].dt = 0.5;
+       make_static(model);
+     },
+     ""},
+    {"step_of_many_crossings",
+     [](Model& model) {
+       model.stages[0].dt = 0.5;
+       model.gravity = {0, 0};
+     },
+     "stage \"run\": in a step of 0.5 s a P wave crosses the scene 3.2e+02 times"},
+    {"brittle", [](Model& model) { model.joints[0].cohesion = 1e6; },
+     "joint \"default\" is brittle: residual_cohesion is 0 or left out, so a contact that fails loses all of its 1e+06 "
+     "Pa"},
+    {"tough",
+     [](Model& model) {
+       model.joints[0].cohesion = 1e6;
+       model.joints[0].residual_cohesion = 1e5;
+     },
+     ""},
+};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Remark, testing::ValuesIn(odd_scenes),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace dda

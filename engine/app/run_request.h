@@ -1,0 +1,23 @@
+// What a run was asked for: program, options and scene, kept beside its results as run.json. A run goes on (--resume)
+// only with the same request, because only then are its results those of one run.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "engine/app/run_command.h"
+
+namespace dda {
+
+// `scene_text`: the text of options.scene, which is a scene that could be read.
+nlohmann::json run_request(const RunOptions& options, std::string_view scene_text);
+
+// Of a file in the folder options.folder, which must exist. std::runtime_error naming path and reason.
+void write_request(const std::filesystem::path& folder, const nlohmann::json& request);
+
+// InputError naming the first option, or field of the scene, that differs from what the run in `folder` was begun with,
+// and both values; also when that is not known.
+void expect_same_request(const RunOptions& options, const nlohmann::json& request);
+
+}  // namespace dda

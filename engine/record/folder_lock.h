@@ -1,0 +1,28 @@
+// One run a folder: two that write to the same files would leave a mixture that looks like one.
+#pragma once
+
+#include <filesystem>
+
+namespace dda {
+
+// Holds a folder while it lives, by a lock of the system on FOLDER/run.lock, which ends with the process however that
+// ends. The file names the holder for whom it refuses, and goes with the lock; one that a killed run leaves is no lock.
+class FolderLock {
+ public:
+  // Creates the folder if need be. InputError, which says who holds the folder, when another run does;
+  // std::runtime_error naming path and reason when it cannot be created or locked.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  [[noreturn]] void refuse(const std::filesystem::path& folder);
+  [[nodiscard]] bool lock(const std::filesystem::path& folder);
+  void name_holder() const;
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+};
+
+}  // namespace dda

@@ -115,9 +115,17 @@ class Succession {
 
 bool is_same(const VertexContact& a, const VertexContact& b) { return a.edge == b.edge && a.vertex == b.vertex; }
 
+// A contact that comes from nowhere does not press at once, and one that comes from another vertex or edge presses more
+// than that one only by what it has moved (m): what it is pressed in beyond that its spring closes deeper. So a wrong
+// choice of contacts brings no energy, whatever the choice.
+void press_no_more(double distance, double moved, InterfaceState& state) {
+  const double pressed = std::min(0.0, state.gap(0)) - moved;
+  state.seat[0] = std::min(state.seat[0], distance - state.dilation[0] - pressed);
+}
+
 // The springs go on with the force that the state comes with, if it presses.
 void seat(const InterfaceElement& element, double distance, InterfaceState& state) {
-  if (state.force(0) >= 0) return;
+  if (state.force(0) >= 0) return press_no_more(distance, 0, state);
   state.seat[0] = distance - state.dilation[0] - elastic_gap(state.force(0), element.stiffness(0), 0);
   state.gap(1) = elastic_gap(state.force(1), element.stiffness(1), 0);
 }
@@ -130,14 +138,6 @@ InterfaceState new_state(const JointMaterial& joint) {
   state.residual = {failed, failed};
   state.status = {ContactStatus::open, ContactStatus::open};
   return state;
-}
-
-// A contact that comes from nowhere does not press at once, and one that comes from another vertex or edge presses more
-// than that one only by what it has moved (m): what it is pressed in beyond that its spring closes deeper. So a wrong
-// choice of contacts brings no energy, whatever the choice.
-void press_no_more(double distance, double moved, InterfaceState& state) {
-  const double pressed = std::min(0.0, state.gap(0)) - moved;
-  state.seat[0] = std::min(state.seat[0], distance - state.dilation[0] - pressed);
 }
 
 // A spring that opens has lost what it was seated with, but for a depth that it has not yet come out of.

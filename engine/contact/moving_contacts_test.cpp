@@ -195,7 +195,8 @@ TEST(MovingContacts, BrokenStretchesHandOverTheirHistory) {
   InterfaceState& whole = scene.contacts.states.at(0);
   whole.broken = whole.residual = {true, true};
   whole.status = {ContactStatus::sliding, ContactStatus::locked};
-  whole.gap << 0, 1e-7, 0, 2e-7;
+  whole.gap << -1e-5, 1e-7, -2e-5, 2e-7;
+  whole.force = scene.contacts.elements[0].stiffness.cwiseProduct(whole.gap);
   whole.slip = {1e-3, 2e-3};
   whole.dilation = {1e-5, 2e-5};
   const Vec2 from = scene.contacts.interfaces[0].from;
@@ -211,6 +212,16 @@ TEST(MovingContacts, BrokenStretchesHandOverTheirHistory) {
     EXPECT_NEAR(state.gap(0), -1e-5 * number, 1e-15) << "what has ridden up is pressed in by as much";
     EXPECT_TRUE(state.residual[0]);
   }
+}
+
+TEST(MovingContacts, BrokenStretchesThatCarriedNothingBringNoForce) {
+  Scene scene(3, 1e6);
+  MovingContacts moving(scene.model, scene.state, scene.contacts);
+  scene.contacts.states.at(0).broken = {true, true};
+  scene.move_upper(0, -1e-3);
+  moving.follow(scene.model, scene.state, scene.contacts);
+  ASSERT_EQ(scene.contacts.states.size(), 2U);
+  for (const InterfaceState& state : scene.contacts.states) EXPECT_EQ(state.force(0), 0);
 }
 
 // Surfaces of a joint that had a bond meet again elsewhere: nothing of the bond is there. Dry ones are as they were.

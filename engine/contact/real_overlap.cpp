@@ -118,12 +118,30 @@ bool is_needed_after(const Outlines& outlines, const Cover& deep, const Cover& s
   return Claim(outlines, deep, way_out).is_true();
 }
 
-bool outlines_cross(const Outlines& outlines, int a, int b) {
+// Whether the ends of `b` lie on different sides of the line of `a`, at least `margin` (m) from it.
+bool leads_over(const Segment& a, const Segment& b, double margin) {
+  const Vec2 along = (a.end - a.start).normalized();
+  const double start = cross(along, b.start - a.start);
+  const double end = cross(along, b.end - a.start);
+  return std::min(start, end) < -margin && std::max(start, end) > margin;
+}
+
+// Whether some edges of the blocks cross and go on for at least `margin` (m) behind each other.
+bool outlines_cross(const Outlines& outlines, int a, int b, double margin) {
   const auto edge = [&](int i) { return Segment{outlines.current[at(i)], outlines.current[at(outlines.next[at(i)])]}; };
   for (int i = outlines.starts[at(a)]; i < outlines.starts[at(a) + 1]; ++i)
     for (int j = outlines.starts[at(b)]; j < outlines.starts[at(b) + 1]; ++j)
-      if (proper_intersection(edge(i), edge(j))) return true;
+      if (leads_over(edge(i), edge(j), margin) && leads_over(edge(j), edge(i), margin)) return true;
   return false;
+}
+
+// The shallowest way out, where the outlines cross by as much as its gap makes one expect. Faces in line that round-off
+// lets cross do not.
+void keep_where_corners_passed(const Outlines& outlines, const std::vector<Cover*>& pressed) {
+  const auto first = std::find_if(pressed.begin(), pressed.end(), [](const Cover* each) { return each->beyond <= 0; });
+  if (first == pressed.end()) return;
+  const VertexContact& contact = (*first)->contact;
+  (*first)->counts = outlines_cross(outlines, contact.edge_block, contact.vertex_block, -true_share * contact.gap);
 }
 
 }  // namespace
@@ -144,12 +162,7 @@ void drop_unreal(const Outlines& outlines, double round_off, std::vector<Cover>&
     });
     if (cover->counts) ways_out.push_back(cover);
   }
-  if (ways_out.empty()) {
-    const auto first =
-        std::find_if(pressed.begin(), pressed.end(), [](const Cover* each) { return each->beyond <= 0; });
-    const VertexContact& any = covers.front().contact;
-    if (first != pressed.end() && outlines_cross(outlines, any.edge_block, any.vertex_block)) (*first)->counts = true;
-  }
+  if (ways_out.empty()) keep_where_corners_passed(outlines, pressed);
   std::erase_if(covers, [](const Cover& cover) { return !cover.counts; });
 }
 

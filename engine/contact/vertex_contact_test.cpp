@@ -115,6 +115,21 @@ TEST(VertexContact, CornerToCornerIsOne) {
   EXPECT_LE(found.size(), 1U);
 }
 
+// A box stands on a step, its side in line with the step's riser. Round-off of what was drawn lets the two lines cross,
+// and behind the line of the upper tread is the box by the height of the riser: it has not come in through that tread.
+TEST(VertexContact, FacesInLineThatCrossByRoundOffAreNotAWayIn) {
+  for (const double riser : {0.02, 0.05, 0.09}) {
+    const Polygon step{{{-1, -2}, {2, -2}, {2, riser}, {1, riser}, {1, 0}, {-1, 0}}, {}};
+    for (const double tilt : {-1e-10, 0.0, 1e-10}) {
+      for (const double beside : {-1e-10, 0.0, 1e-10}) {
+        const Polygon column{{{0, 0}, {1 + beside, 0}, {1 + tilt, 2}, {0, 2}}, {}};
+        for (const VertexContact& contact : contacts_of({step, column}))
+          EXPECT_GT(contact.gap, -corner) << riser << ' ' << tilt << ' ' << beside;
+      }
+    }
+  }
+}
+
 // An L whose notch holds a box: the box' corner meets both edges of the notch, the notch's own vertex meets nothing.
 TEST(VertexContact, ReflexCornersNeverEnter) {
   const Polygon angle{{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, {}};

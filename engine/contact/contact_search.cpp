@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/pair_motion.h"
 #include "engine/geometry/box_pairs.h"
 
 namespace dda {
@@ -13,40 +14,95 @@ constexpr double growth = 0.1;      // of a block's size, on every side of its b
 constexpr double deepest = 0.1;     // of the smaller size: a vertex further inside has not come in through this edge
 constexpr double round_off = 1e-9;  // of the smaller size: gaps and places on edges nearer than this are the same
 
+// What was looked for further away than usual is so for the next steps too, as blocks do not stop from one step to the
+// next; each step takes this share of it.
+constexpr double remembered = 0.9;
+
+// A pair's reach, or a block's room, is made this many times the motion seen, so that the next steps fit as well.
+constexpr double margin = 1.5;
+
 bool contains(const Box& outer, const Box& inner) {
   return (inner.lower.array() >= outer.lower.array()).all() && (inner.upper.array() <= outer.upper.array()).all();
 }
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
 ContactSearch::ContactSearch(const Model& model, const State& state) : outlines_(make_outlines(model, state)) {
   for (const Block& block : model.blocks) sizes_.push_back(std::sqrt(block.moments.area));
+  room_.assign(sizes_.size(), 0);
   list_pairs();
 }
 
 void ContactSearch::list_pairs() {
+  must_list_ = false;
   grown_.resize(outlines_.boxes.size());
-  for (std::size_t i = 0; i < grown_.size(); ++i) grown_[i] = expanded(outlines_.boxes[i], growth * sizes_[i] + lift_);
-  pairs_ = overlapping_pairs(grown_);
+  for (std::size_t i = 0; i < grown_.size(); ++i)
+    grown_[i] = expanded(outlines_.boxes[i], growth * sizes_[i] + lift_ + room_[i]);
+  const std::vector<std::pair<int, int>> before = std::exchange(pairs_, overlapping_pairs(grown_));
+  const std::vector<double> wider_before = std::exchange(wider_, std::vector<double>(pairs_.size(), 0.0));
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (wider_before[k] == 0) continue;
+    const auto place = std::lower_bound(pairs_.begin(), pairs_.end(), before[k]);
+    if (place != pairs_.end() && *place == before[k])
+      wider_[at(static_cast<int>(place - pairs_.begin()))] = wider_before[k];
+  }
 }
 
 bool ContactSearch::update(const Model& model, const State& state, double lift) {
   lift_ = lift;
+  if (!std::exchange(just_widened_, false)) forget_slowly();
   update_outlines(model, state, outlines_);
-  for (std::size_t i = 0; i < grown_.size(); ++i) {
-    if (contains(grown_[i], expanded(outlines_.boxes[i], reach * sizes_[i] + lift_))) continue;
-    list_pairs();
-    return true;
+  bool left = must_list_;
+  for (std::size_t i = 0; i < grown_.size() && !left; ++i)
+    left = !contains(grown_[i], expanded(outlines_.boxes[i], reach * sizes_[i] + lift_));
+  if (left) list_pairs();
+  return left;
+}
+
+double ContactSearch::reach_of(std::size_t pair) const {
+  return std::max(reach * std::min(size_of(pairs_[pair].first), size_of(pairs_[pair].second)), wider_[pair]);
+}
+
+void ContactSearch::forget_slowly() {
+  const auto fade = [](double& each, double usual) { each = each > usual ? remembered * each : 0; };
+  for (std::size_t i = 0; i < room_.size(); ++i) fade(room_[i], reach * sizes_[i]);
+  for (std::size_t k = 0; k < wider_.size(); ++k) fade(wider_[k], 0.0);
+}
+
+bool ContactSearch::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
+  const auto moving = [&](int block) {
+    return MovingBox{outlines_.boxes[at(block)], current_centroid(model, state, block), d.segment<6>(6 * block)};
+  };
+  bool wider = false;
+  std::vector<double> motion(sizes_.size());
+  for (int i = 0; i < outlines_.blocks(); ++i) {
+    motion[at(i)] = largest_displacement(moving(i));
+    if (contains(grown_[at(i)], expanded(outlines_.boxes[at(i)], motion[at(i)]))) continue;
+    room_[at(i)] = margin * motion[at(i)];
+    must_list_ = wider = true;
   }
-  return false;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const auto [a, b] = pairs_[k];
+    const double both = motion[at(a)] + motion[at(b)];
+    if (both <= reach_of(k)) continue;
+    const double relative = relative_displacement(moving(a), moving(b), both);
+    if (relative <= reach_of(k)) continue;
+    wider_[k] = margin * relative;
+    wider = true;
+  }
+  just_widened_ = wider;
+  return wider;
 }
 
 std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, int>>& bonded) const {
   std::vector<VertexContact> found;
-  for (const auto& pair : pairs_) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const auto& pair = pairs_[k];
     if (std::binary_search(bonded.begin(), bonded.end(), pair)) continue;
     const double smaller = std::min(size_of(pair.first), size_of(pair.second));
-    find_vertex_contacts(outlines_, pair.first, pair.second, reach * smaller + lift_, deepest * smaller,
+    find_vertex_contacts(outlines_, pair.first, pair.second, reach_of(k) + lift_, deepest * smaller,
                          round_off * smaller, found);
   }
   std::sort(found.begin(), found.end());

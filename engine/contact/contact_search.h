@@ -2,8 +2,14 @@
 //
 // Broad phase: boxes grown by a tenth of each block's size; the list of pairs holds until some block leaves its grown
 // box (a Verlet list). Narrow phase: vertex-edge contacts of the listed pairs, see vertex_contact.h.
+//
+// Contacts are looked for from a share of the smaller block away. Where a step turns out to move the blocks of a pair
+// further against each other than that, a contact could have been missed: `widen` notices, and from then on looks as
+// far as that pair, or that block, needs.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -32,25 +38,35 @@ class ContactSearch {
   [[nodiscard]] const std::vector<double>& sizes() const { return sizes_; }
   [[nodiscard]] double size_of(int block) const { return sizes_[static_cast<std::size_t>(block)]; }
 
-  // A contact is found while its gap is below this share of the smaller block's size, so no point may move by more than
-  // half of that in one step.
+  // A contact is found while its gap is below this share of the smaller block's size, or what `widen` made of that.
   static constexpr double reach = 0.02;
+
+  // Looks at what increments `d` (6 a block) make of the geometry of `state`, which must be the one of the last update.
+  // True when contacts could be missed in that motion: the next update and find then look far enough for it.
+  bool widen(const Model& model, const State& state, const Eigen::VectorXd& d);
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [outlines, sizes, lift, grown, pairs] = self;
+    auto& [outlines, sizes, lift, grown, room, must_list, just_widened, pairs, wider] = self;
     archive.each(grown);
-    archive(pairs);  // sizes are the drawing's; outlines and lift are brought up to date before they are read
+    archive(room, must_list, just_widened, pairs,
+            wider);  // sizes are the drawing's; outlines and lift are brought up to date before they are read
   }
 
  private:
   void list_pairs();
+  void forget_slowly();
+  [[nodiscard]] double reach_of(std::size_t pair) const;
 
   Outlines outlines_;
   std::vector<double> sizes_;
   double lift_ = 0;
-  std::vector<Box> grown_;  // boxes of the broad phase
+  std::vector<Box> grown_;    // boxes of the broad phase
+  std::vector<double> room_;  // by how much more than usual each is grown for what moves far in a step, m
+  bool must_list_ = false;    // some block needs more room than its grown box has
+  bool just_widened_ = false;
   std::vector<std::pair<int, int>> pairs_;
+  std::vector<double> wider_;  // of each pair: contacts are looked for from at least this far away, m
 };
 
 }  // namespace dda

@@ -24,6 +24,12 @@ class MovingContacts {
   // Returns true when the list of pairs that can touch changed.
   bool follow(const Model& model, const State& state, ContactSet& contacts);
 
+  // True when increments `d` from `state` move blocks further against each other than contacts were looked for: the
+  // next `follow` looks far enough.
+  bool widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
+    return search_.widen(model, state, d);
+  }
+
   // Pairs of blocks that can touch before the next change of the list.
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return search_.pairs(); }
 

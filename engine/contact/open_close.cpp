@@ -110,6 +110,13 @@ void respond_tangent(const InterfaceSprings& springs, int end, InterfaceTrial& t
   trial.active(t) = answer.slope;
 }
 
+// Contacts that just touch stick, unless the step turns out to open them: what they would carry then would be lost at
+// its end, and each step would find the same forces out of balance again.
+void let_go_of_opening(InterfaceTrial& trial) {
+  for (int end = 0; end < 2; ++end)
+    if (trial.start(normal_row(end)) > 0 && trial.normal_gap(end) > 0) trial.rule.touching = -1;
+}
+
 void set_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end)
     trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
@@ -199,6 +206,7 @@ void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& 
 }
 
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  if (trial.rule.sticks) let_go_of_opening(trial);
   for (int end = 0; end < ends_of(springs); ++end) {
     respond_normal(springs, end, trial);
     trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
@@ -221,6 +229,7 @@ double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial,
 
 double update_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   const Vec4 before = trial.force;
+  if (trial.rule.sticks) let_go_of_opening(trial);
   set_capacity(springs, strength, trial);
   respond(springs, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();

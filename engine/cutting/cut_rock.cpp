@@ -35,7 +35,7 @@ void check_count(const std::vector<FacePlace>& places, const RockPlan& plan, con
 
 double left_out_area(const Arrangement& arrangement, const std::vector<FacePlace>& places) {
   double area = 0;
-  const Vec2 reference = arrangement.position(0);
+  const Vec2& reference = arrangement.position(0);
   for (int h = 0; h < arrangement.half_edges(); ++h) {
     const FacePlace& place = places[static_cast<std::size_t>(arrangement.face(h))];
     if (!place.in_boundary || !place.left_out) continue;

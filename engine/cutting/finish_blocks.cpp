@@ -148,8 +148,8 @@ class ShortEdges {
   };
 
   void find() {
-    for (std::size_t block = 0; block < blocks_.size(); ++block) {
-      for (const NodeRing& ring : blocks_[block]) {
+    for (const NodeRings& rings : blocks_) {
+      for (const NodeRing& ring : rings) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
           const auto [a, b] = std::minmax(ring[i], ring[(i + 1) % ring.size()]);
           const double length = (arrangement_.position(a) - arrangement_.position(b)).norm();

@@ -23,7 +23,7 @@ struct Shape {
 
 // Adds a ring of an outline; areas of holes count negative because they run clockwise.
 void add_ring(const Arrangement& arrangement, const std::vector<int>& ring, Shape& shape) {
-  const Vec2 reference = arrangement.position(arrangement.origin(ring.front()));
+  const Vec2& reference = arrangement.position(arrangement.origin(ring.front()));
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 from = arrangement.position(arrangement.origin(ring[i])) - reference;
     const Vec2 to = arrangement.position(arrangement.target(ring[i])) - reference;

@@ -117,7 +117,8 @@ TEST(FrictionNewton, SettlesBedsThatSlideOnEachOther) {
     Simulation simulation = simulation_of(std::move(model));
     while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << degrees << ": " << simulation.message();
     EXPECT_LT(simulation.static_out_of_balance()[1], 1e-9);
-    for (const Vec6& u : simulation.state().displacement) EXPECT_LT(u.norm(), 5e-3);  // it stands (3.4e-3)
+    // It stands: 7.3e-3 m, of which thrust up without friction at ends that only touch makes half.
+    for (const Vec6& u : simulation.state().displacement) EXPECT_LT(u.norm(), 1e-2);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/simulation/free_field.h"
@@ -20,6 +21,24 @@ namespace {
 // Geometry is followed, and the matrix built anew, when some block has moved by this share of its size: directions are
 // then off by as much, and gaps by half its square.
 constexpr double geometry_tolerance = 1e-6;
+
+// How often a step is solved with contacts looked for from further away, or with more drag on loose blocks, before it
+// is cut. Two solutions are enough for what falls or is thrown; loose blocks of a static stage take a few.
+constexpr int most_rounds = 10;
+
+// Contacts press when their force is more than this share of the largest force out of balance: blocks that just touch
+// do not.
+constexpr double pressing = 1e-9;
+
+// Stiffness of a block's contacts times dt^2 over its mass from which on a step does not resolve how they let go.
+constexpr double unresolved = 1;
+
+// A block may turn, or be strained, by this much in a step (rad): first-order gaps are then off by its size times half
+// the square. In static stages that is put right by the steps that follow; and a small block that tumbles faster than
+// the shortest parts of a step resolve does not stop the others: what it meets forgives it the rest (moving_contacts).
+constexpr double most_turn = 0.01;
+constexpr double most_turn_in_static_steps = 0.05;
+constexpr double most_turn_in_shortest_steps = 0.3;
 
 // Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
 bool contacts_move(const Model& model) {
@@ -71,16 +90,40 @@ void GeneralStep::set_step_size(double dt) {
   base_is_current_ = false;
 }
 
-// Acceleration from the forces at the start of a stage, without those that constrain: each block on its own.
+// Acceleration from the forces at the start of a stage, each block on its own. What presses a light block against a
+// stiff contact is let go within far less than a step: there the block answers with the stiffness it is held by, as it
+// does on average over the step, for else dt times its acceleration would be a velocity that nothing has.
 void GeneralStep::begin() {
   if (system_.plan.is_static) return;
   const Eigen::VectorXd unbalanced = accelerating_forces(system_);
+  const std::vector<Mat6> stiffness = stiffness_of_closed_contacts(pressing * unbalanced.cwiseAbs().maxCoeff());
+  const double dt = system_.coefficients.dt;
   for (std::size_t i = 0; i < system_.state.acceleration.size(); ++i) {
     const Inertia& inertia = system_.terms.inertia[i];
     if (inertia.mass == 0) continue;  // held
-    system_.state.acceleration[i] =
-        mass_matrix(inertia).llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
+    Mat6 resistance = mass_matrix(inertia);
+    const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;
+    if (chi > unresolved) resistance += dt * dt * stiffness[i];
+    system_.state.acceleration[i] = resistance.llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
   }
+}
+
+// What contacts without a bond that press by more than `negligible` (N per m of thickness) hold each block with.
+std::vector<Mat6> GeneralStep::stiffness_of_closed_contacts(double negligible) const {
+  std::vector<Mat6> stiffness(system_.terms.area.size(), Mat6::Zero());
+  const ContactSet& contacts = system_.contacts;
+  for (const int index : changing_) {
+    const auto i = static_cast<std::size_t>(index);
+    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceState& state = contacts.states[i];
+    const auto closed = [&](std::size_t end) {
+      return state.broken[end] && state.force(static_cast<Eigen::Index>(2 * end)) < -negligible ? 1.0 : 0.0;
+    };
+    const InterfaceMatrices k = dda::stiffness_of(element, Vec4(closed(0), closed(0), closed(1), closed(1)));
+    stiffness[static_cast<std::size_t>(element.block_a)] += k.aa;
+    stiffness[static_cast<std::size_t>(element.block_b)] += k.bb;
+  }
+  return stiffness;
 }
 
 void GeneralStep::list_contacts() {
@@ -94,16 +137,48 @@ void GeneralStep::list_contacts() {
 
 Status GeneralStep::advance(double dt) {
   if (dt != system_.coefficients.dt) set_step_size(dt);
-  const double end = system_.state.time + dt;
+  if (system_.plan.is_static && drag_.ease()) base_is_current_ = false;
+  const Status status = solve_far_enough(system_.state.time + dt);
+  if (status == Status::ok) accept();
+  return status;
+}
+
+// A step is solved with the contacts that were looked for, and solved again where what came out moves blocks beyond
+// them.
+Status GeneralStep::solve_far_enough(double end) {
+  pose(end);
+  for (int round = 0; round < most_rounds; ++round) {
+    const Status status = solve();
+    system_.increment = solver_.increment();
+    if (status != Status::ok || !moving_) return status;
+    if (!moves_further_than_seen()) return turns_too_far() ? Status::not_converged : Status::ok;
+    pose(end);
+  }
+  message_ =
+      fmt::format("blocks move beyond the contacts looked for in {} solutions of a step of {:.3g} s: take a smaller dt",
+                  most_rounds, system_.coefficients.dt);
+  return Status::not_converged;
+}
+
+// The problem of the step that ends at `end`, s.
+void GeneralStep::pose(double end) {
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
   form_rhs();
   aim(system_.model, system_.state, end, system_.held);
-  Status status = solve();
-  system_.increment = solver_.increment();
-  if (status == Status::ok && moving_ && moves_too_far()) status = Status::not_converged;
-  if (status == Status::ok) accept();
-  return status;
+}
+
+// True when the step must be solved again: loose blocks of a static stage have got a drag, or contacts are looked for
+// from further away. Motions below half of the usual reach cannot miss any.
+bool GeneralStep::moves_further_than_seen() {
+  if (largest_motion().share <= ContactSearch::reach / 2) return false;
+  if (system_.plan.is_static && drag_.raise(system_.terms, system_.held, system_.increment)) {
+    base_is_current_ = false;
+    return true;
+  }
+  if (!moving_->widen(system_.model, system_.state, system_.increment)) return false;
+  moved_ = std::numeric_limits<double>::infinity();  // the geometry is to be followed again, and searched
+  return true;
 }
 
 void GeneralStep::follow_geometry() {
@@ -161,6 +236,7 @@ void GeneralStep::assemble_base() {
   const PhaseTimer timer(system_.costs.times.assembly);
   const BlockSystem& s = system_;
   assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
+  if (s.plan.is_static) drag_.add_to(s.terms, s.coefficients, base_);
   base_is_current_ = true;
   ++base_version_;
 }
@@ -261,23 +337,33 @@ GeneralStep::Motion GeneralStep::largest_motion() const {
   Motion largest;
   const std::vector<double>& area = system_.terms.area;
   for (std::size_t i = 0; i < area.size(); ++i) {
-    const auto own = system_.increment.segment<6>(static_cast<Eigen::Index>(6 * i));
-    const double motion = own.head<2>().norm() / std::sqrt(area[i]) + own.tail<4>().cwiseAbs().maxCoeff();
+    const double motion = motion_share(system_.increment.segment<6>(static_cast<Eigen::Index>(6 * i)), area[i]);
     if (motion > largest.share) largest = {i, motion};
   }
   return largest;
 }
 
-bool GeneralStep::moves_too_far() {
-  const Motion motion = largest_motion();
-  if (motion.share <= ContactSearch::reach / 2) return false;
-  base_is_current_ = false;
-  message_ = fmt::format(
-      "block \"{}\" would move by {:.2g} of its size in a step of {:.3g} s, and contacts could be missed beyond {:g}: "
-      "take a "
-      "smaller dt",
-      system_.model.blocks[motion.block].name, motion.share, system_.coefficients.dt, ContactSearch::reach / 2);
-  return true;
+double GeneralStep::most_turn_now() const {
+  const Stage& stage = system_.stage();
+  if (system_.plan.is_static) return most_turn_in_static_steps;
+  const bool is_shortest = system_.coefficients.dt <= std::ldexp(stage.dt, -stage.max_step_reductions);
+  return is_shortest ? most_turn_in_shortest_steps : most_turn;
+}
+
+bool GeneralStep::turns_too_far() {
+  const double most = most_turn_now();
+  for (std::size_t i = 0; i < system_.terms.area.size(); ++i) {
+    const double turn = system_.increment.segment<4>(static_cast<Eigen::Index>(6 * i + 2)).cwiseAbs().maxCoeff();
+    if (turn <= most) continue;
+    base_is_current_ = false;
+    message_ = fmt::format(
+        "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
+        "take "
+        "a smaller dt",
+        system_.model.blocks[i].name, turn, system_.coefficients.dt, most);
+    return true;
+  }
+  return false;
 }
 
 bool GeneralStep::is_in_contact_range() {
@@ -288,7 +374,8 @@ bool GeneralStep::is_in_contact_range() {
 
 void GeneralStep::accept() {
   BlockSystem& s = system_;
-  const double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
+  double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
+  if (s.plan.is_static) work += drag_.work(s.terms, s.coefficients, s.increment);
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion().share;

@@ -16,6 +16,7 @@
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/contact_range.h"
 #include "engine/simulation/penetration.h"
+#include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step.h"
 #include "engine/solve/contact_solver.h"
 
@@ -46,10 +47,10 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, turned, deepest, changing, bonded, base, base_version, base_is_current,
-           rule, rhs, message] = self;
+    auto& [system, solver, moving, range, moved, turned, drag, deepest, changing, bonded, base, base_version,
+           base_is_current, rule, rhs, message] = self;
     if (moving) archive(*moving);
-    archive(solver, deepest);
+    archive(solver, drag, deepest);
     if (system.geometry_moves()) archive(range, moved, turned);
     // The others follow from the system, or begin with every step.
   }
@@ -61,8 +62,12 @@ class GeneralStep : public Step {
   };
 
   void set_step_size(double dt);
+  [[nodiscard]] std::vector<Mat6> stiffness_of_closed_contacts(double negligible) const;
   void list_contacts();
 
+  void pose(double end);
+  [[nodiscard]] Status solve_far_enough(double end);
+  [[nodiscard]] bool moves_further_than_seen();
   void follow_geometry();
   void follow_contacts();
   void form_rhs();
@@ -75,7 +80,8 @@ class GeneralStep : public Step {
   [[nodiscard]] Vec4 bonded_force(std::size_t i, const Vec4& gap) const;
   [[nodiscard]] std::string unsettled_message(const StepSolution& solution) const;
   [[nodiscard]] Motion largest_motion() const;
-  [[nodiscard]] bool moves_too_far();
+  [[nodiscard]] double most_turn_now() const;
+  [[nodiscard]] bool turns_too_far();
 
   void accept();
   void accept_contacts();
@@ -87,6 +93,7 @@ class GeneralStep : public Step {
   ContactRange range_;                    // looked at where they cannot
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   std::vector<Vec4> turned_;              // rotation (rad) and strains of each block that its stress has followed
+  SettlingDrag drag_;                     // in static stages
   Penetration deepest_;
 
   std::vector<int> changing_, bonded_;  // interfaces that can change in a step, and the others; ascending

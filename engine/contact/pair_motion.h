@@ -1,0 +1,30 @@
+// How far the blocks of a pair move against each other in a step: what decides from how far away their contacts must be
+// looked for.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/core/types.h"
+#include "engine/geometry/box.h"
+
+namespace dda {
+
+// Displacement (m) of the point at `arm` (m) from a block's centroid, by the block's six increments: first order, as
+// the gaps of a step are.
+Vec2 displacement_of(const Vec6& increments, const Vec2& arm);
+
+// A block as far as its motion is concerned: its box and centroid at the start of a step, and its increments.
+struct MovingBox {
+  Box box;
+  Vec2 centroid;
+  Vec6 increments;
+};
+
+// The largest displacement (m) of any point of the box. The displacement is affine, so a corner has it.
+double largest_displacement(const MovingBox& block);
+
+// The largest relative displacement (m) of points where the boxes, each grown by `distance` (m), have in common; 0
+// where they have nothing in common.
+double relative_displacement(const MovingBox& a, const MovingBox& b, double distance);
+
+}  // namespace dda

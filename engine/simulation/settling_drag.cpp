@@ -1,0 +1,66 @@
+#include "engine/simulation/settling_drag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/terms/inertia.h"
+
+namespace dda {
+namespace {
+
+// Blocks may move by this share of their size in a static step: contacts still turn little in such a step.
+constexpr double most_motion = 0.02;
+
+// A block whose motion fell by less than this with its drag raised is carried by others.
+constexpr double carried = 0.7;
+
+Vec6 own(const Eigen::VectorXd& d, std::size_t block) { return d.segment<6>(static_cast<Eigen::Index>(6 * block)); }
+
+}  // namespace
+
+double motion_share(const Vec6& increments, double area) {
+  return increments.head<2>().norm() / std::sqrt(area) + increments.tail<4>().cwiseAbs().maxCoeff();
+}
+
+bool SettlingDrag::ease() {
+  std::fill(moved_.begin(), moved_.end(), 0.0);
+  bool changed = false;
+  for (double& factor : factors_) {
+    if (factor == 1) continue;
+    factor = std::max(1.0, factor / 2);
+    changed = true;
+  }
+  return changed;
+}
+
+bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, const Eigen::VectorXd& d) {
+  factors_.resize(terms.area.size(), 1.0);
+  moved_.resize(terms.area.size(), 0.0);
+  bool raised = false;
+  for (std::size_t i = 0; i < factors_.size(); ++i) {
+    if (held.holds(static_cast<int>(i))) continue;
+    const double before = moved_[i];
+    moved_[i] = motion_share(own(d, i), terms.area[i]);
+    if (moved_[i] <= most_motion || (before > 0 && moved_[i] > carried * before)) continue;
+    factors_[i] *= 2 * moved_[i] / most_motion;
+    raised = true;
+  }
+  return raised;
+}
+
+void SettlingDrag::add_to(const BlockTerms& terms, const StepCoefficients& step, BlockMatrix& matrix) const {
+  for (std::size_t i = 0; i < factors_.size(); ++i)
+    if (factors_[i] > 1)
+      matrix.diagonal(static_cast<int>(i)) += (factors_[i] - 1) * step.mass * mass_matrix(terms.inertia[i]);
+}
+
+double SettlingDrag::work(const BlockTerms& terms, const StepCoefficients& step, const Eigen::VectorXd& d) const {
+  double work = 0;
+  for (std::size_t i = 0; i < factors_.size(); ++i)
+    if (factors_[i] > 1)
+      work += (factors_[i] - 1) * step.mass * own(d, i).dot(mass_matrix(terms.inertia[i]) * own(d, i));
+  return work;
+}
+
+}  // namespace dda

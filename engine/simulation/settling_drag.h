@@ -1,0 +1,51 @@
+// What keeps blocks that nothing holds from flying off in a static stage.
+//
+// A static step solves (c_m M + K) d = forces out of balance. Where K does not hold a block, its motion is that of a
+// free fall over the whole step, which for a small loose block is many times its size. Such blocks get a drag: their
+// mass counts so many times that they move by a small share of their size, and find what they come to lie on. As it
+// multiplies the motion of the step alone, the drag is nothing once the motion has died down: equilibrium is the same
+// with it and without it. A block that its neighbours carry along goes with them all the same, since against their
+// stiffness its mass is nothing; it is recognized by that and left alone.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "engine/linear/block_matrix.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/step_coefficients.h"
+#include "engine/solve/held_unknowns.h"
+
+namespace dda {
+
+// Motion of a block in a step, in its own size: displacement of the centroid over the side of the square with its area,
+// plus the largest of its rotation (rad) and strains.
+double motion_share(const Vec6& increments, double area);
+
+class SettlingDrag {
+ public:
+  // Begins a step: what drag there was fades. True when the step's matrix is another for it.
+  bool ease();
+
+  // Raises the drag of what moves too far by increments `d` and would not without what it is carried by. True when
+  // there was any: the step is to be solved anew.
+  bool raise(const BlockTerms& terms, const HeldUnknowns& held, const Eigen::VectorXd& d);
+
+  // Adds the drag's share of inertia to the matrix of a step.
+  void add_to(const BlockTerms& terms, const StepCoefficients& step, BlockMatrix& matrix) const;
+
+  // Work of the drag over increments `d`, J per m of thickness.
+  [[nodiscard]] double work(const BlockTerms& terms, const StepCoefficients& step, const Eigen::VectorXd& d) const;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [factors, moved] = self;
+    archive(factors);  // `moved` is of the step under way
+  }
+
+ private:
+  std::vector<double> factors_;  // on each block's mass; empty as long as no block needed any
+  std::vector<double> moved_;    // shares of the last solution of this step, 0 before the first
+};
+
+}  // namespace dda

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +10,10 @@
 
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
+#include "engine/simulation/initial_acceleration.h"
 #include "engine/simulation/kinematic_update.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
 
 namespace dda {
@@ -25,20 +26,6 @@ constexpr double geometry_tolerance = 1e-6;
 // How often a step is solved with contacts looked for from further away, or with more drag on loose blocks, before it
 // is cut. Two solutions are enough for what falls or is thrown; loose blocks of a static stage take a few.
 constexpr int most_rounds = 10;
-
-// Contacts press when their force is more than this share of the largest force out of balance: blocks that just touch
-// do not.
-constexpr double pressing = 1e-9;
-
-// Stiffness of a block's contacts times dt^2 over its mass from which on a step does not resolve how they let go.
-constexpr double unresolved = 1;
-
-// A block may turn, or be strained, by this much in a step (rad): first-order gaps are then off by its size times half
-// the square. In static stages that is put right by the steps that follow; and a small block that tumbles faster than
-// the shortest parts of a step resolve does not stop the others: what it meets forgives it the rest (moving_contacts).
-constexpr double most_turn = 0.01;
-constexpr double most_turn_in_static_steps = 0.05;
-constexpr double most_turn_in_shortest_steps = 0.3;
 
 // Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
 bool contacts_move(const Model& model) {
@@ -90,40 +77,8 @@ void GeneralStep::set_step_size(double dt) {
   base_is_current_ = false;
 }
 
-// Acceleration from the forces at the start of a stage, each block on its own. What presses a light block against a
-// stiff contact is let go within far less than a step: there the block answers with the stiffness it is held by, as it
-// does on average over the step, for else dt times its acceleration would be a velocity that nothing has.
 void GeneralStep::begin() {
-  if (system_.plan.is_static) return;
-  const Eigen::VectorXd unbalanced = accelerating_forces(system_);
-  const std::vector<Mat6> stiffness = stiffness_of_closed_contacts(pressing * unbalanced.cwiseAbs().maxCoeff());
-  const double dt = system_.coefficients.dt;
-  for (std::size_t i = 0; i < system_.state.acceleration.size(); ++i) {
-    const Inertia& inertia = system_.terms.inertia[i];
-    if (inertia.mass == 0) continue;  // held
-    Mat6 resistance = mass_matrix(inertia);
-    const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;
-    if (chi > unresolved) resistance += dt * dt * stiffness[i];
-    system_.state.acceleration[i] = resistance.llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
-  }
-}
-
-// What contacts without a bond that press by more than `negligible` (N per m of thickness) hold each block with.
-std::vector<Mat6> GeneralStep::stiffness_of_closed_contacts(double negligible) const {
-  std::vector<Mat6> stiffness(system_.terms.area.size(), Mat6::Zero());
-  const ContactSet& contacts = system_.contacts;
-  for (const int index : changing_) {
-    const auto i = static_cast<std::size_t>(index);
-    const InterfaceElement& element = contacts.elements[i];
-    const InterfaceState& state = contacts.states[i];
-    const auto closed = [&](std::size_t end) {
-      return state.broken[end] && state.force(static_cast<Eigen::Index>(2 * end)) < -negligible ? 1.0 : 0.0;
-    };
-    const InterfaceMatrices k = dda::stiffness_of(element, Vec4(closed(0), closed(0), closed(1), closed(1)));
-    stiffness[static_cast<std::size_t>(element.block_a)] += k.aa;
-    stiffness[static_cast<std::size_t>(element.block_b)] += k.bb;
-  }
-  return stiffness;
+  if (!system_.plan.is_static) set_initial_acceleration(changing_, system_);
 }
 
 void GeneralStep::list_contacts() {
@@ -151,7 +106,10 @@ Status GeneralStep::solve_far_enough(double end) {
     const Status status = solve();
     system_.increment = solver_.increment();
     if (status != Status::ok || !moving_) return status;
-    if (!moves_further_than_seen()) return turns_too_far() ? Status::not_converged : Status::ok;
+    if (!moves_further_than_seen()) {
+      message_ = turn_problem(system_);
+      return message_.empty() ? Status::ok : Status::not_converged;
+    }
     pose(end);
   }
   message_ =
@@ -171,7 +129,7 @@ void GeneralStep::pose(double end) {
 // True when the step must be solved again: loose blocks of a static stage have got a drag, or contacts are looked for
 // from further away. Motions below half of the usual reach cannot miss any.
 bool GeneralStep::moves_further_than_seen() {
-  if (largest_motion().share <= ContactSearch::reach / 2) return false;
+  if (largest_motion(system_) <= ContactSearch::reach / 2) return false;
   if (system_.plan.is_static && drag_.raise(system_.terms, system_.held, system_.increment)) {
     base_is_current_ = false;
     return true;
@@ -264,7 +222,7 @@ Status GeneralStep::solve() {
     if (!replaced && !solution.something_broke()) return Status::ok;
     solver_.go_on(problem());
   }
-  message_ = solution.failure == Failure::unsettled ? unsettled_message(solution) : sentence(solution.failure);
+  message_ = solution.failure == Failure::unsettled ? unsettled_message(solution, system_) : sentence(solution.failure);
   return solution.status;
 }
 
@@ -322,50 +280,6 @@ Vec4 GeneralStep::bonded_force(std::size_t i, const Vec4& gap) const {
   return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
 }
 
-std::string GeneralStep::unsettled_message(const StepSolution& solution) const {
-  if (solution.restless_contact < 0) return sentence(solution.failure);
-  const InterfaceElement& worst = system_.contacts.elements[static_cast<std::size_t>(solution.restless_contact)];
-  const auto name = [&](int block) { return system_.model.blocks[static_cast<std::size_t>(block)].name; };
-  return fmt::format(
-      "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: "
-      "take another dt or a static stage first",
-      system_.stage().max_open_close_iterations, name(worst.block_a), name(worst.block_b), solution.restless_force);
-}
-
-// The block that moves most in the step solved last, in sizes of that block.
-GeneralStep::Motion GeneralStep::largest_motion() const {
-  Motion largest;
-  const std::vector<double>& area = system_.terms.area;
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    const double motion = motion_share(system_.increment.segment<6>(static_cast<Eigen::Index>(6 * i)), area[i]);
-    if (motion > largest.share) largest = {i, motion};
-  }
-  return largest;
-}
-
-double GeneralStep::most_turn_now() const {
-  const Stage& stage = system_.stage();
-  if (system_.plan.is_static) return most_turn_in_static_steps;
-  const bool is_shortest = system_.coefficients.dt <= std::ldexp(stage.dt, -stage.max_step_reductions);
-  return is_shortest ? most_turn_in_shortest_steps : most_turn;
-}
-
-bool GeneralStep::turns_too_far() {
-  const double most = most_turn_now();
-  for (std::size_t i = 0; i < system_.terms.area.size(); ++i) {
-    const double turn = system_.increment.segment<4>(static_cast<Eigen::Index>(6 * i + 2)).cwiseAbs().maxCoeff();
-    if (turn <= most) continue;
-    base_is_current_ = false;
-    message_ = fmt::format(
-        "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
-        "take "
-        "a smaller dt",
-        system_.model.blocks[i].name, turn, system_.coefficients.dt, most);
-    return true;
-  }
-  return false;
-}
-
 bool GeneralStep::is_in_contact_range() {
   if (!system_.plan.finite_kinematics || moving_) return true;
   message_ = range_.problem(system_.model, system_.state, system_.contacts);
@@ -378,7 +292,7 @@ void GeneralStep::accept() {
   if (s.plan.is_static) work += drag_.work(s.terms, s.coefficients, s.increment);
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
-  if (s.plan.finite_kinematics) moved_ += largest_motion().share;
+  if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
   accept_contacts();
   if (s.plan.contacts_can_change) note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
   s.bolts.accept(solver_.bolts(), s.audit);

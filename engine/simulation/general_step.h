@@ -56,13 +56,7 @@ class GeneralStep : public Step {
   }
 
  private:
-  struct Motion {
-    std::size_t block = 0;
-    double share = 0;
-  };
-
   void set_step_size(double dt);
-  [[nodiscard]] std::vector<Mat6> stiffness_of_closed_contacts(double negligible) const;
   void list_contacts();
 
   void pose(double end);
@@ -78,10 +72,6 @@ class GeneralStep : public Step {
   [[nodiscard]] bool replace_broken_joints();
   void weaken(std::size_t i);
   [[nodiscard]] Vec4 bonded_force(std::size_t i, const Vec4& gap) const;
-  [[nodiscard]] std::string unsettled_message(const StepSolution& solution) const;
-  [[nodiscard]] Motion largest_motion() const;
-  [[nodiscard]] double most_turn_now() const;
-  [[nodiscard]] bool turns_too_far();
 
   void accept();
   void accept_contacts();

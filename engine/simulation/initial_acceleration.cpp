@@ -1,0 +1,53 @@
+#include "engine/simulation/initial_acceleration.h"
+
+#include <Eigen/Cholesky>
+#include <cstddef>
+
+#include "engine/simulation/step.h"
+
+namespace dda {
+namespace {
+
+// Contacts press when their force is more than this share of the largest force out of balance: blocks that just touch
+// do not.
+constexpr double pressing = 1e-9;
+
+// Stiffness of a block's contacts times dt^2 over its mass from which on a step does not resolve how they let go.
+constexpr double unresolved = 1;
+
+// What contacts without a bond that press by more than `negligible` (N per m of thickness) hold each block with.
+std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing, const BlockSystem& system,
+                                                double negligible) {
+  std::vector<Mat6> stiffness(system.terms.area.size(), Mat6::Zero());
+  for (const int index : changing) {
+    const auto i = static_cast<std::size_t>(index);
+    const InterfaceElement& element = system.contacts.elements[i];
+    const InterfaceState& state = system.contacts.states[i];
+    const auto pressed = [&](std::size_t end) {
+      return state.broken[end] && state.force(static_cast<Eigen::Index>(2 * end)) < -negligible ? 1.0 : 0.0;
+    };
+    const InterfaceMatrices k = stiffness_of(element, Vec4(pressed(0), pressed(0), pressed(1), pressed(1)));
+    stiffness[static_cast<std::size_t>(element.block_a)] += k.aa;
+    stiffness[static_cast<std::size_t>(element.block_b)] += k.bb;
+  }
+  return stiffness;
+}
+
+}  // namespace
+
+void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& system) {
+  const Eigen::VectorXd unbalanced = accelerating_forces(system);
+  const std::vector<Mat6> stiffness =
+      stiffness_of_pressed_contacts(changing, system, pressing * unbalanced.cwiseAbs().maxCoeff());
+  const double dt = system.coefficients.dt;
+  for (std::size_t i = 0; i < system.state.acceleration.size(); ++i) {
+    const Inertia& inertia = system.terms.inertia[i];
+    if (inertia.mass == 0) continue;  // held
+    Mat6 resistance = mass_matrix(inertia);
+    const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;
+    if (chi > unresolved) resistance += dt * dt * stiffness[i];
+    system.state.acceleration[i] = resistance.llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
+  }
+}
+
+}  // namespace dda

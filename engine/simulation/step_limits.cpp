@@ -1,0 +1,63 @@
+#include "engine/simulation/step_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/simulation/settling_drag.h"
+#include "engine/simulation/step.h"
+
+namespace dda {
+namespace {
+
+// A block may turn, or be strained, by this much in a step (rad): first-order gaps are then off by its size times half
+// the square. In static stages that is put right by the steps that follow; and a small block that tumbles faster than
+// the shortest parts of a step resolve does not stop the others: what it meets forgives it the rest (moving_contacts).
+constexpr double most_turn = 0.01;
+constexpr double most_turn_in_static_steps = 0.05;
+constexpr double most_turn_in_shortest_steps = 0.3;
+
+double most_turn_now(const BlockSystem& system) {
+  const Stage& stage = system.stage();
+  if (system.plan.is_static) return most_turn_in_static_steps;
+  const bool is_shortest = system.coefficients.dt <= std::ldexp(stage.dt, -stage.max_step_reductions);
+  return is_shortest ? most_turn_in_shortest_steps : most_turn;
+}
+
+}  // namespace
+
+double largest_motion(const BlockSystem& system) {
+  double largest = 0;
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
+    const Vec6 own = system.increment.segment<6>(static_cast<Eigen::Index>(6 * i));
+    largest = std::max(largest, motion_share(own, system.terms.area[i]));
+  }
+  return largest;
+}
+
+std::string turn_problem(const BlockSystem& system) {
+  const double most = most_turn_now(system);
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
+    const double turn = system.increment.segment<4>(static_cast<Eigen::Index>(6 * i + 2)).cwiseAbs().maxCoeff();
+    if (turn > most)
+      return fmt::format(
+          "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
+          "take a smaller dt",
+          system.model.blocks[i].name, turn, system.coefficients.dt, most);
+  }
+  return "";
+}
+
+std::string unsettled_message(const StepSolution& solution, const BlockSystem& system) {
+  if (solution.restless_contact < 0) return sentence(solution.failure);
+  const InterfaceElement& worst = system.contacts.elements[static_cast<std::size_t>(solution.restless_contact)];
+  const auto name = [&](int block) { return system.model.blocks[static_cast<std::size_t>(block)].name; };
+  return fmt::format(
+      "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: "
+      "take another dt or a static stage first",
+      system.stage().max_open_close_iterations, name(worst.block_a), name(worst.block_b), solution.restless_force);
+}
+
+}  // namespace dda

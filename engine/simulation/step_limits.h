@@ -1,0 +1,20 @@
+// What a step may do and still be believed, and what is said when it does more.
+#pragma once
+
+#include <string>
+
+#include "engine/simulation/block_system.h"
+#include "engine/solve/contact_solver.h"
+
+namespace dda {
+
+// Of the block that moves most by system.increment, its motion in its own size (see motion_share).
+double largest_motion(const BlockSystem& system);
+
+// Which block would turn or be strained too far for first-order gaps by system.increment; empty when none.
+std::string turn_problem(const BlockSystem& system);
+
+// Where an open-close iteration that did not settle still changes most.
+std::string unsettled_message(const StepSolution& solution, const BlockSystem& system);
+
+}  // namespace dda

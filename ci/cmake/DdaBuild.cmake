@@ -12,10 +12,9 @@ endif()
 
 find_program(DDA_CCACHE ccache)
 if(DDA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # ccache keeps what was made with a precompiled header only when told that time stamps and macros in it do not matter, and
-  # reads such a header, of 140 MB, once and not for every object when it may remember files by their inode.
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-    CCACHE_INODECACHE=true "${DDA_CCACHE}")
+  # ccache keeps what was made with a precompiled header only when told that time stamps and macros in it do not matter. (It
+  # must read that header for every object: remembering files by their inode is quicker, and has given stale objects.)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${DDA_CCACHE}")
 endif()
 find_program(DDA_MOLD mold)
 if(DDA_MOLD)

@@ -54,7 +54,7 @@ class Adviser {
         question_(question) {
     if (!question.frequency) load_ = scene_load(model_);
     frequency_ = question.frequency ? question.frequency : default_frequency();
-    for (std::size_t i = 0; i < model_.materials.size(); ++i)
+    for (std::size_t i = 0; frequency_ && i < model_.materials.size(); ++i)
       if (auto lattice = find_lattice(model_, drawn_, static_cast<int>(i))) lattices_.push_back(std::move(*lattice));
   }
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace dda {
 namespace {
@@ -71,21 +72,31 @@ class GridLevels {
     return ordered(found, boxes_.size());
   }
 
+  [[nodiscard]] std::vector<int> overlapping(const Box& box) const {
+    std::vector<int> found;
+    if (!overlap(box, bounds_)) return found;
+    const Box inside{box.lower.cwiseMax(bounds_.lower), box.upper.cwiseMin(bounds_.upper)};
+    if (cells_reached_by(inside) > static_cast<double>(boxes_.size())) return look_at_all(inside);
+    for (int level = 0; level < level_count; ++level)
+      if (level_used_[static_cast<std::size_t>(level)])
+        visit_overlapping(inside, level, [&](std::size_t j) { found.push_back(static_cast<int>(j)); });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
  private:
   static constexpr int level_count = 24;
   static constexpr double slack = 1 + 1.0 / 1024;  // cells exceed boxes by more than the round-off of cell indices
 
   void choose_scale() {
-    Box bounds;
     double smallest = std::numeric_limits<double>::infinity();
     for (const Box& box : boxes_) {
       if (is_empty(box)) continue;
-      bounds = expanded(expanded(bounds, box.lower), box.upper);
+      bounds_ = expanded(expanded(bounds_, box.lower), box.upper);
       smallest = std::min(smallest, size_of(box));
     }
-    if (is_empty(bounds)) return;
-    origin_ = bounds.lower;
-    const double extent = size_of(bounds);
+    if (is_empty(bounds_)) return;
+    const double extent = size_of(bounds_);
     // The highest level must hold the largest box, and cell indices stay below 2^23.
     smallest_cell_ = std::max(slack * smallest, std::ldexp(slack * extent, 1 - level_count));
     if (smallest_cell_ == 0) smallest_cell_ = 1;
@@ -98,7 +109,7 @@ class GridLevels {
 
   [[nodiscard]] Cell cell_at(const Vec2& point, int level) const {
     if (!point.allFinite()) return {level, 0, 0};
-    const Vec2 index = (point - origin_) / std::ldexp(smallest_cell_, level);
+    const Vec2 index = (point - bounds_.lower) / std::ldexp(smallest_cell_, level);
     return {level, static_cast<int>(std::floor(index.x())), static_cast<int>(std::floor(index.y()))};
   }
 
@@ -124,27 +135,51 @@ class GridLevels {
     }
   }
 
-  void append_partners(std::size_t i, int level, Pairs& found) const {
-    const Cell first = cell_at(boxes_[i].lower, level);
-    const Cell last = cell_at(boxes_[i].upper, level);
-    for (int column = first.column - 1; column <= last.column; ++column) {
-      for (int row = first.row - 1; row <= last.row; ++row) append_partners_in(i, {level, column, row}, found);
-    }
+  // Calls visit(j) for the boxes of the level that overlap `box`.
+  template <typename Visit>
+  void visit_overlapping(const Box& box, int level, const Visit& visit) const {
+    const Cell first = cell_at(box.lower, level);
+    const Cell last = cell_at(box.upper, level);
+    for (int column = first.column - 1; column <= last.column; ++column)
+      for (int row = first.row - 1; row <= last.row; ++row) visit_overlapping(box, Cell{level, column, row}, visit);
   }
 
-  void append_partners_in(std::size_t i, const Cell& cell, Pairs& found) const {
+  template <typename Visit>
+  void visit_overlapping(const Box& box, const Cell& cell, const Visit& visit) const {
     const std::size_t at = bucket(cell);
     for (std::size_t k = bucket_start_[at]; k < bucket_start_[at + 1]; ++k) {
       const std::size_t j = members_[k];
-      if (cells_[j] != cell || (cell.level == cells_[i].level && j <= i)) continue;
-      if (!overlap(boxes_[i], boxes_[j]) || is_empty(boxes_[j])) continue;
-      found.push_back(pair_of(std::min(i, j), std::max(i, j)));
+      if (cells_[j] == cell && overlap(box, boxes_[j]) && !is_empty(boxes_[j])) visit(j);
     }
+  }
+
+  void append_partners(std::size_t i, int level, Pairs& found) const {
+    visit_overlapping(boxes_[i], level, [&](std::size_t j) {
+      if (level > cells_[i].level || j > i) found.push_back(pair_of(std::min(i, j), std::max(i, j)));
+    });
+  }
+
+  // On all levels; the boxes of a cell start in it, so those of one cell before the box can reach into it too.
+  [[nodiscard]] double cells_reached_by(const Box& box) const {
+    double cells = 0;
+    for (int level = 0; level < level_count; ++level) {
+      if (!level_used_[static_cast<std::size_t>(level)]) continue;
+      const Vec2 across = (box.upper - box.lower) / std::ldexp(smallest_cell_, level) + Vec2::Constant(2);
+      cells += across.x() * across.y();
+    }
+    return cells;
+  }
+
+  [[nodiscard]] std::vector<int> look_at_all(const Box& box) const {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (overlap(box, boxes_[i]) && !is_empty(boxes_[i])) found.push_back(static_cast<int>(i));
+    return found;
   }
 
   std::span<const Box> boxes_;
   std::size_t bucket_mask_;
-  Vec2 origin_ = Vec2::Zero();
+  Box bounds_;  // of all boxes
   double smallest_cell_ = 1;
   std::vector<Cell> cells_;
   std::vector<std::size_t> bucket_start_;  // bucket b holds members_[bucket_start_[b]] up to bucket_start_[b + 1]
@@ -158,5 +193,18 @@ std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
   constexpr std::size_t few = 32;  // where comparing all is quicker than building a grid
   return boxes.size() <= few ? brute_force(boxes) : GridLevels(boxes).pairs();
 }
+
+struct BoxIndex::Levels {
+  explicit Levels(std::vector<Box> given) : boxes(std::move(given)), grid(boxes) {}
+
+  std::vector<Box> boxes;
+  GridLevels grid;
+};
+
+BoxIndex::BoxIndex(std::vector<Box> boxes) : levels_(std::make_unique<const Levels>(std::move(boxes))) {}
+
+BoxIndex::~BoxIndex() = default;
+
+std::vector<int> BoxIndex::overlapping(const Box& box) const { return levels_->grid.overlapping(box); }
 
 }  // namespace dda

@@ -104,6 +104,37 @@ RC_GTEST_PROP(OverlappingPairsProperty, AgreesWithBruteForce, ()) {
   RC_ASSERT(overlapping_pairs(boxes) == brute_force(boxes));
 }
 
+std::vector<int> all_overlapping(const std::vector<Box>& boxes, const Box& wanted) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!is_empty(boxes[i]) && overlap(boxes[i], wanted)) found.push_back(static_cast<int>(i));
+  return found;
+}
+
+TEST(BoxIndex, OddQuestions) {
+  const double far = 1e300;
+  const double nan = std::nan("");
+  EXPECT_TRUE(BoxIndex({}).overlapping({{-far, -far}, {far, far}}).empty());
+  EXPECT_TRUE(BoxIndex({Box{}, Box{}}).overlapping({{-far, -far}, {far, far}}).empty());
+  const BoxIndex index(tiling(40, 30));
+  EXPECT_EQ(index.overlapping({{-far, -far}, {far, far}}).size(), 1200u);
+  EXPECT_TRUE(index.overlapping({{far, far}, {far, far}}).empty());
+  EXPECT_TRUE(index.overlapping({{nan, 1}, {nan, 1}}).empty());
+  EXPECT_TRUE(index.overlapping({}).empty());
+  EXPECT_EQ(index.overlapping({{0.05, 0.05}, {0.05, 0.05}}), std::vector<int>{0});
+}
+
+RC_GTEST_PROP(BoxIndexProperty, AgreesWithLookingAtAll, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+  const double decades = random::integer(0, 5);
+  const double extent = *rc::gen::elementOf(std::vector<double>{0, 0.01, 1, 10, 1000});
+  const std::vector<Box> boxes = random_boxes(seed, random::integer(0, 300), decades, extent, Vec2::Zero());
+  const BoxIndex index(boxes);
+  for (const Box& wanted : random_boxes(seed + 1, 20, decades, 1.2 * extent, Vec2(-0.1 * extent, -0.1 * extent)))
+    RC_ASSERT(index.overlapping(wanted) == all_overlapping(boxes, wanted));
+  for (const Box& own : boxes) RC_ASSERT(index.overlapping(own) == all_overlapping(boxes, own));
+}
+
 TEST(OverlappingPairs, ManyBoxesOfManySizesAreQuick) {
   // 200,000 boxes, sizes over four decades: all pairs would be 2e10 comparisons, about a minute.
   const std::vector<Box> boxes = random_boxes(1, 200'000, 4, 300, Vec2::Zero());

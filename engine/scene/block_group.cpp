@@ -1,5 +1,6 @@
 #include "engine/scene/block_group.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -27,8 +28,12 @@ Vec3 read_stress(const Field& field) {
 
 }  // namespace
 
+// Materials of a scene are the members of a JSON object, which come in the order of their names.
 int material_named(const Field& name, const Model& model) {
-  return static_cast<int>(name.choice(names_of(model.materials)));
+  const auto found = std::ranges::lower_bound(model.materials, name.text(), {}, &Material::name);
+  if (found != model.materials.end() && found->name == name.text())
+    return static_cast<int>(found - model.materials.begin());
+  return static_cast<int>(name.choice(names_of(model.materials)));  // throws, as none is it
 }
 
 BlockGroup read_group(const Field& field, std::string default_name, const Model& model) {

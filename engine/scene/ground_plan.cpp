@@ -18,14 +18,22 @@ double probing_distance(const Model& model, const std::vector<int>& candidates) 
   return std::max(1e-3 * std::sqrt(least_area), 10 * model.length_tolerance);
 }
 
+std::vector<Box> boxes_of(const std::vector<Block>& blocks) {
+  std::vector<Box> boxes;
+  boxes.reserve(blocks.size());
+  for (const Block& block : blocks) boxes.push_back(bounding_box(block.shape));
+  return boxes;
+}
+
 }  // namespace
 
-GroundPlan::GroundPlan(const Model& model) : model_(&model), tolerance_(point_tolerance(model)) {
-  boxes_.reserve(model.blocks.size());
-  for (const Block& block : model.blocks) {
-    boxes_.push_back(bounding_box(block.shape));
-    box_ = expanded(expanded(box_, boxes_.back().lower), boxes_.back().upper);
-  }
+GroundPlan::GroundPlan(const Model& model)
+    : model_(&model),
+      names_(model.blocks),
+      boxes_(boxes_of(model.blocks)),
+      index_(boxes_),
+      tolerance_(point_tolerance(model)) {
+  for (const Box& box : boxes_) box_ = expanded(expanded(box_, box.lower), box.upper);
 }
 
 bool GroundPlan::holds(int block, const Vec2& point, double tolerance) const {
@@ -35,9 +43,8 @@ bool GroundPlan::holds(int block, const Vec2& point, double tolerance) const {
 
 std::vector<int> GroundPlan::blocks_at(const Vec2& point) const {
   std::vector<int> found;
-  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
+  for (const int block : index_.overlapping(expanded(Box{point, point}, 2 * tolerance_)))
     if (holds(block, point, tolerance_)) found.push_back(block);
-  }
   return found;
 }
 
@@ -65,8 +72,7 @@ void GroundPlan::append_stretches(const Ring& ring, int block, const Segment& li
 std::vector<Stretch> GroundPlan::stretches_along(const Segment& line) const {
   const Box line_box = expanded(expanded(expanded(Box{}, line.start), line.end), tolerance_);
   std::vector<Stretch> found;
-  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
-    if (!overlap(boxes_[at(block)], line_box)) continue;
+  for (const int block : index_.overlapping(line_box)) {
     const Polygon& shape = model_->blocks[at(block)].shape;
     append_stretches(shape.outer, block, line, found);
     for (const Ring& hole : shape.holes) append_stretches(hole, block, line, found);
@@ -95,8 +101,7 @@ std::vector<Passage> GroundPlan::passages_of(const Segment& line) const {
   const Vec2 along = (line.end - line.start) / length;
   const Box line_box = expanded(expanded(expanded(Box{}, line.start), line.end), tolerance_);
   std::vector<Passage> passages;
-  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
-    if (!overlap(boxes_[at(block)], line_box)) continue;
+  for (const int block : index_.overlapping(line_box)) {
     const Polygon& shape = model_->blocks[at(block)].shape;
     std::vector<double> cuts{0, length};
     append_crossings(shape.outer, line, along, cuts);
@@ -112,13 +117,6 @@ std::vector<Passage> GroundPlan::passages_of(const Segment& line) const {
   }
   std::sort(passages.begin(), passages.end(), [](const Passage& a, const Passage& b) { return a.from < b.from; });
   return passages;
-}
-
-std::optional<int> GroundPlan::block_named(const std::string& name) const {
-  for (int block = 0; block < static_cast<int>(boxes_.size()); ++block) {
-    if (model_->blocks[at(block)].name == name) return block;
-  }
-  return {};
 }
 
 }  // namespace dda

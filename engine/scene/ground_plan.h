@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "engine/geometry/box.h"
+#include "engine/geometry/box_pairs.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/model.h"
+#include "engine/scene/names.h"
 
 namespace dda {
 
@@ -47,15 +49,17 @@ class GroundPlan {
   // Of all blocks.
   [[nodiscard]] const Box& box() const { return box_; }
 
-  // The index of the block called `name`.
-  [[nodiscard]] std::optional<int> block_named(const std::string& name) const;
+  // Of the blocks.
+  [[nodiscard]] const Names& names() const { return names_; }
 
  private:
   [[nodiscard]] bool holds(int block, const Vec2& point, double tolerance) const;
   void append_stretches(const Ring& ring, int block, const Segment& line, std::vector<Stretch>& found) const;
 
   const Model* model_;
+  Names names_;
   std::vector<Box> boxes_;  // of the blocks
+  BoxIndex index_;
   Box box_;
   double tolerance_;
 };

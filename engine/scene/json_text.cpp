@@ -18,24 +18,36 @@ namespace {
 using nlohmann::json;
 
 // Deeper than any scene; keeps recursive walks over the document off the end of the stack.
-constexpr int deepest_nesting = 32;
+constexpr std::size_t deepest_nesting = 32;
 
-// Follows the parser through the document: where it is, and which keys the open objects have had.
+// Follows the parser through the document: where it is, and which keys the open objects have had. The names of the
+// functions are those that the library calls; all go on by returning true. (The library's parser with a callback would
+// do for less, but it looks through all items before at the end of each.)
 class Tracker {
  public:
-  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    using Event = json::parse_event_t;
-    if (event == Event::key) {
-      take_key(parsed.get_ref<const std::string&>());
-    } else if (event == Event::object_start || event == Event::array_start) {
-      open(depth, event == Event::array_start);
-    } else if (event == Event::object_end || event == Event::array_end) {
-      levels_.pop_back();
-      next_item();
-    } else {
-      next_item();
-    }
+  bool null() { return next_item(); }
+  bool boolean(bool) { return next_item(); }
+  bool number_integer(json::number_integer_t) { return next_item(); }
+  bool number_unsigned(json::number_unsigned_t) { return next_item(); }
+  bool number_float(json::number_float_t, const std::string&) { return next_item(); }
+  bool string(const std::string&) { return next_item(); }
+  bool binary(const json::binary_t&) { return next_item(); }
+  bool start_object(std::size_t) { return open(false); }
+  bool start_array(std::size_t) { return open(true); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(const std::string& key) {
+    Level& level = levels_.back();
+    level.key = key;
+    level.has_key = true;
+    if (!level.keys.insert(key).second) throw InputError("", path(), "given twice", "each key once in an object");
     return true;
+  }
+
+  template <typename Error>
+  bool parse_error(std::size_t, const std::string&, const Error& error) {
+    throw error;
   }
 
   [[nodiscard]] std::string path() const {
@@ -59,22 +71,22 @@ class Tracker {
     std::set<std::string> keys;
   };
 
-  void open(int depth, bool is_array) {
-    if (depth >= deepest_nesting) {
+  bool open(bool is_array) {
+    if (levels_.size() >= deepest_nesting) {
       throw InputError("", path().substr(0, 80), "nested too deep", fmt::format("at most {} levels", deepest_nesting));
     }
     levels_.emplace_back().is_array = is_array;
+    return true;
   }
 
-  void next_item() {
+  bool close() {
+    levels_.pop_back();
+    return next_item();
+  }
+
+  bool next_item() {
     if (!levels_.empty() && levels_.back().is_array) ++levels_.back().index;
-  }
-
-  void take_key(const std::string& key) {
-    Level& level = levels_.back();
-    level.key = key;
-    level.has_key = true;
-    if (!level.keys.insert(key).second) throw InputError("", path(), "given twice", "each key once in an object");
+    return true;
   }
 
   std::vector<Level> levels_;
@@ -153,9 +165,8 @@ nlohmann::json parse_json(std::string_view text) {
   }
   Tracker tracker;
   try {
-    return json::parse(text, [&tracker](int depth, json::parse_event_t event, const json& parsed) {
-      return tracker(depth, event, parsed);
-    });
+    json::sax_parse(text, &tracker);
+    return json::parse(text);
   } catch (const json::parse_error& error) {
     throw_syntax_error(text, error, tracker);
   } catch (const json::out_of_range& error) {

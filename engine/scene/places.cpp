@@ -94,24 +94,9 @@ ExponentialDecay read_decay(const Field& field) {
 
 }  // namespace
 
-int read_block_name(const Field& field, const GroundPlan& plan, const Model& model) {
-  if (const auto block = plan.block_named(field.text())) return *block;
-  std::vector<std::string> names;
-  for (const Block& block : model.blocks) names.push_back(block.name);
-  return static_cast<int>(field.choice(names));  // throws, as none is it
-}
+int read_joint_reference(const Field& field, const Model& model) { return Names(model.joints).choice(field); }
 
-int read_joint_reference(const Field& field, const Model& model) {
-  std::vector<std::string> names;
-  for (const JointMaterial& joint : model.joints) names.push_back(joint.name);
-  return static_cast<int>(field.choice(names));
-}
-
-int read_stage_reference(const Field& field, const Model& model) {
-  std::vector<std::string> names;
-  for (const Stage& stage : model.stages) names.push_back(stage.name);
-  return static_cast<int>(field.choice(names));
-}
+int read_stage_reference(const Field& field, const Model& model) { return Names(model.stages).choice(field); }
 
 std::string listed(const std::vector<int>& blocks, const Model& model) {
   constexpr std::size_t most_listed = 4;
@@ -128,7 +113,7 @@ PlacedPoint read_point(const Field& owner, const GroundPlan& plan, const Model& 
   const std::vector<int> blocks = plan.blocks_at(point);
   if (blocks.empty()) field.fail(written(point) + " and outside all blocks", "a point of a block; " + extent(plan));
   if (const auto name = owner.find("block")) {
-    const int block = read_block_name(*name, plan, model);
+    const int block = plan.names().choice(*name);
     if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return {block, point};
     name->fail("a block at " + written(point) + ": " + listed(blocks, model));
   }
@@ -148,10 +133,10 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
 
 namespace {
 
-void keep_named_block(const Field& owner, const GroundPlan& plan, const Model& model, std::vector<Stretch>& stretches) {
+void keep_named_block(const Field& owner, const GroundPlan& plan, std::vector<Stretch>& stretches) {
   const auto name = owner.find("block");
   if (!name) return;
-  keep_only(read_block_name(*name, plan, model), stretches);
+  keep_only(plan.names().choice(*name), stretches);
   if (stretches.empty()) name->fail("a block with a side along this edge");
 }
 
@@ -159,7 +144,7 @@ std::vector<Stretch> read_straight_edge(const Field& owner, const GroundPlan& pl
   const Field field = owner.at("edge");
   const Segment line = read_line(field, plan);
   std::vector<Stretch> stretches = plan.stretches_along(line);
-  keep_named_block(owner, plan, model, stretches);
+  keep_named_block(owner, plan, stretches);
   if (stretches.empty()) field.fail("a line along the side of a block; " + extent(plan));
   if (const auto both = doubly_covered(stretches, line, point_tolerance(model))) {
     field.fail("a line outside of joints, or \"block\" to say which side: " +
@@ -185,7 +170,7 @@ std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const
   const bool cavity = !field.is_text() && field.has("cavity");
   if (!outside && !cavity) return read_straight_edge(owner, plan, model);
   std::vector<Stretch> stretches = outside ? outer_rings(free_rings(model)) : read_cavity(field, plan, model);
-  keep_named_block(owner, plan, model, stretches);
+  keep_named_block(owner, plan, stretches);
   if (stretches.empty()) field.fail("blocks with an outline that closes");
   return stretches;
 }

@@ -29,9 +29,6 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
 // meant.
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model);
 
-// The index of the block that `field` names.
-int read_block_name(const Field& field, const GroundPlan& plan, const Model& model);
-
 // The index of the joint that `field` names.
 int read_joint_reference(const Field& field, const Model& model);
 

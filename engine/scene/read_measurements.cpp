@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "engine/core/error.h"
 #include "engine/scene/places.h"
@@ -39,7 +41,7 @@ int block_on_side(const Field& field, const PlacedPoint& at, const std::vector<i
 }
 
 void place_at_centroid(const Field& field, const GroundPlan& plan, const Model& model, Measurement& measurement) {
-  measurement.block = read_block_name(field.at("block"), plan, model);
+  measurement.block = plan.names().choice(field.at("block"));
   measurement.point = model.blocks[static_cast<std::size_t>(measurement.block)].moments.centroid;
 }
 
@@ -71,12 +73,10 @@ void place_on_joint(const Field& field, const GroundPlan& plan, const Model& mod
 }
 
 // The link nearest to the point, where one is given.
-void place_on_bolt(const Field& field, const Model& model, Measurement& measurement) {
+void place_on_bolt(const Field& field, const Names& bolts, const Model& model, Measurement& measurement) {
   refuse(field, {"block", "side"}, "for a bolt");
-  std::vector<std::string> names;
-  for (const Bolt& bolt : model.bolts) names.push_back(bolt.name);
-  if (names.empty()) field.at("bolt").fail("the name of a bolt, of which there is none");
-  measurement.bolt = static_cast<int>(field.at("bolt").choice(names));
+  if (model.bolts.empty()) field.at("bolt").fail("the name of a bolt, of which there is none");
+  measurement.bolt = bolts.choice(field.at("bolt"));
   const auto point = field.find("point");
   if (!point) return;
   measurement.point = point->vector(Dimension::length);
@@ -89,34 +89,41 @@ void place_on_bolt(const Field& field, const Model& model, Measurement& measurem
   measurement.link = static_cast<int>(nearest - links.begin());
 }
 
-bool is_taken(const std::string& name, const Model& model) {
-  return std::any_of(model.measurements.begin(), model.measurements.end(),
-                     [&](const Measurement& measurement) { return measurement.name == name; });
-}
+// What measurements are called: by their names, and those without by the quantity, counted where it is taken.
+class MeasurementNames {
+ public:
+  std::string read(const Field& field) {
+    const auto name = field.find("name");
+    if (!name) return free_name(field.at("quantity").text());
+    const std::string given = name->name();
+    if (given == "time") name->fail("another name: the first column of the histories is called that");
+    if (!taken_.insert(given).second) name->fail("a name that no other measurement has");
+    return given;
+  }
 
-std::string free_name(const std::string& quantity, const Model& model) {
-  std::string name = quantity;
-  for (int i = 2; is_taken(name, model); ++i) name = fmt::format("{}_{}", quantity, i);
-  return name;
-}
+ private:
+  std::string free_name(const std::string& quantity) {
+    int& last = last_number_[quantity];
+    while (true) {
+      const std::string name = ++last == 1 ? quantity : fmt::format("{}_{}", quantity, last);
+      if (taken_.insert(name).second) return name;
+    }
+  }
 
-std::string read_name(const Field& field, const Model& model) {
-  const auto name = field.find("name");
-  if (!name) return free_name(field.at("quantity").text(), model);
-  if (name->name() == "time") name->fail("another name: the first column of the histories is called that");
-  if (is_taken(name->name(), model)) name->fail("a name that no other measurement has");
-  return name->name();
-}
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> last_number_;  // tried for each quantity: lower ones stay taken
+};
 
-void read_measurement(const Field& field, const GroundPlan& plan, Model& model) {
+void read_measurement(const Field& field, const GroundPlan& plan, const Names& bolts, MeasurementNames& names,
+                      Model& model) {
   Measurement measurement;
   measurement.quantity = static_cast<Quantity>(field.at("quantity").choice(quantity_names()));
-  measurement.name = read_name(field, model);
+  measurement.name = names.read(field);
   const bool of_bolt = measurement.quantity == Quantity::bolt_force || measurement.quantity == Quantity::bolt_shear ||
                        measurement.quantity == Quantity::bolt_elongation;
   if (!of_bolt) refuse(field, {"bolt"}, "for a quantity that is not of a bolt");
   if (of_bolt) {
-    place_on_bolt(field, model, measurement);
+    place_on_bolt(field, bolts, model, measurement);
   } else if (is_traction(measurement.quantity)) {
     place_on_joint(field, plan, model, measurement);
   } else {
@@ -130,7 +137,9 @@ void read_measurement(const Field& field, const GroundPlan& plan, Model& model) 
 void read_measurements(const Field& scene, const GroundPlan& plan, Model& model) {
   const auto measurements = scene.find("measurements");
   if (!measurements) return;
-  for (const Field& measurement : measurements->items()) read_measurement(measurement, plan, model);
+  const Names bolts(model.bolts);
+  MeasurementNames names;
+  for (const Field& measurement : measurements->items()) read_measurement(measurement, plan, bolts, names, model);
 }
 
 }  // namespace dda

@@ -1,0 +1,46 @@
+// Names of blocks, bolts, ... in the order of their indices, which are found without looking at all of them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/scene/field.h"
+
+namespace dda {
+
+class Names {
+ public:
+  Names() = default;
+
+  // Of things that have a member `name`.
+  template <typename Thing>
+  explicit Names(const std::vector<Thing>& things) {
+    for (const Thing& thing : things) add(thing.name);
+  }
+
+  // Of several things with one name the first is meant.
+  void add(const std::string& name) {
+    index_.emplace(name, list_.size());
+    list_.push_back(name);
+  }
+
+  [[nodiscard]] std::optional<int> find(const std::string& name) const {
+    const auto found = index_.find(name);
+    return found == index_.end() ? std::nullopt : std::optional(static_cast<int>(found->second));
+  }
+
+  // The index of the name that the field holds; fails with a list of all names where it is none of them.
+  [[nodiscard]] int choice(const Field& field) const {
+    if (const auto index = find(field.text())) return *index;
+    return static_cast<int>(field.choice(list_));
+  }
+
+ private:
+  std::vector<std::string> list_;
+  std::unordered_map<std::string, std::size_t> index_;
+};
+
+}  // namespace dda

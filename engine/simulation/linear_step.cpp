@@ -21,10 +21,11 @@ void unflatten(const Eigen::VectorXd& from, std::vector<Vec6>& per_block) {
   for (std::size_t i = 0; i < per_block.size(); ++i) per_block[i] = from.segment<6>(static_cast<Eigen::Index>(6 * i));
 }
 
-// Solves M a = force once, at the start of a stage.
+// Solves M a = force once, at the start of a stage. In meshes M couples neighbours, and its factor would fill in as that
+// of K does; conjugate gradients take a few iterations however many blocks there are.
 Eigen::VectorXd acceleration_of(const BlockMatrix& inertia, const Eigen::VectorXd& force) {
   Eigen::VectorXd acceleration = Eigen::VectorXd::Zero(force.size());
-  const std::unique_ptr<LinearSolver> solver = make_solver(SolverKind::cholesky);
+  const std::unique_ptr<LinearSolver> solver = make_solver(choose_solver({inertia.size(), inertia.couplings()}));
   solver->analyze(inertia);
   if (solver->factorize(inertia) == Status::ok && solver->solve(force, acceleration) == Status::ok) return acceleration;
   return Eigen::VectorXd::Constant(force.size(), std::numeric_limits<double>::quiet_NaN());

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -269,7 +270,12 @@ class Run {
 }  // namespace
 
 int run_scene(const RunOptions& options, std::ostream& out, std::ostream& errors) {
-  return Run(options).run(out, errors);
+  std::optional<Run> run;
+  {
+    const PassingLine line("reading and setting up " + options.scene.string(), options.quiet ? nullptr : terminal());
+    run.emplace(options);
+  }
+  return run->run(out, errors);
 }
 
 }  // namespace dda

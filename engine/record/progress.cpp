@@ -24,6 +24,14 @@ double steady_seconds() {
 
 std::ostream* terminal() { return ::isatty(STDERR_FILENO) == 1 ? &std::cerr : nullptr; }
 
+PassingLine::PassingLine(const std::string& text, std::ostream* output) : output_(output) {
+  if (output_ != nullptr) *output_ << text << std::flush;
+}
+
+PassingLine::~PassingLine() {
+  if (output_ != nullptr) *output_ << '\r' << clear_to_end << std::flush;
+}
+
 Progress::Progress(double start_time, double end_time, std::ostream* output, Clock clock)
     : output_(output),
       clock_(clock ? std::move(clock) : Clock(steady_seconds)),
@@ -32,6 +40,7 @@ Progress::Progress(double start_time, double end_time, std::ostream* output, Clo
   if (output_ == nullptr) return;
   began_ = clock_();
   next_ = began_ + interval;
+  draw(began_, start_time_, 0);
 }
 
 Progress::~Progress() { end_line(); }

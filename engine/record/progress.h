@@ -12,13 +12,26 @@ namespace dda {
 // Standard error when it is a terminal, else nullptr.
 std::ostream* terminal();
 
+// A line that says what goes on while there is no progress to show yet, and is gone with this object.
+class PassingLine {
+ public:
+  explicit PassingLine(const std::string& text, std::ostream* output = terminal());
+  ~PassingLine();
+  PassingLine(const PassingLine&) = delete;
+  PassingLine& operator=(const PassingLine&) = delete;
+
+ private:
+  std::ostream* output_;
+};
+
 // One line that is drawn over: a bar, per cent, simulated time, steps per second and the time left at that pace. Drawn
 // at most ten times a second; update() costs one look at the clock, and nothing without an output.
 class Progress {
  public:
   using Clock = std::function<double()>;  // s, from any origin
 
-  // From `start_time` to `end_time`, in s of the simulation. No `output`: does nothing. No `clock`: steady_clock.
+  // From `start_time` to `end_time`, in s of the simulation. No `output`: does nothing. No `clock`: steady_clock. Draws
+  // at once, as the first step may take long.
   Progress(double start_time, double end_time, std::ostream* output = terminal(), Clock clock = nullptr);
 
   // Ends the line if it was begun.

@@ -21,8 +21,8 @@ void unflatten(const Eigen::VectorXd& from, std::vector<Vec6>& per_block) {
   for (std::size_t i = 0; i < per_block.size(); ++i) per_block[i] = from.segment<6>(static_cast<Eigen::Index>(6 * i));
 }
 
-// Solves M a = force once, at the start of a stage. In meshes M couples neighbours, and its factor would fill in as that
-// of K does; conjugate gradients take a few iterations however many blocks there are.
+// Solves M a = force once, at the start of a stage. In meshes M couples neighbours, and its factor would fill in as
+// that of K does; conjugate gradients take a few iterations however many blocks there are.
 Eigen::VectorXd acceleration_of(const BlockMatrix& inertia, const Eigen::VectorXd& force) {
   Eigen::VectorXd acceleration = Eigen::VectorXd::Zero(force.size());
   const std::unique_ptr<LinearSolver> solver = make_solver(choose_solver({inertia.size(), inertia.couplings()}));

@@ -156,7 +156,7 @@ void measure(const InterfaceElement& element, double distance, InterfaceState& s
     state.status[0] = ContactStatus::open;
     state.gap(1) = 0;
     state.seat[0] = std::min(0.0, distance - state.dilation[0]);
-    if (state.seat[0] < 0) state.gap(0) = 0;
+    state.gap(0) = distance - state.held_open(0);
   } else if (state.status[0] == ContactStatus::open) {
     state.status[0] = ContactStatus::locked;
   }

@@ -267,6 +267,69 @@ TEST(MovingContacts, HistoryGoesOnOverAJointOfTheFloor) {
   EXPECT_EQ(contacts.states[under_the_tip()].gap(1), 1e-7);
 }
 
+// Whatever the choice of contacts, the one that comes from nowhere does not press at once.
+TEST(MovingContacts, AContactFromNowhereBringsNoForce) {
+  Model model = model_of({{box_ring(0, 0, 3, 1), {}}, {box_ring(0.5, 1.1, 1.5, 2), {}}});
+  model.joints = {joint_of(0)};
+  ContactSet contacts = make_contacts(model);
+  State state = initial_state(model);
+  MovingContacts moving(model, state, contacts);
+  const auto go_to_depth = [&](double depth) {
+    const double motion = -0.1 - depth - state.displacement[1](1);
+    state.displacement[1](1) += motion;
+    for (InterfaceState& each : contacts.states) each.gap(0) += motion;  // as a step leaves it
+    moving.follow(model, state, contacts);
+    ASSERT_EQ(contacts.states.size(), 2U);
+  };
+  go_to_depth(1e-3);
+  for (const InterfaceState& each : contacts.states) EXPECT_EQ(each.force(0), 0);
+  go_to_depth(1.1e-3);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(contacts.states[i].force(0), -1e-4 * contacts.elements[i].stiffness(0),
+                1e-11 * contacts.elements[i].stiffness(0))
+        << "of what came since";
+  for (const double depth : {0.7e-3, 0.4e-3}) {
+    go_to_depth(depth);
+    for (const InterfaceState& each : contacts.states) EXPECT_EQ(each.force(0), 0) << "it does not push out";
+  }
+  go_to_depth(0.5e-3);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(contacts.states[i].force(0), -1e-4 * contacts.elements[i].stiffness(0),
+                1e-11 * contacts.elements[i].stiffness(0))
+        << "closes where it has come out to";
+  go_to_depth(-1e-3);
+  go_to_depth(1e-4);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(contacts.states[i].force(0), -1e-4 * contacts.elements[i].stiffness(0),
+                1e-11 * contacts.elements[i].stiffness(0))
+        << "all of it once it has been open";
+}
+
+// The next block of the floor stands higher by a ledge that the tip was not lifted over.
+TEST(MovingContacts, AHandoverPressesNoMoreThanTheMotion) {
+  constexpr double ledge = 4e-6;
+  Model model =
+      model_of({{box_ring(0, 0, 2, 1), {}}, {box_ring(2, 0, 4, 1), {}}, {{{1.9, 1}, {2.4, 2}, {1.4, 2}}, {}}});
+  model.joints = {joint_of(0)};
+  ContactSet contacts = make_contacts(model);
+  State state = initial_state(model);
+  state.displacement[1](1) = ledge;
+  MovingContacts moving(model, state, contacts);
+  const auto under_the_tip = [&] {
+    std::size_t found = 0;
+    while (contacts.interfaces.at(found).block_b != 2) ++found;
+    return found;
+  };
+  state.displacement[2](1) = -1e-6;
+  moving.follow(model, state, contacts);
+  const double before = contacts.states[under_the_tip()].force(0);
+  ASSERT_NEAR(before, -1e-6 * contacts.elements[under_the_tip()].stiffness(0), 1e-3);
+  state.displacement[2](0) = 0.2;
+  moving.follow(model, state, contacts);
+  ASSERT_EQ(contacts.interfaces[under_the_tip()].block_a, 1);
+  EXPECT_NEAR(contacts.states[under_the_tip()].force(0), before, 1e-3 * std::abs(before));
+}
+
 // Dilation may lift a block higher than contacts are looked for otherwise.
 TEST(MovingContacts, ALiftedContactIsNotLost) {
   Scene scene(3);

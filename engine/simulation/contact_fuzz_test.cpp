@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -165,17 +164,80 @@ int faults(std::uint64_t first, int count) {
     ++wrong;
     std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed), fault.c_str());
   }
-  std::printf("largest gain %.2g\n", worst_gain);
+  std::printf("largest gain of energy: %.2g of what there was\n", worst_gain);
   return wrong;
 }
 
-// DDA_FUZZ=COUNT takes as many scenes from another seed on.
-TEST(ContactFuzz, RandomRockGainsNothingAndDoesNotStop) {
-  if (const char* count = std::getenv("DDA_FUZZ")) {
-    EXPECT_EQ(faults(1000, std::atoi(count)), 0);
-    return;
+TEST(ContactFuzz, RandomRockGainsNothingAndDoesNotStop) { EXPECT_EQ(faults(1, 40), 0); }
+
+TEST(ContactFuzz, DISABLED_HundredsOfScenes) { EXPECT_EQ(faults(1000, 500), 0); }
+
+// ---- The same scene seen from elsewhere.
+
+struct View {
+  Mat2 turn = Mat2::Identity();  // a reflection where its determinant is negative
+  Vec2 shift = Vec2::Zero();     // m
+  double scale = 1;              // of lengths and times: speeds and stresses stay
+  bool renumbered = false;
+};
+
+Model seen(Model model, const View& view) {
+  const bool mirrored = cross(view.turn.col(0), view.turn.col(1)) < 0;
+  for (Block& block : model.blocks) {
+    for (Vec2& vertex : block.shape.outer) vertex = view.scale * (view.turn * vertex) + view.shift;
+    block.initial_velocity = view.turn * block.initial_velocity;
+    if (mirrored) std::reverse(block.shape.outer.begin(), block.shape.outer.end());
+    if (view.renumbered) std::rotate(block.shape.outer.begin(), block.shape.outer.begin() + 1, block.shape.outer.end());
   }
-  EXPECT_EQ(faults(1, 40), 0);
+  model.gravity = view.turn * model.gravity / view.scale;
+  for (Stage& stage : model.stages) {
+    stage.dt *= view.scale;
+    stage.duration *= view.scale;
+  }
+  if (!view.renumbered) return model;
+  std::reverse(model.blocks.begin(), model.blocks.end());
+  for (HeldBlock& held : model.held_blocks) held.block = static_cast<int>(model.blocks.size()) - 1 - held.block;
+  return model;
+}
+
+// Displacements of the centroids as the scene that is not seen from elsewhere has them, m.
+std::vector<Vec2> displacements(const Model& model, const View& view) {
+  Simulation simulation = simulation_of(seen(model, view));
+  run(simulation, 60);
+  std::vector<Vec2> all;
+  for (const Vec6& each : simulation.state().displacement)
+    all.emplace_back(view.turn.transpose() * each.head<2>() / view.scale);
+  if (view.renumbered) std::reverse(all.begin(), all.end());
+  return all;
+}
+
+// Coordinates a few metres from the origin are rounded by 4e-16 m, 1e-8 of a gap of 5e-8 m, and each impact multiplies
+// that; so only scenes of few blocks, which meet a few times.
+TEST(ContactFuzz, MotionDoesNotDependOnTheView) {
+  Mat2 mirror = Mat2::Identity();
+  mirror(0, 0) = -1;
+  const std::vector<View> views = {{Mat2::Identity(), {3, -2}},
+                                   {rotation(0.7), {0, 0}},
+                                   {mirror, {0, 0}},
+                                   {Mat2::Identity(), {0, 0}, 1000},
+                                   {Mat2::Identity(), {0, 0}, 1, true},
+                                   {rotation(-2) * mirror, {1e-3, 1e-3}, 1e-3, true}};
+  int scenes = 0;
+  for (std::uint64_t seed = 1; scenes < 12; ++seed) {
+    const Model model = random_scene(seed);
+    if (model.blocks.size() != 2) continue;
+    ++scenes;
+    const std::vector<Vec2> expected = displacements(model, {});
+    double largest = 0;
+    for (const Vec2& each : expected) largest = std::max(largest, each.norm());
+    for (std::size_t view = 0; view < views.size(); ++view) {
+      const std::vector<Vec2> actual = displacements(model, views[view]);
+      double difference = 0;
+      for (std::size_t i = 0; i < actual.size(); ++i)
+        difference = std::max(difference, (actual[i] - expected[i]).norm());
+      EXPECT_LT(difference, 1e-6 * largest) << "seed " << seed << ", view " << view;
+    }
+  }
 }
 
 }  // namespace

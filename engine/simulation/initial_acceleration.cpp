@@ -15,7 +15,8 @@ constexpr double pressing = 1e-9;
 // Stiffness of a block's contacts times dt^2 over its mass from which on a step does not resolve how they let go.
 constexpr double unresolved = 1;
 
-// What contacts without a bond that press by more than `negligible` (N per m of thickness) hold each block with.
+// What contacts without a bond that press by more than `negligible` (N per m of thickness) hold each block with: where
+// they slide, their normal springs alone.
 std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing, const BlockSystem& system,
                                                 double negligible) {
   std::vector<Mat6> stiffness(system.terms.area.size(), Mat6::Zero());
@@ -23,10 +24,14 @@ std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing
     const auto i = static_cast<std::size_t>(index);
     const InterfaceElement& element = system.contacts.elements[i];
     const InterfaceState& state = system.contacts.states[i];
-    const auto pressed = [&](std::size_t end) {
-      return state.broken[end] && state.force(static_cast<Eigen::Index>(2 * end)) < -negligible ? 1.0 : 0.0;
-    };
-    const InterfaceMatrices k = stiffness_of(element, Vec4(pressed(0), pressed(0), pressed(1), pressed(1)));
+    Vec4 held = Vec4::Zero();
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto normal = static_cast<Eigen::Index>(2 * end);
+      if (!state.broken[end] || state.force(normal) >= -negligible) continue;
+      held(normal) = 1;
+      if (state.status[end] != ContactStatus::sliding) held(normal + 1) = 1;
+    }
+    const InterfaceMatrices k = stiffness_of(element, held);
     stiffness[static_cast<std::size_t>(element.block_a)] += k.aa;
     stiffness[static_cast<std::size_t>(element.block_b)] += k.bb;
   }

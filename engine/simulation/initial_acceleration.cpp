@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cstddef>
 
+#include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step.h"
 
 namespace dda {
@@ -11,6 +12,9 @@ namespace {
 // Contacts press when their force is more than this share of the largest force out of balance: blocks that just touch
 // do not.
 constexpr double pressing = 1e-9;
+
+// Motion in a step, in the block's own size, that an acceleration must stand for before it can do harm.
+constexpr double harmful = 1e-4;
 
 // Stiffness of a block's contacts times dt^2 over its mass from which on a step does not resolve how they let go.
 constexpr double unresolved = 1;
@@ -48,10 +52,13 @@ void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& sys
   for (std::size_t i = 0; i < system.state.acceleration.size(); ++i) {
     const Inertia& inertia = system.terms.inertia[i];
     if (inertia.mass == 0) continue;  // held
-    Mat6 resistance = mass_matrix(inertia);
+    const Mat6 mass = mass_matrix(inertia);
+    const auto force = unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i));
+    Vec6& acceleration = system.state.acceleration[i];
+    acceleration = mass.llt().solve(force);
     const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;
-    if (chi > unresolved) resistance += dt * dt * stiffness[i];
-    system.state.acceleration[i] = resistance.llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
+    if (chi <= unresolved || motion_share(dt * dt * acceleration, system.terms.area[i]) <= harmful) continue;
+    acceleration = (mass + dt * dt * stiffness[i]).llt().solve(force);
   }
 }
 

@@ -250,6 +250,17 @@ bool is_far(const Outlines& outlines, const Expected& expected) {
   return !overlap(near, expanded(Box{}, outlines.current[static_cast<std::size_t>(expected.vertex)]));
 }
 
+// A vertex whose own faces look the way the edge looks lies behind the edge's block: it cannot come in through the
+// edge.
+bool looks_the_same_way(const Outlines& outlines, const Expected& expected) {
+  const auto normal = [&](int edge) {
+    const Vec2 along = outlines.along(edge).normalized();
+    return Vec2(along.y(), -along.x());
+  };
+  const int before = outlines.previous[static_cast<std::size_t>(expected.vertex)];
+  return normal(expected.edge).dot(normal(expected.vertex) + normal(before)) >= 0;
+}
+
 bool same(const VertexContact& contact, const Expected& expected) {
   return contact.edge == expected.edge && contact.vertex == expected.vertex;
 }
@@ -279,6 +290,7 @@ RC_GTEST_PROP(VertexContactProperty, EveryContactOfTheOracleIsFoundOrANearerOne,
   const std::vector<VertexContact> found = contacts_of(outlines);
   for (const Expected& expected : expectations(outlines)) {
     if (expected.margin < 1e-9 || expected.gap < 0 || is_far(outlines, expected)) continue;
+    if (looks_the_same_way(outlines, expected)) continue;
     const bool covered = std::any_of(found.begin(), found.end(), [&](const VertexContact& contact) {
       const bool same_vertex = contact.vertex == expected.vertex;
       const Vec2 apart = outlines.current[static_cast<std::size_t>(contact.vertex)] -

@@ -68,7 +68,7 @@ double ContactSearch::reach_of(std::size_t pair) const {
 void ContactSearch::forget_slowly() {
   const auto fade = [](double& each, double usual) { each = each > usual ? remembered * each : 0; };
   for (std::size_t i = 0; i < room_.size(); ++i) fade(room_[i], reach * sizes_[i]);
-  for (std::size_t k = 0; k < wider_.size(); ++k) fade(wider_[k], 0.0);
+  for (double& each : wider_) fade(each, 0.0);
 }
 
 bool ContactSearch::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {

@@ -9,7 +9,7 @@
 namespace dda {
 
 Vec2 point_inside(const Polygon& polygon) {
-  const Vec2 centroid = area_moments(polygon).centroid;
+  Vec2 centroid = area_moments(polygon).centroid;
   if (locate(polygon, centroid) == Location::inside) return centroid;
   std::vector<Vec2> vertices = polygon.outer;
   for (const Ring& hole : polygon.holes) vertices.insert(vertices.end(), hole.begin(), hole.end());

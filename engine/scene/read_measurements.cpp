@@ -95,7 +95,7 @@ class MeasurementNames {
   std::string read(const Field& field) {
     const auto name = field.find("name");
     if (!name) return free_name(field.at("quantity").text());
-    const std::string given = name->name();
+    std::string given = name->name();
     if (given == "time") name->fail("another name: the first column of the histories is called that");
     if (!taken_.insert(given).second) name->fail("a name that no other measurement has");
     return given;
@@ -105,7 +105,7 @@ class MeasurementNames {
   std::string free_name(const std::string& quantity) {
     int& last = last_number_[quantity];
     while (true) {
-      const std::string name = ++last == 1 ? quantity : fmt::format("{}_{}", quantity, last);
+      std::string name = ++last == 1 ? quantity : fmt::format("{}_{}", quantity, last);
       if (taken_.insert(name).second) return name;
     }
   }

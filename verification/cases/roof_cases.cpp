@@ -199,10 +199,10 @@ Outcome laminated_roof() {
         {fmt::format("coefficient of friction with which five beds of 0.5 m just stand, {} between beds",
                      smooth ? "none" : "the same"),
          "-", got.middle(), alone, "4 z/S of one bed, z = t (exact/voussoir_beam)", bracket_error(got, alone),
-         smooth ? 0.006 : 0.045,
+         smooth ? 0.006 : 0.08,
          smooth ? "bracket of 0.25 %, sag of 1 % of a bed at the limit: measured 0.2 %"
                 : "beds that hold each other carry part of the load as one thick bed, which has less thrust: there is "
-                  "no formula for it; measured 3.2 %"});
+                  "no formula for it; measured 6.1 %, 3.2 % where ends that only touch keep shear while joints stick"});
   }
   return outcome;
 }

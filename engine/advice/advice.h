@@ -61,7 +61,7 @@ struct Advice {
 
 Advice advise(const Simulation& simulation, const AdviceQuestion& question);
 
-// For people: all of it, and the few lines that `dda check` prints.
+// For people: all of it, and the lines that `dda check` prints.
 std::string to_text(const Advice& advice);
 std::vector<std::string> to_short_text(const Advice& advice);
 // For programs: SI units, errors relative; null where there is none.

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/advice/lattice_test_support.h"
 
@@ -45,7 +49,7 @@ TEST(WaveErrors, EveryCauseHasItsTerm) {
 }
 
 // What the correction of cubic joints takes out of the period error belongs to time: blocks are as they were, and the
-// rest is of fourth order, theta^4/10 or less (see engine/app/prediction_test.cpp).
+// rest is of fourth order, theta^4/10 or less.
 TEST(WaveErrors, CorrectedTimeStepsAreTime) {
   const Lattice lattice = lattice_of(row_of_blocks(bonded(InterfaceLaw::cubic)));
   const double frequency = continuum_speed(lattice.material, WaveKind::bar) / 20;
@@ -107,6 +111,36 @@ TEST(Advice, NamesTheLargestCause) {
   question.distance = 15;
   EXPECT_EQ(advise(bar(springs(2)), question).stages[0].waves[0].cause(), "interfaces");
   EXPECT_EQ(advise(bar(bonded(InterfaceLaw::consistent)), question).stages[0].waves[0].cause(), "block size");
+}
+
+std::vector<std::string> kinds_of_waves(const Model& model) {
+  AdviceQuestion question;
+  question.limits = false;
+  question.frequency = 50;
+  const Advice advice = advise(Simulation(model), question);
+  std::vector<std::string> kinds;
+  for (const WaveAdvice& wave : advice.stages.at(0).waves) kinds.push_back(wave.kind);
+  return kinds;
+}
+
+// Two narrow blocks beside each other on a wide one on a foot: all joints are level, but that is no bar.
+TEST(Advice, BranchesAreNoBar) {
+  Model branches;
+  branches.materials = {rock()};
+  branches.joints = {bonded(InterfaceLaw::consistent)};
+  for (const Ring& ring : {box_ring(0, 0, 3, 1), box_ring(0, 1, 3, 2), box_ring(0, 2, 1, 3), box_ring(2, 2, 3, 3)})
+    branches.blocks.emplace_back().shape.outer = ring;
+  const std::vector<std::string> kinds = kinds_of_waves(finished(std::move(branches)));
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), "bar"), 0);
+  EXPECT_GT(std::count(kinds.begin(), kinds.end(), "P"), 0);
+  EXPECT_GT(std::count(kinds.begin(), kinds.end(), "S"), 0);
+  EXPECT_EQ(kinds_of_waves(row_of_blocks(bonded(InterfaceLaw::consistent))), std::vector<std::string>{"bar"});
+}
+
+TEST(Advice, NoWavesInStaticStages) {
+  Model still = row_of_blocks(bonded(InterfaceLaw::consistent));
+  still.stages[0].integrator = static_integrator();
+  EXPECT_TRUE(kinds_of_waves(still).empty());
 }
 
 TEST(Advice, CountsWhatItCan) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <numbers>
 
 #include "engine/advice/advice.h"
 
@@ -129,6 +130,33 @@ void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
   for (const WaveAdvice& wave : stage.waves) add_wave(advice, wave, text);
 }
 
+void add_steady_in_short(const Advice& advice, const StageAdvice& stage, const WaveAdvice& wave,
+                         std::vector<std::string>& lines) {
+  const double frequency = *advice.frequency;
+  const double theta = 2 * std::numbers::pi * frequency * stage.dt;
+  lines.push_back(fmt::format("  {} wave in \"{}\", {}: {:.2f} m/s, wavelength {:.4g} m", wave.kind, wave.material,
+                              wave.direction_name, wave.speed, wave.wavelength));
+  lines.push_back(fmt::format("    block size/wavelength (eta) {:.3g} at {:.4g} m; omega dt (theta) {:.3g}",
+                              wave.block_size / wave.wavelength, wave.block_size, theta));
+  if (theta >= std::numbers::pi) {
+    lines.push_back(fmt::format("    less than two steps a period: no such wave can be stepped; take dt below {:.2g} s",
+                                1 / (20 * frequency)));
+  } else if (!wave.steady) {
+    lines.emplace_back("    blocks of this size do not carry it");
+  } else {
+    lines.push_back(fmt::format("    speed {}", split(wave.steady->speed)));
+    lines.push_back(fmt::format("    amplitude after {:.4g} m {}", wave.distance, split(wave.steady->amplitude)));
+  }
+}
+
+std::string history_in_short(const WaveAdvice& wave) {
+  const std::string which = fmt::format("  {} wave in \"{}\", {}", wave.kind, wave.material, wave.direction_name);
+  if (!wave.history) return which + ": does not arrive in its shape";
+  return fmt::format("{}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}", which, wave.history->place,
+                     percent(wave.history->speed.total()), percent(wave.history->amplitude.total()),
+                     percent(wave.history->arrival.peak), wave.cause());
+}
+
 }  // namespace
 
 std::string to_text(const Advice& advice) {
@@ -150,19 +178,14 @@ std::string to_text(const Advice& advice) {
 std::vector<std::string> to_short_text(const Advice& advice) {
   std::vector<std::string> lines;
   for (const StageAdvice& stage : advice.stages) {
-    const std::string where = advice.stages.size() > 1 ? fmt::format("stage \"{}\": ", stage.name) : "";
-    for (const WaveAdvice& wave : stage.waves) {
-      if (!wave.asked_history) continue;
-      if (!wave.history) {
-        lines.push_back(fmt::format("{}{} wave in \"{}\", {}: does not arrive in its shape", where, wave.kind,
-                                    wave.material, wave.direction_name));
-        continue;
-      }
-      lines.push_back(fmt::format(
-          "{}{} wave in \"{}\", {}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}", where, wave.kind,
-          wave.material, wave.direction_name, wave.history->place, percent(wave.history->speed.total()),
-          percent(wave.history->amplitude.total()), percent(wave.history->arrival.peak), wave.cause()));
-    }
+    if (stage.waves.empty()) continue;
+    lines.insert(lines.end(), {"", fmt::format("predicted for waves of {:.6g} Hz, stage \"{}\"; dda advise says more",
+                                               *advice.frequency, stage.name)});
+    for (const WaveAdvice& wave : stage.waves) add_steady_in_short(advice, stage, wave, lines);
+    if (!stage.waves.front().asked_history) continue;
+    lines.insert(lines.end(),
+                 {"", fmt::format("predicted for the whole history of the load, stage \"{}\"", stage.name)});
+    for (const WaveAdvice& wave : stage.waves) lines.push_back(history_in_short(wave));
   }
   return lines;
 }

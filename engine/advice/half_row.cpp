@@ -7,8 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include "engine/terms/load.h"
-
 namespace dda {
 namespace {
 
@@ -69,7 +67,7 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
   const Vec2 particles = polarization(kind, direction);
   HalfRow row;
   row.step_ = least_step(lattice, direction);
-  row.load_sharpening_ = whole.load_sharpening;
+  row.load_filter_ = whole.load_filter();
   std::vector<bool> present;
   for (const Vec2& offset : lattice.offsets) {
     const Layer layer = layer_of(offset.dot(direction), row.step_);
@@ -104,8 +102,7 @@ std::optional<HalfRow> HalfRow::make(const Lattice& lattice, const Stage& stage,
     // A unit traction on the end, and the traction that the layer before exerts, along the wave's motion.
     const double part = coupling.length / area;
     const Vec2 force = coupling.length * particles;
-    row.push_ += point_load(coupling.middle, force);
-    for (const ChainEnd& chain_end : first.chain_ends) row.push_ += end_load(chain_end, coupling.middle, force);
+    row.push_ += first.load(coupling.middle, force);
     const Vec2 tangent(-coupling.normal.y(), coupling.normal.x());
     const Vec2 weights(particles.dot(coupling.normal), particles.dot(tangent));
     row.traction_here_ += part * (coupling.traction_here.transpose() * weights);

@@ -14,8 +14,8 @@ class HalfRow {
 
   [[nodiscard]] double step() const { return step_; }  // m, thickness of a layer
 
-  // Of loads on the end, see cubic_law.h; 0 where the stage does not correct for dt.
-  [[nodiscard]] double load_sharpening() const { return load_sharpening_; }
+  // Of loads on the end, as a run applies them.
+  [[nodiscard]] const LoadFilter& load_filter() const { return load_filter_; }
 
   // Traction along the wave's motion at joint number `joint` (1: between the first two layers) over that on the end,
   // for s^2 = `square`; exp(-s x/c) in the continuum. `square` must not be that of a wave that runs without loss.
@@ -32,7 +32,7 @@ class HalfRow {
   Vec6 push_ = Vec6::Zero();
   Vec6 traction_here_ = Vec6::Zero(), traction_last_ = Vec6::Zero();
   double step_ = 0;
-  double load_sharpening_ = 0;
+  LoadFilter load_filter_;
 };
 
 }  // namespace dda

@@ -8,6 +8,7 @@
 
 #include "engine/contact/joint_stiffness.h"
 #include "engine/simulation/linear_operators.h"
+#include "engine/terms/load.h"
 
 namespace dda {
 namespace {
@@ -307,18 +308,17 @@ Lattice with_consistent_joints(const Lattice& lattice) {
   return result;
 }
 
+Vec6 LatticeMatrices::load(const Vec2& offset, const Vec2& force) const {
+  return point_load(offset, force) + waves.lever_correction(0, offset, force);
+}
+
 LatticeMatrices lattice_matrices(const Lattice& lattice, const Stage& stage, const std::vector<bool>& present) {
   const Model model = patch(lattice, stage, present);
   const ContactSet contacts = make_contacts(model);
   const BlockTerms terms = make_block_terms(model, stage);
-  const LinearOperators operators = make_linear_operators(model, model.stages.front(), terms, contacts, {});
-  LatticeMatrices matrices{operators.stiffness.diagonal(0),
-                           operators.inertia.diagonal(0),
-                           {},
-                           load_sharpening(model, model.stages.front(), contacts).front(),
-                           {}};
-  for (const ChainEnd& end : contacts.chain_ends)
-    if (end.block == 0) matrices.chain_ends.push_back(end);
+  const WaveCorrections waves(model, model.stages.front(), contacts);
+  const LinearOperators operators = make_linear_operators(model, terms, contacts, {}, waves);
+  LatticeMatrices matrices{operators.stiffness.diagonal(0), operators.inertia.diagonal(0), {}, waves};
   const Vec2& centroid = model.blocks.front().moments.centroid;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];

@@ -9,6 +9,7 @@
 #include "engine/contact/contact_set.h"
 #include "engine/geometry/polygon.h"
 #include "engine/model/model.h"
+#include "engine/waves/wave_corrections.h"
 
 namespace dda {
 
@@ -52,8 +53,11 @@ struct LatticeCoupling {
 struct LatticeMatrices {
   Mat6 stiffness, inertia;  // of the block with its part of the interfaces
   std::vector<LatticeCoupling> couplings;
-  double load_sharpening = 0;        // of loads on the block, see cubic_law.h
-  std::vector<ChainEnd> chain_ends;  // of the block, where neighbours were left out
+  WaveCorrections waves;  // of the block, its number 0, where neighbours may be left out
+
+  // The unknowns' share of a force (N) on the block, and how its history is filtered, as a run has it.
+  [[nodiscard]] Vec6 load(const Vec2& offset, const Vec2& force) const;
+  [[nodiscard]] LoadFilter load_filter() const { return waves.load_filter(0); }
 };
 
 // By the stage's inertia options and dt. `present` leaves out neighbours where it is false; empty: all are there.

@@ -101,19 +101,15 @@ double on_time(const WaveQuestion& question, const Place& place) {
   return place.distance / continuum_speed(question.lattice.material, question.kind);
 }
 
-// `sharpening`: of the load, as a run does it (ExternalForces::sharpen).
-LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place, double sharpening) {
+// `filter`: of the load, as a run applies it.
+LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place,
+                         const LoadFilter& filter) {
   const double margin = load.period + 0.2 * on_time(question, place);
   const double window = load.window > 0 ? load.window : on_time(question, place) + load.duration + margin;
   const double stride = std::max(1.0, std::ceil(window / question.stage.dt / most_samples));
   const double interval = stride * question.stage.dt;
   std::vector<double> samples(static_cast<std::size_t>(std::floor(window / interval + 1e-6)) + 1);
-  const double dt = question.stage.dt;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double t = static_cast<double>(i) * interval;
-    samples[i] = load.value(t);
-    if (i > 0) samples[i] -= sharpening * (load.value(t - dt) - 2 * load.value(t) + load.value(t + dt));
-  }
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = filter(load.value, static_cast<double>(i) * interval);
   return {samples, interval};
 }
 
@@ -124,13 +120,13 @@ struct Trace {
 
 Trace trace_of(const WaveQuestion& question, const LoadHistory& load, const Place& place, Causes causes) {
   if (!place.with_end) {
-    const LoadSpectrum spectrum = spectrum_of(question, load, place, 0);
+    const LoadSpectrum spectrum = spectrum_of(question, load, place, {});
     return {spectrum.through(Path(question, causes)), spectrum.interval()};
   }
   const auto row =
       HalfRow::make(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
   const TimeSteps time = time_of(question, causes);
-  const LoadSpectrum spectrum = spectrum_of(question, load, place, row->load_sharpening());
+  const LoadSpectrum spectrum = spectrum_of(question, load, place, row->load_filter());
   return {spectrum.through([&](Complex s) { return row->traction(time.square(s), place.joint); }), spectrum.interval()};
 }
 

@@ -97,7 +97,7 @@ TEST_F(CommandLine, CheckSaysWhatWillBeRun) {
        {"bar\n", "40, 1 m to 1 m", "\"rock\": 2650 kg/m3, E = 50 GPa", "39 interfaces", "39 cubic, bonded",
         "1 edge load", "stress [Pa]: stress_xx at [1.5, 0.5]", "240 unknowns", "300 steps of 1e-05 s",
         "waves: corrected for the time steps", "geometry: as drawn, matrix built once", "predicted for waves of 100 Hz",
-        "bar wave in \"rock\": 4343.72 m/s, wavelength 43.44 m", "eta) 0.023 at 1 m", "theta) 0.00628"})
+        "bar wave in \"rock\", along the row: 4343.72 m/s, wavelength 43.44 m", "eta) 0.023 at 1 m", "theta) 0.00628"})
     EXPECT_TRUE(contains(outcome.out, part)) << part << "\n" << outcome.out;
   EXPECT_TRUE(contains(call({"check", path("scene.json"), "--frequency", "0.2 kHz"}).out, "waves of 200 Hz"));
   EXPECT_TRUE(contains(call({"check", path("scene.json"), "--frequency", "50"}).out, "waves of 50 Hz"));

@@ -10,15 +10,12 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <vector>
 
 #include "engine/advice/advice.h"
-#include "engine/advice/load_history.h"
 #include "engine/advice/remarks.h"
 #include "engine/app/recording_report.h"
 #include "engine/app/stiffness_report.h"
-#include "engine/app/wave_survey.h"
 #include "engine/contact/contact_set.h"
 #include "engine/geometry/box.h"
 #include "engine/linear/cholesky_solver.h"
@@ -216,49 +213,18 @@ void add_size(const Model& model, const ContactSet& contacts, const BlockMatrix&
             megabytes(model, contacts, matrix, nonzeros));
 }
 
-void add_wave(const Model& model, const SurveyedWave& surveyed, Text& text) {
-  const BlockWave& wave = surveyed.wave;
-  const WaveErrors errors = predict_errors(wave);
-  const double length = wavelength(wave);
-  text.plain(fmt::format("  {} wave in \"{}\": {:.2f} m/s, wavelength {:.4g} m", surveyed.kind,
-                         model.materials[static_cast<std::size_t>(surveyed.material)].name, wave.speed, length));
-  const double theta = 2 * std::numbers::pi * wave.frequency * wave.dt;
-  text.plain(fmt::format("    block size/wavelength (eta) {:.3g} at {:.4g} m; omega dt (theta) {:.3g}",
-                         wave.block_size / length, wave.block_size, theta));
-  if (theta >= std::numbers::pi) {
-    text.plain(fmt::format("    less than two steps a period: no such wave can be stepped; take dt below {:.2g} s",
-                           1 / (20 * wave.frequency)));
-    return;
-  }
-  text.plain(
-      fmt::format("    error of its speed: interfaces {:+.4f} %, block size {:+.4f} %, time step {:+.4f} %, "
-                  "together {:+.4f} %",
-                  100 * errors.interfaces, 100 * errors.blocks, 100 * errors.time, 100 * errors.speed()));
-  text.plain(fmt::format("    amplitude taken by the integrator: {:.4f} % a wavelength", 100 * errors.amplitude_loss));
-}
-
-void add_prediction(const Model& model, const ContactSet& contacts, double frequency, Text& text) {
-  for (const Stage& stage : model.stages) {
-    const std::vector<SurveyedWave> waves = survey_waves(model, contacts, stage, frequency);
-    if (waves.empty()) continue;
-    text.gap();
-    text.plain(fmt::format("predicted for waves of {:.6g} Hz square across closed joints, stage \"{}\"", frequency,
-                           stage.name));
-    for (const SurveyedWave& wave : waves) add_wave(model, wave, text);
-  }
-}
-
-// What the whole spectrum of the scene's load makes of that: a history holds more than its main frequency. False where
-// there is nothing to say.
-bool add_advice(const Simulation& simulation, Text& text) {
+// Waves of one frequency, and, where none is given, what the whole spectrum of the scene's load makes of them: a
+// history holds more than its main frequency.
+void add_waves(const Simulation& simulation, std::optional<double> frequency, Text& text) {
   AdviceQuestion question;
+  question.frequency = frequency;
   question.limits = false;
-  const std::vector<std::string> lines = to_short_text(advise(simulation, question));
-  if (lines.empty()) return false;
-  text.gap();
-  text.plain("predicted for the whole history of the load (dda advise says more)");
-  for (const std::string& line : lines) text.plain("  " + line);
-  return true;
+  const Advice advice = advise(simulation, question);
+  if (!advice.frequency) {
+    text.gap();
+    text.plain("no load with a history in the scene: give --frequency for predicted errors of waves");
+  }
+  for (const std::string& line : to_short_text(advice)) text.plain(line);
 }
 
 }  // namespace
@@ -279,14 +245,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   add_size(model, contacts, matrix, text);
   for (const std::string& remark : remarks_on(model, contacts)) text.line("remark", "{}", remark);
   for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(model, i, contacts, matrix, text);
-  const bool given = frequency.has_value();
-  if (!frequency) frequency = model.target_frequency ? model.target_frequency : highest_sine_frequency(model);
-  if (frequency) add_prediction(model, contacts, *frequency, text);
-  const bool advised = !given && add_advice(simulation, text);
-  if (!frequency && !advised) {
-    text.gap();
-    text.plain("no load with a history in the scene: give --frequency for predicted errors of waves");
-  }
+  add_waves(simulation, frequency, text);
   return text.take();
 }
 

@@ -94,7 +94,6 @@ ContactSet make_contacts(const Model& model) {
     }
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
-  contacts.chain_ends = free_chain_ends(model, contacts.interfaces, contacts.elements);
   return contacts;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <vector>
 
-#include "engine/contact/chain_end.h"
 #include "engine/contact/interface.h"
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
@@ -18,12 +17,11 @@ struct ContactSet {
   std::vector<InterfaceElement> elements;
   std::vector<EndStrength> strengths;
   std::vector<InterfaceState> states;
-  std::vector<ChainEnd> chain_ends;
   bool can_change = false;  // some joint can open, slide or break
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [interfaces, elements, strengths, states, chain_ends, can_change] = self;
+    auto& [interfaces, elements, strengths, states, can_change] = self;
     archive(interfaces, elements, strengths, states);  // the others are the drawing's
   }
 };

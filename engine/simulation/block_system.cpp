@@ -14,12 +14,13 @@ BlockSystem::BlockSystem(Model finished_model)
     : model(std::move(finished_model)),
       state(initial_state(model)),
       contacts(make_contacts(model)),
+      waves(model, model.stages.front(), contacts),
       supports(make_supports(model, state)),
       bolts(model, state),
       held(make_held_unknowns(model)),
       terms(make_block_terms(model)),
       damping(make_block_damping(model, state, 0)),
-      external(model, state, contacts.chain_ends) {
+      external(model, state, waves) {
   const auto unknowns = static_cast<Eigen::Index>(6 * model.blocks.size());
   for (Eigen::VectorXd* vector :
        {&forces.load_old, &forces.load_new, &forces.internal_old, &forces.internal_new, &increment})
@@ -54,8 +55,7 @@ void BlockSystem::sum_internal_forces(Eigen::VectorXd& force) const {
     own.tail<3>() = stress_force(terms.area[i], state.stress[i]);
   }
   add_contact_force(contacts, force);
-  for (const ChainEnd& end : contacts.chain_ends)
-    force.segment<6>(6 * end.block) += end_force(model, end, state.stress[static_cast<std::size_t>(end.block)]);
+  waves.add_end_forces(model, state.stress, force);
   add_support_force(supports, force);
   bolts.add_force(force);
 }

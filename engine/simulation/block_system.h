@@ -21,6 +21,7 @@
 #include "engine/simulation/support_set.h"
 #include "engine/solve/costs.h"
 #include "engine/solve/held_unknowns.h"
+#include "engine/waves/wave_corrections.h"
 
 namespace dda {
 
@@ -61,6 +62,7 @@ struct BlockSystem {
   Model model;
   State state;
   ContactSet contacts;
+  WaveCorrections waves;  // of the linear stage begun last; at first, of the first stage
   std::vector<SupportElement> supports;
   BoltSet bolts;
   HeldUnknowns held;
@@ -95,8 +97,8 @@ struct BlockSystem {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [model, state, contacts, supports, bolts, held, terms, damping, external, free_field, audit, costs, clock,
-           plan, coefficients, forces, increment] = self;
+    auto& [model, state, contacts, waves, supports, bolts, held, terms, damping, external, free_field, audit, costs,
+           clock, plan, coefficients, forces, increment] = self;
     const bool moves = self.geometry_moves();
     if (moves || contacts.can_change || !bolts.empty()) archive(contacts);
     if (moves) archive(terms);

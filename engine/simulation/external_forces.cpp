@@ -13,17 +13,17 @@ const TimeFunction always = Constant{};
 
 }  // namespace
 
-ExternalForces::ExternalForces(const Model& model, const State& state, const std::vector<ChainEnd>& chain_ends) {
+ExternalForces::ExternalForces(const Model& model, const State& state, const WaveCorrections& waves) {
   loads_.reserve(model.point_loads.size() + model.edge_loads.size());
-  for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
-  for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history, 0});
+  for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
+  for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
   for (std::size_t i = 0; i < model.supports.size(); ++i) {
     if (!leaves_force(model.supports[i])) continue;
-    loads_.push_back({model.supports[i].block, Vec6::Zero(), &always, 0});
+    loads_.push_back({model.supports[i].block, Vec6::Zero(), &always});
     reactions_.push_back({i, Vec2::Zero()});
   }
   update_geometry(model, state);
-  for (const ChainEnd& end : chain_ends) shorten_levers(model, end);
+  correct_levers(model, waves);
   if (model.gravity.isZero()) return;
   weight_.setZero(static_cast<Eigen::Index>(6 * model.blocks.size()));
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
@@ -46,18 +46,14 @@ void ExternalForces::update_geometry(const Model& model, const State& state) {
   }
 }
 
-void ExternalForces::shorten_levers(const Model& model, const ChainEnd& end) {
-  const Vec2& centroid = model.blocks[static_cast<std::size_t>(end.block)].moments.centroid;
+void ExternalForces::correct_levers(const Model& model, const WaveCorrections& waves) {
+  const auto centroid = [&](int block) { return model.blocks[static_cast<std::size_t>(block)].moments.centroid; };
   std::size_t next = 0;
-  for (const PointLoad& load : model.point_loads) {
-    Load& own = loads_[next++];
-    if (load.block == end.block) own.force += end_load(end, load.point - centroid, load.force);
-  }
-  for (const EdgeLoad& load : model.edge_loads) {
-    Load& own = loads_[next++];
-    if (load.block != end.block) continue;
-    own.force += end_load(end, (load.from + load.to) / 2 - centroid, (load.to - load.from).norm() * load.traction);
-  }
+  for (const PointLoad& load : model.point_loads)
+    loads_[next++].force += waves.lever_correction(load.block, load.point - centroid(load.block), load.force);
+  for (const EdgeLoad& load : model.edge_loads)
+    loads_[next++].force += waves.lever_correction(load.block, (load.from + load.to) / 2 - centroid(load.block),
+                                                   (load.to - load.from).norm() * load.traction);
 }
 
 void ExternalForces::keep_reaction(std::size_t support, const Vec2& offset, const Vec2& force) {
@@ -69,22 +65,16 @@ void ExternalForces::keep_reaction(std::size_t support, const Vec2& offset, cons
   }
 }
 
-void ExternalForces::sharpen(const std::vector<double>& shares, double dt) {
-  sharpening_interval_ = dt;
-  for (Load& load : loads_) load.sharpening = shares[static_cast<std::size_t>(load.block)];
-}
-
-double ExternalForces::factor(const Load& load, double time) const {
-  const double now = evaluate(*load.history, time);
-  if (load.sharpening == 0 || time <= 0) return now;
-  const double before = evaluate(*load.history, time - sharpening_interval_);
-  const double after = evaluate(*load.history, time + sharpening_interval_);
-  return now - load.sharpening * (before - 2 * now + after);
+void ExternalForces::filter(const WaveCorrections& waves) {
+  for (Load& load : loads_) load.filter = waves.load_filter(load.block);
 }
 
 void ExternalForces::loads_at(double time, Eigen::VectorXd& force) const {
   force.setZero();
-  for (const Load& load : loads_) force.segment<6>(6 * load.block) += factor(load, time) * load.force;
+  for (const Load& load : loads_) {
+    const auto history = [&](double t) { return evaluate(*load.history, t); };
+    force.segment<6>(6 * load.block) += load.filter(history, time) * load.force;
+  }
 }
 
 }  // namespace dda

@@ -12,20 +12,22 @@
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/support_set.h"
+#include "engine/waves/wave_corrections.h"
 
 namespace dda {
 
 struct LinearOperators {
   BlockMatrix stiffness;                            // blocks, interfaces and supports
-  BlockMatrix inertia;                              // blocks, and what couples them in cubic interfaces
+  BlockMatrix inertia;                              // blocks, and what couples them
   ConstantOperator stiffness_times, inertia_times;  // the same, for products
 };
 
-LinearOperators make_linear_operators(const Model& model, const Stage& stage, const BlockTerms& terms,
-                                      const ContactSet& contacts, const std::vector<SupportElement>& supports);
+LinearOperators make_linear_operators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
+                                      const std::vector<SupportElement>& supports, const WaveCorrections& waves);
 
-// By how much the loads on each block are sharpened (cubic_law.h); 0 where inertia is not lowered.
-std::vector<double> load_sharpening(const Model& model, const Stage& stage, const ContactSet& contacts);
+// The inertia among them.
+BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
+                         const WaveCorrections& waves);
 
 // The step's matrix out of the operators.
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,

@@ -34,13 +34,14 @@ Eigen::VectorXd acceleration_of(const BlockMatrix& inertia, const Eigen::VectorX
 }  // namespace
 
 void LinearStep::set_up(BlockMatrix pattern) {
-  const BlockSystem& s = system_;
+  BlockSystem& s = system_;
   const Stage& stage = s.stage_in_force();
   const Eigen::Index unknowns = pattern.unknowns();
   matrix_.begin(std::move(pattern), s.plan.solver, s.plan.chi);
   set_step_size(stage.dt);
-  operators_.emplace(make_linear_operators(s.model, stage, s.terms, s.contacts, s.supports));
-  if (s.plan.loads) system_.external.sharpen(load_sharpening(s.model, stage, s.contacts), stage.dt);
+  s.waves = WaveCorrections(s.model, stage, s.contacts);
+  operators_.emplace(make_linear_operators(s.model, s.terms, s.contacts, s.supports, s.waves));
+  if (s.plan.loads) s.external.filter(s.waves);
   for (Eigen::VectorXd* vector : {&displacement_, &velocity_, &next_momentum_, &rhs_}) vector->setZero(unknowns);
 }
 
@@ -86,11 +87,9 @@ void LinearStep::set_consistent_weight() {
 // first step puts them in equilibrium.
 Eigen::VectorXd LinearStep::initial_acceleration() const {
   const BlockSystem& s = system_;
-  Stage complete = s.stage();
-  complete.lateral_inertia = true;
-  BlockMatrix inertia = s.stage().lateral_inertia
-                            ? operators_->inertia
-                            : make_linear_operators(s.model, complete, s.terms, s.contacts, s.supports).inertia;
+  BlockMatrix inertia = s.waves.leave_strains_without_inertia()
+                            ? make_inertia(s.model, s.terms, s.contacts, s.waves.with_all_inertia())
+                            : operators_->inertia;
   HeldCouplings().take_out(s.held, inertia);
   return acceleration_of(inertia, inertia_force_);
 }
@@ -213,9 +212,7 @@ double LinearStep::initial_contact_energy() const {
   double contact = support_energy(s.supports);
   for (std::size_t i = 0; i < s.contacts.elements.size(); ++i)
     contact += interface_energy(s.contacts.elements[i], interface_state(i));
-  for (const ChainEnd& end : s.contacts.chain_ends)
-    contact += end_energy(s.model, end, s.state.stress[static_cast<std::size_t>(end.block)]);
-  return contact;
+  return contact + s.waves.end_energy(s.model, s.state.stress);
 }
 
 InterfaceState LinearStep::interface_state(std::size_t index) const {

@@ -6,10 +6,10 @@
 #include <cstddef>
 
 #include "engine/contact/contact_set.h"
-#include "engine/contact/mesh_correction.h"
 #include "engine/model/model.h"
 #include "engine/terms/elasticity.h"
 #include "engine/terms/inertia.h"
+#include "engine/waves/mesh_correction.h"
 
 namespace verify {
 namespace {

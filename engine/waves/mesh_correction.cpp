@@ -1,9 +1,10 @@
-#include "engine/contact/mesh_correction.h"
+#include "engine/waves/mesh_correction.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/cubic_law.h"
 #include "engine/geometry/triangulate.h"
 
 namespace dda {
@@ -82,11 +83,6 @@ InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface)
   stiffness.bb.bottomRightCorner<3, 3>() = -jump;
   stiffness.ba.bottomRightCorner<3, 3>() = jump;
   return stiffness;
-}
-
-double jump_share(const Material& material, double stabilisation, const Vec3& strains) {
-  return strains.dot(jump_modulus(material, stabilisation) * strains) /
-         strains.dot(elasticity_matrix(material) * strains);
 }
 
 InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt) {

@@ -21,8 +21,8 @@
 // Both are bounded, which K is not: at their caps short waves keep a third of their inertia, and strains a tenth.
 #pragma once
 
-#include "engine/contact/cubic_law.h"
 #include "engine/contact/interface.h"
+#include "engine/contact/interface_element.h"
 #include "engine/core/types.h"
 #include "engine/model/model.h"
 
@@ -47,11 +47,7 @@ bool is_in_mesh(const Model& model, const InterfaceElement& element);
 // Of the strains' jump. Zero between unlike materials, where strains do jump, and beside blocks that are not convex.
 InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface);
 
-// What this takes off (rho omega^2)/k^2 of a wave along the normals of equal blocks, over (k d)^2 and the wave's
-// modulus; `strains`: of the wave, (n, t, nt).
-double jump_share(const Material& material, double stabilisation, const Vec3& strains);
-
-// Between the centroids. `period_error`: epsilon of the integrator (cubic_law.h).
+// Between the centroids. `period_error`: epsilon of the integrator (wave_corrections.h).
 InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 
 // What is taken from the inertia of a block's strains: of the dilatation in a mesh, of e_nn in a chain along a normal.
@@ -60,7 +56,7 @@ Mat6 dilatation_reduction(const Model& model, int block, double strain_inertia, 
 Mat6 axial_reduction(const Model& model, int block, const Vec2& normal, double strain_inertia, double period_error,
                      double dt);
 
-// By how much loads beside the interface are sharpened: see load_sharpening() in cubic_law.h.
+// By how much loads beside the interface are sharpened: see LoadFilter.
 double mesh_load_sharpening(const Model& model, const Interface& interface, double period_error, double dt);
 
 }  // namespace dda

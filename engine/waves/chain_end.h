@@ -11,7 +11,7 @@
 //   (s - 2/3) (s + sqrt(2)/6) = (s - 1/2)^2,     s = (10 - sqrt(2))/12.
 // What is left is of fourth order in amplitude and of fifth in phase. No unknowns are added, and no rates of the load.
 //
-// The correction for time steps (cubic_law.h) is M - epsilon dt^2 K here too, capped as that of the jump of the
+// The correction for time steps (cubic_inertia.h) is M - epsilon dt^2 K here too, capped as that of the jump of the
 // strains.
 #pragma once
 

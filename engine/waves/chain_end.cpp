@@ -1,9 +1,10 @@
-#include "engine/contact/chain_end.h"
+#include "engine/waves/chain_end.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/contact/cubic_law.h"
+#include "engine/waves/cubic_inertia.h"
 
 namespace dda {
 namespace {
@@ -62,7 +63,7 @@ Mat6 end_stiffness(const Model& model, const ChainEnd& end) {
 }
 
 Mat6 end_inertia(const Model& model, const ChainEnd& end, const Interface& interface, double period_error, double dt) {
-  const double lowered = std::min(inertia_reduction(model, interface, period_error, dt), cubic::most_jump_correction);
+  const double lowered = std::min(cubic_inertia_share(model, interface, period_error, dt), cubic::most_jump_correction);
   const double block_length = 2 * end.half_length;
   const double mass = cubic::end_share * model.material_of(end.block).density * end.half_length * end.width;
   const Vec6 strain = strain_along(end.outward);

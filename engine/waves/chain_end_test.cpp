@@ -1,5 +1,5 @@
 // The half blocks at the free ends of cubic chains.
-#include "engine/contact/chain_end.h"
+#include "engine/waves/chain_end.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@
 #include "engine/terms/inertia.h"
 #include "engine/terms/load.h"
 #include "engine/terms/potential_check.h"
+#include "engine/waves/cubic_inertia.h"
 
 namespace dda {
 namespace {
@@ -38,16 +39,21 @@ Model chain_of(int blocks, const Material& material = materials()[0], double ang
   return model;
 }
 
-std::vector<int> ends_of(const Model& model) {
+std::vector<ChainEnd> ends_of(const Model& model) {
+  const ContactSet contacts = make_contacts(model);
+  return free_chain_ends(model, contacts.interfaces, contacts.elements);
+}
+
+std::vector<int> blocks_at_ends(const Model& model) {
   std::vector<int> blocks;
-  for (const ChainEnd& end : make_contacts(model).chain_ends) blocks.push_back(end.block);
+  for (const ChainEnd& end : ends_of(model)) blocks.push_back(end.block);
   return blocks;
 }
 
 TEST(ChainEnd, BothEndsOfAFreeChain) {
   for (const double angle : angles) {
     const Model model = chain_of(3, materials()[0], angle);
-    const std::vector<ChainEnd> ends = make_contacts(model).chain_ends;
+    const std::vector<ChainEnd> ends = ends_of(model);
     ASSERT_EQ(ends.size(), 2U);
     const Vec2 along(std::cos(angle), std::sin(angle));
     for (const ChainEnd& end : ends) {
@@ -63,14 +69,14 @@ TEST(ChainEnd, NotWhereSomethingHoldsTheChain) {
   Model absorbing = chain_of(3);
   const Ring& ring = absorbing.blocks[2].shape.outer;
   absorbing.viscous_edges.push_back({2, ring[1], ring[2], 1, 1});
-  EXPECT_EQ(ends_of(absorbing), std::vector{0});
+  EXPECT_EQ(blocks_at_ends(absorbing), std::vector{0});
   Model held = chain_of(3);
   held.supports = {{.block = 0, .point = held.blocks[0].shape.outer[0], .stiffness = 1, .history = {}}};
-  EXPECT_EQ(ends_of(held), std::vector{2});
+  EXPECT_EQ(blocks_at_ends(held), std::vector{2});
   held.supports[0].holds_y = false;
-  EXPECT_EQ(ends_of(held), std::vector{2});
+  EXPECT_EQ(blocks_at_ends(held), std::vector{2});
   held.supports[0].direction = Vec2(0.6, 0.8);
-  EXPECT_EQ(ends_of(held), std::vector{2});
+  EXPECT_EQ(blocks_at_ends(held), std::vector{2});
 }
 
 TEST(ChainEnd, WhatHoldsItSidewaysDoesNotMatter) {
@@ -78,17 +84,17 @@ TEST(ChainEnd, WhatHoldsItSidewaysDoesNotMatter) {
   rolling.supports = {
       {.block = 0, .point = rolling.blocks[0].shape.outer[0], .holds_x = false, .stiffness = 1, .history = {}},
       {.block = 2, .point = rolling.blocks[2].shape.outer[0], .stiffness = 1, .history = {}, .direction = {0, 1}}};
-  EXPECT_EQ(ends_of(rolling), (std::vector{0, 2}));
+  EXPECT_EQ(blocks_at_ends(rolling), (std::vector{0, 2}));
 }
 
 TEST(ChainEnd, NotWhereTheChainGoesOnAsAnotherOne) {
   Model mixed = chain_of(5);
   mixed.materials.push_back(mixed.materials[0]);
   mixed.blocks[4].material = mixed.blocks[3].material = 1;
-  EXPECT_EQ(ends_of(mixed), (std::vector{0, 4}));  // cubic, cubic, consistent, cubic
+  EXPECT_EQ(blocks_at_ends(mixed), (std::vector{0, 4}));  // cubic, cubic, consistent, cubic
   Model consistent = chain_of(3);
   consistent.joints[0].law = InterfaceLaw::consistent;
-  EXPECT_TRUE(ends_of(consistent).empty());
+  EXPECT_TRUE(blocks_at_ends(consistent).empty());
 }
 
 // The equation of chain_end.h for the share.
@@ -102,7 +108,7 @@ TEST(ChainEnd, ForceAndStiffnessFollowFromItsEnergy) {
     const Model model = chain_of(2, material, 0.4);
     const Mat3 elasticity = elasticity_matrix(material);
     const Vec3 carried(0.7, -0.2, 0.4);
-    for (const ChainEnd& end : make_contacts(model).chain_ends) {
+    for (const ChainEnd& end : ends_of(model)) {
       const auto stress = [&](const Vec6& q) -> Vec3 { return carried + elasticity * q.tail<3>(); };
       const auto energy = [&](const Vec6& q) { return end_energy(model, end, stress(q)); };
       const Vec6 q = (Vec6() << 1, -2, 0.3, 0.5, -0.8, 0.2).finished();
@@ -137,7 +143,7 @@ TEST(ChainEnd, UniaxialStressIsInBalanceWithLoadsOnTheFaces) {
         add_interface_force(element, state.force, state.gap, force);
       }
       for (int i = 0; i < 3; ++i) force.segment<3>(6 * i + 3) += stress_force(length * width, stress);
-      for (const ChainEnd& end : contacts.chain_ends) {
+      for (const ChainEnd& end : ends_of(model)) {
         force.segment<6>(6 * end.block) += end_force(model, end, stress);
         const Vec2 offset = end.half_length * end.outward;
         const Vec2 pull = width * end.outward;
@@ -149,7 +155,7 @@ TEST(ChainEnd, UniaxialStressIsInBalanceWithLoadsOnTheFaces) {
 }
 
 TEST(ChainEnd, LoadsElsewhereKeepTheirLever) {
-  const ChainEnd end = make_contacts(chain_of(2)).chain_ends.front();
+  const ChainEnd end = ends_of(chain_of(2)).front();
   EXPECT_TRUE(end_load(end, -0.3 * end.outward, Vec2(2, 1)).isZero(0));
   EXPECT_TRUE(end_load(end, 0.3 * end.outward, Vec2(0, 1)).isZero(0));
   const Vec6 near = end_load(end, 0.3 * end.outward + Vec2(0, 0.2), 2 * end.outward);
@@ -167,14 +173,14 @@ Eigen::MatrixXd axial_inertia(const Model& model, double period_error, double dt
     whole.block<6, 6>(6 * i, 6 * i) += mass_matrix({model.mass_of(i), mean_squares(block.moments), 1});
   }
   for (const Interface& interface : contacts.interfaces) {
-    const InterfaceMatrices between = interface_inertia(model, interface, period_error, dt);
+    const InterfaceMatrices between = cubic_inertia(model, interface, period_error, dt);
     const int a = 6 * interface.block_a, b = 6 * interface.block_b;
     whole.block<6, 6>(a, a) += between.aa;
     whole.block<6, 6>(b, b) += between.bb;
     whole.block<6, 6>(b, a) += between.ba;
     whole.block<6, 6>(a, b) += between.ba.transpose();
   }
-  for (const ChainEnd& end : contacts.chain_ends)
+  for (const ChainEnd& end : ends_of(model))
     if (corrected_ends)
       whole.block<6, 6>(6 * end.block, 6 * end.block) +=
           end_inertia(model, end, contacts.interfaces[end.interface], period_error, dt);
@@ -190,7 +196,7 @@ TEST(ChainEnd, InertiaIsLoweredAsTheStiffnessAsks) {
   const ContactSet contacts = make_contacts(model);
   const double modulus = side_free_modulus(model.materials[0]);
   constexpr double error = 1.0 / 6, dt = 0.1;
-  for (const ChainEnd& end : contacts.chain_ends) {
+  for (const ChainEnd& end : ends_of(model)) {
     const Interface& interface = contacts.interfaces[end.interface];
     const double stiffness = cubic::end_share * modulus * width * length / 2;
     EXPECT_NEAR(end_inertia(model, end, interface, error, dt)(3, 3), -error * dt * dt * stiffness, 1e-15);

@@ -1,4 +1,4 @@
-#include "engine/contact/mesh_correction.h"
+#include "engine/waves/mesh_correction.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/cubic_law.h"
 #include "engine/terms/inertia.h"
 
 namespace dda {

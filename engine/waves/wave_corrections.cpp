@@ -1,0 +1,176 @@
+#include "engine/waves/wave_corrections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/waves/cubic_inertia.h"
+#include "engine/waves/mesh_correction.h"
+
+namespace dda {
+namespace {
+
+bool is_cubic(const InterfaceElement& element) { return element.law == InterfaceLaw::cubic; }
+
+void add(const InterfaceElement& element, const InterfaceMatrices& part, BlockMatrix& sum) {
+  sum.diagonal(element.block_a) += part.aa;
+  sum.diagonal(element.block_b) += part.bb;
+  sum.add_coupling(element.block_b, element.block_a, part.ba);
+}
+
+// The direction of the cubic chain through each block; zero where there is none.
+std::vector<Vec2> chain_directions(std::size_t blocks, const ContactSet& contacts) {
+  std::vector<Vec2> directions(blocks, Vec2::Zero());
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    if (!is_cubic(contacts.elements[i])) continue;
+    directions[static_cast<std::size_t>(contacts.elements[i].block_a)] = contacts.interfaces[i].normal;
+    directions[static_cast<std::size_t>(contacts.elements[i].block_b)] = contacts.interfaces[i].normal;
+  }
+  return directions;
+}
+
+// What consistent interfaces a block has.
+struct MeshPlace {
+  Vec2 normal = Vec2::Zero();  // of the first; zero where there is none
+  bool in_chain = true;        // they all have it
+};
+
+std::vector<MeshPlace> mesh_places(const Model& model, const ContactSet& contacts) {
+  std::vector<MeshPlace> places(model.blocks.size());
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (!is_in_mesh(model, element)) continue;
+    const Vec2& normal = contacts.interfaces[i].normal;
+    for (const int block : {element.block_a, element.block_b}) {
+      MeshPlace& place = places[static_cast<std::size_t>(block)];
+      if (place.normal.isZero()) place.normal = normal;
+      place.in_chain = place.in_chain && std::abs(place.normal.dot(normal)) > 1 - 1e-9;
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+double period_error(const Integrator& integrator) {
+  const double shift = integrator.gamma - 0.5;
+  const double m = integrator.alpha_m;
+  const double f = integrator.alpha_f;
+  const double damping = f - m - shift;  // first-order numerical damping; it shortens waves too
+  return -1.0 / 12 + (0.5 - integrator.gamma + 2 * integrator.beta) / 2 - shift * shift / 2 -
+         (m * (1 - m) - f * (1 - f)) / 2 - damping * damping / 4;
+}
+
+WaveCorrections::WaveCorrections(const Model& model, const Stage& stage, const ContactSet& contacts)
+    : dt_(stage.dt),
+      strain_inertia_(stage.strain_inertia),
+      lateral_inertia_(stage.lateral_inertia),
+      ends_(free_chain_ends(model, contacts.interfaces, contacts.elements)),
+      sharpening_(model.blocks.size(), 0) {
+  const Stage acting = model.with_acting_corrections(stage);
+  soften_jumps_ = acting.correct_block_dispersion;
+  if (acting.correct_time_dispersion) period_error_ = period_error(acting.integrator);
+  if (period_error_ != 0) find_sharpening(model, contacts);
+}
+
+WaveCorrections WaveCorrections::with_all_inertia() const {
+  WaveCorrections complete = *this;
+  complete.lateral_inertia_ = true;
+  return complete;
+}
+
+void WaveCorrections::add_to_stiffness(const Model& model, const ContactSet& contacts, BlockMatrix& stiffness) const {
+  for (const ChainEnd& end : ends_) stiffness.diagonal(end.block) += end_stiffness(model, end);
+  for (std::size_t i = 0; soften_jumps_ && i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (is_in_mesh(model, element)) add(element, jump_stiffness(model, contacts.interfaces[i]), stiffness);
+  }
+}
+
+// Whether motion relative to each other has inertia in this interface.
+bool WaveCorrections::has_inertia(const Model& model, const InterfaceElement& element) const {
+  return is_cubic(element) || (period_error_ != 0 && is_in_mesh(model, element));
+}
+
+std::vector<std::pair<int, int>> WaveCorrections::coupled_by_inertia(const Model& model,
+                                                                     const ContactSet& contacts) const {
+  std::vector<std::pair<int, int>> pairs;
+  for (const InterfaceElement& element : contacts.elements)
+    if (has_inertia(model, element)) pairs.emplace_back(element.block_a, element.block_b);
+  return pairs;
+}
+
+InterfaceMatrices WaveCorrections::inertia_between(const Model& model, const ContactSet& contacts,
+                                                   std::size_t i) const {
+  const Interface& interface = contacts.interfaces[i];
+  return is_cubic(contacts.elements[i]) ? cubic_inertia(model, interface, period_error_, dt_)
+                                        : mesh_inertia(model, interface, period_error_, dt_);
+}
+
+void WaveCorrections::add_to_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    if (has_inertia(model, contacts.elements[i]))
+      add(contacts.elements[i], inertia_between(model, contacts, i), inertia);
+  if (period_error_ != 0) lower_strains(model, contacts, inertia);
+  for (const ChainEnd& end : ends_)
+    inertia.diagonal(end.block) += end_inertia(model, end, contacts.interfaces[end.interface], period_error_, dt_);
+  if (!lateral_inertia_) remove_lateral_inertia(model, contacts, inertia);
+}
+
+void WaveCorrections::lower_strains(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const {
+  const std::vector<MeshPlace> places = mesh_places(model, contacts);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].normal.isZero()) continue;
+    const int block = static_cast<int>(i);
+    inertia.diagonal(block) -=
+        places[i].in_chain ? axial_reduction(model, block, places[i].normal, strain_inertia_, period_error_, dt_)
+                           : dilatation_reduction(model, block, strain_inertia_, period_error_, dt_);
+  }
+}
+
+void WaveCorrections::remove_lateral_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) {
+  const std::vector<Vec2> directions = chain_directions(model.blocks.size(), contacts);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (directions[i].isZero()) continue;
+    const int block = static_cast<int>(i);
+    inertia.diagonal(block) -= lateral_inertia(model.mass_of(block), model.blocks[i].moments, directions[i]);
+  }
+}
+
+double WaveCorrections::sharpening_beside(const Model& model, const ContactSet& contacts, std::size_t i) const {
+  const Interface& interface = contacts.interfaces[i];
+  return is_cubic(contacts.elements[i]) ? cubic_load_sharpening(model, interface, period_error_, dt_)
+                                        : mesh_load_sharpening(model, interface, period_error_, dt_);
+}
+
+// Interfaces at their caps have less than others; the least counts.
+void WaveCorrections::find_sharpening(const Model& model, const ContactSet& contacts) {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (!has_inertia(model, element)) continue;
+    const double share = sharpening_beside(model, contacts, i);
+    for (const int block : {element.block_a, element.block_b}) {
+      double& least = sharpening_[static_cast<std::size_t>(block)];
+      least = least == 0 ? share : std::min(least, share);
+    }
+  }
+}
+
+Vec6 WaveCorrections::lever_correction(int block, const Vec2& offset, const Vec2& force) const {
+  const auto end = std::ranges::find(ends_, block, &ChainEnd::block);
+  return end == ends_.end() ? Vec6(Vec6::Zero()) : end_load(*end, offset, force);
+}
+
+void WaveCorrections::add_end_forces(const Model& model, const std::vector<Vec3>& stress,
+                                     Eigen::VectorXd& force) const {
+  for (const ChainEnd& end : ends_)
+    force.segment<6>(6 * end.block) += end_force(model, end, stress[static_cast<std::size_t>(end.block)]);
+}
+
+double WaveCorrections::end_energy(const Model& model, const std::vector<Vec3>& stress) const {
+  double energy = 0;
+  for (const ChainEnd& end : ends_) energy += dda::end_energy(model, end, stress[static_cast<std::size_t>(end.block)]);
+  return energy;
+}
+
+}  // namespace dda

@@ -1,0 +1,87 @@
+// All that lets waves run in bonded blocks as in continuous rock, in one object that is made for each stage: what is
+// added to stiffness and inertia, how loads are filtered, and which lever they have on the end of a chain. README.md
+// says why. Other folders include this header of engine/waves and no other.
+//
+// Everything here is of scenes in which nothing can change (Model::stays_linear); in others it adds nothing.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "engine/contact/contact_set.h"
+#include "engine/core/types.h"
+#include "engine/linear/block_matrix.h"
+#include "engine/model/model.h"
+#include "engine/waves/chain_end.h"
+
+namespace dda {
+
+// epsilon of an integrator, from its characteristic equation at small omega dt: waves driven at the frequency omega run
+// slower by the share epsilon (omega dt)^2/2, as oscillators would whose omega^2 is lowered by the share epsilon
+// (omega dt)^2. 1/6 for the trapezoidal rule, -1/48 for Eq. 5 of the thesis.
+double period_error(const Integrator& integrator);
+
+// A load as it is applied: F - share (F(t + dt) - 2 F(t) + F(t - dt)).
+//
+// Inertia M - s dt^2 K under steps that take omega^2 (1 + s omega^2 dt^2) for omega^2 makes the exact equation times
+// 1 + s omega^2 dt^2 of the motion: waves keep their speed, but all that a load causes is too small by that factor
+// unless the load is multiplied by it too. The second difference does that. At time 0, when a run starts from rest, a
+// load is as given.
+struct LoadFilter {
+  double share = 0;
+  double dt = 0;  // s
+
+  // `history`: the load as a function of time.
+  template <typename History>
+  [[nodiscard]] double operator()(const History& history, double time) const {
+    const double now = history(time);
+    if (share == 0 || time <= 0) return now;
+    return now - share * (history(time - dt) - 2 * now + history(time + dt));
+  }
+};
+
+class WaveCorrections {
+ public:
+  // `contacts`: of the model as it is drawn.
+  WaveCorrections(const Model& model, const Stage& stage, const ContactSet& contacts);
+
+  // What ends of chains and jumps of strains add.
+  void add_to_stiffness(const Model& model, const ContactSet& contacts, BlockMatrix& stiffness) const;
+
+  // Blocks that are coupled by inertia, and what is added to that of the blocks alone.
+  [[nodiscard]] std::vector<std::pair<int, int>> coupled_by_inertia(const Model& model,
+                                                                    const ContactSet& contacts) const;
+  void add_to_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const;
+
+  // Whether some strains have no inertia, so that the inertia alone gives no accelerations; and the same corrections
+  // with the inertia that is left out.
+  [[nodiscard]] bool leave_strains_without_inertia() const { return !lateral_inertia_; }
+  [[nodiscard]] WaveCorrections with_all_inertia() const;
+
+  // Of the loads on a block, whose point of attack lies at `offset` from its centroid: what is added to a force (N).
+  [[nodiscard]] LoadFilter load_filter(int block) const { return {sharpening_[static_cast<std::size_t>(block)], dt_}; }
+  [[nodiscard]] Vec6 lever_correction(int block, const Vec2& offset, const Vec2& force) const;
+
+  // Internal forces of the ends of chains under the blocks' stresses (Pa), and the energy stored in them.
+  void add_end_forces(const Model& model, const std::vector<Vec3>& stress, Eigen::VectorXd& force) const;
+  [[nodiscard]] double end_energy(const Model& model, const std::vector<Vec3>& stress) const;
+
+ private:
+  [[nodiscard]] bool has_inertia(const Model& model, const InterfaceElement& element) const;
+  [[nodiscard]] InterfaceMatrices inertia_between(const Model& model, const ContactSet& contacts, std::size_t i) const;
+  [[nodiscard]] double sharpening_beside(const Model& model, const ContactSet& contacts, std::size_t i) const;
+  void find_sharpening(const Model& model, const ContactSet& contacts);
+  void lower_strains(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const;
+  static void remove_lateral_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia);
+
+  double dt_;                  // s
+  double strain_inertia_;      // see Stage
+  bool lateral_inertia_;       // see Stage
+  bool soften_jumps_ = false;  // Stage::correct_block_dispersion, where it acts
+  double period_error_ = 0;    // of the integrator; 0 where time steps are not corrected
+  std::vector<ChainEnd> ends_;
+  std::vector<double> sharpening_;  // of the loads on each block
+};
+
+}  // namespace dda

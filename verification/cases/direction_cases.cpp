@@ -10,8 +10,8 @@
 
 #include "engine/simulation/block_terms.h"
 #include "verification/cases/bar_case.h"
-#include "verification/cases/bloch.h"
 #include "verification/exact/wave_speeds.h"
+#include "verification/lattice/bloch.h"
 
 namespace verify {
 namespace {

@@ -3,8 +3,8 @@
 // engine's damping matrix. No time stepping, no other boundary.
 #pragma once
 
-#include "verification/cases/bloch.h"
 #include "verification/exact/viscous_reflection.h"
+#include "verification/lattice/bloch.h"
 
 namespace verify {
 

@@ -8,7 +8,7 @@
 #include "engine/advice/plane_wave.h"
 #include "engine/core/counters.h"
 #include "engine/model/model.h"
-#include "verification/cases/periodic_mesh.h"
+#include "verification/lattice/periodic_mesh.h"
 
 namespace verify {
 

@@ -8,11 +8,11 @@
 
 #include "engine/advice/half_row.h"
 #include "engine/advice/wave_errors.h"
-#include "verification/cases/bloch.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/half_chain.h"
 #include "verification/exact/sharpened_load.h"
+#include "verification/lattice/bloch.h"
 #include "verification/sweep/job.h"
 #include "verification/sweep/spec.h"
 #include "verification/sweep/sweep_bar.h"

@@ -1,4 +1,4 @@
-#include "verification/cases/periodic_mesh.h"
+#include "verification/lattice/periodic_mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "engine/core/types.h"
 #include "engine/model/material.h"
 #include "engine/model/model.h"
-#include "verification/cases/periodic_mesh.h"
+#include "verification/lattice/periodic_mesh.h"
 
 namespace verify {
 

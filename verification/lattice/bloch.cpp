@@ -1,4 +1,4 @@
-#include "verification/cases/bloch.h"
+#include "verification/lattice/bloch.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

@@ -28,17 +28,24 @@ bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
 }
 
+// The normal of the contact's edge as its block stands in `acting`.
+Vec2 normal_in(const State& acting, const Outlines& outlines, const VertexContact& contact) {
+  const Vec2 drawn = outlines.reference[at(outlines.next[at(contact.edge)])] - outlines.reference[at(contact.edge)];
+  const Vec2 along = acting.deformation[at(contact.edge_block)] * drawn;
+  return Vec2(along.y(), -along.x()).normalized();
+}
+
 // Both blocks feel the contact at the vertex, so its forces have no moment between them.
-InterfaceFrame frame_of(const Model& model, const State& state, const Outlines& outlines,
+InterfaceFrame frame_of(const Model& model, const State& acting, const Outlines& outlines, const Interface& interface,
                         const VertexContact& contact) {
-  const Vec2& point = outlines.current[at(contact.vertex)];
+  const Vec2 point = current_position(model, acting, contact.vertex_block, interface.from);
   return {point,
           point,
           point,
           point,
-          contact.normal,
-          current_centroid(model, state, contact.edge_block),
-          current_centroid(model, state, contact.vertex_block)};
+          normal_in(acting, outlines, contact),
+          current_centroid(model, acting, contact.edge_block),
+          current_centroid(model, acting, contact.vertex_block)};
 }
 
 // Says for every contact found which known one it continues, if any; each is continued once. A contact that is not
@@ -171,17 +178,17 @@ MovingContacts::MovingContacts(const Model& model, const State& state, ContactSe
   stretches_ = contacts.interfaces.size();
   keep_ends(model, state, contacts, true);
   drop_stretches(model, contacts, true);
-  refresh(model, state, contacts);
+  refresh(model, state, state, contacts);
   lost_ends_.clear();
 }
 
-bool MovingContacts::follow(const Model& model, const State& state, ContactSet& contacts) {
+bool MovingContacts::follow(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   double lift = 0;
   for (const InterfaceState& each : contacts.states) lift = std::max({lift, each.held_open(0), each.held_open(1)});
   const bool new_pairs = search_.update(model, state, lift);
   keep_ends(model, state, contacts, false);
   drop_stretches(model, contacts, false);
-  refresh(model, state, contacts);
+  refresh(model, state, acting, contacts);
   lost_ends_.clear();
   return new_pairs;
 }
@@ -280,14 +287,14 @@ void MovingContacts::drop_stretches(const Model& model, ContactSet& contacts, bo
   stretches_ = kept;
 }
 
-void MovingContacts::refresh(const Model& model, const State& state, ContactSet& contacts) {
+void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   std::vector<std::pair<int, int>> bonded;
   std::vector<Carrier> joints;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
     bonded.emplace_back(std::min(interface.block_a, interface.block_b), std::max(interface.block_a, interface.block_b));
     const InterfaceFrame frame = current_frame(model, state, interface);
-    set_geometry(model, frame, contacts.elements[i]);
+    set_geometry(model, current_frame(model, acting, interface), contacts.elements[i]);
     for (const auto& [on_a, on_b] : {std::pair{frame.from_a, frame.from_b}, {frame.to_a, frame.to_b}})
       joints.push_back({interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)});
   }
@@ -306,7 +313,7 @@ void MovingContacts::refresh(const Model& model, const State& state, ContactSet&
     const Interface interface = interface_of(model, found[i]);
     contacts.interfaces[entry] = interface;
     contacts.elements[entry] = make_element(model, interface, InterfaceLaw::classical);
-    set_geometry(model, frame_of(model, state, search_.outlines(), found[i]), contacts.elements[entry]);
+    set_geometry(model, frame_of(model, acting, search_.outlines(), interface, found[i]), contacts.elements[entry]);
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     const std::ptrdiff_t earlier = succession.earlier()[i];
     if (earlier >= 0) {

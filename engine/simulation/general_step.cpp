@@ -48,7 +48,7 @@ GeneralStep::GeneralStep(BlockSystem& system)
     : system_(system),
       solver_(system.costs),
       range_(system.model, system.contacts.interfaces),
-      turned_(system.model.blocks.size(), Vec4::Zero()),
+      acting_(system.state),
       base_(0, {}) {
   if (!contacts_move(system.model)) return;
   system.contacts.can_change = true;
@@ -78,7 +78,10 @@ void GeneralStep::set_step_size(double dt) {
 }
 
 void GeneralStep::begin() {
-  if (!system_.plan.is_static) set_initial_acceleration(changing_, system_);
+  for (Vec3& force : system_.terms.centrifugal) force.setZero();
+  if (system_.plan.is_static) return;
+  if (system_.plan.finite_kinematics) set_centrifugal_forces(system_.model, system_.state, system_.terms);
+  set_initial_acceleration(changing_, system_);
 }
 
 void GeneralStep::list_contacts() {
@@ -139,21 +142,27 @@ bool GeneralStep::moves_further_than_seen() {
   return true;
 }
 
+// Forces act in the geometry that is foreseen for the moment to which the balance belongs; gaps are those of now. What
+// is foreseen may be wrong, so it counts as motion that the geometry has still to follow.
 void GeneralStep::follow_geometry() {
-  if (moved_ <= geometry_tolerance) return;
-  const PhaseTimer timer(system_.costs.times.geometry);
   BlockSystem& s = system_;
-  moved_ = 0;
-  turn_stresses(s.terms, s.state, turned_);
-  update_geometry(s.model, s.state, s.terms);
+  const double ahead = s.coefficients.acts_at * s.coefficients.dt;
+  const double coming = largest_motion_within(system_, ahead);
+  if (std::max(moved_, coming) <= geometry_tolerance) return;
+  const PhaseTimer timer(s.costs.times.geometry);
+  const bool moves = coming > geometry_tolerance;
+  moved_ = moves ? coming : 0;
+  foresee(s.state, moves ? ahead : 0, acting_);
+  follow_blocks(s.model, acting_, s.plan.is_static, s.state, s.terms);
+  if (!s.plan.is_static) set_centrifugal_forces(s.model, s.state, s.terms);
   follow_contacts();
-  update_geometry(s.model, s.state, s.supports);
+  update_geometry(s.model, acting_, s.supports);
   for (std::size_t i = 0; i < s.supports.size(); ++i) measure_gap(s.model, s.state, i, s.supports[i]);
-  s.bolts.update_geometry(s.model, s.state);
-  if (s.plan.viscous_edges) update_geometry(s.model, s.state, s.clock.stage, s.damping);
+  s.bolts.update_geometry(s.model, s.state, acting_);
+  if (s.plan.viscous_edges) update_geometry(s.model, acting_, s.clock.stage, s.damping);
   if (s.plan.loads) {
-    s.external.update_geometry(s.model, s.state);
-    if (s.free_field) s.free_field->update_geometry(s.model, s.state, s.clock.stage);
+    s.external.update_geometry(s.model, acting_);
+    if (s.free_field) s.free_field->update_geometry(s.model, acting_, s.clock.stage);
     s.loads_at(s.state.time, s.forces.load_old);
   }
   refresh_tractions(s.state, s.contacts);
@@ -165,11 +174,11 @@ void GeneralStep::follow_geometry() {
 void GeneralStep::follow_contacts() {
   BlockSystem& s = system_;
   if (!moving_) {
-    update_geometry(s.model, s.state, s.contacts);
+    update_geometry(s.model, acting_, s.contacts);
     return;
   }
   ++s.costs.counters.contact_searches;
-  if (moving_->follow(s.model, s.state, s.contacts)) {
+  if (moving_->follow(s.model, s.state, acting_, s.contacts)) {
     base_ = pattern();
     solver_.set_pattern(base_);
   }
@@ -183,9 +192,11 @@ void GeneralStep::form_rhs() {
   rhs_ = -forces.internal_old;
   if (system_.plan.loads) rhs_ += c.load_new * forces.load_new + c.load_old * forces.load_old;
   if (system_.plan.gravity) rhs_ += system_.external.weight();
-  for (std::size_t i = 0; i < state.velocity.size(); ++i)
-    rhs_.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
-        momentum(system_.terms.inertia[i], c.mass_v * state.velocity[i] + c.mass_a * state.acceleration[i]);
+  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+    auto own = rhs_.segment<6>(static_cast<Eigen::Index>(6 * i));
+    own += momentum(system_.terms.inertia[i], c.mass_v * state.velocity[i] + c.mass_a * state.acceleration[i]);
+    own.tail<3>() += system_.terms.centrifugal[i];
+  }
   add_dashpot_and_support_rhs(system_, rhs_);
 }
 
@@ -299,6 +310,8 @@ void GeneralStep::accept() {
   accept_supports(s);
   s.sum_internal_forces(s.forces.internal_new);
   finish_step(work, s.stored_energy_now(), s);
+  // Where blocks have moved the next step follows the geometry; what is recorded now has the directions of now.
+  if (moved_ > geometry_tolerance) turn_strains_home(s.state, s.terms);
 }
 
 void GeneralStep::accept_bonded() {

@@ -53,7 +53,8 @@ void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& sys
     const Inertia& inertia = system.terms.inertia[i];
     if (inertia.mass == 0) continue;  // held
     const Mat6 mass = mass_matrix(inertia);
-    const auto force = unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i));
+    Vec6 force = unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i));
+    force.tail<3>() += system.terms.centrifugal[i];
     Vec6& acceleration = system.state.acceleration[i];
     acceleration = mass.llt().solve(force);
     const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;

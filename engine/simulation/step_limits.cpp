@@ -37,6 +37,13 @@ double largest_motion(const BlockSystem& system) {
   return largest;
 }
 
+double largest_motion_within(const BlockSystem& system, double time) {
+  double largest = 0;
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i)
+    largest = std::max(largest, motion_share(system.state.velocity[i], system.terms.area[i]));
+  return time * largest;
+}
+
 std::string turn_problem(const BlockSystem& system) {
   const double most = most_turn_now(system);
   for (std::size_t i = 0; i < system.terms.area.size(); ++i) {

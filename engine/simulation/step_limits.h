@@ -11,6 +11,9 @@ namespace dda {
 // Of the block that moves most by system.increment, its motion in its own size (see motion_share).
 double largest_motion(const BlockSystem& system);
 
+// The same by what each block would do within `time` (s) if it went on as it moves now.
+double largest_motion_within(const BlockSystem& system, double time);
+
 // Which block would turn or be strained too far for first-order gaps by system.increment; empty when none.
 std::string turn_problem(const BlockSystem& system);
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/contact/acting_frame.h"
 #include "engine/contact/covered_corners.h"
 #include "engine/model/tolerance.h"
 
@@ -26,26 +27,6 @@ std::pair<int, int> pair_of(const Between& between) {
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
-}
-
-// The normal of the contact's edge as its block stands in `acting`.
-Vec2 normal_in(const State& acting, const Outlines& outlines, const VertexContact& contact) {
-  const Vec2 drawn = outlines.reference[at(outlines.next[at(contact.edge)])] - outlines.reference[at(contact.edge)];
-  const Vec2 along = acting.deformation[at(contact.edge_block)] * drawn;
-  return Vec2(along.y(), -along.x()).normalized();
-}
-
-// Both blocks feel the contact at the vertex, so its forces have no moment between them.
-InterfaceFrame frame_of(const Model& model, const State& acting, const Outlines& outlines, const Interface& interface,
-                        const VertexContact& contact) {
-  const Vec2 point = current_position(model, acting, contact.vertex_block, interface.from);
-  return {point,
-          point,
-          point,
-          point,
-          normal_in(acting, outlines, contact),
-          current_centroid(model, acting, contact.edge_block),
-          current_centroid(model, acting, contact.vertex_block)};
 }
 
 // Says for every contact found which known one it continues, if any; each is continued once. A contact that is not
@@ -147,12 +128,12 @@ InterfaceState new_state(const JointMaterial& joint) {
   return state;
 }
 
-// Blocks that turn fast meet deeper than the first-order gaps of the step said. Far beyond what steps of usual length
-// make of that, it would be energy from nowhere: the spring then closes deeper by as much.
-void forgive_turn(double distance, double size, InterfaceState& state) {
-  constexpr double usual = 1e-4;  // of the size: a turn of some 0.015 in the step
+// Blocks that turn meet a little deeper, or less deep, than the first-order gaps of the step said. Deeper would be
+// energy from nowhere, and a force at the start of the next step that is not what the last one found: the spring then
+// closes deeper by as much.
+void forgive_turn(double distance, InterfaceState& state) {
   const double deeper = std::min(0.0, state.gap(0)) - (distance - state.held_open(0));
-  if (deeper > usual * size) state.seat[0] -= deeper;
+  if (deeper > 0) state.seat[0] -= deeper;
 }
 
 // A spring that opens has lost what it was seated with, but for a depth that it has not yet come out of.
@@ -313,7 +294,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
     const Interface interface = interface_of(model, found[i]);
     contacts.interfaces[entry] = interface;
     contacts.elements[entry] = make_element(model, interface, InterfaceLaw::classical);
-    set_geometry(model, frame_of(model, acting, search_.outlines(), interface, found[i]), contacts.elements[entry]);
+    set_geometry(model, acting_frame(model, acting, search_.outlines(), found[i]), contacts.elements[entry]);
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     const std::ptrdiff_t earlier = succession.earlier()[i];
     if (earlier >= 0) {
@@ -321,8 +302,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
       InterfaceState& own = states.emplace_back(contacts.states[stretches_ + static_cast<std::size_t>(earlier)]);
       const double moved = std::abs(own.gap(0) + own.held_open(0) - before.gap);
       if (is_same(found[i], before)) {
-        forgive_turn(found[i].gap, std::min(search_.size_of(interface.block_a), search_.size_of(interface.block_b)),
-                     own);
+        forgive_turn(found[i].gap, own);
       } else {
         press_no_more(found[i].gap, moved, own);
       }

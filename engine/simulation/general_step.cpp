@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/contact/foreseen_gap.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/initial_acceleration.h"
@@ -156,6 +157,8 @@ void GeneralStep::follow_geometry() {
   follow_blocks(s.model, acting_, s.plan.is_static, s.state, s.terms);
   if (!s.plan.is_static) set_centrifugal_forces(s.model, s.state, s.terms);
   follow_contacts();
+  if (moves && moving_ && s.coefficients.acts_at != 0.5)
+    foresee_gaps(s.state.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
   update_geometry(s.model, acting_, s.supports);
   for (std::size_t i = 0; i < s.supports.size(); ++i) measure_gap(s.model, s.state, i, s.supports[i]);
   s.bolts.update_geometry(s.model, s.state, acting_);
@@ -304,14 +307,16 @@ void GeneralStep::accept() {
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
+  // What only a matrix built anew may see: the next step follows the geometry.
+  const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance;
+  if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts();
   if (s.plan.contacts_can_change) note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
   s.bolts.accept(solver_.bolts(), s.audit);
   accept_supports(s);
   s.sum_internal_forces(s.forces.internal_new);
   finish_step(work, s.stored_energy_now(), s);
-  // Where blocks have moved the next step follows the geometry; what is recorded now has the directions of now.
-  if (moved_ > geometry_tolerance) turn_strains_home(s.state, s.terms);
+  if (geometry_is_late) turn_strains_home(s.state, s.terms);  // what is recorded has the directions of now
 }
 
 void GeneralStep::accept_bonded() {
@@ -326,6 +331,7 @@ void GeneralStep::accept_bonded() {
 void GeneralStep::accept_contacts() {
   BlockSystem& s = system_;
   const double weight = s.coefficients.stiffness;
+  const bool gaps_are_foreseen = s.coefficients.acts_at != 0.5;  // and do no work
   const InterfaceTrials& trials = solver_.contacts();
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const std::size_t i = trials.place(k);
@@ -336,7 +342,7 @@ void GeneralStep::accept_contacts() {
     const bool drops = trials[k].force != after.force;
     if (drops && !s.held.empty())  // the rest of their work is in audit_held_blocks
       s.audit.held_blocks_moved_against(weight * s.held.gap_increment(element).dot(dropped));
-    if (before.status != after.status || before.slip != after.slip || drops)
+    if (before.status != after.status || before.slip != after.slip || drops || gaps_are_foreseen)
       s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
                                 weight * dashpot_force(element, trials[k]));
     s.contacts.states[i] = after;

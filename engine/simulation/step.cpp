@@ -21,7 +21,6 @@ void move_blocks(Kinematics kinematics, BlockSystem& system) {
   system.audit.dashpots_worked(c, system.damping, system.state, system.increment);
   advance_blocks(c, system.terms, system.increment, system.state);
   deform_blocks(kinematics, system.increment, system.terms, system.state);
-  if (kinematics == Kinematics::finite) keep_angular_momenta(system.model, system.state, system.terms);
   system.state.time += c.dt;
 }
 

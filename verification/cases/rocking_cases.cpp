@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "verification/cases/contact_rig.h"
+#include "verification/cases/every_integrator.h"
 #include "verification/exact/rocking.h"
 
 namespace verify {
@@ -158,8 +159,7 @@ Outcome rocking_period() {
 Outcome rocking_period_order() {
   Outcome outcome;
   double residual = 0;
-  for (const dda::Integrator& integrator :
-       {dda::generalized_alpha_integrator(0), dda::thesis_integrator(), dda::energy_conserving_integrator()}) {
+  for (const dda::Integrator& integrator : every_integrator()) {
     std::vector<double> errors;
     PeriodErrors got;
     for (const double dt : {4e-3, 2e-3, 1e-3}) {
@@ -169,8 +169,12 @@ Outcome rocking_period_order() {
     }
     outcome.assertions.push_back({"period of rocking at dt = 1 ms, h/b = 4, theta0 = 0.5 alpha, " + integrator.name,
                                   "s", got.period, got.full,
-                                  "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking)", got.full_error, 6e-4,
-                                  "measured 3e-4 to 5.2e-4", Order{std::log2(errors[1] / errors[2]), 1, 0.1}});
+                                  "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking)", got.full_error, 2e-5,
+                                  "measured up to 1.4e-5; 3e-4 to 5e-4 where forces lag behind the block"});
+    // Others are as exact but for what their start and vibrations of the springs make of it. From the differences
+    // between steps, as springs alone are 4e-7 off.
+    if (integrator.name != "thesis") continue;
+    outcome.assertions.back().order = Order{std::log2((errors[0] - errors[1]) / (errors[1] - errors[2])), 2, 0.3};
   }
   outcome.assertions.push_back(energy_assertion("nine releases", residual));
   return outcome;

@@ -9,6 +9,7 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/terms/inertia.h"
+#include "verification/cases/every_integrator.h"
 #include "verification/exact/centrifugal_stress.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
@@ -70,17 +71,6 @@ Spun spin(const dda::Model& model, Outcome& outcome) {
   return spun;
 }
 
-std::vector<dda::Integrator> all_integrators() {
-  return {dda::thesis_integrator(),
-          dda::trapezoidal_integrator(),
-          dda::hht_integrator(0),
-          dda::hht_integrator(0.1),
-          dda::generalized_alpha_integrator(0),
-          dda::generalized_alpha_integrator(0.8),
-          dda::generalized_alpha_integrator(1),
-          dda::energy_conserving_integrator()};
-}
-
 Outcome no_gain() {
   constexpr double width = 1.4;
   constexpr double height = 0.8;
@@ -91,7 +81,7 @@ Outcome no_gain() {
     // (strain of the centrifugal stress)^2 times the spin's energy: what the linear law leaves out of a spin's change.
     const double strain = exact::mean_centrifugal_stress(rock.density, spin_rate, width, height)[0] / rock.young;
     for (const double turn : {0.1, 0.01, 0.002}) {
-      for (const dda::Integrator& integrator : all_integrators()) {
+      for (const dda::Integrator& integrator : every_integrator()) {
         const Spun spun = spin(spinning_block(width, height, spin_rate, integrator, turn / spin_rate, steps), outcome);
         const std::string name = fmt::format("{}, {} rad/s, {} rad a step", integrator.name, spin_rate, turn);
         outcome.assertions.push_back({"most energy over that of the start, " + name, "-", spun.most_energy, 1,

@@ -8,8 +8,8 @@
 namespace dda {
 namespace {
 
-// The force of the start stays that of the gap as it is. A contact neither opens nor closes by what is foreseen alone: the
-// step finds out.
+// The force of the start stays that of the gap as it is. A contact neither opens nor closes by what is foreseen alone:
+// the step finds out.
 void shift_normal_gap(double by, InterfaceState& state) {
   double& gap = state.gap(0);
   gap = gap > 0 ? std::max(0.0, gap + by) : std::min(0.0, gap + by);

@@ -27,10 +27,11 @@ struct Scene {
     state = initial_state(model);
   }
 
-  // With the gaps that a step finds.
+  // With the gaps of vertex contacts that a step finds.
   void move_upper(double x, double y) {
     state.displacement[1].head<2>() += Vec2(x, y);
     for (std::size_t i = 0; i < contacts.states.size(); ++i) {
+      if (contacts.interfaces[i].length > 0) continue;
       const double sense = contacts.interfaces[i].block_b == 1 ? 1 : -1;
       contacts.states[i].gap(0) += sense * contacts.interfaces[i].normal.dot(Vec2(x, y));
     }

@@ -153,12 +153,13 @@ void GeneralStep::follow_geometry() {
   const PhaseTimer timer(s.costs.times.geometry);
   const bool moves = coming > geometry_tolerance;
   moved_ = moves ? coming : 0;
-  foresee(s.state, moves ? ahead : 0, acting_);
+  const double most = moving_ ? most_turn : std::numeric_limits<double>::infinity();
+  foresee(s.state, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, most, acting_);
   follow_blocks(s.model, acting_, s.plan.is_static, s.state, s.terms);
   if (!s.plan.is_static) set_centrifugal_forces(s.model, s.state, s.terms);
   follow_contacts();
   if (moves && moving_ && s.coefficients.acts_at != 0.5)
-    foresee_gaps(s.state.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
+    foresee_gaps(acting_.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
   update_geometry(s.model, acting_, s.supports);
   for (std::size_t i = 0; i < s.supports.size(); ++i) measure_gap(s.model, s.state, i, s.supports[i]);
   s.bolts.update_geometry(s.model, s.state, acting_);

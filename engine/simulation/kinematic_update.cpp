@@ -94,9 +94,11 @@ void keep_angular_momenta(const Model& model, State& state, BlockTerms& terms) {
   }
 }
 
-void foresee(const State& state, double ahead, State& acting) {
+void foresee(const State& state, double dt, double share, double most_turn, State& acting) {
   for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-    const Vec3 motion = ahead * state.velocity[i].head<3>();
+    acting.velocity[i].setZero();
+    if (std::abs(dt * state.velocity[i](2)) <= most_turn) acting.velocity[i].head<3>() = state.velocity[i].head<3>();
+    const Vec3 motion = share * dt * acting.velocity[i].head<3>();
     acting.displacement[i] = state.displacement[i];
     acting.displacement[i].head<3>() += motion;
     acting.deformation[i] = rotation(motion(2)) * state.deformation[i];

@@ -23,9 +23,11 @@ void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, const BlockT
 // Spins that keep their angular momentum after the blocks have changed their shapes (finite kinematics).
 void keep_angular_momenta(const Model& model, State& state, BlockTerms& terms);
 
-// Where the blocks are a time `ahead` (s) later if they go on as they move now, each as a rigid body: displacements and
-// shapes of `acting`.
-void foresee(const State& state, double ahead, State& acting);
+// Where the blocks are at the `share` of a step of `dt` (s) if they go on as they move now, each as a rigid body:
+// displacements and shapes of `acting`, whose velocities are those that were believed. A block that would turn by more
+// than `most_turn` (rad) in the step is not believed to: small ones between stiff contacts have velocities that no
+// motion follows.
+void foresee(const State& state, double dt, double share, double most_turn, State& acting);
 
 // Brings the blocks to the geometry in which the next step's forces act: stresses, rates of strains and inertia turn
 // into the directions that the blocks have there. Areas and inertia are measured anew where shapes have changed much,

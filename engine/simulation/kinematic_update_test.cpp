@@ -128,9 +128,13 @@ TEST(MoveBlocks, ForeseenAreStraightMotionAndTurn) {
   State state = block.state;
   state.velocity[0] << 0.5, -1, 2, 0, 0, 0;
   State acting = state;
-  foresee(state, 0.1, acting);
+  foresee(state, 0.2, 0.5, 0.4, acting);
   EXPECT_LT((acting.displacement[0] - 0.1 * state.velocity[0]).norm(), round_off);
   EXPECT_LT((acting.deformation[0] - rotation(0.2)).norm(), round_off);
+  EXPECT_EQ(acting.velocity[0], state.velocity[0]);
+  foresee(state, 0.2, 0.5, 0.39, acting);  // turns by more
+  EXPECT_TRUE(acting.displacement[0].isZero(0));
+  EXPECT_TRUE(acting.velocity[0].isZero(0));
 }
 
 TEST(MoveBlocks, SmallKinematicsAdd) {

@@ -12,10 +12,8 @@
 namespace dda {
 namespace {
 
-// A block may turn, or be strained, by this much in a step (rad): first-order gaps are then off by its size times half
-// the square. In static stages that is put right by the steps that follow; and a small block that tumbles faster than
-// the shortest parts of a step resolve does not stop the others: what it meets forgives it the rest (moving_contacts).
-constexpr double most_turn = 0.01;
+// In static stages a larger turn is put right by the steps that follow; and a small block that tumbles faster than the
+// shortest parts of a step resolve does not stop the others: what it meets forgives it the rest (moving_contacts).
 constexpr double most_turn_in_static_steps = 0.05;
 constexpr double most_turn_in_shortest_steps = 0.3;
 

@@ -8,6 +8,10 @@
 
 namespace dda {
 
+// A block may turn, or be strained, by this much in a step (rad) where contacts are followed: first-order gaps are then
+// off by its size times half the square.
+inline constexpr double most_turn = 0.01;
+
 // Of the block that moves most by system.increment, its motion in its own size (see motion_share).
 double largest_motion(const BlockSystem& system);
 

@@ -61,7 +61,7 @@ SourceForce source_force(const PlanePulse& pulse, double x, double y) {
   return {factor * (x + y), factor * (y - x)};
 }
 
-RadialHistory displacement_history(const PlanePulse& pulse, double r, double dt, int samples) {
+DisplacementHistory displacement_history(const PlanePulse& pulse, double r, double dt, int samples) {
   return {potential_slope(pulse, pulse.p_speed, r, dt, samples), potential_slope(pulse, pulse.s_speed, r, dt, samples)};
 }
 

@@ -30,12 +30,12 @@ struct SourceForce {
 [[nodiscard]] SourceForce source_force(const PlanePulse& pulse, double x, double y);
 
 // Displacement (m) at a distance from the source, at t = 0, dt, 2 dt, ...
-struct RadialHistory {
+struct DisplacementHistory {
   std::vector<double> outward;    // of the P wave
   std::vector<double> clockwise;  // of the S wave
 };
 
 // `samples` of it at distance r > 0 (m). Quadrature error below 1e-8 of the peak while r and c_p t are below 60 s.
-[[nodiscard]] RadialHistory displacement_history(const PlanePulse& pulse, double r, double dt, int samples);
+[[nodiscard]] DisplacementHistory displacement_history(const PlanePulse& pulse, double r, double dt, int samples);
 
 }  // namespace exact

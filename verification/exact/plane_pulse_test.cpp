@@ -51,7 +51,7 @@ double difference(double c, const std::vector<double>& exact, int refinement, do
 // The differences come closer with order 2, and the extrapolated rest is none.
 TEST(PlanePulse, AgreesWithFiniteDifferences) {
   const double dt = 5e-5;
-  const RadialHistory history = displacement_history(pulse, place, dt, 520);
+  const DisplacementHistory history = displacement_history(pulse, place, dt, 520);
   for (const bool p : {true, false}) {
     const std::vector<double>& exact = p ? history.outward : history.clockwise;
     const double c = p ? pulse.p_speed : pulse.s_speed;
@@ -64,7 +64,7 @@ TEST(PlanePulse, AgreesWithFiniteDifferences) {
 // Causal up to the rim of the source: 6 radii off, exp(-18).
 TEST(PlanePulse, DoesNotArriveTooEarly) {
   const double dt = 1e-4;
-  const RadialHistory history = displacement_history(pulse, 60, dt, 300);
+  const DisplacementHistory history = displacement_history(pulse, 60, dt, 300);
   for (std::size_t i = 0; i < 300; ++i) {
     if (pulse.p_speed * static_cast<double>(i) * dt < 30) {
       EXPECT_LT(std::abs(history.outward[i]), 1e-7 * largest(history.outward));

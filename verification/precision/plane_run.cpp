@@ -145,7 +145,7 @@ const exact::PlanePulse& plane_pulse() {
 
 PlaneHistory exact_displacement(double x, double y, double dt, int samples) {
   const double r = std::hypot(x, y);
-  const exact::RadialHistory wave = exact::displacement_history(plane_pulse(), r, dt, samples);
+  const exact::DisplacementHistory wave = exact::displacement_history(plane_pulse(), r, dt, samples);
   PlaneHistory history;
   for (std::size_t n = 0; n < wave.outward.size(); ++n) {
     history.x.push_back((wave.outward[n] * x + wave.clockwise[n] * y) / r);

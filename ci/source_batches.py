@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Which sources can be compiled as one file: those that do not declare the same name in unnamed namespaces (ADR 30).
+
+ci/source_batches.py SIZE SOURCE...   prints the number of its batch for each source, as a list of CMake
+"""
+
+import collections
+import functools
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+HEADER = re.compile(r'^#include "(.*)"', re.MULTILINE)
+UNNAMED_NAMESPACE = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
+# Lines without indentation: a type or an alias; else the name before what begins parameters or a value. Macros are capitals.
+TYPE = re.compile(r"^(?:(?:struct|class|enum class|enum) (\w+)|(?:using|namespace) (\w+) =)", re.MULTILINE)
+VALUE = re.compile(r"^(?!struct|class|enum|using|namespace|template)[^\s#/}].*?(\w+) ?[({=;\[]", re.MULTILINE)
+CONSTANTS = re.compile(r"^const.*;$", re.MULTILINE)  # there may be several in a line
+CALLED = re.compile(r"(?<![\w.:>])(\w+)\(")
+MACRO = re.compile(r"[A-Z0-9_]+")
+
+
+def types(text):
+    return {name for names in TYPE.findall(text) for name in names if name}
+
+
+def declared(text):
+    values = set(VALUE.findall(text)).union(*(re.findall(r"(\w+) = ", line) for line in CONSTANTS.findall(text)))
+    return types(text) | {name for name in values if not MACRO.fullmatch(name)}
+
+
+@functools.cache
+def types_of(header):
+    """The types that a header declares, and those that it includes."""
+    path = ROOT / header
+    text = path.read_text() if path.exists() else ""
+    return types(text).union(*map(types_of, HEADER.findall(text)))
+
+
+class Names:
+    """What a source declares in unnamed namespaces; what it calls, and the types of its headers. Not a parser: who uses
+    batches must get by with a wrong one."""
+
+    def __init__(self, source):
+        text = Path(source).read_text()
+        self.own = set().union(*map(declared, UNNAMED_NAMESPACE.findall(text)))
+        self.used = set(CALLED.findall(text)).union(*map(types_of, HEADER.findall(text)))
+
+    def clash_with(self, other):
+        """The same name declared by both, or one that hides what the other uses."""
+        return self.own & other.own or self.own & other.used or self.used & other.own
+
+
+def batches(sources, size):
+    """Lists of about `size` sources that do not clash. Sources whose names others have too are spread first; the rest fills
+    up one list after the other, so that most of a list includes the same headers."""
+    names = {source: Names(source) for source in sources}
+    often = collections.Counter(name for each in names.values() for name in each.own | each.used)
+    sharing = {source: max((often[name] for name in names[source].own), default=0) for source in sources}
+    lists = [[] for _ in range(-(-len(sources) // size))]
+    for source in sorted(sources, key=lambda source: -sharing[source]):
+        free = [each for each in lists
+                if len(each) < size and not any(names[source].clash_with(names[other]) for other in each)]
+        if not free:
+            free = [[]]
+            lists += free
+        (min(free, key=len) if sharing[source] > 1 else free[0]).append(source)
+    return [sorted(each) for each in lists]
+
+
+if __name__ == "__main__":
+    number_of = {source: number for number, each in enumerate(batches(sys.argv[2:], int(sys.argv[1]))) for source in each}
+    print(";".join(str(number_of[source]) for source in sys.argv[2:]), end="")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which sources can be compiled as one file: those that do not declare the same name in unnamed namespaces (ADR 30).
+"""Which sources can be compiled as one file: those that do not declare the same name in unnamed namespaces (ADR 31).
 
 ci/source_batches.py SIZE SOURCE...   prints the number of its batch for each source, as a list of CMake
 """

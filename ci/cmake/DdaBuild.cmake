@@ -45,7 +45,7 @@ function(dda_fast_to_compile TARGET)
   set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 endfunction()
 
-# dda_compile_together(TARGET): in a unity build (the sanitized one, ADR 30) its sources are compiled a few at a time, in
+# dda_compile_together(TARGET): in a unity build (the sanitized one, ADR 31) its sources are compiled a few at a time, in
 # batches without two that declare the same name. DDA_ALONE names batches that do not go together all the same.
 set(DDA_ALONE "" CACHE STRING "Batches of a unity build whose sources are compiled one by one, e.g. exact_test_0")
 function(dda_compile_together TARGET)

@@ -90,6 +90,8 @@ const std::array grids = {
     GridCase{"stress_25_running_bond", PlaneState::stress, 0.25, 2, GridPattern::running_bond},
     GridCase{"stress_33_running_bond_square", PlaneState::stress, 0.33, 1, GridPattern::running_bond},
     GridCase{"strain_45_running_bond", PlaneState::strain, 0.45, 2, GridPattern::running_bond},
+    GridCase{"strain_499_square", PlaneState::strain, 0.499, 1, GridPattern::stack},
+    GridCase{"strain_499_running_bond", PlaneState::strain, 0.499, 2, GridPattern::running_bond},
 };
 
 class BondedGrid : public testing::TestWithParam<GridCase> {};

@@ -33,18 +33,34 @@ double stress_share(const Model& model, int block, int other) {
   return own ? 0 : 1;
 }
 
+// The stiffer of both blocks' moduli, Pa.
+double stiffer(const Model& model, const Interface& interface, double (*modulus)(const Material&)) {
+  return std::max(modulus(model.material_of(interface.block_a)), modulus(model.material_of(interface.block_b)));
+}
+
+double plane_modulus(const Material& material) { return elasticity_matrix(material)(0, 0); }
+
+// What the rows need that do not resist a change of volume, Pa: the plane modulus, but no more than four times the
+// shear modulus, which it exceeds in plane strain beyond nu = 1/3. Pressure does not shear a joint, so its stiffness
+// has no place in the tangential rows; and the difference of the normal gaps at the ends, held with the stiffness of
+// the volume, would lock nearly incompressible meshes (Hansbo & Larson 2002 project the jump for the same reason).
+double isochoric_modulus(const Material& material) {
+  const Mat3 elasticity = elasticity_matrix(material);
+  return std::min(elasticity(0, 0), 4 * elasticity(2, 2));
+}
+
 // Nitsche's penalty: the stiffer modulus over the smaller width, so that the bound on `penalty` holds for both blocks.
 // Beside a held block all of the other's stress acts on the gap and not half of it, which asks for twice the penalty.
 Vec4 consistent_stiffness(const Model& model, const Interface& interface) {
   const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
-  const double modulus = std::max(elasticity_matrix(model.material_of(interface.block_a))(0, 0),
-                                  elasticity_matrix(model.material_of(interface.block_b))(0, 0));
   const double across =
       std::min(width(model, interface.block_a, interface.normal), width(model, interface.block_b, interface.normal));
   const double share = std::max(stress_share(model, interface.block_a, interface.block_b),
                                 stress_share(model, interface.block_b, interface.block_a));
-  const double unit = 2 * share * modulus * interface.length / across;
-  return {joint.penalty * unit, joint.penalty * unit, joint.stabilisation * unit, joint.stabilisation * unit};
+  const double unit = 2 * share * interface.length / across;
+  const double volume = unit * stiffer(model, interface, plane_modulus);
+  const double shear = unit * stiffer(model, interface, isochoric_modulus);
+  return {joint.penalty * volume, joint.penalty * shear, joint.stabilisation * shear, joint.stabilisation * shear};
 }
 
 // Stiffness of the cubic law: rows 0 and 2 from the reconstruction, 1 by Nitsche's penalty, and on 3 the bending

@@ -14,7 +14,11 @@ Mat3 elasticity_matrix(const Material& material) {
   return (Mat3() << direct, cross, 0, cross, direct, 0, 0, 0, shear).finished();
 }
 
-double bar_wave_speed(const Material& material) { return std::sqrt(material.young / material.density); }
+double bar_wave_speed(const Material& material) {
+  const bool plane_stress = material.plane == PlaneState::stress;
+  const double modulus = material.young / (plane_stress ? 1 : 1 - material.poisson * material.poisson);
+  return std::sqrt(modulus / material.density);
+}
 
 double p_wave_speed(const Material& material) {
   return std::sqrt(elasticity_matrix(material)(0, 0) / material.density);

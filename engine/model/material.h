@@ -23,9 +23,11 @@ struct Material {
 // Stress = elasticity_matrix * (ex, ey, gxy), Pa; tension positive.
 Mat3 elasticity_matrix(const Material& material);
 
-double bar_wave_speed(const Material& material);  // sqrt(E/rho), m/s: a bar free to contract sideways (plane stress)
-double p_wave_speed(const Material& material);    // m/s, of the plane state: thesis Eq. 11 is the plane-strain value
-double s_wave_speed(const Material& material);    // m/s, sqrt(G/rho): thesis Eq. 12 lacks the factor 2
+// m/s, of a bar whose sides are free: sqrt(E/rho) in plane stress, sqrt(E/((1 - nu^2) rho)) in plane strain, where it
+// can contract in the plane only.
+double bar_wave_speed(const Material& material);
+double p_wave_speed(const Material& material);  // m/s, of the plane state: thesis Eq. 11 is the plane-strain value
+double s_wave_speed(const Material& material);  // m/s, sqrt(G/rho): thesis Eq. 12 lacks the factor 2
 
 enum class InterfaceLaw {
   classical,   // Shi's vertex-edge springs, one at each end of a touching stretch

@@ -62,6 +62,16 @@ TEST(WaveSpeeds, DependOnThePlaneStateAsTheModuliDo) {
   EXPECT_NEAR(p_wave_speed(rock(PlaneState::strain)), bar * std::sqrt(0.75 / (1.25 * 0.5)), round_off * bar);
 }
 
+// A bar in plane strain strains sideways by -nu/(1 - nu) of its own strain, so that its sides are free of stress.
+TEST(WaveSpeeds, BarInPlaneStrainHasFreeSides) {
+  for (const double poisson : {0.0, 0.3, 0.49, 0.499}) {
+    const Material material{"rock", 2400, 25e9, poisson, PlaneState::strain};
+    const Vec3 stress = elasticity_matrix(material) * Vec3(1, -poisson / (1 - poisson), 0);
+    EXPECT_NEAR(stress(1), 0, 1e-13 * elasticity_matrix(material)(0, 0));
+    EXPECT_NEAR(bar_wave_speed(material), std::sqrt(stress(0) / 2400), 1e-10 * bar_wave_speed(material)) << poisson;
+  }
+}
+
 // The thesis' Eq. 12 as printed, sqrt(E / (rho (1 + nu))), is sqrt(2) times this.
 TEST(WaveSpeeds, ShearWaveHasTheFactorTwo) {
   EXPECT_NEAR(s_wave_speed(rock(PlaneState::stress)), std::sqrt(50e9 / (2 * 2650 * 1.25)), 1e-10);

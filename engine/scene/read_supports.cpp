@@ -73,6 +73,18 @@ void append_support(PointSupport support, int block, const Vec2& point, double s
   model.supports.push_back(std::move(support));
 }
 
+// Both ends of a stretch are held across it. Along it a clamped edge is held in its middle: held at both ends, a block
+// of constant strain could not strain along the edge at all, which near a clamp makes rock of nu above 0.4 as good as
+// rigid.
+void append_edge(PointSupport support, Hold hold, const Stretch& stretch, Model& model) {
+  if (hold == Hold::xy || hold == Hold::normal) support.direction = stretch.inward;
+  append_support(support, stretch.block, stretch.from, 0.5, model);
+  append_support(support, stretch.block, stretch.to, 0.5, model);
+  if (hold != Hold::xy) return;
+  support.direction = stretch.inward.unitOrthogonal();
+  append_support(support, stretch.block, (stretch.from + stretch.to) / 2, 1, model);
+}
+
 void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
   refuse(field, {"rotation", "spin", "about"}, "for points and edges, which do not turn");
   PointSupport support;
@@ -90,11 +102,7 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
     append_support(support, block, point, 1, model);
     return;
   }
-  for (const Stretch& stretch : read_edge(field, plan, model)) {
-    if (hold == Hold::normal) support.direction = stretch.inward;
-    append_support(support, stretch.block, stretch.from, 0.5, model);
-    append_support(support, stretch.block, stretch.to, 0.5, model);
-  }
+  for (const Stretch& stretch : read_edge(field, plan, model)) append_edge(support, hold, stretch, model);
 }
 
 // Whole blocks.

@@ -275,11 +275,12 @@ TEST(Scene, SupportsEndAndViscousBoundariesBeginWithAStage) {
     "steps": [{"name": "settle", "dt": 1, "duration": 1}, {"dt": 1, "duration": 1},
               {"name": "wave", "dt": 1, "duration": 1}]})";
   const Model model = parse_scene(text, "scene.json");
-  EXPECT_EQ(model.supports[0].last_stage, 0);
-  EXPECT_EQ(model.supports[1].last_stage, 0);
-  EXPECT_EQ(model.supports[2].last_stage, -1);
-  EXPECT_EQ(model.supports[4].last_stage, 0);
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(model.supports[i].takes_force_along, i == 4) << i;
+  ASSERT_EQ(model.supports.size(), 7U);  // three of each edge, one of the point
+  const auto lasts = [&](std::size_t i) { return model.supports[i].last_stage; };
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(lasts(i), 0) << i;
+  for (std::size_t i = 3; i < 6; ++i) EXPECT_EQ(lasts(i), -1) << i;
+  EXPECT_EQ(lasts(6), 0);
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(model.supports[i].takes_force_along, i == 6) << i;
   EXPECT_EQ(model.viscous_edges[0].first_stage, 2);
   EXPECT_EQ(model.viscous_edges[1].first_stage, 0);
   ASSERT_EQ(model.edge_loads.size(), 2U);

@@ -1,6 +1,7 @@
 // Supports, whole blocks, records and bolts as scenes write them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -96,6 +97,25 @@ TEST(Scene, RollersAcrossAnEdge) {
                                   "scene.json");
   ASSERT_EQ(model.supports.size(), 2U);
   EXPECT_LT((model.supports[0].direction - Vec2(-0.6, 0.8)).norm(), 1e-15);
+}
+
+// Both ends across the edge, its middle along it: the block may strain along a clamped edge.
+TEST(Scene, ClampedEdgeLeavesItsStrainFree) {
+  const Model model = parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+    "blocks": {"polygon": {"vertices": [[0, 0], [4, 3], [0, 3]]}}, "steps": {"dt": 1, "duration": 1},
+    "supports": [{"edge": {"from": [0, 0], "to": [4, 3]}, "stiffness": 8}]})",
+                                  "scene.json");
+  ASSERT_EQ(model.supports.size(), 3U);
+  double across = 0;
+  double along = 0;
+  for (const PointSupport& support : model.supports) {
+    across += support.stiffness * std::pow(support.direction.dot(Vec2(-0.6, 0.8)), 2);
+    along += support.stiffness * std::pow(support.direction.dot(Vec2(0.8, 0.6)), 2);
+  }
+  EXPECT_NEAR(across, 8, 1e-14);
+  EXPECT_NEAR(along, 8, 1e-14);
+  EXPECT_EQ(model.supports[2].point, Vec2(2, 1.5));
+  EXPECT_NEAR(std::abs(model.supports[2].direction.dot(Vec2(0.8, 0.6))), 1, 1e-15);
 }
 
 TEST(Scene, BoltAnchoredAcrossSeveralBlocks) {

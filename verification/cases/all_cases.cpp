@@ -19,6 +19,7 @@
 #include "verification/cases/free_field_cases.h"
 #include "verification/cases/free_field_scene_cases.h"
 #include "verification/cases/incline_chart_cases.h"
+#include "verification/cases/incompressible_cases.h"
 #include "verification/cases/joint_strength_cases.h"
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/lame_mode_cases.h"
@@ -65,6 +66,7 @@ constexpr std::array subjects{
     joint_strength_cases,      // 23
     statics_cases,             // 24-26
     cantilever_cases,          // 27
+    incompressible_cases,      // 27
     lame_mode_cases,           // 30
     p_bar_cases,               // 32
     work_precision_cases,      // 32

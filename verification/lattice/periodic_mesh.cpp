@@ -31,22 +31,6 @@ std::vector<dda::Vec2> scattered_points(unsigned seed) {
   return points;
 }
 
-// What of a convex ring is nearer to `own` than to `other`.
-dda::Ring nearer_part(const dda::Ring& ring, const dda::Vec2& own, const dda::Vec2& other) {
-  const dda::Vec2 outward = other - own;
-  const auto beyond = [&](const dda::Vec2& p) { return outward.dot(p - (own + other) / 2); };
-  dda::Ring kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const dda::Vec2& from = ring[i];
-    const dda::Vec2& to = ring[(i + 1) % ring.size()];
-    const double a = beyond(from);
-    const double b = beyond(to);
-    if (a <= 0) kept.push_back(from);
-    if ((a < 0 && b > 0) || (a > 0 && b < 0)) kept.push_back(from + a / (a - b) * (to - from));
-  }
-  return kept;
-}
-
 }  // namespace
 
 dda::Vec2 translation(const PeriodicMesh& mesh, int cell) {
@@ -92,6 +76,21 @@ PeriodicMesh irregular_mesh(unsigned seed) {
     for (int j = 0; j < side; ++j)
       mesh.cell.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
   return mesh;
+}
+
+dda::Ring nearer_part(const dda::Ring& ring, const dda::Vec2& own, const dda::Vec2& other) {
+  const dda::Vec2 outward = other - own;
+  const auto beyond = [&](const dda::Vec2& p) { return outward.dot(p - (own + other) / 2); };
+  dda::Ring kept;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const dda::Vec2& from = ring[i];
+    const dda::Vec2& to = ring[(i + 1) % ring.size()];
+    const double a = beyond(from);
+    const double b = beyond(to);
+    if (a <= 0) kept.push_back(from);
+    if ((a < 0 && b > 0) || (a > 0 && b < 0)) kept.push_back(from + a / (a - b) * (to - from));
+  }
+  return kept;
 }
 
 PeriodicMesh voronoi_mesh(unsigned seed) {

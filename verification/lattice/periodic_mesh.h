@@ -24,6 +24,9 @@ struct PeriodicMesh {
 // Of 16 random points in 4 x 4 m, no two closer than 0.55 m.
 [[nodiscard]] PeriodicMesh voronoi_mesh(unsigned seed);
 
+// What of a convex ring is nearer to `own` than to `other`: cutting by all others gives the Voronoi polygon of `own`.
+[[nodiscard]] dda::Ring nearer_part(const dda::Ring& ring, const dda::Vec2& own, const dda::Vec2& other);
+
 // The cell with its eight neighbours, 3 x 3: cell c lies (c/3 - 1) times `first` and (c % 3 - 1) times `second` away.
 constexpr int middle_cell = 4;
 [[nodiscard]] dda::Vec2 translation(const PeriodicMesh& mesh, int cell);

@@ -50,4 +50,13 @@ const std::vector<Problem>& catalogue() {
   return problems;
 }
 
+const std::vector<Area>& areas() {
+  static const std::vector<Area> all = {
+      {"Free motion, impact, energy", 1, 8}, {"Friction and shaking", 9, 13},
+      {"Rocking and toppling", 14, 17},      {"Slopes, roofs, arches, joints", 18, 23},
+      {"Stress and stiffness", 24, 31},      {"Waves, boundaries, blasts", 32, 42},
+  };
+  return all;
+}
+
 }  // namespace verify

@@ -12,7 +12,17 @@ struct Problem {
   std::string_view title;
 };
 
+// Neighbouring problems about the same physics.
+struct Area {
+  std::string_view title;
+  int first;  // number of its first problem
+  int last;
+};
+
 // In the order of their numbers, from 1 without gaps.
 [[nodiscard]] const std::vector<Problem>& catalogue();
+
+// Every problem is in one of them, in order.
+[[nodiscard]] const std::vector<Area>& areas();
 
 }  // namespace verify

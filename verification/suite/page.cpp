@@ -48,6 +48,47 @@ std::string case_text(const Case& given, const Tables& tables) {
   return text + "\n";
 }
 
+// How well an area does: its cases and quantities, and where an error comes nearest to its tolerance.
+struct AreaFigures {
+  int cases = 0;
+  int quantities = 0;
+  Margin nearest{"", 0};
+  std::string nearest_case;
+};
+
+AreaFigures figures_of(const Area& area, const std::vector<Case>& cases, const Tables& tables) {
+  AreaFigures figures;
+  for (const Case& each : cases) {
+    const auto table = tables.find(each.id);
+    if (each.catalogue.empty() || each.catalogue.front() < area.first || each.catalogue.front() > area.last) continue;
+    ++figures.cases;
+    if (table == tables.end()) continue;
+    for (const Margin& margin : margins_of(table->second)) {
+      ++figures.quantities;
+      if (margin.share <= figures.nearest.share) continue;
+      figures.nearest = margin;
+      figures.nearest_case = each.id;
+    }
+  }
+  return figures;
+}
+
+// A row for each area that has cases.
+std::string summary_text(const std::vector<Case>& cases, const Tables& tables) {
+  std::string text = "| area | problems | cases | quantities | nearest to its tolerance |\n|---|---|---:|---:|---|\n";
+  for (const Area& area : areas()) {
+    const AreaFigures figures = figures_of(area, cases, tables);
+    if (figures.cases == 0) continue;
+    const std::string nearest = figures.nearest.share > 0
+                                    ? fmt::format("{:.0f} % of it: `{}`, {}", 100 * figures.nearest.share,
+                                                  figures.nearest_case, figures.nearest.quantity)
+                                    : "all round-off or exact";
+    text += fmt::format("| {} | {} to {} | {} | {} | {} |\n", area.title, area.first, area.last, figures.cases,
+                        figures.quantities, nearest);
+  }
+  return text;
+}
+
 // A case stands under its first number; its other numbers point there.
 std::string section_text(const Problem& problem, const std::vector<Case>& cases, const Tables& tables) {
   std::string text;
@@ -121,7 +162,7 @@ std::string first_difference(const Lines& printed, const Lines& expected) {
 std::string page_of(const std::vector<Case>& cases, const Tables& tables) {
   const std::set<int> numbers = covered(cases);
   std::string text = head;
-  text += fmt::format("\n{}\n\n", coverage_text(numbers.size(), cases.size()));
+  text += fmt::format("\n{}\n\n{}\n", coverage_text(numbers.size(), cases.size()), summary_text(cases, tables));
   for (const Problem& problem : catalogue()) text += section_text(problem, cases, tables);
   return text + uncovered_text(numbers);
 }
@@ -144,9 +185,9 @@ Tables tables_of(const std::string& page) {
 
 std::vector<std::string> differences(const std::string& page, const std::vector<Case>& cases, const Tables& measured) {
   std::vector<std::string> found;
-  const std::string frame = first_difference(frame_of(page), frame_of(page_of(cases, {})));
-  if (!frame.empty()) found.push_back(frame);
   const Tables printed = tables_of(page);
+  const std::string frame = first_difference(frame_of(page), frame_of(page_of(cases, printed)));
+  if (!frame.empty()) found.push_back(frame);
   for (const Case& each : cases) {
     const auto was = printed.find(each.id);
     const auto is = measured.find(each.id);

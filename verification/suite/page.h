@@ -12,7 +12,8 @@ namespace verify {
 
 using Tables = std::map<std::string, Lines>;  // of cases by their ids
 
-// The cases by catalogue number, each with its table if `tables` has it, and the problems that no case covers.
+// A summary by areas, the cases by catalogue number, each with its table if `tables` has it, and the problems that no
+// case covers.
 [[nodiscard]] std::string page_of(const std::vector<Case>& cases, const Tables& tables);
 
 // The tables of a page; those of an empty text are none.

@@ -195,6 +195,20 @@ Lines page_table(const std::vector<Row>& rows) {
   return lines;
 }
 
+std::vector<Margin> margins_of(const Lines& printed) {
+  std::vector<Margin> margins;
+  for (const std::string& line : printed) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.size() <= tolerance) continue;
+    const std::optional<Figure> took = figure_of(cells[error]);
+    const std::optional<Figure> may_take = figure_of(cells[tolerance]);
+    if (!took || !may_take) continue;  // the head of the table
+    const bool is_nothing = took->is_bound || may_take->number == 0;
+    margins.push_back({cells[quantity], is_nothing ? 0 : std::abs(took->number) / may_take->number});
+  }
+  return margins;
+}
+
 std::vector<std::string> differences(const Lines& printed, const Lines& measured) {
   if (printed.size() != measured.size()) return {"other quantities or notes are printed than there are"};
   std::vector<std::string> found;

@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
+#include "engine/record/atomic_file.h"
 #include "verification/suite/catalogue.h"
 #include "verification/suite/page.h"
 #include "verification/suite/run_command.h"
@@ -134,6 +135,21 @@ TEST_F(TablePage, HasEveryCaseAndWhatIsNotCovered) {
   EXPECT_EQ(table({rocking_, incline_}, true), 0) << errors_.str();
 }
 
+// Which area has which figures, of what is printed: 0.05 of a tolerance of 0.1, and round-off.
+TEST_F(TablePage, OpensWithASummaryByArea) {
+  const Case near = case_of("near", {assertion_of(2.1, 2, 0.1), assertion_of(2, 2, 0.1)}, CaseLabel::fast, {10});
+  measure({incline_, near, rocking_});
+  ASSERT_EQ(table({incline_, near, rocking_}, false), 0) << errors_.str();
+  EXPECT_TRUE(says("| Friction and shaking | 9 to 13 | 2 | 3 | 50 % of it: `incline`, slip [m] |\n"));
+  EXPECT_TRUE(says("| Rocking and toppling | 14 to 17 | 1 | 1 | all round-off or exact |\n"));
+  EXPECT_FALSE(says("| Free motion"));
+  EXPECT_LT(text().find("| Friction and shaking"), text().find("## 9."));
+  std::string changed = text();
+  changed.replace(changed.find("50 % of it"), 2, "40");
+  dda::write_file(page(), changed);
+  EXPECT_EQ(table({incline_, near, rocking_}, true), 1) << "a summary that is not so";
+}
+
 TEST_F(TablePage, SaysSoWhereNothingIsLeft) {
   std::vector<int> all;
   for (const Problem& problem : catalogue()) all.push_back(problem.number);
@@ -212,6 +228,15 @@ TEST_F(TablePage, AFailedRowDoesNotGetIn) {
 }
 
 TEST_F(TablePage, ResultsThatAreNotThereAreAMistake) { EXPECT_THROW(table({incline_}, false), dda::InputError); }
+
+TEST(Catalogue, AreasHoldEveryProblemOnce) {
+  int next = 1;
+  for (const Area& area : areas()) {
+    EXPECT_EQ(area.first, next) << area.title;
+    next = area.last + 1;
+  }
+  EXPECT_EQ(next, static_cast<int>(catalogue().size()) + 1);
+}
 
 TEST(Catalogue, IsNumberedFromOneWithoutGaps) {
   for (std::size_t i = 0; i < catalogue().size(); ++i) EXPECT_EQ(catalogue()[i].number, static_cast<int>(i) + 1);

@@ -23,11 +23,9 @@ struct Material {
 // Stress = elasticity_matrix * (ex, ey, gxy), Pa; tension positive.
 Mat3 elasticity_matrix(const Material& material);
 
-// m/s, of a bar whose sides are free: sqrt(E/rho) in plane stress, sqrt(E/((1 - nu^2) rho)) in plane strain, where it
-// can contract in the plane only.
-double bar_wave_speed(const Material& material);
-double p_wave_speed(const Material& material);  // m/s, of the plane state: thesis Eq. 11 is the plane-strain value
-double s_wave_speed(const Material& material);  // m/s, sqrt(G/rho): thesis Eq. 12 lacks the factor 2
+double bar_wave_speed(const Material& material);  // m/s, free sides: sqrt(E/rho), in plane strain E/(1 - nu^2) for E
+double p_wave_speed(const Material& material);    // m/s, of the plane state: thesis Eq. 11 is the plane-strain value
+double s_wave_speed(const Material& material);    // m/s, sqrt(G/rho): thesis Eq. 12 lacks the factor 2
 
 enum class InterfaceLaw {
   classical,   // Shi's vertex-edge springs, one at each end of a touching stretch

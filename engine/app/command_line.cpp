@@ -31,6 +31,7 @@ constexpr auto program_details =
     "  dda check bar.json                    say what would be run, and how accurate it will be\n"
     "  dda advise bar.json                   why, at what cost, and how coarse it may be\n"
     "  dda cut tunnel.json --out blocks      cut its rock into blocks: a scene of polygons, figures, a picture\n"
+    "  dda cut plan.dxf --out blocks         the same from a drawing\n"
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
     "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda run --help                        more on a command\n\n"
@@ -80,10 +81,14 @@ constexpr auto view_details =
 
 constexpr auto cut_details =
     "DIR gets scene.json, with all blocks and joints of the rock written out, which runs as the given scene does;\n"
-    "cut.json, with figures and all that was cleaned; and cut.svg, a picture. check, run and view cut by "
-    "themselves.\n\n"
-    "Example:\n"
-    "  dda cut tunnel.json --out blocks                                 then open blocks/cut.svg\n";
+    "cut.json, with figures and all that was cleaned; and cut.svg, a picture. check and run cut by themselves.\n"
+    "A drawing has its lines on layers boundary, rock, tunnel, ... (docs/drawings.md); its scene.json has assumptions "
+    "for\n"
+    "what no drawing says.\n\n"
+    "Examples:\n"
+    "  dda cut tunnel.json --out blocks                                 then open blocks/cut.svg\n"
+    "  dda cut plan.dxf --out blocks --export blocks.dxf\n"
+    "  dda cut arch.dxf --out blocks --layer \"bed joints=rock\" --layer notes=ignored\n";
 
 constexpr auto schema_details =
     "Name the file in \"$schema\" of a scene, and editors complete keys and underline mistakes.\n\n"
@@ -152,6 +157,7 @@ struct Arguments {
   std::string wanted_error;
   bool json = false;
   RunOptions run;
+  CutRequest cut;
   ViewOptions view;
 };
 
@@ -235,9 +241,24 @@ void add_view(CLI::App& app, Arguments& arguments) {
 }
 
 void add_cut(CLI::App& app, Arguments& arguments) {
-  CLI::App* cut = app.add_subcommand("cut", "Cut the rock of a scene into blocks")->footer(cut_details);
-  cut->add_option("scene", arguments.scene, "scene file (JSON) with rock")->required()->type_name("SCENE.json");
-  cut->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
+  CLI::App* cut = app.add_subcommand("cut", "Cut the rock of a scene or a drawing into blocks")->footer(cut_details);
+  cut->add_option("scene", arguments.scene, "scene file (JSON) with rock, or a drawing (.dxf, .csv, .geojson)")
+      ->required()
+      ->type_name("SCENE.json|DRAWING")
+      ->check(a_name);
+  cut->add_option("--out", arguments.folder, "folder for the results; made if need be")
+      ->required()
+      ->type_name("DIR")
+      ->check(a_name);
+  cut->add_option("--export", arguments.cut.exported, "the blocks as a drawing, too: .dxf or .geojson")
+      ->type_name("FILE")
+      ->check(a_name);
+  cut->add_option("--layer", arguments.cut.layers, "what a layer of a drawing is, e.g. \"bed joints=rock\"; any number")
+      ->type_name("NAME=MEANING")
+      ->allow_extra_args(false);
+  cut->add_option("--unit", arguments.cut.unit, "of a drawing's coordinates, e.g. mm; default what it says, else m")
+      ->type_name("UNIT")
+      ->check(a_name);
 }
 
 void check_scene(const Arguments& arguments, std::ostream& out) {
@@ -297,7 +318,9 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
     return 0;
   }
   if (app.got_subcommand("cut")) {
-    cut_into_folder(arguments.scene, arguments.folder, out);
+    arguments.cut.scene = arguments.scene;
+    arguments.cut.folder = arguments.folder;
+    cut_into_folder(arguments.cut, out);
     return 0;
   }
   if (app.got_subcommand("run")) return run(arguments, out, errors);

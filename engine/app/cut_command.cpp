@@ -5,12 +5,16 @@
 #include <chrono>
 #include <ostream>
 #include <string>
-#include <system_error>
+#include <vector>
 
 #include "engine/app/cut_picture.h"
 #include "engine/app/cut_report.h"
+#include "engine/app/exported_blocks.h"
 #include "engine/core/error.h"
+#include "engine/drawing/read_drawing.h"
+#include "engine/drawing/write_blocks.h"
 #include "engine/record/atomic_file.h"
+#include "engine/record/folder_lock.h"
 #include "engine/record/progress.h"
 #include "engine/scene/cut_scene.h"
 
@@ -19,31 +23,69 @@ namespace {
 
 constexpr double worth_telling = 1;  // s, before what is being done is shown
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw InputError("", "--out", folder.string(), "a folder that can be made or written to");
+// Nothing is cut that could not be written.
+void check_outputs(const CutRequest& request) {
+  const std::filesystem::path& folder = request.folder;
+  if (folder.empty()) throw InputError("", "--out", "empty", "a folder");
+  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+    throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
+  if (request.exported.empty()) return;
+  if (!is_block_format(request.exported))
+    throw InputError("", "--export", request.exported.string(), "a name that ends in .dxf or .geojson");
+  const std::filesystem::path holder = std::filesystem::absolute(request.exported).parent_path();
+  if (!std::filesystem::is_directory(holder))
+    throw InputError("", "--export", request.exported.string(), "a name in a folder that exists");
+  if (const std::string kind = why_unwritable(request.exported); !kind.empty())
+    throw InputError("", "--export", request.exported.string() + ", which is " + kind,
+                     "a file, or a name that is free");
+}
+
+DrawingWords words_of(const CutRequest& request) {
+  const bool said = !request.layers.empty() || !request.unit.empty();
+  if (said && !is_drawing(request.scene))
+    throw InputError("", request.layers.empty() ? "--unit" : "--layer", "given beside a scene",
+                     "a drawing; a scene says it in \"drawing\"");
+  DrawingWords words;
+  words.unit = request.unit;
+  for (const std::string& layer : request.layers) {
+    const auto at = layer.rfind('=');
+    if (at == std::string::npos || at == 0) throw InputError("", "--layer", "\"" + layer + "\"", "NAME=MEANING");
+    words.layers[layer.substr(0, at)] = layer.substr(at + 1);
+  }
+  return words;
+}
+
+struct Output {
+  std::filesystem::path file;
+  std::string text;
+};
+
+std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, const CutRequest& request) {
+  std::vector<Output> outputs{{request.folder / "scene.json", cut.text},
+                              {request.folder / "cut.json", report_json(cut, figures)},
+                              {request.folder / "cut.svg", cut_picture(cut)}};
+  if (!request.exported.empty())
+    outputs.push_back({request.exported, block_file(request.exported, drawing_of_blocks(cut))});
+  return outputs;
 }
 
 }  // namespace
 
-void cut_into_folder(const std::filesystem::path& scene, const std::filesystem::path& folder, std::ostream& out) {
+void cut_into_folder(const CutRequest& request, std::ostream& out) {
+  check_outputs(request);
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   std::ostream* const screen = terminal();
-  const CutScene cut = cut_scene(scene, folder, [&](std::string_view what) {
+  const CutScene cut = cut_scene(request.scene, request.folder, words_of(request), [&](std::string_view what) {
     if (screen != nullptr && seconds() > worth_telling) *screen << fmt::format("{:6.1f} s  {}\n", seconds(), what);
   });
   const CutFigures figures = figures_of(cut, seconds());
-  const std::string report = report_json(cut, figures);
-  const std::string picture = cut_picture(cut);
-  make_folder(folder);
-  write_file(folder / "scene.json", cut.text);
-  write_file(folder / "cut.json", report);
-  write_file(folder / "cut.svg", picture);
-  out << report_text(cut, figures) << fmt::format("written: {}\n", (folder / "scene.json").string());
+  const std::vector<Output> outputs = outputs_of(cut, figures, request);
+  const FolderLock lock(request.folder);
+  for (const Output& output : outputs) write_file(output.file, output.text);
+  out << report_text(cut, figures);
+  for (const Output& output : outputs) out << fmt::format("written: {}\n", output.file.string());
 }
 
 }  // namespace dda

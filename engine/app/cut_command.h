@@ -1,14 +1,24 @@
-// `dda cut`: a scene with rock in, its blocks out.
+// `dda cut`: a scene with rock or a drawing in, its blocks out.
 #pragma once
 
 #include <filesystem>
 #include <iosfwd>
+#include <string>
+#include <vector>
 
 namespace dda {
 
+struct CutRequest {
+  std::filesystem::path scene;  // or a drawing
+  std::filesystem::path folder;
+  std::filesystem::path exported;   // a drawing of the blocks; empty: none
+  std::vector<std::string> layers;  // of a drawing: "NAME=MEANING"
+  std::string unit;                 // of a drawing; empty: what it says
+};
+
 // Writes scene.json (blocks and joints written out), cut.json (figures and what was cleaned) and cut.svg (a picture)
-// into `folder`, which is made if need be, and says on `out` what was done. All is made before anything is written.
-// Throws InputError for what is wrong with the scene.
-void cut_into_folder(const std::filesystem::path& scene, const std::filesystem::path& folder, std::ostream& out);
+// into the folder, which is made if need be, and says on `out` what was done. All is made before anything is written.
+// Throws InputError for what is wrong with the scene or drawing, and for a folder to which a run writes.
+void cut_into_folder(const CutRequest& request, std::ostream& out);
 
 }  // namespace dda

@@ -44,6 +44,10 @@ json entry_of(const Cleaned& cleaned) {
   return entry;
 }
 
+json point_entry(const PlanPoint& point) {
+  return {{"layer", point.layer}, {"name", point.name}, {"at", {point.at.x(), point.at.y()}}, {"drawn", point.origin}};
+}
+
 json statistics_entry(const CutEntry& entry) {
   const RockStatistics statistics = statistics_of(entry.cut);
   return {{"rock", entry.rock.group.name},
@@ -80,8 +84,12 @@ CutFigures figures_of(const CutScene& scene, double seconds) {
 std::string report_json(const CutScene& scene, const CutFigures& figures) {
   json cleaned = json::array();
   json statistics = json::array();
+  json points = json::array();
+  json remarks = json::array();
   for (const CutEntry& entry : scene.entries) {
     statistics.push_back(statistics_entry(entry));
+    for (const PlanPoint& point : entry.rock.plan.points) points.push_back(point_entry(point));
+    for (const std::string& remark : entry.rock.remarks) remarks.push_back(remark);
     for (const Cleaned& each : entry.cut.cleaned) cleaned.push_back(entry_of(each));
   }
   const json report = {{"blocks", figures.blocks},
@@ -99,6 +107,8 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
                        {"tolerance", scene.entries.front().cut.tolerance},
                        {"seconds", figures.seconds},
                        {"statistics", statistics},
+                       {"points", points},
+                       {"remarks", remarks},
                        {"cleaned", cleaned}};
   return report.dump(1) + "\n";
 }
@@ -109,6 +119,9 @@ std::string report_text(const CutScene& scene, const CutFigures& figures) {
   text += fmt::format("smallest block {:.3g} m2, sharpest corner {:.3g} deg, largest aspect {:.3g}\n",
                       figures.smallest_area, degrees * figures.smallest_angle, figures.largest_aspect);
   text += cleaned_text(scene);
+  for (const CutEntry& entry : scene.entries) {
+    for (const std::string& remark : entry.rock.remarks) text += fmt::format("remark: {}\n", remark);
+  }
   if (figures.slender > 0)
     text += fmt::format(
         "warning: {} blocks are more than {:g} times as long as wide; \"merge\" with an area or an angle "

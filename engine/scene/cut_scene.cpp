@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/read_drawing.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/schema_check.h"
@@ -72,29 +75,31 @@ std::string written(const json& document) {
 
 class Cutter {
  public:
-  Cutter(json document, const std::function<void(std::string_view)>& progress)
-      : document_(std::move(document)), progress_(progress) {}
+  // `alone` when the document is only what stands around a drawing.
+  Cutter(json document, bool alone, const std::function<void(std::string_view)>& progress)
+      : document_(std::move(document)), alone_(alone), progress_(progress) {}
 
   CutScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
     const Field scene(document_, "");
     read_materials(scene, model_);
     read_joints(scene, read_scheme(scene), model_);
     const Field blocks = scene.at("blocks");
-    for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) add_rock_of(entry);
+    for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) add_rock_of(entry, from);
     if (result_.entries.empty()) blocks.fail("without rock", "an entry \"rock\" to cut");
     for (const JointMaterial& joint : model_.joints) result_.joint_names.push_back(joint.name);
     json cut = with_polygons();
+    if (alone_) add_marked_places(result_.entries.front().rock, blocks_, cut);
     move_records(cut, from, to);
     result_.text = written(cut);
     return std::move(result_);
   }
 
  private:
-  void add_rock_of(const Field& entry) {
+  void add_rock_of(const Field& entry, const std::filesystem::path& from) {
     const auto rock = entry.find("rock");
     if (!rock) return;
     CutEntry cut_entry;
-    cut_entry.rock = read_rock(*rock, model_);
+    cut_entry.rock = read_rock(*rock, from, model_);
     cut_entry.rock.options.progress = progress_;
     cut_entry.cut = dda::cut(cut_entry.rock);
     result_.entries.push_back(std::move(cut_entry));
@@ -135,7 +140,7 @@ class Cutter {
     scene["joints"] = std::move(kept);
   }
 
-  void append(const CutEntry& entry, const json& rock, json& blocks, json& lines) const {
+  void append(const CutEntry& entry, const json& rock, json& blocks, json& lines) {
     Model part;
     part.materials = model_.materials;
     part.joints = model_.joints;
@@ -144,27 +149,41 @@ class Cutter {
     for (std::size_t i = 0; i < part.blocks.size(); ++i)
       blocks.push_back(polygon_entry(part.blocks[i], groups[i], rock, part));
     for (const JointLine& line : part.joint_lines) lines.push_back(joint_line_entry(line, part));
+    std::ranges::move(part.blocks, std::back_inserter(blocks_));
   }
 
   json document_;
+  bool alone_;
   const std::function<void(std::string_view)>& progress_;
   Model model_;
   CutScene result_;
+  std::vector<Block> blocks_;
 };
 
-}  // namespace
-
-CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder,
-                   const std::function<void(std::string_view)>& progress) {
+CutScene cut_document(const std::filesystem::path& file, const std::filesystem::path& folder,
+                      const std::function<void(std::string_view)>& progress) {
   const std::string text = scene_text(file);
-  CutScene result;
   try {
     json document = parse_json(text);
     check_schema(document);
-    result = Cutter(std::move(document), progress).cut(file.parent_path(), folder);
+    return Cutter(std::move(document), false, progress).cut(file.parent_path(), folder);
   } catch (const InputError& error) {
     throw error.in_file(file.string());
   }
+}
+
+// Errors name the drawing and a line of it by themselves.
+CutScene cut_drawing(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
+                     const std::function<void(std::string_view)>& progress) {
+  return Cutter(scene_around(file, words), true, progress).cut({}, folder);
+}
+
+}  // namespace
+
+CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
+                   const std::function<void(std::string_view)>& progress) {
+  CutScene result =
+      is_drawing(file) ? cut_drawing(file, folder, words, progress) : cut_document(file, folder, progress);
   if (progress) progress("checking the scene");
   parse_scene(result.text, file.string() + " (cut)", folder);
   return result;

@@ -1,4 +1,5 @@
-// A scene whose rock is cut, as a scene of polygons and joint lines that gives the same.
+// A scene whose rock is cut, as a scene of polygons and joint lines that gives the same; a drawing, as such a scene
+// with assumptions for what a drawing does not say.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/scene/drawn_scene.h"
 #include "engine/scene/read_rock.h"
 
 namespace dda {
@@ -23,7 +25,8 @@ struct CutScene {
 
 // `folder` is where the new scene will stand: paths of records are written relative to it. The new scene has been
 // read, so it is known to work. Throws InputError, also for a scene without rock.
+// `words` are for a drawing; a scene has its own.
 CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder,
-                   const std::function<void(std::string_view)>& progress = {});
+                   const DrawingWords& words = {}, const std::function<void(std::string_view)>& progress = {});
 
 }  // namespace dda

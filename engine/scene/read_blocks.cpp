@@ -72,11 +72,12 @@ void read_polygon(const Field& field, Model& model) {
 }
 
 // Appends the blocks of the entry and the group of each.
-void read_entry(const Field& entry, Model& model, std::vector<std::string>& groups) {
+void read_entry(const Field& entry, const std::filesystem::path& folder, Model& model,
+                std::vector<std::string>& groups) {
   const auto members = entry.members();
   const auto& [kind, field] = members.front();
   if (kind == "rock") {
-    append_rock(read_rock(field, model), model, groups);
+    append_rock(read_rock(field, folder, model), model, groups);
     return;
   }
   if (kind == "bar") {
@@ -96,11 +97,11 @@ void read_entry(const Field& entry, Model& model, std::vector<std::string>& grou
 
 }  // namespace
 
-std::vector<std::string> read_blocks(const Field& scene, Model& model) {
+std::vector<std::string> read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model) {
   const Field blocks = scene.at("blocks");
   std::vector<std::string> groups;
   for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks})
-    read_entry(entry, model, groups);
+    read_entry(entry, folder, model, groups);
   return groups;
 }
 

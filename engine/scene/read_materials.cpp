@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <vector>
 
+#include "engine/scene/read_drawn_plan.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -155,6 +158,8 @@ std::vector<Field> joint_users(const Field& scene) {
     const auto rock = entry.find("rock");
     if (!rock) continue;
     for (const char* key : {"lines", "joint_sets", "openings"}) add_entries(*rock, key);
+    if (const auto drawing = rock->find("drawing"))
+      std::ranges::copy(layer_entries(*drawing), std::back_inserter(users));
   }
   return users;
 }

@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/scene/block_group.h"
 #include "engine/scene/places.h"
+#include "engine/scene/read_drawn_plan.h"
 #include "engine/scene/read_joint_sets.h"
 #include "engine/scene/read_openings.h"
 
@@ -40,12 +41,21 @@ void read_sets(const Field& field, const Model& model, RockPlan& plan) {
     plan.lines.push_back(std::move(trace));
 }
 
-RockPlan read_plan(const Field& field, const Model& model) {
-  RockPlan plan;
-  const Field boundary = field.at("boundary");
-  plan.boundary = read_ring(boundary);
-  plan.boundary_origin = boundary.path();
-  if (const auto why = defect({plan.boundary, {}})) boundary.fail(*why, "a closed line that does not meet itself");
+void read_boundary(const Field& field, RockPlan& plan) {
+  const auto boundary = field.find("boundary");
+  if (boundary && !plan.boundary.empty())
+    boundary->fail("given beside that of the drawing, of " + plan.boundary_origin, "one of the two");
+  if (!boundary && plan.boundary.empty())
+    throw InputError("", field.path() + ".boundary", "missing", "it, or a drawing with a layer boundary");
+  if (!boundary) return;
+  plan.boundary = read_ring(*boundary);
+  plan.boundary_origin = boundary->path();
+  if (const auto why = defect({plan.boundary, {}})) boundary->fail(*why, "a closed line that does not meet itself");
+}
+
+// Adds to what a drawing says.
+void read_plan(const Field& field, const Model& model, RockPlan& plan) {
+  read_boundary(field, plan);
   if (const auto holes = field.find("holes")) {
     for (const Field& hole : holes->items()) plan.holes.push_back(read_ring(hole));
   }
@@ -59,7 +69,6 @@ RockPlan read_plan(const Field& field, const Model& model) {
   if (const auto regions = field.find("regions")) {
     for (const Field& region : regions->items()) plan.regions.push_back(read_region(region, model));
   }
-  return plan;
 }
 
 CutOptions read_options(const Field& field) {
@@ -87,12 +96,17 @@ int material_of(const CutBlock& block, const BlockGroup& group, const Model& mod
 
 }  // namespace
 
-Rock read_rock(const Field& field, const Model& model) {
+Rock read_rock(const Field& field, const std::filesystem::path& folder, const Model& model) {
   Rock rock;
   rock.path = field.path();
   rock.group = read_group(field, "rock", model);
-  rock.plan = read_plan(field, model);
   rock.options = read_options(field);
+  if (const auto drawing = field.find("drawing")) {
+    DrawnPlan drawn = read_drawn_plan(*drawing, folder, model, rock.options.tolerance);
+    rock.plan = std::move(drawn.plan);
+    rock.remarks = std::move(drawn.remarks);
+  }
+  read_plan(field, model, rock.plan);
   return rock;
 }
 

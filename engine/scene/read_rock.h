@@ -1,6 +1,7 @@
 // Rock in a scene: read as a plan, cut, and made into blocks and joint lines of the model.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,12 @@ struct Rock {
   RockPlan plan;
   CutOptions options;
   BlockGroup group;
+  std::vector<std::string> remarks;  // on its drawing
 };
 
-// `field` is {"boundary": ..., ...}; the model has its materials and joints.
-Rock read_rock(const Field& field, const Model& model);
+// `field` is {"boundary": ..., ...}; a drawing is looked for relative to `folder`; the model has its materials and
+// joints.
+Rock read_rock(const Field& field, const std::filesystem::path& folder, const Model& model);
 
 // Cuts the plan. Errors name fields of the scene.
 CutRock cut(const Rock& rock);

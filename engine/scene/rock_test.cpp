@@ -127,5 +127,82 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
   }
 }
 
+const std::string square_with_joint =
+    "layer,x1,y1,x2,y2,x,y\nUmriss,0,0,4000,0,,\nUmriss,4000,0,4000,4000,,\n"
+    "Umriss,4000,4000,0,4000,,\nUmriss,0,4000,0,0,,\nFuge,0,1000,4000,2000,,\n";
+const std::string its_layers = R"("layers": {"Umriss": "boundary", "fuge": {"as": "rock", "joint": "bedding"}})";
+
+// The drawing is written as plan.csv beside the scene.
+Model model_of_drawing(const TemporaryFolder& folder, const std::string& drawing, const std::string& rock) {
+  std::ofstream(folder / "plan.csv") << drawing;
+  return parse_scene(scene_with(rock), "rock.json", folder.path());
+}
+
+TEST(RockOfADrawing, LayersHaveJointsAndTheSceneAddsToThem) {
+  const TemporaryFolder folder;
+  const std::string drawing = R"({"drawing": {"file": "plan.csv", "unit": "mm", )" + its_layers + "}";
+  const Model model = model_of_drawing(folder, square_with_joint, drawing + "}");
+  ASSERT_EQ(model.blocks.size(), 2U);
+  EXPECT_NEAR(model.blocks[0].moments.area + model.blocks[1].moments.area, 16, 1e-12);
+  ASSERT_EQ(model.joint_lines.size(), 1U);
+  EXPECT_EQ(model.joint_lines[0].from.x() + model.joint_lines[0].to.x(), 4);
+  const std::string more = R"(, "lines": [{"points": [[1, -1], [1, 5]], "joint": "default"}]})";
+  EXPECT_EQ(model_of_drawing(folder, square_with_joint, drawing + more).blocks.size(), 4U);
+}
+
+TEST(RockOfADrawing, WhatDoesNotFitIsRefusedInOneSentence) {
+  const TemporaryFolder folder;
+  const std::string boundary = R"("boundary": [[0, 0], [1, 0], [1, 1]])";
+  const auto drawn = [](const std::string& keys) { return R"({"drawing": {"file": "plan.csv", )" + keys + "}"; };
+  const std::string open = square_with_joint.substr(0, square_with_joint.find("Umriss,0,4000"));
+  struct Wrong {
+    std::string drawing, rock, sentence;
+  };
+  const std::vector<Wrong> all{
+      {"", R"({"drawing": "plan.dxf"})", "rock.json: plan.dxf is missing, expected a drawing"},
+      {"", R"({"drawing": "plan.pdf"})",
+       "rock.json: the drawing is \"plan.pdf\", expected a .dxf, .csv or .geojson file"},
+      {"", R"({"joint_sets": []})", "rock.json: blocks.rock.boundary is missing, expected it, or a drawing"},
+      {square_with_joint, R"({"drawing": "plan.csv"})",
+       "rock.json: plan.csv line 2 is on the unknown layer \"Umriss\""},
+      {square_with_joint, drawn(its_layers) + ", " + boundary + "}",
+       "blocks.rock.boundary is given beside that of the drawing, of plan.csv line 2 (layer Umriss), expected one of "
+       "the "
+       "two"},
+      {square_with_joint, drawn(R"("layers": {"Umris": "boundary"})") + "}",
+       "blocks.rock.drawing.layers.Umris is for a layer on which nothing is drawn, expected a layer of plan.csv"},
+      {square_with_joint, drawn(R"("layers": {"Umriss": "bondary"})") + "}",
+       "blocks.rock.drawing.layers.Umriss is \"bondary\", expected one of"},
+      {square_with_joint, drawn(R"("layers": {"Fuge": {"as": "rock", "joint": "bed"}})") + "}",
+       "blocks.rock.drawing.layers.Fuge.joint is \"bed\", expected"},
+      {square_with_joint, drawn(R"("unit": "kg")") + "}", "blocks.rock.drawing.unit is \"kg\", expected one of"},
+      {open, drawn(R"("layers": {"Umriss": "boundary"})") + "}",
+       "plan.csv line 4 (layer Umriss) is open at (0, 4000) m, 4000 m from the nearest other end, of plan.csv line 2"},
+  };
+  for (const Wrong& wrong : all) {
+    try {
+      model_of_drawing(folder, wrong.drawing, wrong.rock);
+      ADD_FAILURE() << wrong.sentence;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(wrong.sentence), std::string::npos) << error.what() << "\nexpected\n"
+                                                                                   << wrong.sentence;
+    }
+  }
+}
+
+TEST(RockOfADrawing, ADrawingAloneBecomesASceneThatRuns) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "plan.csv")
+      << "layer,x1,y1,x2,y2,x,y\nboundary,0,0,4,0,,\nboundary,4,0,4,4,,\nboundary,4,4,0,4,,\n"
+         "boundary,0,4,0,0,,\nrock,0,1,4,2,,\nfix point,,,,,0,1\nmeasure point,,,,,2,3\n"
+         "load point,,,,,4,4\n";
+  const CutScene cut = cut_scene(folder / "plan.csv", folder / "out");
+  const Model model = parse_scene(cut.text, "cut.json");
+  EXPECT_EQ(model.blocks.size(), 2U);
+  EXPECT_EQ(model.supports.size(), 2U);  // the point lies on both blocks
+  EXPECT_EQ(model.measurements.size(), 2U);
+  EXPECT_NE(cut.text.find("Load points: 1"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace dda

@@ -12,10 +12,11 @@ namespace dda {
 namespace {
 
 // Returns the group of each block.
-std::vector<std::string> read_blocks_and_joints(const Field& scene, const Scheme& scheme, Model& model) {
+std::vector<std::string> read_blocks_and_joints(const Field& scene, const Scheme& scheme,
+                                                const std::filesystem::path& folder, Model& model) {
   read_materials(scene, model);
   read_joints(scene, scheme, model);
-  std::vector<std::string> groups = read_blocks(scene, model);
+  std::vector<std::string> groups = read_blocks(scene, folder, model);
   read_joint_pairs(scene, groups, model);
   read_gravity(scene, model);
   return groups;
@@ -39,7 +40,7 @@ Model read_model(const Field& scene, const std::filesystem::path& folder) {
   if (const auto frequency = scene.find("target_frequency"))
     model.target_frequency = frequency->positive(Dimension::frequency);
   if (const auto title = scene.find("title")) model.title = title->text();
-  const std::vector<std::string> groups = read_blocks_and_joints(scene, scheme, model);
+  const std::vector<std::string> groups = read_blocks_and_joints(scene, scheme, folder, model);
   finish_model(model);  // what follows needs the moments, and blocks that do not overlap
   read_stages(scene, scheme, model);
   read_what_acts(scene, groups, folder, model);

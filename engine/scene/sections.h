@@ -2,6 +2,7 @@
 // it cannot: values, units, names and places. All throw InputError (without a file).
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ Scheme read_scheme(const Field& scene);
 void read_materials(const Field& scene, Model& model);
 void read_joints(const Field& scene, const Scheme& scheme, Model& model);
 
-// Returns the group of each block: the name of its generator, of a polygon its own.
-std::vector<std::string> read_blocks(const Field& scene, Model& model);
+// Returns the group of each block: the name of its generator, of a polygon its own. Drawings are looked for relative to
+// `folder`.
+std::vector<std::string> read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model);
 void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_gravity(const Field& scene, Model& model);
 

@@ -1,0 +1,91 @@
+// dda cut: what it writes, and what it refuses.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/app/command_line_test_support.h"
+#include "engine/record/folder_lock.h"
+
+namespace dda {
+namespace {
+
+const std::string plan =
+    "layer,x1,y1,x2,y2,x,y\nboundary,0,0,4,0,,\nboundary,4,0,4,4,,\nboundary,4,4,0,4,,\nboundary,0,4,0,0,,\n"
+    "rock,0,1,4,2,,\nrock,2,2,2,3,,\nmeasure point,,,,,2,3\n";
+
+class Cut : public CommandLine {
+ protected:
+  Cut() { write("plan.csv", plan); }
+};
+
+TEST_F(Cut, ADrawingBecomesASceneThatRunsAndADrawingOfItsBlocks) {
+  const Outcome cut = call({"cut", path("plan.csv"), "--out", path("out"), "--export", path("blocks.dxf")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, "2 blocks of 16 m2 in all, from 2 lines")) << cut.out;
+  EXPECT_TRUE(contains(cut.out, "plan.csv does not say its unit: coordinates are taken in m")) << cut.out;
+  const auto report = nlohmann::json::parse(text("out/cut.json"));
+  EXPECT_EQ(report["blocks"], 2);
+  EXPECT_EQ(report["points"][0]["layer"], "measure point");
+  EXPECT_EQ(report["points"][0]["drawn"], path("plan.csv") + " line 8 (layer measure point)");
+  EXPECT_EQ(report["cleaned"][0]["line"], path("plan.csv") + " line 7 (layer rock)");
+  EXPECT_TRUE(contains(text("out/cut.svg"), "<svg "));
+  EXPECT_FALSE(exists("out/run.lock"));
+
+  const Outcome check = call({"check", path("out/scene.json")});
+  EXPECT_EQ(check.code, 0) << check.errors;
+  write("again.json", R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
+ "blocks": {"rock": {"drawing": {"file": "blocks.dxf", "layers": {"rock": "rock", "joint_default": "ignored"}},
+                     "boundary": [[0, 0], [4, 0], [4, 4], [0, 4]]}}, "steps": {"dt": 1e-3, "duration": 1e-3}})");
+  const Outcome again = call({"cut", path("again.json"), "--out", path("again"), "--export", path("again.geojson")});
+  ASSERT_EQ(again.code, 0) << again.errors;
+  EXPECT_EQ(nlohmann::json::parse(text("again/cut.json"))["blocks"], 2);
+  EXPECT_EQ(nlohmann::json::parse(text("again.geojson"))["features"].size(), 3U);
+}
+
+TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
+  write("open.csv", plan.substr(0, plan.find("boundary,0,4")));
+  write("layer.csv", plan + "Text,0,0,1,1,,\n");
+  write("point.csv", plan + "measure point,,,,,5,5\n");
+  write("scene.json", R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
+ "blocks": {"rock": {"drawing": "open.csv"}}, "steps": {"dt": 1e-3, "duration": 1e-3}})");
+  const auto refused = [this](const std::string& file, const std::string& sentence) {
+    expect_refusal({"cut", path(file), "--out", path("out")}, sentence);
+  };
+  refused("open.csv", "open.csv line 4 (layer boundary) is open at (0, 4) m, 4 m from the nearest other end, of");
+  refused("layer.csv", "layer.csv line 9 is on the unknown layer \"Text\", expected one of boundary, ");
+  refused("point.csv",
+          "point.csv line 9 (layer measure point) is at (5, 5) m, in no block, expected a place in the rock");
+  refused("scene.json", "scene.json: open.csv line 4 (layer boundary) is open at (0, 4) m");
+  refused("none.dxf", "none.dxf is missing, expected a drawing");
+  expect_refusal({"cut", path("plan.csv"), "--out", path("plan.csv")},
+                 "--out is " + path("plan.csv") + ", which is a file");
+  expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--export", path("blocks.pdf")},
+                 "blocks.pdf, expected a name that ends in .dxf or .geojson");
+  expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--export", path("missing/blocks.dxf")},
+                 "missing/blocks.dxf, expected a name in a folder that exists");
+}
+
+TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {
+  std::string other = plan;
+  for (std::size_t at = other.find("rock"); at != std::string::npos; at = other.find("rock", at))
+    other.replace(at, 4, "Bed");
+  write("other.csv", other);
+  expect_refusal({"cut", path("other.csv"), "--out", path("out")}, "is on the unknown layer \"Bed\"");
+  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rok"}, "is \"rok\", expected one of");
+  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed"},
+                 "--layer is \"bed\", expected NAME=");
+  expect_refusal({"cut", path("scene.json"), "--out", path("out"), "--unit", "mm"}, "--unit is given beside a scene");
+  const Outcome cut = call({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rock", "--unit", "km"});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_EQ(nlohmann::json::parse(text("out/cut.json"))["area"], 16e6);
+}
+
+TEST_F(Cut, AFolderToWhichARunWritesIsRefused) {
+  const FolderLock run(path("busy"));
+  const Outcome cut = call({"cut", path("plan.csv"), "--out", path("busy")});
+  EXPECT_EQ(cut.code, 2);
+  EXPECT_TRUE(contains(cut.errors, "to which a run of process ")) << cut.errors;
+  EXPECT_FALSE(exists("busy/scene.json"));
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,38 @@
+// Lines end to end into closed ones.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/polygon.h"
+
+namespace dda {
+
+struct OpenLine {
+  std::vector<Vec2> points;
+  std::string origin;
+};
+
+struct JoinedRing {
+  Ring ring;           // the first vertex is not repeated
+  std::string origin;  // of the first of its lines
+};
+
+// What keeps lines from closing, as the parts of a sentence.
+struct Gap {
+  std::string origin;  // of the line that ends there
+  std::string value;
+  std::string expected;
+};
+
+struct Joined {
+  std::vector<JoinedRing> rings;
+  std::optional<Gap> gap;  // the first one; no ring goes through it
+};
+
+// Ends nearer than `reach` (m) belong together. Lines drawn twice count once, lines shorter than that not at all. Where
+// more or fewer than two ends meet there is a gap.
+Joined join_lines(std::vector<OpenLine> lines, double reach);
+
+}  // namespace dda

@@ -1,0 +1,97 @@
+// Files with bytes changed, lost and doubled are read, or refused in one sentence.
+#include <random>
+
+#include "engine/cutting/cut_rock.h"
+#include "engine/drawing/drawing_test_support.h"
+#include "engine/drawing/read_formats.h"
+
+namespace dda {
+namespace {
+
+using Reader = LineDrawing (*)(std::string_view, const std::string&, double);
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  // Changes `text` behind `from` in one to four places.
+  std::string mutate(std::string text, std::size_t from) {
+    for (std::size_t i = 1 + below(4); i > 0; --i) change(text, from);
+    return text;
+  }
+
+ private:
+  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+  void change(std::string& text, std::size_t from) {
+    static const std::vector<std::string> splices{"nan",     "-",    "1e308", "0", "\n", "\n0\n", "\n0\nINSERT\n",
+                                                  "70\n1\n", "\xFF", "\"",    ",", "[",  "1e12",  "-1"};
+    if (text.size() <= from + 1) return;
+    const std::size_t at = from + below(text.size() - from);
+    const std::size_t length = std::min(text.size() - at, 1 + below(40));
+    switch (below(5)) {
+      case 0: text[at] = static_cast<char>(below(256)); break;
+      case 1: text.erase(at, length); break;
+      case 2: text.insert(from + below(text.size() - from), text.substr(at, length)); break;
+      case 3: text.insert(at, splices[below(splices.size())]); break;
+      default:
+        if (below(8) == 0) text.resize(at);
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+struct Tally {
+  int taken = 0;
+  int refused = 0;
+};
+
+// Any other exception ends the test.
+Tally read_mutations(const std::string& seed, std::size_t from, Reader reader, int count) {
+  Mutator mutator(7);
+  Tally tally;
+  for (int i = 0; i < count; ++i) {
+    const std::string text = mutator.mutate(seed, from);
+    try {
+      const RockPlan plan = plan_of(reader(text, "plan", 0), shapes_options());
+      if (i % 4 == 0 && !plan.boundary.empty()) cut_rock(plan);
+      ++tally.taken;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      ++tally.refused;
+    }
+  }
+  return tally;
+}
+
+// Both happen often, or the changes would try nothing.
+void expect_both(const Tally& tally) {
+  EXPECT_GT(tally.taken, 50);
+  EXPECT_GT(tally.refused, 50);
+}
+
+TEST(Mutations, OfDxf) {
+  for (const char* name : {"shapes.dxf", "tunnel.dxf"}) {
+    const std::string seed = text_of_fixture(name);
+    expect_both(read_mutations(seed, seed.find("BLOCKS"), read_dxf, 2000));
+  }
+}
+
+TEST(Mutations, OfCsv) {
+  expect_both(
+      read_mutations("layer,x1,y1,x2,y2,x,y\numriss,0,0,4,0,,\numriss,4,0,0,4,,\numriss,0,4,0,0,,\nrock,0,1,4,1,,\n"
+                     "fix point,,,,,1,1\n",
+                     0, read_csv_drawing, 4000));
+}
+
+TEST(Mutations, OfGeoJson) {
+  expect_both(read_mutations(
+      R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"layer": "umriss"},
+ "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [0, 4], [0, 0]]]}},
+ {"type": "Feature", "properties": {"layer": "rock"}, "geometry": {"type": "LineString", "coordinates": [[0, 1], [4, 1]]}}]})",
+      0, read_geojson, 4000));
+}
+
+}  // namespace
+}  // namespace dda

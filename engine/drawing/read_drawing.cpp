@@ -1,0 +1,49 @@
+#include "engine/drawing/read_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/core/read_file.h"
+#include "engine/drawing/read_formats.h"
+
+namespace dda {
+namespace {
+
+using Reader = LineDrawing (*)(std::string_view, const std::string&, double);
+
+struct Format {
+  std::string_view extension;
+  Reader read;
+};
+constexpr std::array<Format, 3> formats{{{".dxf", read_dxf}, {".csv", read_csv_drawing}, {".geojson", read_geojson}}};
+
+const Format* format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const auto found = std::ranges::find(formats, std::string_view(extension), &Format::extension);
+  return found == formats.end() ? nullptr : found;
+}
+
+}  // namespace
+
+bool is_drawing(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+
+LineDrawing read_drawing(const std::filesystem::path& file, const std::string& name, double metres) {
+  const Format* format = format_of(file);
+  if (format == nullptr)
+    throw InputError("", "the drawing", "\"" + readable(name) + "\"", "a .dxf, .csv or .geojson file");
+  std::string text;
+  try {
+    text = read_file(file, most_input_bytes);
+  } catch (const UnreadableFile& error) {
+    throw InputError("", readable(name), error.why(), "a drawing");
+  }
+  LineDrawing drawing = format->read(text, readable(name), metres);
+  if (drawing.lines.empty()) throw InputError("", drawing.name, "without lines", "a boundary and joints");
+  return drawing;
+}
+
+}  // namespace dda

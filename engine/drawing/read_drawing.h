@@ -1,0 +1,17 @@
+// Drawings from files.
+#pragma once
+
+#include <filesystem>
+
+#include "engine/drawing/line_drawing.h"
+
+namespace dda {
+
+// Whether the name of the file says that it holds a drawing: .dxf, .csv, .geojson.
+bool is_drawing(const std::filesystem::path& file);
+
+// Reads a drawing in the format its name says. `name` stands for it in messages; `metres` is a unit of its coordinates,
+// 0 for what the file says. Throws InputError, without a file, whose field begins with the name.
+LineDrawing read_drawing(const std::filesystem::path& file, const std::string& name, double metres = 0);
+
+}  // namespace dda

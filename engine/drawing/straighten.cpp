@@ -1,0 +1,132 @@
+#include "engine/drawing/straighten.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/geometry/box.h"
+#include "engine/geometry/box_pairs.h"
+
+namespace dda {
+namespace {
+
+constexpr double most_chords = 100'000;          // of one stretch of a curve
+constexpr std::size_t most_points = 20'000'000;  // of a drawing
+
+// A corner of chords that some line asks for.
+struct Seat {
+  double parameter;
+  Vec2 place;
+};
+
+Box box_of(const DrawnCurve& curve) {
+  constexpr int steps = 16;
+  const double step = (curve.to - curve.from) / steps;
+  Box box;
+  for (int i = 0; i <= steps; ++i) box = expanded(box, curve.at(curve.from + i * step));
+  return expanded(box, curve.bend * step * step / 8);
+}
+
+class Straightener {
+ public:
+  Straightener(const LineDrawing& drawing, const ChordTolerance& tolerance, double reach)
+      : tolerance_(tolerance), reach_(reach), corners_(corner_boxes(drawing)) {}
+
+  std::vector<Vec2> points_of(const DrawnLine& line) {
+    std::vector<Vec2> points{line.start};
+    for (const DrawnPiece& piece : line.pieces) {
+      if (piece.curve) append_chords(*piece.curve, line.origin, points);
+      points.push_back(piece.end);
+    }
+    if (!std::ranges::all_of(points, [](const Vec2& point) { return point.allFinite(); }))
+      throw InputError("", line.origin, "a curve without end", "finite coordinates");
+    total_ += points.size();
+    if (total_ > most_points) refuse(line.origin);
+    return points;
+  }
+
+ private:
+  std::vector<Box> corner_boxes(const LineDrawing& drawing) {
+    std::vector<Box> boxes;
+    const auto add = [&](const Vec2& corner) {
+      places_.push_back(corner);
+      boxes.push_back({corner, corner});
+    };
+    for (const DrawnLine& line : drawing.lines) {
+      add(line.start);
+      for (const DrawnPiece& piece : line.pieces) add(piece.end);
+    }
+    return boxes;
+  }
+
+  // In the order of parameters, each at a place of its own.
+  [[nodiscard]] std::vector<Seat> seats_on(const DrawnCurve& curve) const {
+    std::vector<Seat> seats;
+    const Box box = expanded(box_of(curve), reach_);
+    if (!box.lower.allFinite() || !box.upper.allFinite()) return seats;
+    for (const int corner : corners_.overlapping(box)) {
+      const Vec2& place = places_[static_cast<std::size_t>(corner)];
+      const double parameter = parameter_near(curve, place, reach_);
+      if (!std::isnan(parameter)) seats.push_back({parameter, place});
+    }
+    std::ranges::sort(seats, {}, &Seat::parameter);
+    const auto same = [this](const Seat& a, const Seat& b) { return (a.place - b.place).norm() <= reach_; };
+    seats.erase(std::unique(seats.begin(), seats.end(), same), seats.end());
+    return seats;
+  }
+
+  // Without the ends of the curve.
+  void append_chords(const DrawnCurve& curve, const std::string& origin, std::vector<Vec2>& points) const {
+    double from = curve.from;
+    for (const Seat& seat : seats_on(curve)) {
+      append_between(curve, from, seat.parameter, origin, points);
+      points.push_back(seat.place);
+      from = seat.parameter;
+    }
+    append_between(curve, from, curve.to, origin, points);
+  }
+
+  void append_between(const DrawnCurve& curve, double from, double to, const std::string& origin,
+                      std::vector<Vec2>& points) const {
+    const double chords = chords_needed(curve, from, to, tolerance_);
+    if (!(chords <= most_chords)) refuse(origin);
+    for (int i = 1; i < static_cast<int>(chords); ++i) points.push_back(curve.at(from + (to - from) * i / chords));
+  }
+
+  [[noreturn]] static void refuse(const std::string& origin) {
+    throw InputError("", origin, "a curve of more chords than can be cut", "a larger chord_tolerance");
+  }
+
+  const ChordTolerance& tolerance_;
+  double reach_;
+  std::vector<Vec2> places_;  // where lines start, end or turn
+  BoxIndex corners_;
+  std::size_t total_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> straightened(const LineDrawing& drawing, const ChordTolerance& tolerance, double reach) {
+  Straightener straightener(drawing, tolerance, reach);
+  std::vector<std::vector<Vec2>> lines;
+  lines.reserve(drawing.lines.size());
+  for (const DrawnLine& line : drawing.lines) lines.push_back(straightener.points_of(line));
+  return lines;
+}
+
+double diagonal(const LineDrawing& drawing) {
+  Box box;
+  for (const DrawnLine& line : drawing.lines) {
+    box = expanded(box, line.start);
+    for (const DrawnPiece& piece : line.pieces) {
+      box = expanded(box, piece.end);
+      if (piece.curve) box = expanded(box, piece.curve->at((piece.curve->from + piece.curve->to) / 2));
+    }
+  }
+  return is_empty(box) ? 0 : (box.upper - box.lower).norm();
+}
+
+}  // namespace dda

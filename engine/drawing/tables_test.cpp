@@ -1,0 +1,105 @@
+// CSV, GeoJSON, and what is written for other programs.
+#include <nlohmann/json.hpp>
+
+#include "engine/drawing/drawing_test_support.h"
+#include "engine/drawing/read_formats.h"
+#include "engine/drawing/write_blocks.h"
+
+namespace dda {
+namespace {
+
+void expect_triangle_with_joint(const LineDrawing& drawing) {
+  const RockPlan plan = plan_of(drawing, {});
+  EXPECT_EQ(std::abs(signed_area(plan.boundary)), 8);
+  ASSERT_EQ(plan.lines.size(), 1U);
+  EXPECT_EQ(plan.lines[0].points, (std::vector<Vec2>{{0, 1.5}, {4, 1.5}}));
+  ASSERT_EQ(plan.points.size(), 1U);
+  EXPECT_EQ(plan.points[0].at, Vec2(0.5, 0.25));
+}
+
+TEST(ReadCsv, LinesAndPointsOfTheThesis) {
+  expect_triangle_with_joint(
+      read_csv_drawing("\xEF\xBB\xBFLayer,x1,y1,x2,y2,x,y\r\nboundary,0,0,4,0,,\r\nBoundary,4,0,0,4,,\r\n"
+                       "boundary,0,4,0,0,,\r\n# a joint\r\nrock,0,1.5,4,1.5,,\r\nfix point,,,,,0.5,0.25\r\n",
+                       "plan.csv", 0));
+}
+
+TEST(ReadCsv, AsSpreadsheetsWithDecimalCommasAndProgramsOfDrawingWriteIt) {
+  expect_triangle_with_joint(
+      read_csv_drawing("Count;Name;End X;End Y;Layer;Position X;Position Y;Start X;Start Y\n"
+                       "1;Line;4000;0;boundary;;;0;0\n1;Line;0;4000;boundary;;;4000;0\n1;Line;0;0;boundary;;;0;4000\n"
+                       "1;Line;4000;1500,0;rock;;;0;1500,0\n1;Point;;;\"fix point\";500;250;;\n",
+                       "plan.csv", 1e-3));
+}
+
+TEST(ReadCsv, WhatIsWrongIsSaidInOneSentence) {
+  const std::vector<std::pair<std::string, std::string>> all{
+      {"", "plan.csv is empty, expected a header with layer"},
+      {"boundary,0,0,4,0\n", "plan.csv line 1 is \"boundary,0,0,4,0\", expected a header with layer"},
+      {"layer,x1,y1,x2,y2\nrock,0,0,4\n", "plan.csv line 2, column y2 is \"\", expected a finite number"},
+      {"layer,x1,y1,x2,y2\nrock,0,0,4,inf\n", "plan.csv line 2, column y2 is \"inf\", expected a finite number"},
+      {"layer,x,y\n,0,0\n", "plan.csv line 2 is without a layer"},
+      {"layer,x,y\nrock,,\nrock\n", "plan.csv line 2 is without coordinates"},
+  };
+  for (const auto& [text, sentence] : all) expect_refused([&] { read_csv_drawing(text, "plan.csv", 0); }, sentence);
+}
+
+TEST(ReadGeoJson, LinesPolygonsAndPoints) {
+  expect_triangle_with_joint(read_geojson(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"layer": "boundary"},
+     "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [0, 4], [0, 0]]]}},
+    {"type": "Feature", "properties": {"layer": "rock"}, "geometry": {"type": "GeometryCollection", "geometries": [
+      {"type": "MultiLineString", "coordinates": [[[0, 1.5, 7], [4, 1.5]]]}]}},
+    {"type": "Feature", "properties": {"layer": "fix point"}, "geometry": {"type": "Point", "coordinates": [0.5, 0.25]}}
+  ]})",
+                                          "plan.geojson", 0));
+}
+
+TEST(ReadGeoJson, WhatIsWrongIsSaidInOneSentence) {
+  const std::string deep = std::string(40, '[') + std::string(40, ']');
+  const auto feature = [](const std::string& rest) {
+    return R"({"type": "Feature", "properties": {"layer": "rock"}, )" + rest + "}";
+  };
+  const std::vector<std::pair<std::string, std::string>> all{
+      {"{\n\"type\": ", "plan.geojson line 2 is no JSON, or cut off, expected GeoJSON"},
+      {deep, "plan.geojson is nested too deeply"},
+      {"[1e999]", "plan.geojson is with a number beyond all bounds, expected GeoJSON with finite numbers"},
+      {"[]", "plan.geojson is type \"\", expected a FeatureCollection"},
+      {R"({"type": "FeatureCollection", "features": [{"type": "Feature"}]})",
+       "plan.geojson features[0] is without a layer"},
+      {feature(R"("geometry": null)"), "plan.geojson is of geometry \"\""},
+      {feature(R"("geometry": {"type": "LineString", "coordinates": [[0, 0], [1]]})"),
+       "is at a position that is not [x, y]"},
+      {feature(R"("geometry": {"type": "LineString", "coordinates": [[0, 0]]})"),
+       "is a line of one point on layer \"rock\""},
+      {feature(R"("geometry": {"type": "LineString", "coordinates": [[0, 0], [1e300, 0]]})"), "is at (1e+300, 0) m"},
+  };
+  for (const auto& [text, sentence] : all) expect_refused([&] { read_geojson(text, "plan.geojson", 0); }, sentence);
+}
+
+const BlockDrawing two_blocks{
+    {{"rock", "rock 1", {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}},
+     {"tunnel \xC3\xB6st", "tunnel 1", {{{1, 0}, {4, 0}, {4, 3}}, {{{2, 0.5}, {3, 0.5}, {3, 1}}}}}},
+    {{"joint default", {1, 0}, {1, 1}}}};
+
+TEST(WriteBlocks, DxfIsReadBack) {
+  const LineDrawing read = read_dxf(block_file("blocks.dxf", two_blocks), "blocks.dxf", 0);
+  EXPECT_EQ(read.unit, "m");
+  ASSERT_EQ(read.lines.size(), 4U);
+  EXPECT_TRUE(is_closed(read.lines[0]));
+  EXPECT_EQ(read.lines[0].pieces.size(), 4U);
+  EXPECT_EQ(read.lines[1].layer, "tunnel___st");
+  EXPECT_EQ(read.lines[2].start, Vec2(2, 0.5));
+  EXPECT_EQ(read.lines[3].pieces[0].end, Vec2(1, 1));
+}
+
+TEST(WriteBlocks, GeoJsonHasHoles) {
+  const std::string text = block_file("blocks.geojson", two_blocks);
+  const LineDrawing read = read_geojson(text, "blocks.geojson", 0);
+  ASSERT_EQ(read.lines.size(), 4U);
+  EXPECT_EQ(read.lines[2].layer, "tunnel \xC3\xB6st");
+  EXPECT_EQ(nlohmann::json::parse(text)["features"][1]["geometry"]["coordinates"].size(), 2U);
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,101 @@
+#include "engine/scene/read_drawn_plan.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "engine/drawing/plan_of_drawing.h"
+#include "engine/drawing/read_drawing.h"
+#include "engine/scene/places.h"
+
+namespace dda {
+namespace {
+
+double read_unit(const Field& field) {
+  std::vector<std::string> symbols;
+  for (const Unit& unit : units(Dimension::length)) symbols.emplace_back(unit.symbol);
+  const Unit& unit = units(Dimension::length)[field.choice(symbols)];
+  return unit.numerator / unit.denominator;
+}
+
+LayerUse read_layer_use(const Field& field, const Model& model) {
+  LayerUse use;
+  const Field role = field.is_object() ? field.at("as") : field;
+  use.role = static_cast<LayerRole>(role.choice(role_names()));
+  const auto name = field.is_object() ? field.find("joint") : std::nullopt;
+  if (!name) return use;
+  const JointMaterial& joint = model.joints[static_cast<std::size_t>(read_joint_reference(*name, model))];
+  use.joint = joint.name;
+  use.construction = joint.bonded;
+  return use;
+}
+
+// A misspelt layer would leave the drawing's own without a meaning, or with another.
+void expect_layers_of(const LineDrawing& drawing, const Field& layers) {
+  std::set<std::string> drawn;
+  for (const DrawnLine& line : drawing.lines) drawn.insert(bare_layer(line.layer));
+  for (const DrawnPoint& point : drawing.points) drawn.insert(bare_layer(point.layer));
+  for (const auto& [name, use] : layers.members()) {
+    if (!drawn.contains(bare_layer(name)))
+      use.fail("for a layer on which nothing is drawn", "a layer of " + drawing.name);
+  }
+}
+
+DrawingOptions read_options(const Field& field, const LineDrawing& drawing, const Model& model) {
+  DrawingOptions options;
+  options.chords.length =
+      value_or(field, "chord_tolerance", 0.0, [](const Field& f) { return f.positive(Dimension::length); });
+  const auto layers = field.find("layers");
+  if (!layers) return options;
+  expect_layers_of(drawing, *layers);
+  for (const auto& [name, use] : layers->members()) options.layers[name] = read_layer_use(use, model);
+  return options;
+}
+
+// Names of groups come from layers.
+void check_name(const PlanOpening& opening) {
+  const nlohmann::json name = opening.name;
+  static_cast<void>(Field(name, opening.origin).name());
+}
+
+std::vector<std::string> remarks_on(const LineDrawing& drawing, double metres) {
+  std::vector<std::string> remarks;
+  if (metres == 0 && drawing.unit.empty())
+    remarks.push_back(drawing.name + " does not say its unit: coordinates are taken in m");
+  if (metres == 0 && !drawing.unit.empty())
+    remarks.push_back(fmt::format("{}: coordinates in {}, as it says", drawing.name, drawing.unit));
+  std::vector<std::string> kinds;
+  for (const auto& [kind, count] : drawing.passed_over) kinds.push_back(fmt::format("{} x {}", count, kind));
+  if (!kinds.empty())
+    remarks.push_back(
+        fmt::format("{}: passed over, being no lines or points: {}", drawing.name, fmt::join(kinds, ", ")));
+  return remarks;
+}
+
+}  // namespace
+
+DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folder, const Model& model, double reach) {
+  const std::string file = (field.is_object() ? field.at("file") : field).text();
+  const double metres = field.is_object() ? value_or(field, "unit", 0.0, read_unit) : 0;
+  const LineDrawing drawing = read_drawing(folder / file, file, metres);
+  DrawingOptions options = field.is_object() ? read_options(field, drawing, model) : DrawingOptions{};
+  options.reach = reach;
+  DrawnPlan drawn{plan_of(drawing, options), remarks_on(drawing, metres)};
+  for (const PlanOpening& opening : drawn.plan.openings) check_name(opening);
+  return drawn;
+}
+
+std::vector<Field> layer_entries(const Field& drawing) {
+  std::vector<Field> entries;
+  const auto layers = drawing.is_object() ? drawing.find("layers") : std::nullopt;
+  if (!layers) return entries;
+  for (const auto& [name, use] : layers->members()) {
+    if (use.is_object()) entries.push_back(use);
+  }
+  return entries;
+}
+
+}  // namespace dda

@@ -36,7 +36,7 @@ const LayerUse& Layers::use_of(const std::string& layer, const std::string& orig
   if (found != uses_.end()) return found->second;
   std::vector<std::string> names(role_names().begin(), role_names().end() - 1);
   throw InputError("", origin, fmt::format("on the unknown layer \"{}\"", layer),
-                   fmt::format("one of {}, or an entry of \"layers\" for it", fmt::join(names, ", ")));
+                   fmt::format("one of {}, or an entry of \"layers\" (--layer) for it", fmt::join(names, ", ")));
 }
 
 }  // namespace dda

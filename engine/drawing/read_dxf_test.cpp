@@ -1,4 +1,5 @@
 // DXF files that another program wrote (fixtures/make_fixtures.py), and what is wrong with a file.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -39,6 +40,15 @@ TEST(ReadDxf, JointsReachTheChordsOfArcs) {
   const CutRock rock = cut_rock(plan_of(drawing, {}));
   EXPECT_EQ(rock.blocks.size(), 5U);  // three sectors, one of them parted by the level joint, and the place of blasting
   EXPECT_EQ(rock.dangles_trimmed, 0);
+}
+
+// A fix point on the wall of a tunnel lies in the rock.
+TEST(ReadDxf, PointsOnArcsAreCornersOfTheirChords) {
+  LineDrawing drawing = read_drawing(fixture("tunnel.dxf"), "tunnel.dxf");
+  const Vec2 on_wall = 3 * Vec2(std::cos(1.0), std::sin(1.0));
+  drawing.points.push_back({"fix point", "here", on_wall});
+  const RockPlan plan = plan_of(drawing, {});
+  EXPECT_EQ(std::ranges::count(plan.openings[0].outline, on_wall), 1);
 }
 
 // m, from a point to the nearest stretch of a line.

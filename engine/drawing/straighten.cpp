@@ -59,6 +59,7 @@ class Straightener {
       add(line.start);
       for (const DrawnPiece& piece : line.pieces) add(piece.end);
     }
+    for (const DrawnPoint& point : drawing.points) add(point.at);
     return boxes;
   }
 
@@ -102,7 +103,7 @@ class Straightener {
 
   const ChordTolerance& tolerance_;
   double reach_;
-  std::vector<Vec2> places_;  // where lines start, end or turn
+  std::vector<Vec2> places_;  // where lines start, end or turn, and points
   BoxIndex corners_;
   std::size_t total_ = 0;
 };

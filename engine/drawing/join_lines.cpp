@@ -107,7 +107,7 @@ class Joiner {
       if (from == 2 * first) break;
       if (used[from / 2]) return;  // a chain that began in its middle and has come to a gap before
     }
-    add_ring(std::move(points), lines_[first].origin);
+    add_ring(points, lines_[first].origin);
   }
 
   // The line entered at its end `from`, without its other end.
@@ -119,7 +119,7 @@ class Joiner {
       points.insert(points.end(), own.rbegin(), own.rend() - 1);
   }
 
-  void add_ring(std::vector<Vec2> points, const std::string& origin) {
+  void add_ring(const std::vector<Vec2>& points, const std::string& origin) {
     Ring ring;
     for (const Vec2& point : points) {
       if (ring.empty() || (point - ring.back()).norm() > reach_) ring.push_back(point);

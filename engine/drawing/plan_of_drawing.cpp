@@ -147,7 +147,7 @@ class Planner {
       if (line.use->role == role) layers[line.layer] = line.use;
     }
     for (const auto& [layer, use] : layers) {
-      const auto own = lines_where([&](const RoleLine& line) { return line.layer == layer; });
+      const auto own = lines_where([&name = layer](const RoleLine& line) { return line.layer == name; });
       Joined joined = join_lines(own, reach_);
       if (joined.gap && role != LayerRole::blast) refuse(*joined.gap);
       if (joined.gap) {

@@ -160,8 +160,7 @@ TEST(ReadDxf, WhatIsWrongIsSaidInOneSentence) {
       {dxf(square(0, 4) + line("absorbing boundary", 0, 1, 4, 1)),
        "(layer absorbing boundary) is at (2, 1) m, off the boundary"},
   };
-  for (const auto& [text, sentence] : all)
-    expect_refused([&] { plan_of(read_dxf(text, "plan.dxf", 0), {}); }, sentence);
+  for (const auto& each : all) expect_refused([&] { plan_of(read_dxf(each.first, "plan.dxf", 0), {}); }, each.second);
 }
 
 TEST(ReadDxf, ATunnelOutsideOfTheRockIsRefusedWithItsLine) {

@@ -41,7 +41,7 @@ TEST(ReadCsv, WhatIsWrongIsSaidInOneSentence) {
       {"layer,x,y\n,0,0\n", "plan.csv line 2 is without a layer"},
       {"layer,x,y\nrock,,\nrock\n", "plan.csv line 2 is without coordinates"},
   };
-  for (const auto& [text, sentence] : all) expect_refused([&] { read_csv_drawing(text, "plan.csv", 0); }, sentence);
+  for (const auto& each : all) expect_refused([&] { read_csv_drawing(each.first, "plan.csv", 0); }, each.second);
 }
 
 TEST(ReadGeoJson, LinesPolygonsAndPoints) {
@@ -74,7 +74,7 @@ TEST(ReadGeoJson, WhatIsWrongIsSaidInOneSentence) {
        "is a line of one point on layer \"rock\""},
       {feature(R"("geometry": {"type": "LineString", "coordinates": [[0, 0], [1e300, 0]]})"), "is at (1e+300, 0) m"},
   };
-  for (const auto& [text, sentence] : all) expect_refused([&] { read_geojson(text, "plan.geojson", 0); }, sentence);
+  for (const auto& each : all) expect_refused([&] { read_geojson(each.first, "plan.geojson", 0); }, each.second);
 }
 
 const BlockDrawing two_blocks{

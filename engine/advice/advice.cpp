@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/advice/chain_errors.h"
 #include "engine/advice/load_history.h"
+#include "engine/advice/unseen_loads.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/system_matrix.h"
 
@@ -56,6 +58,7 @@ class Adviser {
     frequency_ = question.frequency ? question.frequency : default_frequency();
     for (std::size_t i = 0; frequency_ && i < model_.materials.size(); ++i)
       if (auto lattice = find_lattice(model_, drawn_, static_cast<int>(i))) lattices_.push_back(std::move(*lattice));
+    if (frequency_ && load_) search_way();
   }
 
   [[nodiscard]] Advice run(const BlockMatrix& matrix) const {
@@ -65,6 +68,7 @@ class Adviser {
     advice.wanted_error = question_.error;
     advice.size = size_of(contacts_, matrix);
     advice.joints_may_open = contacts_.can_change;
+    advice.unseen = unseen_loads(model_);
     for (const Stage& stage : model_.stages) {
       advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
       advice.stages.push_back(of_stage(model_.with_acting_corrections(stage), matrix, advice.size));
@@ -92,11 +96,91 @@ class Adviser {
     advice.solver = to_string(plan.solver);
     advice.cost = cost_of(size, plan, std::llround(stage.duration / stage.dt));
     if (stage.integrator.is_static || !frequency_) return advice;
+    if (way_) advice.waves.push_back(along_way(stage));
+    if (way_ && way_->kind == WaveKind::bar) return advice;
     for (const Lattice& lattice : lattices_)
       for (const WaveKind kind : lattice.row ? std::vector{WaveKind::bar} : std::vector{WaveKind::p, WaveKind::s})
-        for (const Direction& direction : directions_of(lattice))
+        for (const Direction& direction : directions_for(lattice))
           advice.waves.push_back(of_wave(lattice, stage, kind, direction));
     return advice;
+  }
+
+  // What is assumed of the mesh, or of a load on it, is no foretelling.
+  void foretell_history(const WaveQuestion& question, const Lattice& lattice, WaveAdvice& advice) const {
+    if (way_) {
+      advice.not_foretold = "the way from where it is driven is foretold for itself";
+    } else if (lattice.assumed || (lattice.row && !why_no_way_.empty())) {
+      advice.not_foretold =
+          fmt::format("cannot be foretold: {}", why_no_way_.empty() ? "blocks are not alike" : why_no_way_);
+    } else {
+      advice.history = history_errors(question, load_->history);
+      if (!advice.history)
+        advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
+    }
+  }
+
+  // The scene's own layers are asked where blocks that repeat themselves do not say it all.
+  void search_way() {
+    PathSearch search = find_chain_path(model_, drawn_, *load_);
+    if (!search.path) {
+      why_no_way_ = search.why_not;
+    } else if (search.path->is_moved || lattices_.size() != 1 || !search.path->repeats_itself(model_, drawn_)) {
+      way_ = std::move(search.path);
+    }
+  }
+
+  [[nodiscard]] WaveAdvice along_way(const Stage& stage) const {
+    const ChainQuestion question(model_, *way_, stage, way_distance());
+    WaveAdvice advice;
+    for (const Material& material : model_.materials) {
+      const bool met = std::any_of(way_->layers.begin(), way_->layers.end(), [&](const ChainLayer& layer) {
+        return model_.material_of(layer.block).name == material.name;
+      });
+      if (met) advice.material += (advice.material.empty() ? "" : ", ") + material.name;
+    }
+    advice.kind = to_text(way_->kind);
+    advice.mesh = fmt::format("the scene's own {} layers, one behind the other", way_->layers.size());
+    advice.own_layers = true;
+    advice.direction = way_->direction + Vec2::Zero();  // and no negative zeros
+    advice.direction_name = "from where it is driven";
+    advice.speed = question.speed();
+    advice.wavelength = advice.speed / *frequency_;
+    for (const ChainLayer& layer : way_->layers) advice.block_size = std::max(advice.block_size, layer.thickness);
+    advice.distance = question.place();
+    advice.steady = question.steady_errors(*frequency_);
+    advice.asked_history = true;
+    advice.history = question.history_errors(load_->history);
+    if (!advice.history)
+      advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
+    if (question_.limits) advice.limits = limits_of(question, stage);
+    return advice;
+  }
+
+  // And the way from where it is driven, where that is another and has no layers of its own.
+  [[nodiscard]] std::vector<Direction> directions_for(const Lattice& lattice) const {
+    std::vector<Direction> directions = directions_of(lattice);
+    if (lattice.row || !load_ || way_) return directions;
+    const Vec2 way = way_of(*load_) + Vec2::Zero();
+    const bool known = way.isZero(0) || std::any_of(directions.begin(), directions.end(), [&](const Direction& other) {
+                         return looks_the_same(lattice, other.unit, way);
+                       });
+    if (!known) directions.push_back({way, "from where it is driven"});
+    return directions;
+  }
+
+  [[nodiscard]] double way_distance() const {
+    if (question_.distance) return *question_.distance;
+    const double distance = way_->direction.dot(load_->looked_at - load_->place);
+    return distance > 0 ? distance : way_->layers.front().speed / *frequency_;
+  }
+
+  // Layers stay as they are: they belong to the scene.
+  [[nodiscard]] WaveLimits limits_of(const ChainQuestion& question, const Stage& stage) const {
+    const auto error_of = [&](double dt, double scale) -> std::optional<double> {
+      if (scale != 1) return std::nullopt;
+      return largest(question.with_dt(dt).total_history_errors(load_->history));
+    };
+    return find_limits(error_of, stage.dt, {load_->history.period / 4, 1}, question_.error);
   }
 
   [[nodiscard]] double distance_for(double wavelength) const {
@@ -123,7 +207,7 @@ class Adviser {
     const WaveQuestion question{lattice, stage, kind, direction.unit, advice.distance};
     advice.steady = steady_errors(question, *frequency_);
     advice.asked_history = load_.has_value();
-    if (load_) advice.history = history_errors(question, load_->history);
+    if (load_) foretell_history(question, lattice, advice);
     if (question_.limits) advice.limits = limits_of(question, advice);
     return advice;
   }
@@ -141,13 +225,14 @@ class Adviser {
   }
 
   [[nodiscard]] std::optional<double> steady_error(const WaveQuestion& question) const {
-    const auto errors = total_steady_errors(question, *frequency_);
-    if (!errors) return std::nullopt;
-    return std::max(std::abs(errors->speed), std::abs(errors->amplitude));
+    return largest(total_steady_errors(question, *frequency_));
   }
 
   [[nodiscard]] std::optional<double> history_error(const WaveQuestion& question) const {
-    const auto errors = total_history_errors(question, load_->history);
+    return largest(total_history_errors(question, load_->history));
+  }
+
+  static std::optional<double> largest(const std::optional<TotalErrors>& errors) {
     if (!errors) return std::nullopt;
     return std::max(std::abs(errors->speed), std::abs(errors->amplitude));
   }
@@ -159,6 +244,8 @@ class Adviser {
   std::optional<SceneLoad> load_;
   std::optional<double> frequency_;
   std::vector<Lattice> lattices_;
+  std::optional<ChainPath> way_;
+  std::string why_no_way_;
 };
 
 double size_of(const ErrorTerms& terms, double ErrorTerms::*term) { return std::abs(terms.*term); }

@@ -23,6 +23,7 @@ struct AdviceQuestion {
 struct WaveAdvice {
   std::string material, kind;  // "bar", "P" or "S"
   std::string mesh;            // what the errors are those of
+  bool own_layers = false;     // of the scene, as they are; else of blocks that repeat themselves
   Vec2 direction = Vec2::UnitX();
   std::string direction_name;
   double speed = 0, wavelength = 0;  // m/s and m, of the continuous material
@@ -31,6 +32,7 @@ struct WaveAdvice {
   std::optional<SteadyErrors> steady;
   std::optional<HistoryErrors> history;
   bool asked_history = false;
+  std::string not_foretold;  // a sentence; empty where the history is foretold
   std::optional<WaveLimits> limits;
 
   // The terms that count: of the load history where there is one.
@@ -55,7 +57,8 @@ struct Advice {
   double wanted_error = 0;
   SceneSize size;
   bool joints_may_open = false;
-  bool damped = false;  // some stage damps velocities, which the errors do not count
+  bool damped = false;              // some stage damps velocities, which the errors do not count
+  std::vector<std::string> unseen;  // sentences of loads that time steps pass over
   std::vector<StageAdvice> stages;
 };
 

@@ -44,6 +44,7 @@ Json to_json(const WaveAdvice& wave) {
           {"direction", Json::array({wave.direction.x(), wave.direction.y()})},
           {"direction_name", wave.direction_name},
           {"mesh", wave.mesh},
+          {"own_layers", wave.own_layers},
           {"speed_m_per_s", wave.speed},
           {"wavelength_m", wave.wavelength},
           {"block_m", wave.block_size},
@@ -52,6 +53,7 @@ Json to_json(const WaveAdvice& wave) {
                          ? Json{{"speed", to_json(wave.steady->speed)}, {"amplitude", to_json(wave.steady->amplitude)}}
                          : Json(nullptr)},
           {"history", wave.history ? to_json(*wave.history) : Json(nullptr)},
+          {"not_foretold", wave.not_foretold.empty() ? Json(nullptr) : Json(wave.not_foretold)},
           {"cause", wave.cause()},
           {"limits", limits_of(wave)}};
 }
@@ -87,6 +89,7 @@ std::string to_json_text(const Advice& advice) {
                      {"factor_nonzeros", advice.size.factor.nonzeros},
                      {"joints_may_open", advice.joints_may_open},
                      {"damped", advice.damped},
+                     {"unseen_loads", advice.unseen},
                      {"stages", stages}};
   return json.dump(2) + "\n";
 }

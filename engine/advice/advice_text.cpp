@@ -45,8 +45,7 @@ void add_steady(const Advice& advice, const WaveAdvice& wave, Text& text) {
 void add_history(const WaveAdvice& wave, Text& text) {
   if (!wave.asked_history) return;
   if (!wave.history) {
-    text.line("  the load's history, after {:.4g} m: nothing that resembles it, or half a period off its time",
-              wave.distance);
+    text.line("  the load's history, after {:.4g} m: {}", wave.distance, wave.not_foretold);
     return;
   }
   const HistoryErrors& history = *wave.history;
@@ -70,6 +69,11 @@ void add_limits(const Advice& advice, const WaveAdvice& wave, Text& text) {
   if (!wave.limits) return;
   const WaveLimits& limits = *wave.limits;
   const double wanted = 100 * advice.wanted_error;
+  if (wave.own_layers) {
+    text.line("  for {:.4g} %: {} with these layers", wanted,
+              limits.dt ? fmt::format("dt up to {:.3g} s", *limits.dt) : "no dt is small enough");
+    return;
+  }
   if (limits.dt || limits.scale) {
     text.line("  for {:.4g} %: {}; {}", wanted,
               limits.dt ? fmt::format("dt up to {:.3g} s with these blocks", *limits.dt)
@@ -151,7 +155,7 @@ void add_steady_in_short(const Advice& advice, const StageAdvice& stage, const W
 
 std::string history_in_short(const WaveAdvice& wave) {
   const std::string which = fmt::format("  {} wave in \"{}\", {}", wave.kind, wave.material, wave.direction_name);
-  if (!wave.history) return which + ": does not arrive in its shape";
+  if (!wave.history) return fmt::format("{}: {}", which, wave.not_foretold);
   return fmt::format("{}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}", which, wave.history->place,
                      percent(wave.history->speed.total()), percent(wave.history->amplitude.total()),
                      percent(wave.history->arrival.peak), wave.cause());
@@ -165,6 +169,7 @@ std::string to_text(const Advice& advice) {
             counted(advice.size.interfaces, "interface"), counted(advice.size.coupled_pairs, "coupled pair"),
             advice.size.factor.nonzeros);
   if (!advice.load.empty()) text.line("load {}", advice.load);
+  for (const std::string& sentence : advice.unseen) text.line("note: {}", sentence);
   if (!advice.frequency)
     text.line(
         "nothing is said of waves: give --frequency, or \"target_frequency\" or a load with a history in the scene");

@@ -33,21 +33,21 @@ class Comparison {
     return {both / wanted, both / std::sqrt(wanted * found)};
   }
 
-  // The delay with the largest coefficient within +-limit. Where a load has kinks and its samples are few, so has the
-  // coefficient, with summits side by side; so a row of delays is looked at, a finer row around the best of them, and
-  // what lies between the neighbours of the best of those.
-  [[nodiscard]] double best_lag(double limit) const {
-    constexpr int coarse = 40, fine = 16;
-    const double pitch = limit / coarse;
-    const double near = best_of_row(0, pitch, coarse);
-    const double nearer = best_of_row(near, pitch / fine, fine);
-    return largest_between(std::max(nearer - pitch / fine, -limit), std::min(nearer + pitch / fine, limit));
+  // The delay with the largest coefficient from `low` to `high`. Where a load has kinks and its samples are few, so has
+  // the coefficient, with summits side by side; so a row of delays is looked at, a finer row around the best of them,
+  // and what lies between the neighbours of the best of those.
+  [[nodiscard]] double best_lag(double low, double high, double pitch) const {
+    constexpr int fine = 16;
+    const double near = best_of_row(0, pitch, static_cast<int>(std::ceil(low / pitch - 1e-9)),
+                                    static_cast<int>(std::floor(high / pitch + 1e-9)));
+    const double nearer = best_of_row(near, pitch / fine, -fine, fine);
+    return largest_between(std::max(nearer - pitch / fine, low), std::min(nearer + pitch / fine, high));
   }
 
  private:
-  [[nodiscard]] double best_of_row(double middle, double pitch, int pitches) const {
+  [[nodiscard]] double best_of_row(double middle, double pitch, int first, int last) const {
     double best = middle, most = -1;
-    for (int i = -pitches; i <= pitches; ++i) {
+    for (int i = first; i <= last; ++i) {
       const double coefficient = fit(middle + i * pitch).coefficient;
       if (coefficient <= most) continue;
       most = coefficient;
@@ -123,12 +123,15 @@ double speed_error(double on_time, double lag) { return on_time / (on_time + lag
 }  // namespace
 
 std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
-                                          const std::function<double(double)>& exact, double on_time, double period) {
+                                          const std::function<double(double)>& exact, double on_time, double period,
+                                          const Lags& lags) {
+  constexpr double pitch = longest_lag / 40;  // of a period
   const Comparison comparison(trace, interval, exact);
   const double limit = longest_lag * period;
-  const double lag = comparison.best_lag(limit);
+  const double lag = comparison.best_lag(lags.earliest - limit, lags.latest + limit, pitch * period);
   const Fit fit = comparison.fit(lag);
-  if (!(fit.coefficient > 0) || std::abs(lag) > 0.99 * limit) return std::nullopt;
+  const bool at_end = lag < lags.earliest - 0.99 * limit || lag > lags.latest + 0.99 * limit;
+  if (!(fit.coefficient > 0) || at_end || on_time + lag <= 0) return std::nullopt;
   std::vector<double> wanted(trace.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = exact(static_cast<double>(i) * interval);
   const Marks due = marks_of(wanted, interval, 0);

@@ -1,6 +1,7 @@
 // When a wave arrives and how large it is, against the wave that should have come.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -16,10 +17,21 @@ struct ArrivalErrors {
   double onset_speed = 0;  // by the time at which a tenth of it is passed on the way to it
 };
 
+// Between which delays a wave comes, s: 0, and what the speeds of its parts say. Below 0 it is early.
+struct Lags {
+  double earliest = 0, latest = 0;
+
+  void include(double lag) {
+    earliest = std::min(earliest, lag);
+    latest = std::max(latest, lag);
+  }
+};
+
 // `trace` is sampled at 0, interval, ...; `exact` is what it should be, begins at `on_time` (s) and varies over times
-// not much shorter than `period` (s). Nothing where the trace nowhere resembles it, or comes 0.45 periods off its time:
-// beyond half a period a wave is mistaken for the next swing.
+// not much shorter than `period` (s). Nothing where the trace nowhere resembles it, or comes 0.45 periods before or
+// after `lags`: beyond half a period a wave is mistaken for the next swing.
 std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
-                                          const std::function<double(double)>& exact, double on_time, double period);
+                                          const std::function<double(double)>& exact, double on_time, double period,
+                                          const Lags& lags = {});
 
 }  // namespace dda

@@ -181,6 +181,7 @@ class Search {
     if (!row_) lattice.offsets.insert(lattice.offsets.end(), {across, -across});
     lattice.joints.assign(lattice.offsets.size(), acting_joint(model_, contacts_, index));
     lattice.normal = interface.normal;
+    lattice.assumed = true;
     lattice.origin =
         fmt::format("assumed: {} of {:.4g} m, the largest size across a joint (its blocks are not all alike)",
                     row_ ? "a row of blocks" : "square blocks", size);

@@ -21,7 +21,8 @@ struct Lattice {
   std::vector<JointMaterial> joints;  // with each neighbour, with the law and springs that the scene uses
   Vec2 normal = Vec2::UnitX();        // of the interfaces, of a row along it
   bool row = false;
-  std::string origin;  // what it is taken from or assumed to be, for people
+  bool assumed = false;  // no block of the scene is among copies of itself
+  std::string origin;    // what it is taken from or assumed to be, for people
 
   // Unit normals of the interfaces, each pair of opposite ones once: to the right, or straight up.
   [[nodiscard]] std::vector<Vec2> face_normals() const;

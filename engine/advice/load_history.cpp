@@ -28,17 +28,6 @@ double shortest_step(const Model& model) {
   return step;
 }
 
-std::string words_for(const TimeFunction& history) {
-  if (const auto* sine = std::get_if<SineCycles>(&history))
-    return std::isfinite(sine->cycles) ? fmt::format("sine of {:.6g} Hz, cycles: {:.6g}", sine->frequency, sine->cycles)
-                                       : fmt::format("a sine of {:.6g} Hz without end", sine->frequency);
-  if (const auto* table = std::get_if<PiecewiseLinear>(&history))
-    return fmt::format("a table of {} points", table->times.size());
-  if (const auto* decay = std::get_if<ExponentialDecay>(&history))
-    return fmt::format("a pulse that decays in {:.6g} s", decay->decay_time);
-  return "a record";
-}
-
 // Up to the last time its absolute value is above a thousandth of the largest.
 double duration_of(const std::vector<double>& samples, double interval) {
   double largest = 0;
@@ -62,15 +51,19 @@ double start_of(const TimeFunction& function) {
   return table->times[static_cast<std::size_t>(first - table->values.begin()) - 1];
 }
 
-LoadHistory history_of(const Model& model, const TimeFunction& function) {
+// From where the history begins to the end of the run; `value` of a time in the run.
+template <typename Value>
+LoadHistory history_of(const Model& model, const TimeFunction& function, const Value& value) {
   const double begun = start_of(function);
   const double start = begun > 0 && begun < end_of_run(model) ? begun : 0;
   const double end = end_of_run(model) - start;
   const double interval = std::max(shortest_step(model), end / most_samples);
   std::vector<double> samples;
-  for (double t = 0; t <= end; t += interval) samples.push_back(evaluate(function, start + t));
+  for (double t = 0; t <= end; t += interval) samples.push_back(value(start + t));
   LoadHistory history;
-  history.value = [=](double t) { return t < 0 || t > end ? 0 : evaluate(function, start + t); };
+  history.value = [=](double t) { return t < 0 || t > end ? 0 : value(start + t); };
+  history.start = start;
+  history.run = end;
   const auto* sine = std::get_if<SineCycles>(&function);
   const double last = sine != nullptr ? sine->cycles / sine->frequency : duration_of(samples, interval);
   history.duration = std::min(last, end);
@@ -80,24 +73,86 @@ LoadHistory history_of(const Model& model, const TimeFunction& function) {
   return history;
 }
 
+std::string description_of(const Model& model, int block, const TimeFunction& function, double period,
+                           const char* what) {
+  return fmt::format("on block \"{}\"{}: {}, main frequency {:.4g} Hz",
+                     model.blocks[static_cast<std::size_t>(block)].name, what, words_for(function), 1 / period);
+}
+
 template <typename Load>
-std::optional<SceneLoad> load_of(const Model& model, const Load& load, const Vec2& place) {
+std::optional<SceneLoad> load_of(const Model& model, const Load& load, const Vec2& place, const Vec2& force) {
   if (std::holds_alternative<Constant>(load.history)) return std::nullopt;
-  const LoadHistory history = history_of(model, load.history);
-  const std::string& block = model.blocks[static_cast<std::size_t>(load.block)].name;
-  return SceneLoad{
-      history, place,
-      fmt::format("on block \"{}\": {}, main frequency {:.4g} Hz", block, words_for(load.history), 1 / history.period)};
+  const auto value = [history = load.history](double t) { return evaluate(history, t); };
+  const LoadHistory history = history_of(model, load.history, value);
+  return SceneLoad{history,    place, description_of(model, load.block, load.history, history.period, ""),
+                   load.block, force, Vec2::Zero(),
+                   place};
+}
+
+// A wave carries the velocity of what moves: a displacement's history is differentiated, an acceleration's integrated.
+template <typename Motion>
+std::optional<SceneLoad> motion_of(const Model& model, const Motion& motion, const Vec2& place) {
+  if (std::holds_alternative<Constant>(motion.history) || motion.amplitude.isZero(0)) return std::nullopt;
+  const auto factors = [kind = motion.kind, history = motion.history](double t) { return motion_at(kind, history, t); };
+  LoadHistory history = history_of(model, motion.history, [=](double t) { return factors(t).velocity; });
+  const double start = history.start;
+  history.displacement = [=](double t) {
+    return t < 0 ? 0 : factors(start + t).displacement - factors(start).displacement;
+  };
+  return SceneLoad{history,
+                   place,
+                   description_of(model, motion.block, motion.history, history.period, ", which is moved"),
+                   motion.block,
+                   motion.amplitude,
+                   Vec2::Zero(),
+                   place};
+}
+
+std::optional<SceneLoad> first_drive(const Model& model) {
+  for (const EdgeLoad& load : model.edge_loads)
+    if (auto found = load_of(model, load, (load.from + load.to) / 2, load.traction)) {
+      const Vec2 edge = (load.to - load.from).normalized();
+      const Vec2 normal(-edge.y(), edge.x());
+      const Vec2 inwards = model.blocks[static_cast<std::size_t>(load.block)].moments.centroid - found->place;
+      found->face = inwards.dot(normal) < 0 ? Vec2(-normal) : normal;
+      return found;
+    }
+  for (const PointLoad& load : model.point_loads)
+    if (auto found = load_of(model, load, load.point, load.force)) return found;
+  for (const PointSupport& support : model.supports)
+    if (auto found = motion_of(model, support, support.point)) return found;
+  for (const HeldBlock& held : model.held_blocks)
+    if (auto found = motion_of(model, held, model.blocks[static_cast<std::size_t>(held.block)].moments.centroid))
+      return found;
+  return std::nullopt;
 }
 
 }  // namespace
 
+std::string words_for(const TimeFunction& history) {
+  if (const auto* sine = std::get_if<SineCycles>(&history))
+    return std::isfinite(sine->cycles) ? fmt::format("sine of {:.6g} Hz, cycles: {:.6g}", sine->frequency, sine->cycles)
+                                       : fmt::format("a sine of {:.6g} Hz without end", sine->frequency);
+  if (const auto* table = std::get_if<PiecewiseLinear>(&history))
+    return fmt::format("a table of {} points", table->times.size());
+  if (const auto* decay = std::get_if<ExponentialDecay>(&history))
+    return fmt::format("a pulse that decays in {:.6g} s", decay->decay_time);
+  return "a record";
+}
+
+Vec2 way_of(const SceneLoad& load) {
+  if (!load.face.isZero(0)) return load.face;
+  const Vec2 way = load.looked_at - load.place;
+  return way.isZero(0) ? way : Vec2(way.normalized());
+}
+
 std::optional<SceneLoad> scene_load(const Model& model) {
-  for (const EdgeLoad& load : model.edge_loads)
-    if (auto found = load_of(model, load, (load.from + load.to) / 2)) return found;
-  for (const PointLoad& load : model.point_loads)
-    if (auto found = load_of(model, load, load.point)) return found;
-  return std::nullopt;
+  auto load = first_drive(model);
+  if (!load) return std::nullopt;
+  for (const Measurement& measurement : model.measurements)
+    if (measurement.bolt < 0 && (measurement.point - load->place).norm() > (load->looked_at - load->place).norm())
+      load->looked_at = measurement.point;
+  return load;
 }
 
 std::optional<double> highest_sine_frequency(const Model& model) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/advice/unseen_loads.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/segment.h"
@@ -236,8 +237,13 @@ void remark_on_brittle_joints(const Model& model, const ContactSet& contacts, Re
   }
 }
 
-constexpr auto all_remarks = {remark_on_holding, remark_on_gravity, remark_on_tension, remark_on_materials,
-                              remark_on_sizes,   remark_on_gaps,    remark_on_steps,   remark_on_brittle_joints};
+void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
+}
+
+constexpr auto all_remarks = {remark_on_holding,   remark_on_gravity, remark_on_tension,
+                              remark_on_materials, remark_on_sizes,   remark_on_gaps,
+                              remark_on_steps,     remark_on_loads,   remark_on_brittle_joints};
 
 }  // namespace
 

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double most_samples = 2048;  // of a trace
 
-enum class Causes { blocks, space, all };
-
 bool has_springs(const Lattice& lattice) {
   return std::any_of(lattice.joints.begin(), lattice.joints.end(),
                      [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
@@ -44,8 +42,6 @@ std::optional<TotalErrors> steady(const WaveQuestion& question, double omega, Ca
   const double exact = omega / continuum_speed(question.lattice.material, question.kind);
   return TotalErrors{exact / wave->wavenumber.real() - 1, std::expm1(wave->wavenumber.imag() * question.distance)};
 }
-
-ErrorTerms terms(double blocks, double space, double all) { return {blocks, space - blocks, all - space}; }
 
 // Follows a wave from frequency to frequency; above the highest that the blocks carry, nothing arrives.
 class Path {
@@ -97,6 +93,24 @@ Place place_of(const WaveQuestion& question) {
   return {joint * row->step(), joint, true};
 }
 
+// s, by which waves of low frequency and those of the load's own run late (or early, below 0), their phases and their
+// group: where joints are soft that is many periods.
+Lags lags_of(const WaveQuestion& question, double distance, double period) {
+  const WaveSolver solver(question.lattice, question.stage, question.kind, question.direction);
+  const double on_time = distance / continuum_speed(question.lattice.material, question.kind);
+  const double omega = 2 * std::numbers::pi / period;
+  const auto delay = [&](double frequency) -> std::optional<double> {
+    const auto wave = solver.steady({}, frequency);
+    return wave ? std::optional(distance * wave->wavenumber.real()) : std::nullopt;
+  };
+  Lags lags;
+  const auto low = delay(0.05 * omega), below = delay(0.95 * omega), above = delay(1.05 * omega);
+  if (low) lags.include(*low / (0.05 * omega) - on_time);
+  if (below) lags.include(*below / (0.95 * omega) - on_time);
+  if (below && above) lags.include((*above - *below) / (0.1 * omega) - on_time);
+  return lags;
+}
+
 double on_time(const WaveQuestion& question, const Place& place) {
   return place.distance / continuum_speed(question.lattice.material, question.kind);
 }
@@ -104,8 +118,7 @@ double on_time(const WaveQuestion& question, const Place& place) {
 // `filter`: of the load, as a run applies it.
 LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place,
                          const LoadFilter& filter) {
-  const double margin = load.period + 0.2 * on_time(question, place);
-  const double window = load.window > 0 ? load.window : on_time(question, place) + load.duration + margin;
+  const double window = window_of(load, on_time(question, place), lags_of(question, place.distance, load.period));
   const double stride = std::max(1.0, std::ceil(window / question.stage.dt / most_samples));
   const double interval = stride * question.stage.dt;
   std::vector<double> samples(static_cast<std::size_t>(std::floor(window / interval + 1e-6)) + 1);
@@ -141,16 +154,31 @@ class Reader {
     const double due = on_time(question_, place_);
     const auto exact = [&](double t) { return t > due ? load_.value(t - due) : 0.0; };
     const Trace trace = trace_of(question_, load_, place_, causes);
-    return read_arrival(trace.values, trace.interval, exact, due, load_.period);
+    return read_arrival(trace.values, trace.interval, exact, due, load_.period,
+                        lags_of(changed(causes), place_.distance, load_.period));
   }
 
  private:
+  [[nodiscard]] WaveQuestion changed(Causes causes) const {
+    WaveQuestion question = question_;
+    question.lattice = lattice_of(question_, causes);
+    return question;
+  }
+
   const WaveQuestion& question_;
   const LoadHistory& load_;
   Place place_;
 };
 
 }  // namespace
+
+double window_of(const LoadHistory& load, double on_time, const Lags& lags) {
+  if (load.window > 0) return load.window;
+  const double late = std::max(0.2 * on_time, lags.latest);
+  return on_time + late + load.duration + load.period;
+}
+
+ErrorTerms terms_of(double blocks, double space, double all) { return {blocks, space - blocks, all - space}; }
 
 std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double frequency) {
   const double omega = 2 * std::numbers::pi * frequency;
@@ -159,8 +187,8 @@ std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double f
   const auto space = steady(question, omega, Causes::space);
   const auto blocks = steady(question, omega, Causes::blocks);
   if (!all || !space || !blocks) return std::nullopt;
-  return SteadyErrors{terms(blocks->speed, space->speed, all->speed),
-                      terms(blocks->amplitude, space->amplitude, all->amplitude)};
+  return SteadyErrors{terms_of(blocks->speed, space->speed, all->speed),
+                      terms_of(blocks->amplitude, space->amplitude, all->amplitude)};
 }
 
 PredictedTrace predict_trace(const WaveQuestion& question, const LoadHistory& load) {
@@ -188,8 +216,8 @@ std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const 
   const auto space = reader.read(Causes::space);
   const auto blocks = has_springs(question.lattice) ? reader.read(Causes::blocks) : space;
   if (!space || !blocks) return std::nullopt;
-  return HistoryErrors{terms(blocks->speed, space->speed, all->speed),
-                       terms(blocks->amplitude, space->amplitude, all->amplitude), *all, reader.place().distance,
+  return HistoryErrors{terms_of(blocks->speed, space->speed, all->speed),
+                       terms_of(blocks->amplitude, space->amplitude, all->amplitude), *all, reader.place().distance,
                        reader.place().with_end};
 }
 

@@ -36,6 +36,10 @@ struct SteadyErrors {
 // Nothing where the blocks carry no such wave or fewer than two steps make a period.
 std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double frequency);
 
+// Causes in the order in which they are added.
+enum class Causes { blocks, space, all };
+ErrorTerms terms_of(double blocks, double space, double all);
+
 // All causes together, for a fifth of the work or less.
 struct TotalErrors {
   double speed = 0, amplitude = 0;
@@ -47,7 +51,14 @@ struct LoadHistory {
   double duration = 0;                  // s, that matters
   double period = 0;                    // s, of its main frequency
   double window = 0;                    // s, that is looked at; 0: until the wave has passed
+  double start = 0;                     // s, in the run
+  double run = 0;                       // s, that the run goes on after that
+  // Where something is moved: `value` is its velocity and this its displacement, over one amplitude. Else empty.
+  std::function<double(double)> displacement = {};
 };
+
+// s, that a trace has to last: until the wave has passed, however late.
+double window_of(const LoadHistory& load, double on_time, const Lags& lags);
 
 struct HistoryErrors {
   ErrorTerms speed, amplitude;  // by cross-correlation and fit

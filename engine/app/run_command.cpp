@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/advice/remarks.h"
+#include "engine/advice/unseen_loads.h"
 #include "engine/app/frame_clock.h"
 #include "engine/app/run_files.h"
 #include "engine/app/run_position.h"
@@ -195,9 +196,10 @@ class Run {
   }
 
   [[nodiscard]] std::string warnings() const {
-    const std::string energy = energy_warning();
-    const std::string penetration = penetration_warning();
-    return energy + (energy.empty() || penetration.empty() ? "" : "; ") + penetration;
+    std::vector<std::string> warnings = {energy_warning(), penetration_warning()};
+    for (const std::string& sentence : unseen_loads(simulation_.model())) warnings.push_back("warning: " + sentence);
+    std::erase(warnings, "");
+    return fmt::format("{}", fmt::join(warnings, "; "));
   }
 
   void finish(RunFiles& files, Status status, const std::string& message) {

@@ -1,0 +1,49 @@
+// The equations of a way through a scene, layer by layer, out of the engine's own matrices for its blocks.
+#pragma once
+
+#include <vector>
+
+#include "engine/advice/chain_path.h"
+#include "engine/simulation/linear_operators.h"
+
+namespace dda {
+
+class Chain {
+ public:
+  // `consistent`: with the accurate law in place of the joints' own. By the stage's inertia options and dt.
+  Chain(const Model& model, const ChainPath& path, const Stage& stage, bool consistent);
+
+  // Force at joint number `joint` along the wave's motion, for s^2 = `square`, where only the first `layers` of the way
+  // are there and the wave goes on behind them. Over the force on the end; of what is moved, over the displacement,
+  // times the impedance of the way's first layer: exp(-s x/c) and s exp(-s x/c) in rock without joints.
+  [[nodiscard]] Complex force(Complex square, int joint, int layers) const;
+
+  // Of loads on the end, as a run applies them.
+  [[nodiscard]] const LoadFilter& load_filter() const { return load_filter_; }
+
+ private:
+  // Forces on a layer by its own unknowns and those of its neighbours.
+  struct Layer {
+    Mat6 own = Mat6::Zero(), next = Mat6::Zero(), last = Mat6::Zero();
+  };
+  struct Traction {
+    Vec6 here = Vec6::Zero(), last = Vec6::Zero();  // N, at a layer's first face by its unknowns and the last layer's
+  };
+  [[nodiscard]] ComplexMat6 own_at_end(Complex square, int layer) const;
+  void fold(const LinearOperators& operators);
+  void set_drive(const Model& model, const WaveCorrections& waves, const std::vector<SupportElement>& supports);
+  void set_tractions(const Model& model, const ContactSet& contacts);
+
+  ChainPath path_;
+  Vec2 particles_;
+  std::vector<Layer> stiffness_, inertia_;
+  std::vector<Traction> tractions_;
+  Vec6 push_ = Vec6::Zero();  // on the first layer; of a held one its motion
+  double unit_ = 1;           // of the force that is told
+  LoadFilter load_filter_;
+};
+
+// The same of the rock, without blocks or joints: layers of other impedance send back what they do.
+Complex exact_force(const ChainPath& path, Complex s, int joint, int layers);
+
+}  // namespace dda

@@ -1,0 +1,217 @@
+#include "engine/advice/chain_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "engine/advice/load_trace.h"
+
+namespace dda {
+namespace {
+
+constexpr double most_samples = 2048;  // of a trace
+constexpr int finer = 8;               // samples of what should come in one of what comes
+
+// Straight lines between samples.
+class Sampled {
+ public:
+  Sampled(std::vector<double> values, double interval) : values_(std::move(values)), interval_(interval) {}
+  double operator()(double t) const {
+    const double place = t / interval_;
+    if (place < 0 || place >= static_cast<double>(values_.size() - 1)) return 0;
+    const auto i = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(i);
+    return (1 - share) * values_[i] + share * values_[i + 1];
+  }
+
+ private:
+  std::vector<double> values_;
+  double interval_;
+};
+
+template <typename Value>
+std::vector<double> sampled(const Value& value, double window, double interval) {
+  std::vector<double> samples(static_cast<std::size_t>(std::floor(window / interval + 1e-6)) + 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = value(static_cast<double>(i) * interval);
+  return samples;
+}
+
+}  // namespace
+
+ChainQuestion::ChainQuestion(const Model& model, const ChainPath& path, const Stage& stage, double distance)
+    : model_(&model), path_(path), stage_(stage), joint_(path.joint_near(distance)) {}
+
+ChainQuestion ChainQuestion::with_dt(double dt) const {
+  ChainQuestion question = *this;
+  question.stage_.dt = dt;
+  question.chains_ = {};
+  return question;
+}
+
+TimeSteps ChainQuestion::time_of(Causes causes) const {
+  if (causes != Causes::all) return {};
+  return {stage_.integrator, stage_.dt};
+}
+
+const Chain& ChainQuestion::chain(Causes causes) const {
+  auto& chain = chains_[static_cast<std::size_t>(causes)];
+  if (chain) return *chain;
+  Stage stage = stage_;
+  if (causes != Causes::all) stage.correct_time_dispersion = false;
+  chain = std::make_shared<const Chain>(*model_, path_, stage, causes == Causes::blocks);
+  return *chain;
+}
+
+// What comes back from farther layers is too late for the window.
+int ChainQuestion::layers_for(double window) const {
+  const double reach = (path_.distance_of(joint_) + fastest() * window) / 2 + path_.layers.front().thickness;
+  const int layers = path_.layers_within(std::max(reach, 1.2 * path_.distance_of(joint_)));
+  return std::min(std::max(layers, joint_ + 2), static_cast<int>(path_.layers.size()));
+}
+
+// Of the force that comes over the one that should, in steady motion; or nearly, so that what runs to and fro between
+// layers dies out.
+Complex ChainQuestion::ratio(Causes causes, double omega, int layers) const {
+  const Complex s(0.01 * omega, omega);
+  return chain(causes).force(time_of(causes).square(s), joint_, layers) / exact_force(path_, s, joint_, layers);
+}
+
+// The phase is followed from low frequencies on, as it may be late by many turns.
+ChainQuestion::Phase ChainQuestion::phase(Causes causes, double omega) const {
+  const double due = path_.time_to(joint_);
+  const int layers = layers_for(3 * due + 6 * std::numbers::pi / omega);
+  const int rounds = 8 + static_cast<int>(std::ceil(4 * omega * due));
+  Phase phase;
+  Complex last(1, 0);
+  for (int i = 1; i <= rounds; ++i) {
+    const double frequency = omega * i / rounds;
+    const Complex now = ratio(causes, frequency, layers);
+    const double change = -std::arg(now / last);
+    phase.angle += change;
+    phase.lags.include(phase.angle / frequency);
+    if (i > rounds / 2) phase.lags.include(change / (omega / rounds));  // of the group
+    last = now;
+  }
+  phase.amplitude = std::abs(last);
+  return phase;
+}
+
+std::optional<TotalErrors> ChainQuestion::steady(Causes causes, double frequency) const {
+  const double omega = 2 * std::numbers::pi * frequency;
+  if (causes == Causes::all && omega * stage_.dt >= std::numbers::pi) return std::nullopt;
+  const double due = path_.time_to(joint_);
+  const Phase found = phase(causes, omega);
+  const double late = found.angle / omega;
+  if (!std::isfinite(late) || !(due + late > 0)) return std::nullopt;
+  return TotalErrors{due / (due + late) - 1, found.amplitude - 1};
+}
+
+std::optional<TotalErrors> ChainQuestion::total_steady_errors(double frequency) const {
+  return steady(Causes::all, frequency);
+}
+
+std::optional<SteadyErrors> ChainQuestion::steady_errors(double frequency) const {
+  const auto all = steady(Causes::all, frequency);
+  const auto space = steady(Causes::space, frequency);
+  const auto blocks = steady(Causes::blocks, frequency);
+  if (!all || !space || !blocks) return std::nullopt;
+  return SteadyErrors{terms_of(blocks->speed, space->speed, all->speed),
+                      terms_of(blocks->amplitude, space->amplitude, all->amplitude)};
+}
+
+// What comes at the joint, and what should.
+struct ChainQuestion::Traces {
+  std::vector<double> found;
+  double interval = 0;  // s
+  std::function<double(double)> exact;
+};
+
+// The run's own, as what runs to and fro between layers comes late, but not what comes back from the far end of the
+// way.
+double ChainQuestion::window_for(const LoadHistory& load, const Lags& lags) const {
+  const double needed = window_of(load, path_.time_to(joint_), lags);
+  const double far = path_.distance_of(static_cast<int>(path_.layers.size()));
+  const double echo = (2 * far - path_.distance_of(joint_)) / fastest();
+  const double least = path_.time_to(joint_) + lags.latest + load.duration / 2;
+  if (load.run < least) return needed;
+  return std::min(load.run, std::max(needed, echo));
+}
+
+double ChainQuestion::fastest() const {
+  double fastest = 0;
+  for (const ChainLayer& layer : path_.layers) fastest = std::max(fastest, layer.speed);
+  return fastest;
+}
+
+ChainQuestion::Traces ChainQuestion::traces(Causes causes, const LoadHistory& load, const Lags& lags) const {
+  const double due = path_.time_to(joint_);
+  const double window = window_for(load, lags);
+  const double interval = std::max(1.0, std::ceil(window / stage_.dt / most_samples)) * stage_.dt;
+  const int layers = layers_for(window);
+  const TimeSteps time = time_of(causes);
+  const Chain& way = chain(causes);
+  const LoadSpectrum spectrum(sampled(drive(causes, load), window, interval), interval);
+  Traces traces;
+  traces.interval = interval;
+  traces.found =
+      spectrum.through([&](Complex s) { return integral(causes, s) * way.force(time.square(s), joint_, layers); });
+  if (path_.is_of_one_rock(layers)) {
+    // Tables of displacements have velocities that jump: their mean over a quarter of a step.
+    const double wide = stage_.dt / 8;
+    traces.exact = [&load, due, wide, moved = path_.is_moved](double t) {
+      if (t <= due) return 0.0;
+      if (!moved) return load.value(t - due);
+      return (load.displacement(t - due + wide) - load.displacement(t - due - wide)) / (2 * wide);
+    };
+    return traces;
+  }
+  const LoadSpectrum fine(sampled(load.value, window, interval / finer), interval / finer);
+  traces.exact = Sampled(
+      fine.through([&](Complex s) { return (path_.is_moved ? 1.0 / s : 1.0) * exact_force(path_, s, joint_, layers); }),
+      interval / finer);
+  return traces;
+}
+
+// What the run is driven by: the load as it filters it; the velocity of what moves, under steps that of the whole step.
+std::function<double(double)> ChainQuestion::drive(Causes causes, const LoadHistory& load) const {
+  if (!path_.is_moved) {
+    const LoadFilter filter = chain(causes).load_filter();
+    return [=, &load](double t) { return filter(load.value, t); };
+  }
+  if (causes != Causes::all) return load.value;
+  return [&load, dt = stage_.dt](double t) { return (load.displacement(t) - load.displacement(t - dt)) / dt; };
+}
+
+// From the velocity that drive() gives to the displacement.
+Complex ChainQuestion::integral(Causes causes, Complex s) const {
+  if (!path_.is_moved) return 1;
+  if (causes != Causes::all) return 1.0 / s;
+  return stage_.dt / (1.0 - std::exp(-s * stage_.dt));
+}
+
+std::optional<ArrivalErrors> ChainQuestion::read(Causes causes, const LoadHistory& load) const {
+  const Lags lags = phase(causes, 2 * std::numbers::pi / load.period).lags;
+  const Traces found = traces(causes, load, lags);
+  return read_arrival(found.found, found.interval, found.exact, path_.time_to(joint_), load.period, lags);
+}
+
+std::optional<TotalErrors> ChainQuestion::total_history_errors(const LoadHistory& load) const {
+  const auto all = read(Causes::all, load);
+  if (!all) return std::nullopt;
+  return TotalErrors{all->speed, all->amplitude};
+}
+
+std::optional<HistoryErrors> ChainQuestion::history_errors(const LoadHistory& load) const {
+  const auto all = read(Causes::all, load);
+  if (!all) return std::nullopt;
+  const auto space = read(Causes::space, load);
+  const auto blocks = read(Causes::blocks, load);
+  if (!space || !blocks) return std::nullopt;
+  return HistoryErrors{terms_of(blocks->speed, space->speed, all->speed),
+                       terms_of(blocks->amplitude, space->amplitude, all->amplitude), *all, place(), true};
+}
+
+}  // namespace dda

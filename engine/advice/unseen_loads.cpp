@@ -1,0 +1,109 @@
+#include "engine/advice/unseen_loads.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "engine/advice/load_history.h"
+
+namespace dda {
+namespace {
+
+constexpr double too_much = 0.3;  // unseen: a sine with three steps in a period
+constexpr double little = 0.1;    // six steps in a period
+constexpr int most_steps = 4000;  // that are looked at, spread over the whole
+constexpr int points = 8;         // in each, never twice at the same share of a step
+
+std::string name_of(const Model& model, int block) { return model.blocks[static_cast<std::size_t>(block)].name; }
+
+class Sentences {
+ public:
+  explicit Sentences(const Model& model) : model_(model) {}
+
+  template <typename Load>
+  void add_load(const Load& load) {
+    if (std::holds_alternative<Constant>(load.history)) return;
+    add(fmt::format("the load on block \"{}\", {},", name_of(model_, load.block), words_for(load.history)),
+        [&](double t) { return evaluate(load.history, t); });
+  }
+  template <typename Motion>
+  void add_motion(const Motion& motion) {
+    if (std::holds_alternative<Constant>(motion.history) || motion.amplitude.isZero(0)) return;
+    add(fmt::format("the motion of block \"{}\", {},", name_of(model_, motion.block), words_for(motion.history)),
+        [&](double t) { return motion_at(motion.kind, motion.history, t).displacement; });
+  }
+  [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
+
+ private:
+  template <typename Value>
+  void add(const std::string& what, const Value& value) {
+    double from = 0;
+    for (const Stage& stage : model_.stages) {
+      const double to = from + stage.duration;
+      if (!stage.integrator.is_static && is_new(value, from, to)) add(stage, what, value, from, to);
+      from = to;
+    }
+  }
+
+  // Edges of many blocks have one history, which is looked at once.
+  template <typename Value>
+  bool is_new(const Value& value, double from, double to) {
+    std::array<double, 16> print{from};
+    for (std::size_t i = 1; i < print.size(); ++i)
+      print[i] = value(from + (to - from) * std::fmod(0.6180339887498949 * static_cast<double>(i), 1.0));
+    return seen_.insert(print).second;
+  }
+
+  template <typename Value>
+  void add(const Stage& stage, const std::string& what, const Value& value, double from, double to) {
+    const double share = unseen_share(value, from, to, stage.dt);
+    if (!(share > too_much)) return;
+    double dt = stage.dt;
+    for (int i = 0; i < 40 && unseen_share(value, from, to, dt) > little; ++i) dt /= 2;
+    sentences_.push_back(fmt::format(
+        "stage \"{}\": {} changes faster than steps of {:g} s can see: they miss {:.0f} % of it; dt of {:.2g} "
+        "s sees it",
+        stage.name, what, stage.dt, std::min(100.0, 100 * share), dt));
+  }
+
+  const Model& model_;
+  std::set<std::array<double, 16>> seen_;
+  std::vector<std::string> sentences_;
+};
+
+}  // namespace
+
+double unseen_share(const std::function<double(double)>& history, double from, double to, double dt) {
+  const auto steps = static_cast<std::int64_t>(std::llround((to - from) / dt));
+  const std::int64_t stride = std::max<std::int64_t>(1, steps / most_steps);
+  double missed = 0, whole = 0, place = 0;
+  for (std::int64_t step = 0; step < steps; step += stride) {
+    const double start = from + static_cast<double>(step) * dt;
+    const double first = history(start), last = history(start + dt);
+    for (int i = 0; i < points; ++i) {
+      place = std::fmod(place + 0.6180339887498949, 1.0);
+      const double value = history(start + place * dt);
+      missed += std::pow(value - first - place * (last - first), 2);
+      whole += value * value;
+    }
+  }
+  return whole > 0 ? std::sqrt(missed / whole) : 0;
+}
+
+std::vector<std::string> unseen_loads(const Model& model) {
+  Sentences sentences(model);
+  for (const EdgeLoad& load : model.edge_loads) sentences.add_load(load);
+  for (const PointLoad& load : model.point_loads) sentences.add_load(load);
+  for (const PointSupport& support : model.supports) sentences.add_motion(support);
+  for (const HeldBlock& held : model.held_blocks) sentences.add_motion(held);
+  return sentences.take();
+}
+
+}  // namespace dda

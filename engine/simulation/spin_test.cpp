@@ -54,7 +54,7 @@ double angular_momentum(const Simulation& simulation) {
 }
 
 // What the engine knows of a spin's change is of first order in the strains, so energies are known to their square, and
-// vibrations reach twice the steady strain.
+// vibrations reach twice the steady strain. The momentum is kept but for a few roundings a step.
 class SpinOfElasticBlock : public testing::TestWithParam<double> {};
 
 TEST_P(SpinOfElasticBlock, GainsNoEnergyAndKeepsItsMomentum) {
@@ -74,7 +74,7 @@ TEST_P(SpinOfElasticBlock, GainsNoEnergyAndKeepsItsMomentum) {
         change = std::max(change, std::abs(angular_momentum(simulation) / momentum - 1));
       }
       EXPECT_LT(most - 1, 2 * strain * strain + 1e-12) << integrator.name << " at " << turn << " rad a step";
-      EXPECT_LT(change, 2 * strain * strain + 1e-11) << integrator.name << " at " << turn << " rad a step";
+      EXPECT_LT(change, 1e-10) << integrator.name << " at " << turn << " rad a step";
       EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9) << integrator.name;
     }
   }

@@ -42,9 +42,9 @@ std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing
   return stiffness;
 }
 
-// Blocks that spin and have no stress yet begin to swing. An integrator's acceleration belongs to a moment (gamma -
-// 1/2) dt away from that of the state (ADR 30), where the swing has a0 cos(Omega t) of it left, close to a0/(1 + (Omega
-// t)^2/2), so (M + t^2 K/2) a = F. With M alone rho_inf = 0 would begin with too much energy.
+// Blocks that spin and have no stress yet begin to swing. An integrator's acceleration belongs to a moment that is
+// t = (gamma - 1/2) dt away from that of the state (ADR 30), where the swing has a0 cos(Omega t) of it left, close to
+// a0/(1 + (Omega t)^2/2); so (M + t^2 K/2) a = F. With M alone rho_inf = 0 would begin with too much energy.
 Vec6 centrifugal_acceleration(const Mat6& mass, std::size_t block, const BlockSystem& system) {
   const Vec3& stretching = system.terms.centrifugal[block];
   if (stretching.isZero(0)) return Vec6::Zero();

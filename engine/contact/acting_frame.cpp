@@ -45,8 +45,8 @@ bool lie_on_each_other(const Vec2& along, const Vec2& other) {
 
 PointAndNormal acting_at(const Model& model, const State& acting, const Outlines& outlines,
                          const VertexContact& contact) {
-  const PointAndNormal own{vertex_in(model, acting, outlines, contact.vertex_block, contact.vertex),
-                           normal_in(acting, outlines, contact.edge_block, contact.edge)};
+  PointAndNormal own{vertex_in(model, acting, outlines, contact.vertex_block, contact.vertex),
+                     normal_in(acting, outlines, contact.edge_block, contact.edge)};
   const int corner = corner_at(outlines, contact);
   if (corner < 0) return own;
   const int facing = facing_edge(outlines, contact);

@@ -13,6 +13,7 @@
 
 #include "engine/app/advise_command.h"
 #include "engine/app/cut_command.h"
+#include "engine/app/keyblocks_command.h"
 #include "engine/app/run_command.h"
 #include "engine/app/scene_report.h"
 #include "engine/app/view_command.h"
@@ -32,6 +33,7 @@ constexpr auto program_details =
     "  dda advise bar.json                   why, at what cost, and how coarse it may be\n"
     "  dda cut tunnel.json --out blocks      cut its rock into blocks: a scene of polygons, figures, a picture\n"
     "  dda cut plan.dxf --out blocks         the same from a drawing\n"
+    "  dda keyblocks slope.json              which blocks can come out, and what holds them\n"
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
     "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda run --help                        more on a command\n\n"
@@ -159,6 +161,7 @@ struct Arguments {
   RunOptions run;
   CutRequest cut;
   ViewOptions view;
+  KeyBlocksRequest key_blocks;
 };
 
 void add_check(CLI::App& app, Arguments& arguments) {
@@ -304,7 +307,8 @@ int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
   if (unknown_command)
-    return "the command is \"" + std::string(argv[1]) + "\", expected check, advise, cut, run, view or schema";
+    return "the command is \"" + std::string(argv[1]) +
+           "\", expected check, advise, cut, keyblocks, run, view or schema";
   return error.what();
 }
 
@@ -321,6 +325,10 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
     arguments.cut.scene = arguments.scene;
     arguments.cut.folder = arguments.folder;
     cut_into_folder(arguments.cut, out);
+    return 0;
+  }
+  if (app.got_subcommand("keyblocks")) {
+    find_key_blocks(arguments.key_blocks, out);
     return 0;
   }
   if (app.got_subcommand("run")) return run(arguments, out, errors);
@@ -344,6 +352,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   add_check(app, arguments);
   add_advise(app, arguments);
   add_cut(app, arguments);
+  add_keyblocks(app, arguments.key_blocks);
   add_run(app, arguments);
   add_view(app, arguments);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);

@@ -1,10 +1,13 @@
 #include "engine/scene/scene.h"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
 #include "engine/scene/json_text.h"
+#include "engine/scene/read_openings.h"
+#include "engine/scene/scene_parts.h"
 #include "engine/scene/schema_check.h"
 #include "engine/scene/sections.h"
 
@@ -34,30 +37,49 @@ void read_what_acts(const Field& scene, const std::vector<std::string>& groups, 
   read_measurements(scene, plan, model);
 }
 
-Model read_model(const Field& scene, const std::filesystem::path& folder) {
-  Model model;
+std::vector<PlanOpening> openings_of(const Field& scene, const Model& model) {
+  std::vector<PlanOpening> openings;
+  const Field blocks = scene.at("blocks");
+  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
+    const auto rock = entry.find("rock");
+    const auto list = rock ? rock->find("openings") : std::nullopt;
+    if (!list) continue;
+    for (const Field& opening : list->items()) openings.push_back(read_opening(opening, model));
+  }
+  return openings;
+}
+
+SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
+  SceneParts parts;
+  Model& model = parts.model;
   const Scheme scheme = read_scheme(scene);
   if (const auto frequency = scene.find("target_frequency"))
     model.target_frequency = frequency->positive(Dimension::frequency);
   if (const auto title = scene.find("title")) model.title = title->text();
-  const std::vector<std::string> groups = read_blocks_and_joints(scene, scheme, folder, model);
+  parts.groups = read_blocks_and_joints(scene, scheme, folder, model);
+  parts.openings = openings_of(scene, model);
   finish_model(model);  // what follows needs the moments, and blocks that do not overlap
   read_stages(scene, scheme, model);
-  read_what_acts(scene, groups, folder, model);
+  read_what_acts(scene, parts.groups, folder, model);
   finish_model(model);
-  return model;
+  return parts;
 }
 
 }  // namespace
 
-Model parse_scene(std::string_view json_text, const std::string& name_for_errors, const std::filesystem::path& folder) {
+SceneParts parse_scene_parts(std::string_view json_text, const std::string& name_for_errors,
+                             const std::filesystem::path& folder) {
   try {
     const nlohmann::json document = parse_json(json_text);
     check_schema(document);
-    return read_model(Field(document, ""), folder);
+    return read_parts(Field(document, ""), folder);
   } catch (const InputError& error) {
     throw error.in_file(name_for_errors);
   }
+}
+
+Model parse_scene(std::string_view json_text, const std::string& name_for_errors, const std::filesystem::path& folder) {
+  return parse_scene_parts(json_text, name_for_errors, folder).model;
 }
 
 std::string scene_text(const std::filesystem::path& file) {
@@ -68,8 +90,10 @@ std::string scene_text(const std::filesystem::path& file) {
   }
 }
 
-Model read_scene(const std::filesystem::path& file) {
-  return parse_scene(scene_text(file), file.string(), file.parent_path());
+SceneParts read_scene_parts(const std::filesystem::path& file) {
+  return parse_scene_parts(scene_text(file), file.string(), file.parent_path());
 }
+
+Model read_scene(const std::filesystem::path& file) { return read_scene_parts(file).model; }
 
 }  // namespace dda

@@ -1,0 +1,25 @@
+// A scene with what its model does not keep: the groups of its blocks, and the openings of its rock.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/cutting/rock_plan.h"
+#include "engine/model/model.h"
+
+namespace dda {
+
+struct SceneParts {
+  Model model;
+  std::vector<std::string> groups;    // of each block
+  std::vector<PlanOpening> openings;  // of all rock, in the order of the scene
+};
+
+// As read_scene and parse_scene.
+SceneParts read_scene_parts(const std::filesystem::path& file);
+SceneParts parse_scene_parts(std::string_view json_text, const std::string& name_for_errors,
+                             const std::filesystem::path& folder = {});
+
+}  // namespace dda

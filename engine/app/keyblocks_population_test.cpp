@@ -194,12 +194,14 @@ void judge_body(const SceneParts& scene, const KeyBlockQuestion& question, const
     tally.add("differs, rock beyond a corner or a gap");
   else {
     tally.add("differs");
-    tally.unexplained.push_back(
-        fmt::format("seed {} {} {}: fos {:.4g}, foretold ({:.4f}, {:.4f}), measured ({:.4f}, {:.4f}) turn {:.4f}, area "
-                    "{:.3g}, {} faces",
-                    seed, name_of(block.body, scene.model), kind, block.motion.factor_of_safety, expected.x(),
-                    expected.y(), measured.acceleration.x(), measured.acceleration.y(), measured.turn, block.body.area,
-                    block.body.joints.size()));
+    const bool cohesive =
+        std::ranges::any_of(block.body.joints, [](const JointFace& face) { return face.cohesion_force > 0; });
+    tally.unexplained.push_back(fmt::format(
+        "seed {} {} {}{}: fos {:.4g}, foretold ({:.4f}, {:.4f}), measured ({:.4f}, {:.4f}) turn {:.4f}, area "
+        "{:.3g}, {} faces",
+        seed, name_of(block.body, scene.model), kind, cohesive ? " (with cohesion)" : "", block.motion.factor_of_safety,
+        expected.x(), expected.y(), measured.acceleration.x(), measured.acceleration.y(), measured.turn,
+        block.body.area, block.body.joints.size()));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "engine/keyblocks/turning.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -74,7 +75,7 @@ class Balance {
 
   // A force at a place on the outline.
   void add(const Vec2& place, const Vec2& force) {
-    columns_.push_back({force.x(), force.y(), cross(place - body_.centroid, force) / size_});
+    columns_.emplace_back(force.x(), force.y(), cross(place - body_.centroid, force) / size_);
   }
 
   // Every force from inside the cone of friction on a face acts at its ends along the sides of the cone.

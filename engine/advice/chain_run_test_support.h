@@ -146,7 +146,7 @@ inline std::string scene_of(const Row& row) {
     supports += fmt::format(R"({}{{"edge": {}, "hold": "normal", "{}": {}, "history": {}}})",
                             supports.empty() ? "" : ", ", face, row.drive, motion, history_of(row));
   }
-  const double y = (row.columns / 2 + 0.4) * row.width;
+  const double y = (std::floor(row.columns / 2.0) + 0.4) * row.width;
   return fmt::format(
       R"({{"dda": 1, "scheme": "{}",
  "materials": {{"a": {{"density": 2400, "young": 25e9, "poisson": 0.2}},

@@ -39,7 +39,7 @@ double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const
   for (std::size_t i = 0; i < state.velocity.size(); ++i) {
     const Vec6 own = of_block(d, i);
     const Vec6 weighted = step.mass * own - step.mass_v * state.velocity[i] - step.mass_a * state.acceleration[i];
-    work += own.dot(momentum(terms.inertia[i], weighted)) - own.tail<3>().dot(terms.centrifugal[i]);
+    work += own.dot(momentum(terms.inertia[i], weighted));
   }
   return work;
 }

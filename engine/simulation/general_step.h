@@ -47,11 +47,11 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, acting, drag, deepest, changing, bonded, base, base_version,
+    auto& [system, solver, moving, range, moved, turned, drag, deepest, changing, bonded, base, base_version,
            base_is_current, rule, rhs, message] = self;
     if (moving) archive(*moving);
     archive(solver, drag, deepest);
-    if (system.geometry_moves()) archive(range, moved);
+    if (system.geometry_moves()) archive(range, moved, turned);
     // The others follow from the system, or begin with every step.
   }
 
@@ -82,7 +82,7 @@ class GeneralStep : public Step {
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   ContactRange range_;                    // looked at where they cannot
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
-  State acting_;                          // displacements and shapes of the blocks where the step's forces act
+  std::vector<Vec4> turned_;              // rotation (rad) and strains of each block that its stress has followed
   SettlingDrag drag_;                     // in static stages
   Penetration deepest_;
 

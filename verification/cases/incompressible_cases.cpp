@@ -55,8 +55,9 @@ Rings polygons(int rows) {
   std::uniform_real_distribution<double> shift(-0.3, 0.3);
   std::vector<dda::Vec2> centres;
   for (int i = 0; i < columns * rows; ++i) {
+    const int row = i / columns;
     const double x = (i % columns + 0.5 + shift(random)) * side;
-    centres.emplace_back(x, (i / columns + 0.5 + shift(random)) * side - 0.5);
+    centres.emplace_back(x, (row + 0.5 + shift(random)) * side - 0.5);
   }
   Rings rings;
   for (int i = 0; i < columns * rows; ++i) {

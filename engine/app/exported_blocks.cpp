@@ -14,10 +14,8 @@ BlockDrawing drawing_of_blocks(const CutScene& scene) {
       const std::string& group = group_name(entry.rock, block);
       drawing.blocks.push_back({group, fmt::format("{} {}", group, ++counts[group]), block.shape});
     }
-    for (const CutJoint& run : entry.cut.joints) {
-      const std::string& joint = run.joint.empty() ? scene.joint_names.front() : run.joint;
-      drawing.joints.push_back({"joint " + joint, run.from, run.to});
-    }
+    for (const CutJoint& run : entry.cut.joints)
+      drawing.joints.push_back({"joint " + joint_name(scene, run), run.from, run.to});
   }
   return drawing;
 }

@@ -23,6 +23,11 @@ struct CutScene {
   std::vector<std::string> joint_names;  // of the scene, the default first
 };
 
+// The scene's name of the joint along `run`.
+inline const std::string& joint_name(const CutScene& scene, const CutJoint& run) {
+  return run.joint.empty() ? scene.joint_names.front() : run.joint;
+}
+
 // `folder` is where the new scene will stand: paths of records are written relative to it. The new scene has been
 // read, so it is known to work. Throws InputError, also for a scene without rock.
 // `words` are for a drawing; a scene has its own.

@@ -1,0 +1,48 @@
+// A sheet (SVG) on which blocks are drawn to scale, with a key below them: what pictures of cut rock and of key blocks
+// share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "engine/geometry/box.h"
+#include "engine/view/svg_path.h"
+
+namespace dda {
+
+class BlockSheet {
+ public:
+  // `blocks` (m) is the box around all that will be drawn.
+  explicit BlockSheet(const Box& blocks);
+
+  [[nodiscard]] double scale() const { return scale_; }  // px per m
+  [[nodiscard]] Vec2 place_of(const Vec2& point) const;  // px, y downwards
+  void append_line(const Vec2& from, const Vec2& to, SvgPath& path) const;
+  void append_block(const Polygon& shape, SvgPath& path) const;  // with its holes
+
+  template <typename... Values>
+  void add(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(content_), format, std::forward<Values>(values)...);
+  }
+
+  // Lines of the key, from above. `text` may hold any characters.
+  void add_area_to_key(std::string_view fill, std::string_view text);
+  void add_line_to_key(std::string_view stroke, std::string_view text);
+
+  // The whole picture, at least `width_of_key` (px) wide.
+  [[nodiscard]] std::string text(double width_of_key) const;
+
+ private:
+  void add_text_to_key(std::string_view text);
+
+  Box box_;
+  double scale_ = 1;
+  double next_line_ = 0;  // px, of the key
+  std::string content_;
+};
+
+}  // namespace dda

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "verification/cases/bonded_beam.h"
 #include "verification/cases/contact_rig.h"
-#include "verification/exact/cantilever.h"
 #include "verification/harness/recorded_run.h"
 
 namespace verify {
@@ -34,21 +34,23 @@ Grid grid_of(const exact::Cantilever& beam, int rows, double shape = 1) {
   return {beam, static_cast<int>(std::lround(beam.length / beam.height * rows / shape)), rows};
 }
 
-dda::Model bonded_blocks(const Grid& grid) {
-  dda::Model model;
-  const exact::Cantilever& beam = grid.beam;
-  model.materials = {{"rock", beam.density, beam.young, beam.poisson, dda::PlaneState::stress}};
-  dda::JointMaterial joint;
-  joint.law = dda::InterfaceLaw::consistent;
-  joint.bonded = true;
-  model.joints = {joint};
+std::vector<dda::Ring> rectangles(const Grid& grid) {
+  std::vector<dda::Ring> rings;
   for (int row = 0; row < grid.rows; ++row) {
+    const double bottom = grid.bottom(row);
+    const double top = bottom + grid.block_height();
     for (int column = 0; column < grid.columns; ++column) {
       const double left = column * grid.block_length();
-      add_box(model, left, grid.bottom(row), left + grid.block_length(), grid.bottom(row) + grid.block_height());
+      const double right = left + grid.block_length();
+      rings.push_back({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
     }
   }
-  return model;
+  return rings;
+}
+
+dda::Model bonded_blocks(const Grid& grid) {
+  const exact::Cantilever& beam = grid.beam;
+  return bonded_beam(rectangles(grid), {"rock", beam.density, beam.young, beam.poisson, dda::PlaneState::stress});
 }
 
 // Springs of 3,000 E in all along the left end: stiffer ones cost digits of the energy balance, softer ones frequency
@@ -60,46 +62,14 @@ void clamp(const Grid& grid, dda::Model& model) {
       model.supports.push_back({grid.block(0, row), {0, y}, true, true, stiffness, dda::Vec2::Zero(), {}});
 }
 
-// A static step whose inertia is 1e-10 of the stiffness, twice.
-dda::Stage static_stage() {
-  dda::Stage stage = moving_stage(dda::static_integrator(), 1e3, 2e3);
-  stage.kinematics = dda::Kinematics::small;
-  return stage;
-}
-
 // ---- Deflection under the tractions of two-dimensional elasticity at both ends.
-
-// Each edge carries their mean over it. Three springs without force keep the beam in place.
-void load_ends(const Grid& grid, dda::Model& model) {
-  const exact::Cantilever& beam = grid.beam;
-  const double right = beam.length;
-  for (int row = 0; row < grid.rows; ++row) {
-    const double a = grid.bottom(row);
-    const double b = a + grid.block_height();
-    const double shear = exact::mean_shear_stress(beam, load, a, b);
-    const double fibre = exact::fibre_stress(beam, load, 0, (a + b) / 2);
-    model.edge_loads.push_back({grid.block(grid.columns - 1, row), {right, a}, {right, b}, {0, shear}, {}});
-    model.edge_loads.push_back({grid.block(0, row), {0, b}, {0, a}, {-fibre, -shear}, {}});
-  }
-  const double stiffness = 1e4 * beam.young;
-  model.supports = {
-      {grid.block(0, grid.rows / 2), {0, 0}, true, true, stiffness, dda::Vec2::Zero(), {}},
-      {grid.block(0, grid.rows - 1), {0, beam.height / 2}, true, false, stiffness, dda::Vec2::Zero(), {}}};
-}
-
-// Work of loads that do not change, over the load.
-double working_deflection(dda::Model model, Outcome& outcome) {
-  WatchedRun run(std::move(model));
-  run.run_to_end();
-  outcome.counters += run.simulation().counters();
-  return run.simulation().energy().external_work / load;
-}
 
 double end_loaded_deflection(const Grid& grid, Outcome& outcome) {
   dda::Model model = bonded_blocks(grid);
-  load_ends(grid, model);
-  model.stages = {static_stage()};
-  return working_deflection(std::move(model), outcome);
+  load_free_end(grid.beam, load, model);
+  load_held_end(grid.beam, load, model);
+  keep_in_place(grid.beam, model);
+  return working_deflection(std::move(model), load, outcome);
 }
 
 void add_deflection(double poisson, double shape, double tolerance, Outcome& outcome) {
@@ -132,15 +102,8 @@ Outcome deflection() {
 double clamped_deflection(const Grid& grid, Outcome& outcome) {
   dda::Model model = bonded_blocks(grid);
   clamp(grid, model);
-  const double right = grid.beam.length;
-  for (int row = 0; row < grid.rows; ++row) {
-    const double a = grid.bottom(row);
-    const double b = a + grid.block_height();
-    const double shear = exact::mean_shear_stress(grid.beam, load, a, b);
-    model.edge_loads.push_back({grid.block(grid.columns - 1, row), {right, a}, {right, b}, {0, shear}, {}});
-  }
-  model.stages = {static_stage()};
-  return working_deflection(std::move(model), outcome);
+  load_free_end(grid.beam, load, model);
+  return working_deflection(std::move(model), load, outcome);
 }
 
 Outcome clamped() {

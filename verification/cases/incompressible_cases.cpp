@@ -9,9 +9,7 @@
 #include <random>
 #include <utility>
 
-#include "verification/cases/contact_rig.h"
-#include "verification/exact/cantilever.h"
-#include "verification/harness/recorded_run.h"
+#include "verification/cases/bonded_beam.h"
 #include "verification/lattice/periodic_mesh.h"
 
 namespace verify {
@@ -72,68 +70,18 @@ Rings polygons(int rows) {
   return rings;
 }
 
-dda::Model bonded_blocks(const Rings& rings, double poisson) {
-  dda::Model model;
-  model.materials = {{"rock", 2000, young, poisson, dda::PlaneState::strain}};
-  dda::JointMaterial joint;
-  joint.law = dda::InterfaceLaw::consistent;
-  joint.bonded = true;
-  model.joints = {joint};
-  for (const dda::Ring& ring : rings) model.blocks.emplace_back().shape.outer = ring;
-  return model;
-}
-
 // Plane strain is plane stress with E/(1 - nu^2) and nu/(1 - nu).
 exact::Cantilever beam_of(double poisson) {
   return {length, 1, young / (1 - poisson * poisson), poisson / (1 - poisson), 2000};
 }
 
-bool lies_at(double x, const dda::Vec2& from, const dda::Vec2& to) {
-  return std::abs(from.x() - x) < 1e-9 && std::abs(to.x() - x) < 1e-9;
-}
-
-// The tractions of two-dimensional elasticity at both ends: each edge of a block carries their mean over it.
-void load_ends(const exact::Cantilever& beam, dda::Model& model) {
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    const dda::Ring& ring = model.blocks[i].shape.outer;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const dda::Vec2& from = ring[k];
-      const dda::Vec2& to = ring[(k + 1) % ring.size()];
-      const double shear = exact::mean_shear_stress(beam, load, std::min(from.y(), to.y()), std::max(from.y(), to.y()));
-      const double fibre = exact::fibre_stress(beam, load, 0, (from.y() + to.y()) / 2);
-      if (lies_at(beam.length, from, to)) model.edge_loads.push_back({static_cast<int>(i), from, to, {0, shear}, {}});
-      if (lies_at(0, from, to)) model.edge_loads.push_back({static_cast<int>(i), from, to, {-fibre, -shear}, {}});
-    }
-  }
-}
-
-int block_at(const dda::Model& model, const dda::Vec2& corner) {
-  for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    for (const dda::Vec2& vertex : model.blocks[i].shape.outer)
-      if ((vertex - corner).norm() < 1e-9) return static_cast<int>(i);
-  return -1;
-}
-
-// Three springs that carry no force keep the beam in place.
-void keep_in_place(dda::Model& model) {
-  const dda::Vec2 foot(0, -0.5);
-  const dda::Vec2 head(0, 0.5);
-  model.supports = {{block_at(model, foot), foot, true, true, 1e4 * young, dda::Vec2::Zero(), {}},
-                    {block_at(model, head), head, true, false, 1e4 * young, dda::Vec2::Zero(), {}}};
-}
-
-// Work of loads that do not change, over the load. A static step whose inertia is 1e-10 of the stiffness, twice.
-double working_deflection(const Rings& rings, double poisson, Outcome& outcome) {
-  dda::Model model = bonded_blocks(rings, poisson);
-  load_ends(beam_of(poisson), model);
-  keep_in_place(model);
-  dda::Stage stage = moving_stage(dda::static_integrator(), 1e3, 2e3);
-  stage.kinematics = dda::Kinematics::small;
-  model.stages = {stage};
-  WatchedRun run(std::move(model));
-  run.run_to_end();
-  outcome.counters += run.simulation().counters();
-  return run.simulation().energy().external_work / load;
+double deflection_of(const Rings& rings, double poisson, Outcome& outcome) {
+  const exact::Cantilever beam = beam_of(poisson);
+  dda::Model model = bonded_beam(rings, {"rock", 2000, young, poisson, dda::PlaneState::strain});
+  load_free_end(beam, load, model);
+  load_held_end(beam, load, model);
+  keep_in_place(beam, model);
+  return working_deflection(std::move(model), load, outcome);
 }
 
 struct Mesh {
@@ -145,7 +93,7 @@ struct Mesh {
 void add_deflection(const Mesh& mesh, double poisson, Outcome& outcome) {
   const double expected = exact::deflection_with_shear(beam_of(poisson), load);
   const auto error = [&](int rows) {
-    return relative_error(working_deflection(mesh.rings(rows), poisson, outcome), expected);
+    return relative_error(deflection_of(mesh.rings(rows), poisson, outcome), expected);
   };
   const double coarse = error(8);
   const double fine = error(16);

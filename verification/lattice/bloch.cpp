@@ -10,29 +10,10 @@
 #include "engine/terms/elasticity.h"
 #include "engine/terms/inertia.h"
 #include "engine/waves/mesh_correction.h"
+#include "verification/lattice/periodic_patch.h"
 
 namespace verify {
 namespace {
-
-dda::Ring moved(dda::Ring ring, const dda::Vec2& shift) {
-  for (dda::Vec2& vertex : ring) vertex += shift;
-  return ring;
-}
-
-dda::Model patch(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& bond) {
-  dda::Model model;
-  model.materials = {rock};
-  model.joints = {bond};
-  for (int cell = 0; cell < 9; ++cell)
-    for (const dda::Ring& ring : mesh.cell)
-      model.blocks.emplace_back().shape.outer = moved(ring, translation(mesh, cell));
-  dda::Stage stage;
-  stage.dt = stage.duration = 1;
-  stage.kinematics = dda::Kinematics::small;
-  model.stages = {stage};
-  dda::finish_model(model);
-  return model;
-}
 
 Eigen::Index rows_of(int block, int blocks) { return 6 * static_cast<Eigen::Index>(block % blocks); }
 
@@ -68,7 +49,7 @@ CellMatrices cell_matrices(const PeriodicMesh& mesh, const dda::Material& rock, 
                            bool corrected) {
   const auto blocks = static_cast<int>(mesh.cell.size());
   CellMatrices cell;
-  cell.model = patch(mesh, rock, bond);
+  cell.model = periodic_patch(mesh, 1, rock, bond);
   cell.mass.setZero(6 * blocks, 6 * blocks);
   cell.stiffness.fill(cell.mass);
   cell.interfaces.fill(cell.mass);

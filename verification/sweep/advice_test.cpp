@@ -13,6 +13,7 @@
 #include "verification/exact/half_chain.h"
 #include "verification/exact/sharpened_load.h"
 #include "verification/lattice/bloch.h"
+#include "verification/lattice/periodic_patch.h"
 #include "verification/sweep/job.h"
 #include "verification/sweep/spec.h"
 #include "verification/sweep/sweep_bar.h"
@@ -72,25 +73,6 @@ TEST(Advice, PhaseSpeedAndAttenuationAreThoseOfTheClosedForm) {
   }
 }
 
-// Five by five cells, the middle one among its own kind.
-dda::Model piece_of(const PeriodicMesh& mesh, const dda::Material& rock, const dda::JointMaterial& joint) {
-  dda::Model model;
-  model.materials = {rock};
-  model.joints = {joint};
-  for (int i = -2; i <= 2; ++i)
-    for (int j = -2; j <= 2; ++j)
-      for (dda::Ring ring : mesh.cell) {
-        for (dda::Vec2& vertex : ring) vertex += i * mesh.first + j * mesh.second;
-        model.blocks.emplace_back().shape.outer = ring;
-      }
-  dda::Stage stage;
-  stage.dt = stage.duration = 1;
-  stage.kinematics = dda::Kinematics::small;
-  model.stages = {stage};
-  dda::finish_model(model);
-  return model;
-}
-
 // At the frequency that Bloch analysis of the whole cell gives a wave, the advice finds that wave: P and S, all ways.
 TEST(Advice, WavesInMeshesAreThoseOfBlochAnalysis) {
   const dda::Material rock{"rock", 2650, 50e9, 0.25, dda::PlaneState::stress};
@@ -99,7 +81,7 @@ TEST(Advice, WavesInMeshesAreThoseOfBlochAnalysis) {
       dda::JointMaterial joint;
       joint.law = law;
       joint.bonded = true;
-      const dda::Model model = piece_of(mesh, rock, joint);
+      const dda::Model model = periodic_patch(mesh, 2, rock, joint);
       const dda::Lattice lattice = dda::find_lattice(model, dda::make_contacts(model), 0).value();
       ASSERT_NE(lattice.origin.find("everywhere"), std::string::npos);
       for (const double degrees : {0.0, 30.0, 45.0, 77.0, 135.0}) {

@@ -11,6 +11,7 @@
 #include "engine/advice/load_history.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/simulation/block_terms.h"
+#include "engine/simulation/settling_pace.h"
 #include "engine/simulation/system_matrix.h"
 
 namespace dda {
@@ -86,15 +87,16 @@ class Adviser {
 
   [[nodiscard]] StageAdvice of_stage(const Stage& stage, const BlockMatrix& matrix, const SceneSize& size) const {
     const BlockTerms terms = make_block_terms(model_, stage);
+    const double dt = first_step(model_, stage, contacts_.can_change);
     const StepPlan plan =
-        make_plan(model_, stage, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, stage.dt));
+        make_plan(model_, stage, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, dt));
     StageAdvice advice;
     advice.name = stage.name;
     advice.integrator = stage.integrator.name;
     advice.dt = stage.dt;
     advice.chi = plan.chi;
     advice.solver = to_string(plan.solver);
-    advice.cost = cost_of(size, plan, std::llround(stage.duration / stage.dt));
+    advice.cost = cost_of(size, plan, stage.steps());
     if (stage.integrator.is_static || !frequency_) return advice;
     if (way_) advice.waves.push_back(along_way(stage));
     if (way_ && way_->kind == WaveKind::bar) return advice;

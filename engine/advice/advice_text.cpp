@@ -128,6 +128,10 @@ std::string counted(std::int64_t number, const char* what) {
 
 void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
   text.line("");
+  if (stage.dt == 0) {
+    text.line("stage \"{}\": as many steps to equilibrium as it needs, {}", stage.name, stage.solver);
+    return;
+  }
   text.line("stage \"{}\": {} steps of {:.6g} s, {}; chi = {:.3g}, so {}", stage.name, stage.cost.steps, stage.dt,
             stage.integrator, stage.chi, stage.solver);
   add_cost(stage.cost, text);

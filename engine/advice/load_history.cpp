@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -23,8 +24,9 @@ double end_of_run(const Model& model) {
 }
 
 double shortest_step(const Model& model) {
-  double step = model.stages.front().dt;
-  for (const Stage& stage : model.stages) step = std::min(step, stage.dt);
+  double step = std::numeric_limits<double>::infinity();
+  for (const Stage& stage : model.stages)
+    if (!stage.paces_itself()) step = std::min(step, stage.dt);
   return step;
 }
 

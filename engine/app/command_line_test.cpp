@@ -180,13 +180,39 @@ TEST_F(CommandLine, CheckRefusesToPredictWavesShorterThanTwoSteps) {
 TEST_F(CommandLine, ARunThatGainsEnergySaysSo) {
   write("scene.json", restless_slab);
   const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(contains(outcome.errors, "warning: time integration added ")) << outcome.errors;
-  EXPECT_TRUE(contains(nlohmann::json::parse(text("out/summary.json"))["message"], "time integration added"));
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_TRUE(contains(outcome.errors, "gained_energy: time integration added ")) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "that of blocks \"slab\" at (")) << outcome.errors;
+  const auto summary = nlohmann::json::parse(text("out/summary.json"));
+  EXPECT_EQ(summary["status"], "gained_energy");
+  EXPECT_TRUE(contains(summary["message"], "time integration added"));
   std::string damped = restless_slab;
   damped.replace(damped.find("trapezoidal"), 11, "thesis");
   write("scene.json", damped);
   EXPECT_EQ(call({"run", path("scene.json"), "--out", path("damped")}).errors, "");
+}
+
+// Springs a million times stiffer than their blocks, in steps of 200 transit times of a block: k dt^2/m is 1e11 and
+// more, and as many digits of every solve are lost.
+TEST_F(CommandLine, ARunWhoseEnergiesDoNotAddUpIsInaccurate) {
+  const auto scene_with = [](const std::string& spring_over_young) {
+    return R"({"dda": 1, "materials": {"rock": {"density": 2500, "young": "10 GPa", "poisson": 0.2}},
+      "joints": {"default": {"bonded": true, "law": "classical", "spring_over_young": )" +
+           spring_over_young +
+           R"(}}, "blocks": {"grid": {"columns": 10, "rows": 10, "block_width": 1, "block_height": 1}},
+      "supports": [{"edge": "bottom", "hold": "normal"}],
+      "loads": [{"edge": "left", "traction": ["1 MPa", 0], "history": {"triangle": {"rise": 0.5, "fall": 0.5}}}],
+      "steps": {"dt": "0.1 s", "duration": "15 s", "kinematics": "small"}})";
+  };
+  write("scene.json", scene_with("1e6"));
+  const Outcome stiff = call({"run", path("scene.json"), "--out", path("out")});
+  EXPECT_EQ(stiff.code, 3);
+  EXPECT_TRUE(contains(stiff.errors, "inaccurate: the energies do not add up: ")) << stiff.errors;
+  EXPECT_EQ(nlohmann::json::parse(text("out/summary.json"))["status"], "inaccurate");
+  write("scene.json", scene_with("1"));
+  const Outcome soft = call({"run", path("scene.json"), "--out", path("soft")});
+  EXPECT_EQ(soft.code, 0) << soft.errors;
+  EXPECT_FALSE(contains(soft.errors, "energies do not add up")) << soft.errors;
 }
 
 // A box of 1 m that its joint of 1 MPa/m lets sink in by 2.6 cm and more.

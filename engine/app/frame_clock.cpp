@@ -11,7 +11,7 @@ constexpr double round_off = 1e-6;  // of an interval or a stage: steps end that
 bool settles(const Stage& stage) { return stage.integrator.is_static && stage.equilibrium > 0; }
 
 bool stands_still(const Model& model, const Stage& stage) {
-  return settles(stage) && !std::ranges::all_of(model.stages, settles);
+  return stage.paces_itself() || (settles(stage) && !std::ranges::all_of(model.stages, settles));
 }
 
 }  // namespace
@@ -20,7 +20,7 @@ std::vector<StageSpan> stage_spans(const Model& model) {
   std::vector<StageSpan> spans;
   double begin = 0;
   for (const Stage& stage : model.stages) {
-    spans.push_back({stage.name, begin, begin + stage.duration, stands_still(model, stage)});
+    spans.push_back({stage.name, begin, begin + stage.duration, stands_still(model, stage), stage.dt, stage.dt_reason});
     begin = spans.back().end_s;
   }
   return spans;

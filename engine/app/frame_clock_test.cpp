@@ -9,6 +9,7 @@ namespace {
 
 Stage stage_of(const Integrator& integrator, double duration, double equilibrium = 0) {
   Stage stage;
+  stage.dt = duration / 100;  // 0: paces itself
   stage.integrator = integrator;
   stage.duration = duration;
   stage.equilibrium = equilibrium;
@@ -54,6 +55,15 @@ TEST(FrameClock, TimeCountsWhereAllStagesSettle) {
   Model model;
   model.stages = {settle, settle};
   EXPECT_EQ(framed(model, 4, {0, 1, 50, 100, 101, 150, 200}), (std::vector<double>{0, 50, 100, 150, 200}));
+}
+
+// Stages that take no time have a frame of their start, and one of their end (run_files asks at no other moment).
+TEST(FrameClock, StagesOfNoTimeHaveAFrameOfTheirEnd) {
+  Model model;
+  model.stages = {stage_of(static_integrator(), 0, 1e-9), stage_of(thesis_integrator(), 2)};
+  model.stages[1].dt = 0.5;
+  EXPECT_EQ(moving_time(model), 2);
+  EXPECT_EQ(framed(model, 2, {0, 0, 0.5, 1, 1.5, 2}), (std::vector<double>{0, 0, 1, 2}));
 }
 
 TEST(FrameClock, GoesOnBehindTheLastFrame) {

@@ -14,6 +14,7 @@
 
 #include "engine/advice/remarks.h"
 #include "engine/advice/unseen_loads.h"
+#include "engine/app/energy_verdict.h"
 #include "engine/app/frame_clock.h"
 #include "engine/app/run_files.h"
 #include "engine/app/run_position.h"
@@ -31,10 +32,6 @@ namespace dda {
 namespace {
 
 constexpr int exit_ended_early = 3;
-
-// Share of the largest energy that time integration may add before a run is reported as doubtful. Round-off and
-// geometry that is followed step by step stay far below it (1e-6 in the examples).
-constexpr double tolerated_gain = 1e-3;
 
 double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -65,8 +62,10 @@ class Run {
     prepare_folder();
     RunFiles files(simulation_, probes_, file_options(), resumed_);
     if (!options_.quiet) announce(out);
-    const Status status = step_to_the_end(files);
-    const std::string message = reason(status);
+    Status status = step_to_the_end(files);
+    const EnergyVerdict verdict = judge_energy(simulation_);
+    if (status == Status::ok) status = verdict.status;
+    const std::string message = reason(status, verdict);
     finish(files, status, message);
     if (!message.empty() && status != Status::stopped)
       errors << fmt::format("dda: {}: {}\n", options_.scene.string(), message);
@@ -117,16 +116,18 @@ class Run {
 
   [[nodiscard]] FileOptions file_options() const {
     FileOptions files{options_.folder, options_.rows_every, options_.frame_interval, options_.checkpoint_interval};
-    if (options_.frames)
-      files.frame_interval = moving_time(simulation_.model()) / static_cast<double>(*options_.frames);
+    const double moving = moving_time(simulation_.model());
+    if (options_.frames) files.frame_interval = (moving > 0 ? moving : 1.0) / static_cast<double>(*options_.frames);
     return files;
   }
 
   void announce(std::ostream& out) const {
     const Model& model = simulation_.model();
-    out << fmt::format("{}: {} blocks, {} contacts, {} steps{}\n",
+    const bool paces_itself = std::ranges::any_of(model.stages, &Stage::paces_itself);
+    out << fmt::format("{}: {} blocks, {} contacts, {} steps{}{}\n",
                        model.title.empty() ? options_.scene.string() : model.title, model.blocks.size(),
                        simulation_.contacts().interfaces.size(), simulation_.steps_in_all_stages(),
+                       paces_itself ? " and those of static stages that find their own" : "",
                        resumed_ ? fmt::format(", resumed after {}", simulation_.state().step) : "");
     if (simulation_.finished()) out << "the run is over, there is nothing left to step\n";
     out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; "));
@@ -160,27 +161,12 @@ class Run {
     return status;
   }
 
-  [[nodiscard]] std::string reason(Status status) const {
-    if (status == Status::ok) return warnings();
+  [[nodiscard]] std::string reason(Status status, const EnergyVerdict& verdict) const {
+    if (status == Status::ok) return warnings(verdict.message);
     if (status == Status::stopped) return "stopped by the user; --resume goes on";
+    if (status == verdict.status) return fmt::format("{}: {}", to_string(status), verdict.message);
     return fmt::format("{} after step {} at {:.6g} s: {}", to_string(status), simulation_.state().step,
                        simulation_.state().time, simulation_.message());
-  }
-
-  // A run can go through to the end and still be wrong: contacts that open and close feed integrators without damping.
-  [[nodiscard]] std::string energy_warning() const {
-    const EnergyLedger& energy = simulation_.energy();
-    if (energy.numerical >= -tolerated_gain * energy.scale()) return "";
-    return fmt::format("warning: time integration added {:.3g} J/m, {:.2g} % of the largest energy; take {}",
-                       -energy.numerical, -100 * energy.numerical / energy.scale(), remedy_against_gain());
-  }
-
-  // What is not set already: gamma is 1 or more in the thesis' scheme and in generalized_alpha 0.
-  [[nodiscard]] std::string remedy_against_gain() const {
-    const bool damps = std::ranges::all_of(simulation_.model().stages, [](const Stage& stage) {
-      return stage.integrator.is_static || stage.integrator.gamma >= 1;
-    });
-    return damps ? "a smaller dt, or damping" : "generalized_alpha 0 or thesis, or a smaller dt";
   }
 
   // Contacts that are pressed in so deep carry the right forces in the wrong place.
@@ -195,15 +181,22 @@ class Run {
         name(deepest.block_a), name(deepest.block_b), deepest.depth, deepest.time, 100 * deepest.share);
   }
 
-  [[nodiscard]] std::string warnings() const {
-    std::vector<std::string> warnings = {energy_warning(), penetration_warning()};
+  [[nodiscard]] std::string loose_warning() const {
+    const auto& loose = simulation_.loose_blocks();
+    if (loose.empty()) return "";
+    return fmt::format("warning: nothing holds {}; in static stages they stayed where they were, so that others settle",
+                       named_with_places(simulation_.model(), loose));
+  }
+
+  [[nodiscard]] std::string warnings(const std::string& energy_warning) const {
+    std::vector<std::string> warnings = {energy_warning, penetration_warning(), loose_warning()};
     for (const std::string& sentence : unseen_loads(simulation_.model())) warnings.push_back("warning: " + sentence);
     std::erase(warnings, "");
     return fmt::format("{}", fmt::join(warnings, "; "));
   }
 
   void finish(RunFiles& files, Status status, const std::string& message) {
-    if (status != Status::ok && status != Status::stopped) files.write_last_frame();
+    if (status != Status::ok && status != Status::stopped) files.write_last_state();
     // A step that failed half-way leaves a state between steps, from which a run cannot go on: the last checkpoint
     // stays.
     if (simulation_.state().time == time_before_) files.write_checkpoint();
@@ -227,6 +220,10 @@ class Run {
     summary.solver = to_string(simulation_.plan().solver);
     summary.blocks = static_cast<std::int64_t>(simulation_.model().blocks.size());
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
+    for (const auto& [stage, block, place] : simulation_.loose_blocks())
+      summary.loose_blocks.push_back({simulation_.model().stages[static_cast<std::size_t>(stage)].name,
+                                      simulation_.model().blocks[static_cast<std::size_t>(block)].name,
+                                      {place.x(), place.y()}});
     summary.penetration = penetration();
     summary.remarks = remarks_;
     return summary;

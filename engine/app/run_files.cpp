@@ -51,7 +51,8 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
       probes_(probes),
       options_(std::move(options)),
       columns_(columns_of(simulation.model())),
-      values_(columns_.size()) {
+      values_(columns_.size()),
+      settles_(simulation.is_settling()) {
   std::filesystem::create_directories(options_.folder);
   const auto histories = in_folder(histories_name);
   histories_ = resumed ? std::make_unique<HistoryWriter>(histories, columns_, resumed->history_rows)
@@ -78,9 +79,13 @@ void RunFiles::open_bolt_frames() {
   bolt_frames_->go_on_after(frame_times_);
 }
 
+// A stage that paces itself has a row and a frame of its end alone.
 void RunFiles::after_step() {
-  if (simulation_.state().step % options_.rows_every == 0) sample();
-  write_frame_when_due();
+  if (!simulation_.is_settling()) {
+    if (settles_ || simulation_.state().step % options_.rows_every == 0) sample();
+    write_frame_when_due();
+  }
+  settles_ = simulation_.is_settling();
   const std::chrono::duration<double> since_checkpoint = std::chrono::steady_clock::now() - last_checkpoint_;
   if (since_checkpoint.count() > options_.checkpoint_interval) write_checkpoint();
 }
@@ -104,8 +109,9 @@ void RunFiles::write_frame() {
   frame_times_.push_back(simulation_.state().time);
 }
 
-void RunFiles::write_last_frame() {
-  if (frames_ && (frame_times_.empty() || frame_times_.back() != simulation_.state().time)) write_frame();
+void RunFiles::write_last_state() {
+  if (settles_) sample();
+  if (frames_ && (settles_ || frame_times_.empty() || frame_times_.back() != simulation_.state().time)) write_frame();
 }
 
 void RunFiles::write_checkpoint() {

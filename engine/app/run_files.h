@@ -41,8 +41,8 @@ class RunFiles {
   // To be called after every step: writes the row, frame and checkpoint that are due.
   void after_step();
 
-  // A frame of the state that a run ended in, unless it has one.
-  void write_last_frame();
+  // What there is not yet of the state that a run ended in before its time.
+  void write_last_state();
 
   // Rows reach the disk before the checkpoint that counts them.
   void write_checkpoint();
@@ -68,6 +68,7 @@ class RunFiles {
   std::unique_ptr<BoltFrameWriter> bolt_frames_;
   std::vector<double> frame_times_;
   std::optional<FrameClock> frame_clock_;
+  bool settles_ = false;  // after the last step, see Simulation::is_settling()
   std::chrono::steady_clock::time_point last_checkpoint_;
 };
 

@@ -23,6 +23,7 @@
 #include "engine/model/quantity_names.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/probes.h"
+#include "engine/simulation/settling_pace.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/step_plan.h"
 #include "engine/simulation/system_matrix.h"
@@ -180,15 +181,21 @@ void add_free_field(const Model& model, const Simulation& columns, Text& text) {
   }
 }
 
+std::string steps_of(const Stage& stage) {
+  if (stage.paces_itself())
+    return fmt::format("finds its own steps to equilibrium within {:.2g} of the largest load", stage.equilibrium);
+  return fmt::format("{} steps of {:.6g} s{}, {:.6g} s in all", stage.steps(), stage.dt,
+                     stage.automatic_dt ? fmt::format(" (chosen: {})", stage.dt_reason) : "", stage.duration);
+}
+
 void add_stage(const Model& model, std::size_t index, const ContactSet& contacts, const BlockMatrix& matrix,
                Text& text) {
   const Stage& stage = model.stages[index];
   const BlockTerms terms = make_block_terms(model, stage);
-  const StepPlan plan =
-      make_plan(model, stage, contacts, matrix.couplings(), stiffness_number(contacts, terms, stage.dt));
+  const double dt = first_step(model, stage, contacts.can_change);
+  const StepPlan plan = make_plan(model, stage, contacts, matrix.couplings(), stiffness_number(contacts, terms, dt));
   text.gap();
-  text.plain(fmt::format("stage \"{}\": {} steps of {:.6g} s, {:.6g} s in all; {}, {} kinematics", stage.name,
-                         std::llround(stage.duration / stage.dt), stage.dt, stage.duration, stage.integrator.name,
+  text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
   for (const std::string& line : warn_of_recordings(model, index)) text.plain("  " + line);

@@ -46,9 +46,14 @@ void check_integrator(const Item& item, const Integrator& integrator) {
 
 void check_stage(const Item& item, const Stage& stage) {
   constexpr double most_steps = 1e12;  // far beyond what a run can do, far below where step counts lose exactness
-  item.positive("dt", stage.dt);
-  item.positive("duration", stage.duration);
-  item.within("duration in steps", stage.duration / stage.dt, 0.5, most_steps);
+  if (stage.integrator.is_static && stage.paces_itself()) {
+    item.not_negative("duration", stage.duration);
+    item.positive("equilibrium", stage.equilibrium);  // what ends it
+  } else {
+    item.positive("dt", stage.dt);
+    item.positive("duration", stage.duration);
+    item.within("duration in steps", stage.duration / stage.dt, 0.5, most_steps);
+  }
   check_integrator(item, stage.integrator);
   item.within("velocity factor", stage.velocity_factor, 0, 1);
   item.not_negative("damping rate", stage.damping_rate);
@@ -72,7 +77,10 @@ void check_measurements(const Model& model) {
 
 void check_stages(const Model& model) {
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
-    check_stage(Item("stages", i, model.stages[i].name), model.stages[i]);
+    const Item item("stages", i, model.stages[i].name);
+    check_stage(item, model.stages[i]);
+    if (model.stages[i].paces_itself() && !model.free_field_sides.empty())
+      item.fail("dt", "left out", "a time step: beside free-field sides columns are stepped along");
   }
 }
 

@@ -27,12 +27,14 @@ struct EnergyLedger {
   double initial_contact = 0;
   double initial_bolts = 0;
 
+  double largest = 0;  // what scale() was at most since the start of the run
+
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping, numerical,
-           initial_kinetic, initial_strain, initial_contact, initial_bolts] = self;
+           initial_kinetic, initial_strain, initial_contact, initial_bolts, largest] = self;
     archive(kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping,
-            numerical, initial_kinetic, initial_strain, initial_contact, initial_bolts);
+            numerical, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest);
   }
 
   // What the balance does not explain: zero but for round-off when every term is right.
@@ -42,15 +44,19 @@ struct EnergyLedger {
     return external_work + gravity_work - stored - friction - plastic - dashpot - damping - numerical;
   }
 
-  // The largest magnitude among the terms, what a residual is compared with.
+  // The largest magnitude that any of the terms has had in the run, what a residual is compared with. (At a moment all
+  // of them can be small, as after a load that came and went.)
   [[nodiscard]] double scale() const {
-    double largest = 0;
+    double most = largest;
     for (const double term : {kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot,
                               damping, numerical, initial_kinetic, initial_strain, initial_contact, initial_bolts}) {
-      largest = std::max(largest, std::abs(term));
+      most = std::max(most, std::abs(term));
     }
-    return largest;
+    return most;
   }
+
+  // The share of scale() by which the energy grew beyond what was brought; negative where it was taken out.
+  [[nodiscard]] double gain() const { return numerical == 0 ? 0 : -numerical / scale(); }
 
   // residual()/scale(), zero also when nothing has happened; NaN when a term is.
   [[nodiscard]] double relative_residual() const { return residual() == 0 ? 0 : residual() / scale(); }

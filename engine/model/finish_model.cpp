@@ -5,6 +5,7 @@
 #include "engine/geometry/box.h"
 #include "engine/model/check_parts.h"
 #include "engine/model/model.h"
+#include "engine/model/step_choice.h"
 
 namespace dda {
 namespace {
@@ -68,8 +69,9 @@ void finish_model(Model& model) {
   check_free_field_sides(model);
   check_bolts(model);
   check_measurements(model);
-  check_stages(model);
   model.expected_pressure = expected_pressure(model);
+  choose_time_steps(model);
+  check_stages(model);
 }
 
 }  // namespace dda

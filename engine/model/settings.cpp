@@ -1,5 +1,7 @@
 #include "engine/model/settings.h"
 
+#include <cmath>
+
 namespace dda {
 
 Integrator thesis_integrator() { return {"thesis", 0.5, 1.0, 0, 0, false}; }
@@ -23,5 +25,7 @@ Integrator energy_conserving_integrator() {
 }
 
 Integrator static_integrator() { return {"static", 0.5, 1.0, 0, 0, true}; }
+
+std::int64_t Stage::steps() const { return paces_itself() ? 0 : std::llround(duration / dt); }
 
 }  // namespace dda

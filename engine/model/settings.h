@@ -1,6 +1,7 @@
 // How a stage of a run is stepped: time integration, kinematics, solver.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace dda {
@@ -36,8 +37,10 @@ enum class SolverRequest { automatic, cholesky, pcg, dense };
 
 struct Stage {
   std::string name = "run";
-  double dt = 0;        // s
-  double duration = 0;  // s
+  double dt = 0;              // s; 0: a static stage that finds its own steps, see paces_itself()
+  double duration = 0;        // s; may be 0 where the stage paces itself
+  bool automatic_dt = false;  // finish_model chooses dt, see step_choice.h
+  std::string dt_reason;      // why it chose that, one phrase
   Integrator integrator;
   Kinematics kinematics = Kinematics::finite;
   SolverRequest solver = SolverRequest::automatic;
@@ -71,6 +74,12 @@ struct Stage {
 
   int max_open_close_iterations = 200;
   int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge
+
+  // A static stage without dt takes as many steps, and as long ones, as equilibrium needs. Loads and prescribed motions
+  // are those of its end from its first step on; the clock goes there when it is over.
+  [[nodiscard]] bool paces_itself() const { return dt == 0; }
+  // How many steps there are; 0 where that is not known before.
+  [[nodiscard]] std::int64_t steps() const;
 };
 
 }  // namespace dda

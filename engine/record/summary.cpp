@@ -65,11 +65,18 @@ Json to_json(const RunSummary& summary) {
   for (const auto& [name, seconds] : summary.phases) json["phases"][name] = seconds;
   json["stages"] = Json::array();
   for (const StageSpan& stage : summary.stages)
-    json["stages"].push_back(
-        {{"name", stage.name}, {"begin_s", stage.begin_s}, {"end_s", stage.end_s}, {"settles", stage.settles}});
+    json["stages"].push_back({{"name", stage.name},
+                              {"begin_s", stage.begin_s},
+                              {"end_s", stage.end_s},
+                              {"settles", stage.settles},
+                              {"dt_s", stage.dt_s},
+                              {"dt_reason", stage.dt_reason}});
   json["static_stages"] = Json::array();
   for (const auto& [name, share] : summary.out_of_balance)
     json["static_stages"].push_back({{"name", name}, {"out_of_balance", share}});
+  json["loose_blocks"] = Json::array();
+  for (const auto& [stage, block, place] : summary.loose_blocks)
+    json["loose_blocks"].push_back({{"stage", stage}, {"block", block}, {"place_m", {place.first, place.second}}});
   json["counters"] = to_json(summary.counters);
   json["energy"] = to_json(summary.energy);
   json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);

@@ -29,12 +29,22 @@ struct DeepestPenetration {
   double time_s = 0;
 };
 
-// When a stage of the scene lasts; `settles`: its time passes in no motion (it ends at static equilibrium).
+// A block that nothing held in a static stage, and where its centroid was.
+struct LooseBlock {
+  std::string stage;
+  std::string block;
+  std::pair<double, double> place_m;
+};
+
+// When a stage of the scene lasts, and in which steps; `settles`: its time passes in no motion (it ends at static
+// equilibrium).
 struct StageSpan {
   std::string name;
   double begin_s = 0;
   double end_s = 0;
   bool settles = false;
+  double dt_s = 0;        // 0: steps of no time, which the stage finds itself
+  std::string dt_reason;  // why the engine chose dt; empty where the scene gives it
 };
 
 struct RunSummary {
@@ -50,6 +60,7 @@ struct RunSummary {
   std::vector<std::pair<std::string, double>> phases;  // name and seconds, in the order of the run
   std::vector<StageSpan> stages;
   std::vector<std::pair<std::string, double>> out_of_balance;  // static stages: name and share of the largest load
+  std::vector<LooseBlock> loose_blocks;
   std::string solver;
   std::int64_t blocks = 0;
   std::int64_t contacts = 0;

@@ -44,6 +44,17 @@ TEST(EnergyLedger, ResidualIsWhatTheTermsDoNotExplain) {
   EXPECT_EQ(energy.relative_residual(), -200.0 / 172);
 }
 
+// A load that came and went leaves small terms behind: what was wrong on the way counts by what there was.
+TEST(EnergyLedger, GainIsAShareOfTheLargestThereWas) {
+  EnergyLedger energy;
+  energy.largest = 200;
+  energy.numerical = -3;
+  EXPECT_EQ(energy.scale(), 200);
+  EXPECT_EQ(energy.gain(), 0.015);
+  energy.numerical = 3;
+  EXPECT_EQ(energy.gain(), -0.015);
+}
+
 TEST(EnergyLedger, NothingHappenedAndNotANumber) {
   EnergyLedger energy;
   EXPECT_EQ(energy.relative_residual(), 0);
@@ -63,8 +74,9 @@ TEST(Summary, HoldsEverything) {
   summary.cpu_s = 1.5;
   summary.wall_s = 2.5;
   summary.phases = {{"solve", 1.25}, {"assembly", 0.25}};
-  summary.stages = {{"gravity", 0, 100, true}, {"quake", 100, 102.5, false}};
+  summary.stages = {{"gravity", 0, 100, true, 0, ""}, {"quake", 100, 102.5, false, 1e-3, "blocks of 1 m that fall"}};
   summary.out_of_balance = {{"gravity", 3e-7}};
+  summary.loose_blocks = {{"gravity", "sliver", {1.5, 2}}};
   summary.solver = "cholesky";
   summary.blocks = 200;
   summary.contacts = 199;
@@ -78,9 +90,11 @@ TEST(Summary, HoldsEverything) {
     "status": "stopped", "message": "stopped by the user", "title": "bar", "time_s": 0.1, "steps": 12,
     "blocks": 200, "contacts": 199, "solver": "cholesky", "cpu_s": 1.5, "wall_s": 2.5,
     "phases": {"solve": 1.25, "assembly": 0.25},
-    "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true},
-               {"name": "quake", "begin_s": 100, "end_s": 102.5, "settles": false}],
+    "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true, "dt_s": 0, "dt_reason": ""},
+               {"name": "quake", "begin_s": 100, "end_s": 102.5, "settles": false, "dt_s": 1e-3,
+                "dt_reason": "blocks of 1 m that fall"}],
     "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],
+    "loose_blocks": [{"stage": "gravity", "block": "sliver", "place_m": [1.5, 2.0]}],
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
       "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "contact_searches": 9,
       "contact_state_changes": 10},

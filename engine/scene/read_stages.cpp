@@ -9,6 +9,9 @@
 namespace dda {
 namespace {
 
+// What static stages without dt go on to.
+constexpr double default_equilibrium = 1e-9;
+
 Integrator read_integrator(const Field& field) {
   if (field.is_text()) {
     constexpr std::array integrators = {thesis_integrator, trapezoidal_integrator, energy_conserving_integrator,
@@ -29,9 +32,18 @@ SolverRequest read_solver(const Field& field) {
 }
 
 void read_duration(const Field& field, Stage& stage) {
-  stage.dt = field.at("dt").positive(Dimension::time);
+  const auto dt = field.find("dt");
+  const bool is_left_open = !dt || (dt->is_text() && dt->text() == "auto");
+  if (is_left_open && stage.integrator.is_static) {  // it paces itself
+    stage.duration = value_or(field, "duration", 0.0, [](const Field& f) { return f.not_negative(Dimension::time); });
+    stage.equilibrium = default_equilibrium;
+    return;
+  }
+  stage.automatic_dt = is_left_open;
+  if (!is_left_open) stage.dt = dt->positive(Dimension::time);
   const Field duration = field.at("duration");
   stage.duration = duration.positive(Dimension::time);
+  if (stage.automatic_dt) return;
   if (stage.duration < 0.5 * stage.dt) duration.fail(fmt::format("at least one step of {} s", stage.dt));
   if (stage.duration > 1e12 * stage.dt) duration.fail(fmt::format("at most 1e12 steps of {} s", stage.dt));
 }
@@ -60,6 +72,8 @@ void read_static(const Field& field, Stage& stage) {
   if (!stage.integrator.is_static)
     equilibrium->fail("to be left out: only the integrator \"static\" seeks equilibrium");
   stage.equilibrium = equilibrium->within(0, 1);
+  if (stage.paces_itself() && stage.equilibrium == 0)
+    equilibrium->fail("above 0: without dt equilibrium is what ends the stage");
 }
 
 void read_limits(const Field& field, Stage& stage) {

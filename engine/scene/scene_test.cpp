@@ -73,6 +73,33 @@ TEST(Scene, IntegratorFollowsFromSchemeJointsAndKinematics) {
   EXPECT_EQ(bar_with("").stages[0].kinematics, Kinematics::finite);
 }
 
+TEST(Scene, StaticStagesWithoutDtPaceThemselves) {
+  const Model model = bar_with("", R"([{"integrator": "static"},
+    {"integrator": "static", "dt": "auto", "duration": 3, "equilibrium": 1e-6},
+    {"integrator": "static", "dt": 0.1, "duration": 1}])");
+  EXPECT_TRUE(model.stages[0].paces_itself());
+  EXPECT_EQ(model.stages[0].duration, 0);
+  EXPECT_EQ(model.stages[0].equilibrium, 1e-9);
+  EXPECT_TRUE(model.stages[1].paces_itself());
+  EXPECT_EQ(model.stages[1].duration, 3);
+  EXPECT_EQ(model.stages[1].equilibrium, 1e-6);
+  EXPECT_FALSE(model.stages[2].paces_itself());
+  EXPECT_EQ(model.stages[2].equilibrium, 0);
+}
+
+// The choice itself: step_choice_test.
+TEST(Scene, DynamicStagesWithoutDtHaveItChosen) {
+  const Model model =
+      bar_with("", R"([{"duration": 0.01}, {"dt": "auto", "duration": 0.01}, {"dt": 1e-4, "duration": 0.01}])");
+  for (const int i : {0, 1}) {
+    const Stage& stage = model.stages[static_cast<std::size_t>(i)];
+    EXPECT_GT(stage.dt, 0);
+    EXPECT_FALSE(stage.dt_reason.empty());
+  }
+  EXPECT_EQ(model.stages[0].dt, model.stages[1].dt);
+  EXPECT_EQ(model.stages[2].dt_reason, "");
+}
+
 TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
   const Model model = bar_with("", R"([{"dt": 1, "duration": 5, "integrator": "static", "solver": "pcg"},
     {"name": "go", "dt": 0.1, "duration": 2, "integrator": {"hht": 0.1}, "velocity_factor": "99 %", "damping_rate": "2 1/s",

@@ -33,9 +33,14 @@ const Stage& BlockSystem::stage_in_force() const {
   return model.stages[std::min(clock.stage, model.stages.size() - 1)];
 }
 
-std::int64_t BlockSystem::steps_in_stage() const { return std::llround(stage().duration / stage().dt); }
+double BlockSystem::end_of_stage() const {
+  const Stage& now = stage();
+  return clock.start + (now.paces_itself() ? now.duration : static_cast<double>(now.steps()) * now.dt);
+}
 
-double BlockSystem::end_of_stage() const { return clock.start + static_cast<double>(steps_in_stage()) * stage().dt; }
+double BlockSystem::end_of_step(double dt) const {
+  return stage_in_force().paces_itself() ? end_of_stage() : state.time + dt;
+}
 
 bool BlockSystem::geometry_moves() const {
   const auto begun = model.stages.begin() + static_cast<std::ptrdiff_t>(std::min(clock.stage + 1, model.stages.size()));

@@ -16,6 +16,7 @@
 #include "engine/simulation/bolt_set.h"
 #include "engine/simulation/energy_audit.h"
 #include "engine/simulation/external_forces.h"
+#include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/step_plan.h"
 #include "engine/simulation/support_set.h"
@@ -78,12 +79,14 @@ struct BlockSystem {
   StepCoefficients coefficients;  // of the step under way
   BlockForces forces;
   Eigen::VectorXd increment;  // of the last step tried, 6 entries a block
+  SettlingDrag drag;          // in static stages
 
   [[nodiscard]] const Stage& stage() const { return model.stages[clock.stage]; }
   // The same; of a run that is over, its last one.
   [[nodiscard]] const Stage& stage_in_force() const;
-  [[nodiscard]] std::int64_t steps_in_stage() const;
   [[nodiscard]] double end_of_stage() const;
+  // s, for which loads and prescribed motions of a step of `dt` from now are meant.
+  [[nodiscard]] double end_of_step(double dt) const;
 
   // Geometry of a scene whose blocks never left the drawing is that of the model.
   [[nodiscard]] bool geometry_moves() const;
@@ -98,12 +101,12 @@ struct BlockSystem {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [model, state, contacts, waves, supports, bolts, held, terms, damping, external, free_field, audit, costs,
-           clock, plan, coefficients, forces, increment] = self;
+           clock, plan, coefficients, forces, increment, drag] = self;
     const bool moves = self.geometry_moves();
     if (moves || contacts.can_change || !bolts.empty()) archive(contacts);
     if (moves) archive(terms);
     archive.each(supports);
-    archive(bolts, external, audit, forces, increment, plan.chi, plan.solver);
+    archive(bolts, external, audit, forces, increment, drag, plan.chi, plan.solver);
     for (auto& [block, matrix] : damping) archive(matrix);
     if (free_field) archive(*free_field);
     // State and clock are saved beside this; all else follows from the model.

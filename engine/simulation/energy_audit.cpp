@@ -78,6 +78,7 @@ void EnergyAudit::record(const StepCoefficients& step, double inertia_work, cons
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;
   ledger_.bolts = stored.bolts;
+  ledger_.largest = ledger_.scale();
 }
 
 void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,

@@ -36,6 +36,13 @@ bool contacts_move(const Model& model) {
                                   [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
 }
 
+// A stage that paces itself tries a shorter step rather than go on: what settles at all mostly does in fewer passes.
+int most_passes(const Stage& stage) {
+  constexpr int most_when_paced = 60;
+  const int most = stage.max_open_close_iterations;
+  return stage.paces_itself() ? std::min(most, most_when_paced) : most;
+}
+
 ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   const Integrator& integrator = stage.integrator;
   const double rate = integrator.is_static ? 0 : 1 / (dt * (1 - integrator.alpha_f));
@@ -68,6 +75,7 @@ void GeneralStep::set_up(BlockMatrix pattern) {
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
   list_contacts();
+  system_.drag.hold_loose(system_.model.blocks.size(), system_.held);
 }
 
 void GeneralStep::set_step_size(double dt) {
@@ -92,8 +100,8 @@ void GeneralStep::list_contacts() {
 
 Status GeneralStep::advance(double dt) {
   if (dt != system_.coefficients.dt) set_step_size(dt);
-  if (system_.plan.is_static && drag_.ease()) base_is_current_ = false;
-  const Status status = solve_far_enough(system_.state.time + dt);
+  if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
+  const Status status = solve_far_enough(system_.end_of_step(dt));
   if (status == Status::ok) accept();
   return status;
 }
@@ -130,7 +138,7 @@ void GeneralStep::pose(double end) {
 // from further away. Motions below half of the usual reach cannot miss any.
 bool GeneralStep::moves_further_than_seen() {
   if (largest_motion(system_) <= ContactSearch::reach / 2) return false;
-  if (system_.plan.is_static && drag_.raise(system_.terms, system_.held, system_.increment)) {
+  if (system_.plan.is_static && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
     base_is_current_ = false;
     return true;
   }
@@ -194,7 +202,7 @@ void GeneralStep::assemble_base() {
   const PhaseTimer timer(system_.costs.times.assembly);
   const BlockSystem& s = system_;
   assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
-  if (s.plan.is_static) drag_.add_to(s.terms, s.coefficients, base_);
+  if (s.plan.is_static) s.drag.add_to(s.terms, s.coefficients, base_);
   base_is_current_ = true;
   ++base_version_;
 }
@@ -211,7 +219,7 @@ StepProblem GeneralStep::problem() const {
           .bolts = s.bolts.links(),
           .held = s.held,
           .dilates = s.plan.dilation,
-          .max_passes = s.stage().max_open_close_iterations};
+          .max_passes = most_passes(s.stage())};
 }
 
 Status GeneralStep::solve() {
@@ -289,7 +297,8 @@ bool GeneralStep::is_in_contact_range() {
 void GeneralStep::accept() {
   BlockSystem& s = system_;
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
-  if (s.plan.is_static) work += drag_.work(s.terms, s.coefficients, s.increment);
+  if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment);
+  const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
@@ -299,6 +308,9 @@ void GeneralStep::accept() {
   accept_supports(s);
   s.sum_internal_forces(s.forces.internal_new);
   finish_step(work, s.stored_energy_now(), s);
+  if (!more_are_loose) return;
+  s.drag.hold_loose(s.model.blocks.size(), s.held);
+  base_is_current_ = false;
 }
 
 void GeneralStep::accept_bonded() {

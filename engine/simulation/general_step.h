@@ -16,7 +16,6 @@
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/contact_range.h"
 #include "engine/simulation/penetration.h"
-#include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step.h"
 #include "engine/solve/contact_solver.h"
 
@@ -47,10 +46,10 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, turned, drag, deepest, changing, bonded, base, base_version,
-           base_is_current, rule, rhs, message] = self;
+    auto& [system, solver, moving, range, moved, turned, deepest, changing, bonded, base, base_version, base_is_current,
+           rule, rhs, message] = self;
     if (moving) archive(*moving);
-    archive(solver, drag, deepest);
+    archive(solver, deepest);
     if (system.geometry_moves()) archive(range, moved, turned);
     // The others follow from the system, or begin with every step.
   }
@@ -83,7 +82,6 @@ class GeneralStep : public Step {
   ContactRange range_;                    // looked at where they cannot
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   std::vector<Vec4> turned_;              // rotation (rad) and strains of each block that its stress has followed
-  SettlingDrag drag_;                     // in static stages
   Penetration deepest_;
 
   std::vector<int> changing_, bonded_;  // interfaces that can change in a step, and the others; ascending

@@ -59,8 +59,16 @@ HeldUnknowns make_held_unknowns(const Model& model) {
   return unknowns;
 }
 
+void hold_still(int block, std::size_t blocks, HeldUnknowns& held) {
+  if (held.holds(block)) return;
+  held.place.resize(blocks, -1);
+  held.place[at(block)] = static_cast<int>(held.blocks.size());
+  held.blocks.push_back(block);
+  held.increments.emplace_back(Vec6::Zero());
+}
+
 void aim(const Model& model, const State& state, double time, HeldUnknowns& held) {
-  for (std::size_t i = 0; i < held.blocks.size(); ++i) {
+  for (std::size_t i = 0; i < model.held_blocks.size(); ++i) {
     held.increments[i] =
         motion_of(model, model.held_blocks[i], time).displacement - state.displacement[at(held.blocks[i])];
     held.increments[i].tail<3>().setZero();

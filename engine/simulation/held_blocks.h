@@ -4,6 +4,8 @@
 // motion.
 #pragma once
 
+#include <cstddef>
+
 #include "engine/model/model.h"
 #include "engine/model/state.h"
 #include "engine/solve/held_unknowns.h"
@@ -12,7 +14,10 @@ namespace dda {
 
 HeldUnknowns make_held_unknowns(const Model& model);
 
-// The increments that bring the blocks from `state` to where they are to be at `time`.
+// Adds a block that stays where it is, of `blocks` in all. Such blocks follow those of the model in the list.
+void hold_still(int block, std::size_t blocks, HeldUnknowns& held);
+
+// The increments that bring the model's held blocks from `state` to where they are to be at `time`.
 void aim(const Model& model, const State& state, double time, HeldUnknowns& held);
 
 // True when the blocks are at `time` where they are now.

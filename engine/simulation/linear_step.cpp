@@ -114,9 +114,10 @@ void LinearStep::hand_over() {
 Status LinearStep::advance(double dt) {
   BlockSystem& s = system_;
   if (dt != s.coefficients.dt) set_step_size(dt);
-  if (s.plan.loads) s.loads_at(s.state.time + dt, s.forces.load_new);
+  const double end = s.end_of_step(dt);
+  if (s.plan.loads) s.loads_at(end, s.forces.load_new);
   form_rhs();
-  aim(s.model, s.state, s.state.time + dt, s.held);
+  aim(s.model, s.state, end, s.held);
   const Status status = solve();
   if (status == Status::ok) {
     accept();

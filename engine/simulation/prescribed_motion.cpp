@@ -16,9 +16,10 @@ void add_dashpot_and_support_rhs(const BlockSystem& system, Eigen::VectorXd& rhs
     rhs.segment<6>(6 * block) -= matrix * (c.damping_v * state.velocity[i] + c.damping_a * state.acceleration[i]);
   }
   if (!system.plan.moving_supports) return;
+  const double end = system.end_of_step(c.dt);
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     const SupportElement& support = system.supports[i];
-    const Vec2 motion = prescribed_displacement(system.model.supports[i], state.time + c.dt) - support.prescribed;
+    const Vec2 motion = prescribed_displacement(system.model.supports[i], end) - support.prescribed;
     rhs.segment<6>(6 * support.block) += c.stiffness * support.rows.transpose() * (support.stiffness * motion);
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/simulation/held_blocks.h"
 #include "engine/terms/inertia.h"
 
 namespace dda {
@@ -11,6 +12,9 @@ namespace {
 
 // Blocks may move by this share of their size in a static step: contacts still turn little in such a step.
 constexpr double most_motion = 0.02;
+
+// How far, in its own size, a block goes under drag before it is loose.
+constexpr double most_travel = 0.5;
 
 // A block whose motion fell by less than this with its drag raised is carried by others.
 constexpr double carried = 0.7;
@@ -47,6 +51,21 @@ bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, cons
     raised = true;
   }
   return raised;
+}
+
+bool SettlingDrag::follow(const BlockTerms& terms, const Eigen::VectorXd& d) {
+  travelled_.resize(factors_.size(), 0.0);
+  const std::size_t before = loose_.size();
+  for (std::size_t i = 0; i < factors_.size(); ++i) {
+    if (factors_[i] <= 1 || travelled_[i] > most_travel) continue;
+    travelled_[i] += motion_share(own(d, i), terms.area[i]);
+    if (travelled_[i] > most_travel) loose_.push_back(static_cast<int>(i));
+  }
+  return loose_.size() > before;
+}
+
+void SettlingDrag::hold_loose(std::size_t blocks, HeldUnknowns& held) const {
+  for (const int block : loose_) hold_still(block, blocks, held);
 }
 
 void SettlingDrag::add_to(const BlockTerms& terms, const StepCoefficients& step, BlockMatrix& matrix) const {

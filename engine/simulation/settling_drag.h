@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "engine/linear/block_matrix.h"
@@ -31,6 +32,13 @@ class SettlingDrag {
   // there was any: the step is to be solved anew.
   bool raise(const BlockTerms& terms, const HeldUnknowns& held, const Eigen::VectorXd& d);
 
+  // Accepts a step of increments `d`. What has gone half of its size under drag will not find what it could come to lie
+  // on: from then on it is loose, and to be held. True when there are more of these.
+  bool follow(const BlockTerms& terms, const Eigen::VectorXd& d);
+  [[nodiscard]] const std::vector<int>& loose() const { return loose_; }
+  // Adds the loose to the blocks that are held, of `blocks` in all.
+  void hold_loose(std::size_t blocks, HeldUnknowns& held) const;
+
   // Adds the drag's share of inertia to the matrix of a step.
   void add_to(const BlockTerms& terms, const StepCoefficients& step, BlockMatrix& matrix) const;
 
@@ -39,13 +47,15 @@ class SettlingDrag {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [factors, moved] = self;
-    archive(factors);  // `moved` is of the step under way
+    auto& [factors, moved, travelled, loose] = self;
+    archive(factors, travelled, loose);  // `moved` is of the step under way
   }
 
  private:
-  std::vector<double> factors_;  // on each block's mass; empty as long as no block needed any
-  std::vector<double> moved_;    // shares of the last solution of this step, 0 before the first
+  std::vector<double> factors_;    // on each block's mass; empty as long as no block needed any
+  std::vector<double> moved_;      // shares of the last solution of this step, 0 before the first
+  std::vector<double> travelled_;  // under drag, in each block's size
+  std::vector<int> loose_;         // blocks, in the order found
 };
 
 }  // namespace dda

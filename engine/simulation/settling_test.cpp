@@ -2,9 +2,12 @@
 // pressed between stiff ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "engine/simulation/simulation_models.h"
+#include "engine/simulation/snapshot.h"
 
 namespace dda {
 namespace {
@@ -81,6 +84,140 @@ TEST(Settling, LetGoShearOfLightBlocksBringsNoEnergy) {
   run(simulation, 5);
   const EnergyLedger& energy = simulation.energy();
   EXPECT_LT(energy.kinetic, stored + energy.gravity_work - fallen);
+}
+
+Stage settling() {
+  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
+  stage.equilibrium = 1e-9;
+  return stage;
+}
+
+// Bricks of 0.5 x 0.25 m in a running bond on a held floor, whose foot shears outwards under the weight: with little
+// friction bricks of the foot slide until the rest holds them.
+Model wall(int rows, double friction_angle) {
+  Model model;
+  model.materials = {{"brick", 1900, 10e9, 0.2, PlaneState::stress}};
+  model.joints = {JointMaterial{}};
+  model.joints[0].friction_angle = friction_angle;
+  model.blocks = {rectangle("floor", -1, -1, 6, 1)};
+  model.held_blocks.emplace_back().block = 0;
+  for (int row = 0; row < rows; ++row)
+    for (double left = row % 2 == 0 ? 0 : -0.25; left < 4; left += 0.5) {
+      const double begin = std::max(left, 0.0);
+      model.blocks.push_back(rectangle("brick " + std::to_string(model.blocks.size()), begin, 0.25 * row,
+                                       std::min(left + 0.5, 4.0) - begin, 0.25));
+    }
+  model.gravity = {0, -standard_gravity};
+  return model;
+}
+
+double foot_force(const Simulation& simulation) {
+  double force = 0;
+  const ContactSet& contacts = simulation.contacts();
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    if (contacts.elements[i].block_a == 0 || contacts.elements[i].block_b == 0)
+      force -= contacts.states[i].force(0) + contacts.states[i].force(2);
+  return force;
+}
+
+// Without a dt, with unlimited strength and with the joints' own: no time passes, and the floor carries the weight.
+TEST(Settling, WallFindsItsOwnStepsToEquilibrium) {
+  for (const bool unlimited : {true, false}) {
+    Model model = wall(8, 0.29);
+    model.stages = {settling()};
+    model.stages[0].unlimited_strength = unlimited;
+    Simulation simulation = simulation_of(std::move(model));
+    while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+    EXPECT_EQ(simulation.state().time, 0);
+    EXPECT_LE(simulation.static_out_of_balance()[0], 1e-9) << unlimited;
+    EXPECT_NEAR(foot_force(simulation), 8 * 0.25 * 4 * 1900 * standard_gravity, 1e-4) << unlimited;
+    EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9) << unlimited;
+    EXPECT_LE(simulation.state().step, 20) << unlimited;
+  }
+}
+
+TEST(Settling, LinearSceneFindsItsOwnStepsToEquilibrium) {
+  Model model = bar_of(10, bond(InterfaceLaw::consistent));
+  model.edge_loads = {{9, {10, 0}, {10, 0.8}, {1e6, 0}, Constant{}}};
+  model.held_blocks.emplace_back().block = 0;
+  model.stages = {settling()};
+  model.stages[0].kinematics = Kinematics::small;
+  Simulation simulation = simulation_of(std::move(model));
+  while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  EXPECT_LE(simulation.static_out_of_balance()[0], 1e-9);
+  EXPECT_LE(simulation.state().step, 4);
+  for (std::size_t i = 2; i < 10; ++i) EXPECT_NEAR(simulation.state().stress[i](0), 1e6, 1e3) << i;
+}
+
+// A stone that hangs in the air beside the wall has no equilibrium: it is named with its place, stays there while the
+// wall settles, and falls freely in the stage after that.
+TEST(Settling, LooseStoneIsNamedAndStopsNothing) {
+  Model model = wall(4, 0.6);
+  model.blocks.push_back(rectangle("stone", 4.5, 1, 0.1, 0.1));
+  const std::size_t stone = model.blocks.size() - 1;
+  constexpr int steps = 50;
+  model.stages = {settling(), stage_of(generalized_alpha_integrator(0), 1e-3, steps, Kinematics::finite)};
+  Simulation simulation = simulation_of(std::move(model));
+  while (simulation.is_settling()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  EXPECT_LE(simulation.static_out_of_balance()[0], 1e-9);
+  ASSERT_EQ(simulation.loose_blocks().size(), 1U);
+  EXPECT_EQ(simulation.loose_blocks()[0].block, static_cast<int>(stone));
+  EXPECT_EQ(simulation.loose_blocks()[0].stage, 0);
+  const double height = simulation.state().displacement[stone](1);
+  EXPECT_NEAR(simulation.loose_blocks()[0].place.y(), 1.05 + height, 1e-15);
+  EXPECT_GT(height, -0.06) << "held once it has gone half of its size";
+  run(simulation, steps);
+  // The first step of generalized-alpha 0 is exact for a constant acceleration.
+  EXPECT_NEAR(simulation.state().displacement[stone](1) - height, -standard_gravity * 0.05 * 0.05 / 2, 1e-9);
+  EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+}
+
+TEST(Settling, LastStageWithALooseBlockIsNoEquilibrium) {
+  Model model = stone_over_floor(0.1, 1);
+  model.stages = {settling()};
+  Simulation simulation = simulation_of(std::move(model));
+  Status status = Status::ok;
+  while (!simulation.finished() && status == Status::ok) status = simulation.step();
+  EXPECT_EQ(status, Status::not_in_equilibrium);
+  EXPECT_NE(simulation.message().find("\"stone\" at (0, "), std::string::npos) << simulation.message();
+}
+
+// A block on a slope steeper than its friction slides for ever; on one that is not it stays.
+TEST(Settling, BlockThatSlidesDownASlopeIsNamed) {
+  for (const double friction_angle : {0.3, 0.5}) {
+    Model model = stone_over_floor(0.5, 0);
+    model.joints[0].friction_angle = friction_angle;
+    model.gravity = standard_gravity * Vec2(std::sin(0.4), -std::cos(0.4));
+    model.stages = {settling()};
+    Simulation simulation = simulation_of(std::move(model));
+    Status status = Status::ok;
+    while (!simulation.finished() && status == Status::ok) status = simulation.step();
+    EXPECT_EQ(status, friction_angle < 0.4 ? Status::not_in_equilibrium : Status::ok) << simulation.message();
+    EXPECT_EQ(simulation.loose_blocks().size(), friction_angle < 0.4 ? 1U : 0U);
+  }
+}
+
+// In the middle of a stage that paces itself, with a block found loose before.
+TEST(Settling, GoesOnFromASnapshotToTheLastBit) {
+  const auto scene = [] {
+    Model model = wall(4, 0.29);
+    model.blocks.push_back(rectangle("stone", 4.5, 1, 0.1, 0.1));
+    model.stages = {settling(), stage_of(generalized_alpha_integrator(0), 1e-3, 5, Kinematics::finite)};
+    finish_model(model);
+    return model;
+  };
+  for (const int stop : {2, 20, 38}) {
+    Simulation whole(scene());
+    run(whole, stop);
+    Simulation resumed(scene());
+    restore(resumed, whole.state(), save(whole));
+    while (!whole.finished()) ASSERT_EQ(whole.step(), Status::ok);
+    while (!resumed.finished()) ASSERT_EQ(resumed.step(), Status::ok);
+    EXPECT_EQ(whole.state().step, resumed.state().step);
+    for (std::size_t i = 0; i < whole.state().displacement.size(); ++i)
+      EXPECT_EQ(whole.state().displacement[i], resumed.state().displacement[i]) << stop << ", block " << i;
+    EXPECT_EQ(whole.loose_blocks().size(), resumed.loose_blocks().size());
+  }
 }
 
 }  // namespace

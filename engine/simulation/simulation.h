@@ -22,7 +22,9 @@
 #include "engine/model/model.h"
 #include "engine/model/state.h"
 #include "engine/simulation/bolt_set.h"
+#include "engine/simulation/equilibrium.h"
 #include "engine/simulation/penetration.h"
+#include "engine/simulation/settling_pace.h"
 #include "engine/simulation/step_plan.h"
 #include "engine/simulation/support_set.h"
 
@@ -75,6 +77,14 @@ class Simulation {
   // out_of_balance() at the end of every stage; NaN for stages that are not static or not over.
   [[nodiscard]] const std::vector<double>& static_out_of_balance() const { return static_out_of_balance_; }
 
+  // Blocks that had no equilibrium in static stages that asked for it, because nothing holds them. They were held where
+  // they were for the rest of the stage, so that the others could settle, and are free again after it.
+  [[nodiscard]] const std::vector<UnbalancedBlock>& loose_blocks() const { return loose_blocks_; }
+
+  // True within a static stage that paces itself: its steps take no time, and its state means nothing before its end.
+  [[nodiscard]] bool is_settling() const;
+
+  // Without those of stages that pace themselves.
   [[nodiscard]] std::int64_t steps_in_all_stages() const;
 
   // See snapshot.h, whose functions call these.
@@ -89,16 +99,17 @@ class Simulation {
   void begin_stage();
   [[nodiscard]] Status advance(double dt, int reductions_left);
   [[nodiscard]] Status step_free_field();
-  [[nodiscard]] bool reached_equilibrium();
+  [[nodiscard]] bool is_over();
   [[nodiscard]] Status end_stage();
-  void release_shear_of_contacts();
 
   std::unique_ptr<BlockSystem> system_;
   std::unique_ptr<GeneralStep> general_;
   std::unique_ptr<LinearStep> linear_;
   std::string message_;
+  SettlingPace pace_;                          // of a stage that paces itself
   std::vector<double> static_out_of_balance_;  // one a stage
-  double in_situ_force_ = 0;                   // N per m of thickness, the largest on an interface
+  std::vector<UnbalancedBlock> loose_blocks_;
+  double in_situ_force_ = 0;  // N per m of thickness, the largest on an interface
 };
 
 }  // namespace dda

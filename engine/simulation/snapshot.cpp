@@ -39,17 +39,17 @@ void check_place_in_run(const BlockSystem& s, double saved_dt) {
   if (saved_dt != stage.dt)
     throw InputError("", "checkpoint", fmt::format("of steps of {} s", saved_dt),
                      fmt::format("the {} s of stage \"{}\"", stage.dt, stage.name));
-  if (s.clock.stage < stages && s.clock.step >= s.steps_in_stage())
+  if (s.clock.stage < stages && !stage.paces_itself() && s.clock.step >= stage.steps())
     throw InputError("", "checkpoint", fmt::format("at step {} of a stage", s.clock.step),
-                     fmt::format("less than the {} steps of stage \"{}\"", s.steps_in_stage(), stage.name));
+                     fmt::format("less than the {} steps of stage \"{}\"", stage.steps(), stage.name));
 }
 
 }  // namespace
 
 template <typename Self, typename Archive>
 void Simulation::visit(Self& self, Archive& archive) {
-  auto& [system, general, linear, message, static_out_of_balance, in_situ_force] = self;
-  archive(*system, *general, *linear);
+  auto& [system, general, linear, message, pace, static_out_of_balance, loose_blocks, in_situ_force] = self;
+  archive(*system, *general, *linear, pace, loose_blocks);
   archive.each(static_out_of_balance);  // the message is of the last step; in-situ forces are the drawing's
 }
 

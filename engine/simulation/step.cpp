@@ -21,7 +21,7 @@ void move_blocks(Kinematics kinematics, BlockSystem& system) {
   system.audit.dashpots_worked(c, system.damping, system.state, system.increment);
   advance_blocks(c, system.terms, system.increment, system.state);
   deform_blocks(kinematics, system.increment, system.state);
-  system.state.time += c.dt;
+  system.state.time = system.end_of_step(c.dt);
 }
 
 double finish_step(double inertia_work, const StoredEnergy& stored, BlockSystem& system) {

@@ -1,0 +1,71 @@
+#include "engine/app/energy_verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace dda {
+namespace {
+
+// Share of the largest energy that may come from nowhere before a run is reported as doubtful, and from which on it has
+// failed. Round-off and geometry that is followed step by step stay far below it (1e-6 in the examples).
+constexpr double tolerated_gain = 1e-3;
+constexpr double ruinous_gain = 1e-2;
+
+// Share of the largest energy by which the ledger may miss. Where nothing is lost it is 1e-11; with every digit that
+// springs too stiff for their blocks take from a solve it grows tenfold.
+constexpr double tolerated_residual = 1e-6;
+
+// Those with the most kinetic energy: who was given energy from nowhere flies.
+std::vector<UnbalancedBlock> liveliest_blocks(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const State& state = simulation.state();
+  const auto kinetic = [&](int block) {
+    return model.mass_of(block) * state.velocity[static_cast<std::size_t>(block)].head<2>().squaredNorm();
+  };
+  std::vector<int> blocks(model.blocks.size());
+  std::iota(blocks.begin(), blocks.end(), 0);
+  std::ranges::stable_sort(blocks, std::ranges::greater(), kinetic);
+  blocks.resize(std::min<std::size_t>(3, blocks.size()));
+  std::vector<UnbalancedBlock> placed;
+  for (const int block : blocks) {
+    const auto i = static_cast<std::size_t>(block);
+    placed.push_back({0, block, model.blocks[i].moments.centroid + state.displacement[i].head<2>()});
+  }
+  return placed;
+}
+
+// What is not set already: gamma is 1 or more in the thesis' scheme and in generalized_alpha 0.
+std::string remedy_against_gain(const Model& model) {
+  const bool damps = std::ranges::all_of(
+      model.stages, [](const Stage& stage) { return stage.integrator.is_static || stage.integrator.gamma >= 1; });
+  return damps ? "a smaller dt, or damping" : "generalized_alpha 0 or thesis, or a smaller dt";
+}
+
+}  // namespace
+
+EnergyVerdict judge_energy(const Simulation& simulation) {
+  const EnergyLedger& energy = simulation.energy();
+  const double gain = energy.gain();
+  const std::string added =
+      fmt::format("time integration added {:.3g} J/m, {:.2g} % of the largest energy", -energy.numerical, 100 * gain);
+  const std::string remedy = remedy_against_gain(simulation.model());
+  if (gain >= ruinous_gain)
+    return {Status::gained_energy,
+            fmt::format("{}; most of the motion is that of {}; take {}", added,
+                        named_with_places(simulation.model(), liveliest_blocks(simulation)), remedy)};
+  const double residual = std::abs(energy.relative_residual());
+  if (!(residual <= tolerated_residual))
+    return {Status::inaccurate,
+            fmt::format("the energies do not add up: {:.2g} of the largest is missing, {:g} is allowed; springs far "
+                        "stiffer than their blocks, or a dt far too long for them, take the digits of a solve",
+                        residual, tolerated_residual)};
+  if (gain >= tolerated_gain) return {Status::ok, fmt::format("warning: {}; take {}", added, remedy)};
+  return {};
+}
+
+}  // namespace dda

@@ -1,0 +1,189 @@
+#include "engine/model/step_choice.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/geometry/box.h"
+
+namespace dda {
+namespace {
+
+constexpr double wave_error = 0.002;
+constexpr double motion_share = 0.01;    // of its size that a block may move in a step
+constexpr double transit_share = 0.5;    // of the time of a wave through a block, where nothing else limits dt
+constexpr double least_transits = 0.05;  // through a block in a step
+constexpr double fewest_steps = 100;     // in a stage
+constexpr double small_rock = 0.05;      // share of the rock whose blocks are not asked
+
+struct Limit {
+  double dt = std::numeric_limits<double>::infinity();  // s
+  std::string reason;
+};
+
+void tighten(Limit& limit, double dt, std::string reason) {
+  if (dt < limit.dt) limit = {dt, std::move(reason)};
+}
+
+const Material& rock_of(const Model& model, const Block& block) {
+  return model.materials[static_cast<std::size_t>(block.material)];
+}
+
+double bar_speed(const Material& rock) { return std::sqrt(rock.young / rock.density); }
+
+std::vector<const Block*> moving_blocks(const Model& model) {
+  std::vector<const Block*> blocks;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    if (!model.is_held(static_cast<int>(i))) blocks.push_back(&model.blocks[i]);
+  return blocks;
+}
+
+// The size that 5 % of the rock is smaller than.
+template <typename Size>
+double typical(const std::vector<const Block*>& blocks, const Size& size) {
+  std::vector<std::pair<double, double>> sizes;  // and areas
+  double rock = 0;
+  for (const Block* block : blocks) {
+    sizes.emplace_back(size(*block), block->moments.area);
+    rock += block->moments.area;
+  }
+  std::ranges::sort(sizes);
+  double smaller = 0;
+  for (const auto& [value, area] : sizes)
+    if ((smaller += area) >= small_rock * rock) return value;
+  return sizes.empty() ? 0 : sizes.back().first;
+}
+
+double side_of(const Block& block) { return std::sqrt(block.moments.area); }
+
+double diagonal_of(const Model& model) {
+  Box box;
+  for (const Block& block : model.blocks) {
+    const Box own = bounding_box(block.shape);
+    box = expanded(expanded(box, own.lower), own.upper);
+  }
+  return (box.upper - box.lower).norm();
+}
+
+// Hz, of the fastest change of a history, taken for a quarter of a period; none of one that does not change.
+std::optional<double> highest_frequency(const TimeFunction& history) {
+  if (const auto* sine = std::get_if<SineCycles>(&history)) return sine->frequency;
+  if (const auto* decay = std::get_if<ExponentialDecay>(&history))
+    return 0.25 / (decay->rise > 0 ? std::min(decay->rise, decay->decay_time) : decay->decay_time);
+  const auto* table = std::get_if<PiecewiseLinear>(&history);
+  if (table == nullptr) return std::nullopt;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < table->times.size(); ++i)
+    if (table->values[i] != table->values[i - 1]) shortest = std::min(shortest, table->times[i] - table->times[i - 1]);
+  return std::isfinite(shortest) ? std::optional(0.25 / shortest) : std::nullopt;
+}
+
+std::vector<const TimeFunction*> histories_of(const Model& model) {
+  std::vector<const TimeFunction*> histories;
+  for (const auto& load : model.point_loads) histories.push_back(&load.history);
+  for (const auto& load : model.edge_loads) histories.push_back(&load.history);
+  for (const auto& support : model.supports) histories.push_back(&support.history);
+  for (const auto& held : model.held_blocks) histories.push_back(&held.history);
+  return histories;
+}
+
+double dt_for_wave(const Model& model, const Integrator& integrator, double frequency) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Block& block : model.blocks) slowest = std::min(slowest, bar_speed(rock_of(model, block)));
+  const double periods = std::max(1.0, diagonal_of(model) * frequency / slowest);
+  const auto is_good = [&](double theta) {
+    const StepErrors errors = step_errors(integrator, theta);
+    return std::max(std::abs(errors.speed), periods * std::abs(errors.amplitude)) <= wave_error;
+  };
+  double theta = 1;  // six steps a period at most
+  for (int i = 0; i < 40 && !is_good(theta); ++i) theta /= std::numbers::sqrt2;
+  return theta / (2 * std::numbers::pi * frequency);
+}
+
+void limit_by_waves(const Model& model, const Stage& stage, Limit& limit) {
+  double highest = model.target_frequency.value_or(0);
+  for (const TimeFunction* history : histories_of(model)) {
+    if (!model.target_frequency) highest = std::max(highest, highest_frequency(*history).value_or(0));
+    if (const auto* record = std::get_if<Recorded>(history))
+      tighten(limit, record->recording->mean_interval(), "the interval of a recording's samples");
+  }
+  if (highest > 0)
+    tighten(limit, dt_for_wave(model, stage.integrator, highest), fmt::format("waves of {:.3g} Hz", highest));
+}
+
+void limit_by_motion(const Model& model, const std::vector<const Block*>& blocks, Limit& limit) {
+  const double size = typical(blocks, side_of);
+  const double g = model.gravity.norm();
+  if (g > 0) tighten(limit, motion_share * std::sqrt(size / g), fmt::format("blocks of {:.3g} m that fall", size));
+  double fastest = 0;
+  for (const Block* block : blocks) {
+    const Material& rock = rock_of(model, *block);
+    const double pushed = model.expected_pressure / (rock.density * bar_speed(rock));
+    fastest =
+        std::max({fastest, block->initial_velocity.norm(), std::abs(block->initial_spin) * side_of(*block), pushed});
+  }
+  if (fastest > 0)
+    tighten(limit, motion_share * size / fastest, fmt::format("blocks of {:.3g} m at {:.3g} m/s", size, fastest));
+}
+
+bool blocks_can_part(const Model& model) {
+  return model.joints.empty() ||
+         !std::ranges::all_of(model.joints, [](const JointMaterial& joint) { return joint.bonded; });
+}
+
+double rounded_down(double dt) {
+  const double power = std::pow(10, std::floor(std::log10(dt)));
+  for (const double digit : {5.0, 2.0})
+    if (dt >= digit * power * (1 - 1e-12)) return digit * power;
+  return power;
+}
+
+void choose(const Model& model, Stage& stage) {
+  const std::vector<const Block*> blocks = moving_blocks(model);
+  const double transit =
+      typical(blocks, [&](const Block& block) { return side_of(block) / bar_speed(rock_of(model, block)); });
+  Limit limit;
+  limit_by_waves(model, stage, limit);
+  if (blocks_can_part(model)) limit_by_motion(model, blocks, limit);
+  if (!std::isfinite(limit.dt)) tighten(limit, transit_share * transit, "half the time of a wave through a block");
+  if (limit.dt < least_transits * transit)
+    limit = {least_transits * transit, "a twentieth of the time of a wave through a block, the least"};
+  tighten(limit, stage.duration / fewest_steps, fmt::format("{} steps in the stage, the fewest", fewest_steps));
+  stage.dt = rounded_down(limit.dt);
+  stage.dt_reason = limit.reason;
+}
+
+}  // namespace
+
+// Rows: x1, dt v1, dt^2 a1 by x0, dt v0, dt^2 a0.
+StepErrors step_errors(const Integrator& i, double theta) {
+  const double own = 1 - i.alpha_m + theta * theta * (1 - i.alpha_f) * i.beta;
+  const double old = -theta * theta / own;
+  const Eigen::RowVector3d acceleration(old, old * (1 - i.alpha_f),
+                                        old * (1 - i.alpha_f) * (0.5 - i.beta) - i.alpha_m / own);
+  Eigen::Matrix3d step;
+  step.row(2) = acceleration;
+  step.row(0) = Eigen::RowVector3d(1, 1, 0.5 - i.beta) + i.beta * acceleration;
+  step.row(1) = Eigen::RowVector3d(0, 1, 1 - i.gamma) + i.gamma * acceleration;
+  const std::complex<double> exact = std::polar(1.0, theta);
+  std::complex<double> nearest = 0;
+  for (const std::complex<double>& value : Eigen::EigenSolver<Eigen::Matrix3d>(step, false).eigenvalues())
+    if (std::abs(value - exact) < std::abs(nearest - exact)) nearest = value;
+  return {std::arg(nearest) / theta - 1, 1 - std::pow(std::abs(nearest), 2 * std::numbers::pi / theta)};
+}
+
+void choose_time_steps(Model& model) {
+  for (Stage& stage : model.stages)
+    if (stage.automatic_dt && stage.dt == 0) choose(model, stage);
+}
+
+}  // namespace dda

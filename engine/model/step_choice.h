@@ -1,0 +1,35 @@
+// The time step of dynamic stages that leave it to the engine ("dt": "auto").
+//
+// Chosen once for a stage, from the model alone, as the smallest of what follows, rounded down to 1, 2 or 5 times a
+// power of ten; what happens within a step (contacts that do not settle, blocks that turn far) is the halving of steps'
+// to mend.
+//
+//   waves     time steps may change speed and amplitude of a wave of the highest frequency of loads and prescribed
+//             motions (or of `target_frequency`) by 0.2 % on its way across the scene, by the integrator's own
+//             amplification of an oscillator
+//   records   no longer than the interval of a recording's samples
+//   fall      where blocks can part: 1 % of the time sqrt(size/g) in which a block topples or falls by its size
+//   flight    where blocks can part: 1 % of the time in which the fastest block flies its size; blocks start with their
+//             initial velocity, or are set moving by the pressure at hand, at p/(rho c)
+//   transit   where none of these says anything: half the time of a wave through a block
+//
+// at least a twentieth of the time of a wave through a block, and at least 100 steps a stage. `size` is the side of the
+// square of a block's area; blocks smaller than it make up 5 % of the rock, so that a sliver slows no scene down.
+#pragma once
+
+#include "engine/model/model.h"
+
+namespace dda {
+
+struct StepErrors {
+  double speed = 0;      // relative, of a wave with continuous blocks: the period error's opposite
+  double amplitude = 0;  // lost in one period, relative
+};
+
+// The errors of an oscillator stepped at theta = 2 pi dt/period.
+StepErrors step_errors(const Integrator& integrator, double theta);
+
+// Sets dt and dt_reason of stages with automatic_dt.
+void choose_time_steps(Model& model);
+
+}  // namespace dda

@@ -1,0 +1,121 @@
+#include "engine/model/step_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dda {
+namespace {
+
+// What `steps` steps of u'' = -omega^2 u make of u = 1, u' = 0, without the eigenvalues.
+double stepped(const Integrator& i, double theta, int steps) {
+  double u = 1;
+  double v = 0;               // times dt
+  double a = -theta * theta;  // times dt^2
+  for (int n = 0; n < steps; ++n) {
+    const double ahead = u + v + (0.5 - i.beta) * a;
+    const double force = -theta * theta * ((1 - i.alpha_f) * ahead + i.alpha_f * u) - i.alpha_m * a;
+    const double next = force / (1 - i.alpha_m + theta * theta * (1 - i.alpha_f) * i.beta);
+    u = ahead + i.beta * next;
+    v += (1 - i.gamma) * a + i.gamma * next;
+    a = next;
+  }
+  return u;
+}
+
+TEST(StepErrors, AreThoseOfAnOscillatorStepped) {
+  for (const Integrator& integrator : {thesis_integrator(), trapezoidal_integrator(), hht_integrator(0.2),
+                                       generalized_alpha_integrator(0.85), generalized_alpha_integrator(0)}) {
+    constexpr int steps_a_period = 40;
+    constexpr int periods = 5;
+    const double theta = 2 * std::numbers::pi / steps_a_period;
+    const StepErrors errors = step_errors(integrator, theta);
+    const double faded = std::pow(1 - errors.amplitude, periods);
+    const double phase = 2 * std::numbers::pi * periods * (1 + errors.speed);
+    // The other roots, and the phase at the start, are of second order in theta.
+    EXPECT_NEAR(stepped(integrator, theta, steps_a_period * periods), faded * std::cos(phase), theta * theta)
+        << integrator.name;
+  }
+}
+
+// Leading orders, Newmark (1959): the trapezoidal rule is slow by theta^2/12 and keeps amplitudes; Eq. 5 loses
+// exp(-theta/4) a step's angle, pi theta/2 a period.
+TEST(StepErrors, HaveTheLeadingOrdersOfTheory) {
+  constexpr double theta = 1e-2;
+  EXPECT_NEAR(step_errors(trapezoidal_integrator(), theta).speed, -theta * theta / 12, 1e-9);
+  EXPECT_NEAR(step_errors(trapezoidal_integrator(), theta).amplitude, 0, 1e-12);
+  EXPECT_NEAR(step_errors(thesis_integrator(), theta).amplitude, std::numbers::pi * theta / 2, theta * theta * 2);
+}
+
+Block square(double left, double side) {
+  Block block;
+  block.shape.outer = {{left, 0}, {left + side, 0}, {left + side, side}, {left, side}};
+  return block;
+}
+
+Model row_of_squares(bool bonded) {
+  Model model;
+  model.materials = {{"rock", 2500, 10e9, 0.2, PlaneState::stress}};  // 2000 m/s
+  model.joints = {JointMaterial{}};
+  model.joints[0].bonded = bonded;
+  for (int i = 0; i < 10; ++i) model.blocks.push_back(square(i, 1));
+  Stage stage;
+  stage.duration = 1;
+  stage.integrator = generalized_alpha_integrator(bonded ? 0.85 : 0);
+  stage.automatic_dt = true;
+  model.stages = {stage};
+  return model;
+}
+
+double chosen(Model model) {
+  finish_model(model);
+  EXPECT_FALSE(model.stages[0].dt_reason.empty());
+  return model.stages[0].dt;
+}
+
+TEST(StepChoice, OfBlocksThatFallFollowsTheirSize) {
+  Model model = row_of_squares(false);
+  model.gravity = {0, -9.81};
+  EXPECT_EQ(chosen(model), 2e-3);            // 0.01 sqrt(1/9.81) = 3.2 ms
+  model.blocks.push_back(square(10, 1e-3));  // a sliver changes nothing
+  EXPECT_EQ(chosen(model), 2e-3);
+  for (Block& block : model.blocks) block.initial_velocity = {0, 50};
+  EXPECT_EQ(chosen(model), 2e-4);  // 0.01 * 1 m / 50 m/s, to the last digit
+}
+
+TEST(StepChoice, OfWavesFollowsTheFrequencyAndTheIntegrator) {
+  Model model = row_of_squares(true);
+  EXPECT_EQ(chosen(model), 2e-4);  // half of 1 m / (2000 m/s) = 250 us
+  model.edge_loads = {{0, {0, 0}, {0, 1}, {1e6, 0}, SineCycles{100, 1, 0}}};
+  const double accurate = chosen(model);
+  const StepErrors errors = step_errors(model.stages[0].integrator, 2 * std::numbers::pi * 100 * accurate);
+  EXPECT_LE(std::abs(errors.speed), 0.002);
+  EXPECT_LE(std::abs(errors.amplitude), 0.002);
+  model.stages[0].integrator = thesis_integrator();  // of first order
+  EXPECT_LT(chosen(model), accurate / 2);
+  model.stages[0].integrator = trapezoidal_integrator();
+  const double slow = chosen(model);
+  model.target_frequency = 200;
+  EXPECT_NEAR(chosen(model) / slow, 0.5, 0.11);  // but for the rounding to 1, 2 and 5
+}
+
+TEST(StepChoice, StaysWithinItsBounds) {
+  Model model = row_of_squares(true);
+  model.edge_loads = {{0, {0, 0}, {0, 1}, {1e6, 0}, SineCycles{1e9, 1, 0}}};
+  EXPECT_EQ(chosen(model), 2e-5);  // a twentieth of 500 us
+  model.edge_loads[0].history = SineCycles{1e-3, 1, 0};
+  EXPECT_EQ(chosen(model), 1e-2);  // a hundredth of the stage
+}
+
+TEST(StepChoice, LeavesStatedStepsAlone) {
+  Model model = row_of_squares(true);
+  model.stages[0].automatic_dt = false;
+  model.stages[0].dt = 0.123;
+  finish_model(model);
+  EXPECT_EQ(model.stages[0].dt, 0.123);
+  EXPECT_EQ(model.stages[0].dt_reason, "");
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,60 @@
+#include "engine/simulation/settling_pace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/geometry/box.h"
+
+namespace dda {
+namespace {
+
+// In transit times.
+constexpr double longest = 1e2;
+constexpr double first_with_friction = 1;
+constexpr double shortest = 1e-4;
+
+constexpr double growth = 8;
+constexpr double shrinking = 8;
+
+// Steps that took more passes than this are long enough.
+constexpr std::int64_t easy = 30;
+
+double transit_time(const Model& model) {
+  Box box;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Block& block : model.blocks) {
+    const Box own = bounding_box(block.shape);
+    box = expanded(expanded(box, own.lower), own.upper);
+    const Material& rock = model.materials[static_cast<std::size_t>(block.material)];
+    slowest = std::min(slowest, std::sqrt(rock.young / rock.density));
+  }
+  return (box.upper - box.lower).norm() / slowest;
+}
+
+}  // namespace
+
+double first_step(const Model& model, const Stage& stage, bool contacts_can_change) {
+  if (!stage.paces_itself()) return stage.dt;
+  const bool is_convex = stage.unlimited_strength || !contacts_can_change;
+  return (is_convex ? longest : first_with_friction) * transit_time(model);
+}
+
+void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change) {
+  transit_ = transit_time(model);
+  dt_ = first_step(model, stage, contacts_can_change);
+}
+
+void SettlingPace::settled(std::int64_t passes) {
+  if (passes <= easy) dt_ = std::min(growth * dt_, longest * transit_);
+}
+
+bool SettlingPace::shorten() {
+  if (is_shortest()) return false;
+  dt_ = std::max(dt_ / shrinking, shortest * transit_);
+  return true;
+}
+
+bool SettlingPace::is_shortest() const { return dt_ <= shortest * transit_; }
+
+}  // namespace dda

@@ -1,0 +1,58 @@
+// How long the steps of a static stage are that has no dt of the user's.
+//
+// A static step solves (c_m M + K) d = forces out of balance, c_m = 2/dt^2: the longer it is, the nearer it comes to
+// equilibrium, and the more contacts change in it. Unit of all lengths is the transit time T of the scene, its diagonal
+// over the slowest speed sqrt(E/rho) of its rock: the slowest mode of closely joined blocks has a period of some T, so
+// a step of r T divides what is out of balance by about (pi r)^2/2. Where contacts cannot slide a step is a convex
+// problem (or a linear one), which is solved at any length: steps begin long. With friction they begin short, grow as
+// the open-close iteration settles easily, and shrink where it does not.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/counters.h"
+#include "engine/core/status.h"
+#include "engine/model/model.h"
+
+namespace dda {
+
+// s, of the first step that a stage tries: its dt, or its own pace. `contacts_can_change`: some joint can open or
+// slide.
+double first_step(const Model& model, const Stage& stage, bool contacts_can_change);
+
+class SettlingPace {
+ public:
+  // Begins a stage that paces itself.
+  void begin(const Model& model, const Stage& stage, bool contacts_can_change);
+
+  [[nodiscard]] double dt() const { return dt_; }  // s, of the next step
+
+  // Takes a step as long as it can be, by `advance(dt)`.
+  template <typename Advance>
+  [[nodiscard]] Status step(const Counters& counters, const Advance& advance) {
+    while (true) {
+      const std::int64_t passes_before = counters.open_close_iterations;
+      const Status status = advance(dt_);
+      if (status == Status::ok) settled(counters.open_close_iterations - passes_before);
+      if (status != Status::not_converged || !shorten()) return status;
+    }
+  }
+
+  // A step of dt() settled in that many passes of the open-close iteration.
+  void settled(std::int64_t passes);
+  // One did not; false when there is no shorter one to try.
+  [[nodiscard]] bool shorten();
+  [[nodiscard]] bool is_shortest() const;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [transit, dt] = self;
+    archive(transit, dt);
+  }
+
+ private:
+  double transit_ = 0;  // s
+  double dt_ = 0;       // s
+};
+
+}  // namespace dda

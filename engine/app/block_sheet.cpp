@@ -40,6 +40,35 @@ void BlockSheet::append_block(const Polygon& shape, SvgPath& path) const {
   for (const Ring& hole : shape.holes) append_ring(hole, *this, path);
 }
 
+Box BlockSheet::box_around(const Model& model) {
+  Box box;
+  for (const Block& block : model.blocks) {
+    const Box own = bounding_box(block.shape);
+    box = expanded(expanded(box, own.lower), own.upper);
+  }
+  return box;
+}
+
+void BlockSheet::draw_blocks(const SvgPath& blocks, std::string_view fill) {
+  if (!blocks.empty())
+    add("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#c3cad1\" stroke-width=\"0.5\"/>\n", blocks.text(),
+        fill);
+}
+
+void BlockSheet::draw_arrow(const Vec2& start, const Vec2& way, double length) {
+  const Vec2 along(way.x(), -way.y());
+  const Vec2 barb(-along.y(), along.x());
+  const Vec2 foot = place_of(start);
+  const Vec2 tip = foot + length * along;
+  SvgPath arrow;
+  arrow.move_to(foot);
+  arrow.line_to(tip);
+  arrow.move_to(tip - 0.3 * length * along + 0.2 * length * barb);
+  arrow.line_to(tip);
+  arrow.line_to(tip - 0.3 * length * along - 0.2 * length * barb);
+  add("<path d=\"{}\" fill=\"none\" stroke=\"#1a2129\" stroke-width=\"1.5\"/>\n", arrow.text());
+}
+
 void BlockSheet::add_area_to_key(std::string_view fill, std::string_view text) {
   add("<rect x=\"{}\" y=\"{:.1f}\" width=\"24\" height=\"14\" fill=\"{}\" stroke=\"#8a96a3\"/>", margin, next_line_,
       fill);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/geometry/box.h"
+#include "engine/model/model.h"
 #include "engine/view/svg_path.h"
 
 namespace dda {
@@ -18,6 +19,7 @@ class BlockSheet {
  public:
   // `blocks` (m) is the box around all that will be drawn.
   explicit BlockSheet(const Box& blocks);
+  explicit BlockSheet(const Model& model) : BlockSheet(box_around(model)) {}
 
   [[nodiscard]] double scale() const { return scale_; }  // px per m
   [[nodiscard]] Vec2 place_of(const Vec2& point) const;  // px, y downwards
@@ -29,6 +31,10 @@ class BlockSheet {
     fmt::format_to(std::back_inserter(content_), format, std::forward<Values>(values)...);
   }
 
+  void draw_blocks(const SvgPath& blocks, std::string_view fill);
+  // From `start` (m) along the unit vector `way`, `length` px long.
+  void draw_arrow(const Vec2& start, const Vec2& way, double length);
+
   // Lines of the key, from above. `text` may hold any characters.
   void add_area_to_key(std::string_view fill, std::string_view text);
   void add_line_to_key(std::string_view stroke, std::string_view text);
@@ -37,6 +43,7 @@ class BlockSheet {
   [[nodiscard]] std::string text(double width_of_key) const;
 
  private:
+  [[nodiscard]] static Box box_around(const Model& model);
   void add_text_to_key(std::string_view text);
 
   Box box_;

@@ -13,6 +13,7 @@
 
 #include "engine/app/advise_command.h"
 #include "engine/app/cut_command.h"
+#include "engine/app/fos_command.h"
 #include "engine/app/keyblocks_command.h"
 #include "engine/app/run_command.h"
 #include "engine/app/scene_report.h"
@@ -34,6 +35,7 @@ constexpr auto program_details =
     "  dda cut tunnel.json --out blocks      cut its rock into blocks: a scene of polygons, figures, a picture\n"
     "  dda cut plan.dxf --out blocks         the same from a drawing\n"
     "  dda keyblocks slope.json              which blocks can come out, and what holds them\n"
+    "  dda fos slope.json                    by how much its joints are stronger than they need be\n"
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
     "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda run --help                        more on a command\n\n"
@@ -162,6 +164,7 @@ struct Arguments {
   CutRequest cut;
   ViewOptions view;
   KeyBlocksRequest key_blocks;
+  FosRequest fos;
 };
 
 void add_check(CLI::App& app, Arguments& arguments) {
@@ -308,7 +311,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
   if (unknown_command)
     return "the command is \"" + std::string(argv[1]) +
-           "\", expected check, advise, cut, keyblocks, run, view or schema";
+           "\", expected check, advise, cut, keyblocks, fos, run, view or schema";
   return error.what();
 }
 
@@ -329,6 +332,10 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
   }
   if (app.got_subcommand("keyblocks")) {
     find_key_blocks(arguments.key_blocks, out);
+    return 0;
+  }
+  if (app.got_subcommand("fos")) {
+    find_factor_of_safety(arguments.fos, out, errors);
     return 0;
   }
   if (app.got_subcommand("run")) return run(arguments, out, errors);
@@ -353,6 +360,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   add_advise(app, arguments);
   add_cut(app, arguments);
   add_keyblocks(app, arguments.key_blocks);
+  add_fos(app, arguments.fos);
   add_run(app, arguments);
   add_view(app, arguments);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);

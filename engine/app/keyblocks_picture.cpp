@@ -23,15 +23,6 @@ constexpr std::array<Look, kinds> looks{{{"#e2725b", "I: key block, moves unless
                                          {"#e9e9e6", "without a free face that was asked for, or held"},
                                          {"#ffffff", "taken out"}}};
 
-Box box_around(const Model& model) {
-  Box box;
-  for (const Block& block : model.blocks) {
-    const Box own = bounding_box(block.shape);
-    box = expanded(expanded(box, own.lower), own.upper);
-  }
-  return box;
-}
-
 std::vector<Kind> kinds_of_blocks(const KeyBlockReport& report, const KeyBlockQuestion& question) {
   std::vector<Kind> kind_of(question.is_void.size(), other);
   for (std::size_t block = 0; block < kind_of.size(); ++block) {
@@ -47,11 +38,7 @@ void draw_blocks(const Model& model, const std::vector<Kind>& kind_of, BlockShee
   std::array<SvgPath, kinds> paths;
   for (std::size_t block = 0; block < kind_of.size(); ++block)
     sheet.append_block(model.blocks[block].shape, paths[kind_of[block]]);
-  for (std::size_t kind = 0; kind < kinds; ++kind) {
-    if (!paths[kind].empty())
-      sheet.add("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#c3cad1\" stroke-width=\"0.5\"/>\n",
-                paths[kind].text(), looks[kind].fill);
-  }
+  for (std::size_t kind = 0; kind < kinds; ++kind) sheet.draw_blocks(paths[kind], looks[kind].fill);
 }
 
 // The outlines of the bodies asked for: thin where they touch others, thick where they are free.
@@ -70,17 +57,8 @@ void draw_outlines(const KeyBlockReport& report, BlockSheet& sheet) {
 void draw_way(const KeyBlock& block, BlockSheet& sheet) {
   if (block.motion.direction == Vec2::Zero()) return;
   const double length = std::clamp(sheet.scale() * std::sqrt(block.body.area) / 2, 8.0, 40.0);  // px
-  const Vec2 way(block.motion.direction.x(), -block.motion.direction.y());
+  sheet.draw_arrow(block.body.centroid, block.motion.direction, length);
   const Vec2 start = sheet.place_of(block.body.centroid);
-  const Vec2 tip = start + length * way;
-  const Vec2 barb(-way.y(), way.x());
-  SvgPath arrow;
-  arrow.move_to(start);
-  arrow.line_to(tip);
-  arrow.move_to(tip - 0.3 * length * way + 0.2 * length * barb);
-  arrow.line_to(tip);
-  arrow.line_to(tip - 0.3 * length * way - 0.2 * length * barb);
-  sheet.add("<path d=\"{}\" fill=\"none\" stroke=\"#1a2129\" stroke-width=\"1.5\"/>\n", arrow.text());
   sheet.add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" text-anchor=\"middle\">{:.2f}</text>\n", start.x(),
             start.y() - 4, block.motion.factor_of_safety);
 }
@@ -88,7 +66,7 @@ void draw_way(const KeyBlock& block, BlockSheet& sheet) {
 }  // namespace
 
 std::string keyblocks_picture(const KeyBlockReport& report, const KeyBlockQuestion& question, const Model& model) {
-  BlockSheet sheet(box_around(model));
+  BlockSheet sheet(model);
   draw_blocks(model, kinds_of_blocks(report, question), sheet);
   draw_outlines(report, sheet);
   for (const KeyBlock& block : report.blocks) draw_way(block, sheet);

@@ -1,0 +1,55 @@
+// `dda fos` as from a shell.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/app/command_line_test_support.h"
+
+namespace dda {
+namespace {
+
+// A box of 2 x 1 m on a held slope of 1 in 2, turned so that the slope is the x axis and gravity leans.
+const std::string leaning_box = R"({"dda": 1, "gravity": [-4.0, -8.0],
+ "materials": {"rock": {"density": 2600, "young": 1e10, "poisson": 0.2}},
+ "joints": {"default": {"friction_angle": "45 deg"}},
+ "blocks": [{"polygon": {"name": "ground", "vertices": [[-2, -1], [4, -1], [4, 0], [-2, 0]]}},
+            {"polygon": {"name": "box", "vertices": [[0, 0], [2, 0], [2, 1], [0, 1]]}}],
+ "fixed": ["ground"], "steps": {"dt": 1e-3, "duration": 1}})";
+
+class FosCommand : public CommandLine {};
+
+TEST_F(FosCommand, FindsTheFactorAndWhatMoves) {
+  write("scene.json", leaning_box);
+  const Outcome outcome = call({"fos", path("scene.json"), "--width", "0.001", "--out", path("out")});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.out, "factor of safety 2.00")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "box moves towards 180.0 deg") ||
+              contains(outcome.out, "box moves towards -180.0 deg"))
+      << outcome.out;
+  EXPECT_TRUE(contains(outcome.errors, "strength over 1: stands")) << outcome.errors;
+  const nlohmann::json report = nlohmann::json::parse(text("out/fos.json"));
+  EXPECT_NEAR(report["factor_of_safety"].get<double>(), 2, 0.002);
+  EXPECT_LE(report["stands_at"], 2);
+  EXPECT_GE(report["fails_at"], 2);
+  EXPECT_EQ(report["moving_blocks"].size(), 1U);
+  EXPECT_TRUE(contains(text("out/fos.svg"), "</svg>"));
+}
+
+TEST_F(FosCommand, FindsTheSameEveryTime) {
+  write("scene.json", leaning_box);
+  ASSERT_EQ(call({"fos", path("scene.json"), "--out", path("one")}).code, 0);
+  ASSERT_EQ(call({"fos", path("scene.json"), "--out", path("two")}).code, 0);
+  EXPECT_EQ(text("one/fos.json"), text("two/fos.json"));
+}
+
+TEST_F(FosCommand, RefusesWhatIsWrongBeforeItWritesAnything) {
+  write("scene.json", leaning_box);
+  expect_refusal({"fos", path("none.json")}, "the scene file is missing");
+  expect_refusal({"fos", path("scene.json"), "--width", "0", "--out", path("out")}, "--width is 0, expected");
+  expect_refusal({"fos", path("scene.json"), "--most", "nan", "--out", path("out")}, "--most is nan, expected");
+  expect_refusal({"fos", path("scene.json"), "--out", path("scene.json")}, "which is a file");
+  EXPECT_EQ(files_below(".").size(), 1U);
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,44 @@
+// The factor by which the strength of all joints can be divided until the rock no longer stands.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/safety/standing.h"
+
+namespace dda {
+
+struct SafetyQuestion {
+  double time = 0;       // s, at which loads and prescribed motions are taken
+  double most = 64;      // the factor is looked for between 1/most and this
+  double width = 0.005;  // of the interval in which it lies, as a share of the factor
+};
+
+// One run of the search.
+struct SafetyTrial {
+  double factor = 1;
+  bool stands = false;
+  Status status = Status::ok;
+  std::string reason;
+  double largest_movement = 0;  // in sizes of the block
+};
+
+struct SafetyReport {
+  double stands = 0;                // the greatest factor at which the rock was seen to stand; 0: none
+  double fails = 0;                 // the least one above that at which it was not; 0: none up to `most`
+  std::vector<SafetyTrial> trials;  // in the order of the search
+  Standing failure;                 // of the rock at `fails`; at 1/most where it stands at none
+
+  [[nodiscard]] bool is_bracketed() const { return stands > 0 && fails > 0; }
+  // The middle of the interval, by ratio.
+  [[nodiscard]] double factor() const;
+};
+
+// Doubles or halves the factor until it is bracketed, and then parts the interval in three equal ratios, by two runs on
+// two threads. What is found does not depend on how many threads there are. `progress` is called after every run, by
+// one thread at a time.
+[[nodiscard]] SafetyReport factor_of_safety(const Model& model, const SafetyQuestion& question,
+                                            const std::function<void(const SafetyTrial&)>& progress = {});
+
+}  // namespace dda

@@ -1,0 +1,123 @@
+#include "engine/safety/factor_of_safety.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "engine/safety/reduced_strength.h"
+
+namespace dda {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double width = 0.005;  // of the interval that the search ends with
+
+Ring turned(Ring ring, double angle) {
+  for (Vec2& vertex : ring) vertex = Eigen::Rotation2Dd(angle) * vertex;
+  return ring;
+}
+
+// Boxes 1 m high and 2 m long, side by side on a held slope, from below upwards. Material k + 1 is that of box k.
+Model boxes_on_slope(double slope, const std::vector<double>& frictions) {
+  Model model;
+  model.materials = {{"slope", 2600, 20e9, 0.2, PlaneState::stress}};
+  model.joints = {JointMaterial{}};
+  const double length = 2.0 * static_cast<double>(frictions.size());
+  model.blocks.emplace_back().shape.outer = turned({{-1, -1}, {length + 1, -1}, {length + 1, 0}, {-1, 0}}, slope);
+  model.held_blocks.emplace_back().block = 0;
+  for (std::size_t k = 0; k < frictions.size(); ++k) {
+    const double left = 2.0 * static_cast<double>(k);
+    Block& box = model.blocks.emplace_back();
+    box.shape.outer = turned({{left, 0}, {left + 2, 0}, {left + 2, 1}, {left, 1}}, slope);
+    JointMaterial joint;
+    joint.name = "base " + std::to_string(k);
+    joint.friction_angle = frictions[k];
+    model.joints.push_back(joint);
+    model.joint_of_block_pair[{0, static_cast<int>(k) + 1}] = static_cast<int>(k) + 1;
+  }
+  model.gravity = {0, -9.81};
+  return model;
+}
+
+TEST(FactorOfSafety, PlaneFailure) {
+  for (const double slope : {20.0, 35.0}) {
+    const SafetyReport report = factor_of_safety(boxes_on_slope(slope * degree, {40 * degree}), {});
+    ASSERT_TRUE(report.is_bracketed());
+    const double exact = std::tan(40 * degree) / std::tan(slope * degree);
+    EXPECT_LE(report.stands, exact);
+    EXPECT_GE(report.fails, exact);
+    EXPECT_NEAR(report.factor() / exact, 1, width);
+    EXPECT_FALSE(report.failure.reason.empty());
+  }
+}
+
+// c A + W cos(a) tan(f) over W sin(a), where the joint keeps its cohesion as it slides. A joint that loses it fails
+// earlier: its lower end carries more, and goes first.
+TEST(FactorOfSafety, PlaneFailureWithCohesion) {
+  Model model = boxes_on_slope(40 * degree, {30 * degree});
+  model.joints[1].cohesion = 15e3;
+  model.joints[1].residual_cohesion = 15e3;
+  const double weight = 2 * 2600 * 9.81;
+  const double exact =
+      (15e3 * 2 + weight * std::cos(40 * degree) * std::tan(30 * degree)) / (weight * std::sin(40 * degree));
+  const SafetyReport ductile = factor_of_safety(model, {});
+  ASSERT_TRUE(ductile.is_bracketed());
+  EXPECT_NEAR(ductile.factor() / exact, 1, width);
+  model.joints[1].residual_cohesion = 0;
+  const SafetyReport brittle = factor_of_safety(model, {});
+  ASSERT_TRUE(brittle.is_bracketed());
+  EXPECT_LT(brittle.fails, 0.95 * exact);
+}
+
+// The upper box leans on the lower one, which has friction to spare: both go when their frictions together do not hold
+// their weights.
+TEST(FactorOfSafety, BoxesThatLeanOnEachOther) {
+  const double slope = 25 * degree;
+  const SafetyReport report = factor_of_safety(boxes_on_slope(slope, {45 * degree, 20 * degree}), {});
+  const double exact = (std::tan(45 * degree) + std::tan(20 * degree)) / 2 / std::tan(slope);
+  ASSERT_TRUE(report.is_bracketed());
+  EXPECT_NEAR(report.factor() / exact, 1, width);
+  for (const std::size_t box : {std::size_t{1}, std::size_t{2}}) EXPECT_GT(report.failure.movement[box].norm(), 1e-3);
+}
+
+TEST(FactorOfSafety, LevelGroundHasNone) {
+  const SafetyReport report = factor_of_safety(boxes_on_slope(0, {20 * degree}), {.most = 8});
+  EXPECT_EQ(report.stands, 8);
+  EXPECT_EQ(report.fails, 0);
+}
+
+TEST(FactorOfSafety, WhatNothingHoldsStandsAtNoStrength) {
+  Model model = boxes_on_slope(0, {20 * degree});
+  for (Vec2& vertex : model.blocks[1].shape.outer) vertex.x() += 100;
+  const SafetyReport report = factor_of_safety(model, {});
+  EXPECT_EQ(report.stands, 0);
+  EXPECT_EQ(report.trials.size(), 1U);
+  EXPECT_FALSE(report.failure.is_loaded);
+  EXPECT_NE(report.failure.reason.find("nothing holds"), std::string::npos);
+}
+
+TEST(FactorOfSafety, ReducesEveryStrengthButNotThatOfIntactRock) {
+  Model model = boxes_on_slope(0, {45 * degree});
+  JointMaterial& joint = model.joints[1];
+  joint.residual_friction_angle = 45 * degree;
+  joint.cohesion = 4;
+  joint.residual_cohesion = 2;
+  joint.tensile_strength = 6;
+  joint.dilation_angle = 45 * degree;
+  model.joints[0].bonded = true;
+  model.joints[0].cohesion = 8;
+  const Model half = with_strength_over(2, model);
+  const double angle = std::atan(0.5);
+  EXPECT_DOUBLE_EQ(half.joints[1].friction_angle, angle);
+  EXPECT_DOUBLE_EQ(*half.joints[1].residual_friction_angle, angle);
+  EXPECT_DOUBLE_EQ(half.joints[1].dilation_angle, angle);
+  EXPECT_EQ(half.joints[1].cohesion, 2);
+  EXPECT_EQ(half.joints[1].residual_cohesion, 1);
+  EXPECT_EQ(half.joints[1].tensile_strength, 3);
+  EXPECT_EQ(half.joints[0].cohesion, 8);
+}
+
+}  // namespace
+}  // namespace dda

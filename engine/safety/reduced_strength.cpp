@@ -1,0 +1,28 @@
+#include "engine/safety/reduced_strength.h"
+
+#include <cmath>
+
+namespace dda {
+namespace {
+
+double reduced_angle(double angle, double factor) { return std::atan(std::tan(angle) / factor); }
+
+void weaken(JointMaterial& joint, double factor) {
+  joint.friction_angle = reduced_angle(joint.friction_angle, factor);
+  if (joint.residual_friction_angle)
+    joint.residual_friction_angle = reduced_angle(*joint.residual_friction_angle, factor);
+  joint.dilation_angle = reduced_angle(joint.dilation_angle, factor);
+  joint.cohesion /= factor;
+  joint.residual_cohesion /= factor;
+  joint.tensile_strength /= factor;
+}
+
+}  // namespace
+
+Model with_strength_over(double factor, Model model) {
+  for (JointMaterial& joint : model.joints)
+    if (!joint.bonded) weaken(joint, factor);
+  return model;
+}
+
+}  // namespace dda

@@ -1,0 +1,89 @@
+#include "engine/safety/standing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/simulation/simulation.h"
+
+namespace dda {
+namespace {
+
+Stage static_stage(const char* name, double duration, bool unlimited_strength) {
+  Stage stage;
+  stage.name = name;
+  stage.integrator = static_integrator();
+  stage.duration = duration;
+  stage.equilibrium = 1e-9;
+  stage.unlimited_strength = unlimited_strength;
+  return stage;
+}
+
+// In sizes of the blocks: the square root of their areas.
+double largest_share(const Model& model, const std::vector<Vec2>& movement) {
+  double largest = 0;
+  for (std::size_t block = 0; block < movement.size(); ++block)
+    largest = std::max(largest, movement[block].norm() / std::sqrt(model.blocks[block].moments.area));
+  return largest;
+}
+
+// Follows what the blocks do from the end of the first stage on.
+class Watch {
+ public:
+  explicit Watch(const Simulation& simulation) : simulation_(simulation) {}
+
+  void look() {
+    const State& state = simulation_.state();
+    if (start_.empty() && is_loaded()) start_ = state.displacement;
+    standing_.movement.assign(state.displacement.size(), Vec2::Zero());
+    for (std::size_t block = 0; block < start_.size(); ++block)
+      standing_.movement[block] = (state.displacement[block] - start_[block]).head<2>();
+    standing_.largest_movement = largest_share(simulation_.model(), standing_.movement);
+  }
+
+  [[nodiscard]] bool has_failed() const { return standing_.largest_movement > movement_of_failure; }
+
+  Standing judge(Status status) {
+    const std::vector<UnbalancedBlock> loose = loose_while_stuck();
+    standing_.status = status;
+    standing_.is_loaded = is_loaded() && loose.empty();
+    standing_.stands = status == Status::ok && standing_.is_loaded && !has_failed();
+    if (!standing_.stands) standing_.reason = reason(loose);
+    return std::move(standing_);
+  }
+
+ private:
+  [[nodiscard]] bool is_loaded() const { return !std::isnan(simulation_.static_out_of_balance().front()); }
+
+  [[nodiscard]] std::vector<UnbalancedBlock> loose_while_stuck() const {
+    std::vector<UnbalancedBlock> loose = simulation_.loose_blocks();
+    std::erase_if(loose, [](const UnbalancedBlock& block) { return block.stage > 0; });
+    return loose;
+  }
+
+  [[nodiscard]] std::string reason(const std::vector<UnbalancedBlock>& loose) const {
+    if (!loose.empty()) return "nothing holds " + named_with_places(simulation_.model(), loose);
+    return has_failed() ? "blocks move" : simulation_.message();
+  }
+
+  const Simulation& simulation_;
+  std::vector<Vec6> start_;  // displacements at the end of the first stage; empty before
+  Standing standing_;
+};
+
+}  // namespace
+
+Standing standing_of(Model model, double time) {
+  model.stages = {static_stage("load", time, true), static_stage("stand", 0, false)};
+  finish_model(model);
+  Simulation simulation(std::move(model));
+  Watch watch(simulation);
+  Status status = Status::ok;
+  while (!simulation.finished() && status == Status::ok && !watch.has_failed()) {
+    status = simulation.step();
+    watch.look();
+  }
+  return watch.judge(status);
+}
+
+}  // namespace dda

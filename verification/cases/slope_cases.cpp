@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/safety/factor_of_safety.h"
 #include "verification/cases/contact_rig.h"
 #include "verification/cases/limit_search.h"
 #include "verification/exact/plane_failure.h"
@@ -66,6 +67,25 @@ Outcome toppling() {
          "limit equilibrium column by column, 0.7855 (Goodman and Bray 1976; exact/toppling_slope)",
          bracket_error(got, expected), rock.tolerance,
          "columns that give way need more friction than rigid ones: measured +0.1 % (100 GPa), +0.5 % (10 GPa)"});
+  }
+  return outcome;
+}
+
+// The factor of safety that strength reduction finds is what the friction has to spare over that which just holds.
+Outcome toppling_safety() {
+  Outcome outcome;
+  const exact::TopplingSlope slope = exact::goodman_bray_slope();
+  const double least_friction = exact::limiting_friction(slope);
+  for (const double degrees : {30.0, 37.0, 45.0}) {
+    const double friction = std::tan(degrees * degree);
+    const dda::SafetyReport report = dda::factor_of_safety(toppling_slope(slope, 100e9, friction), {.width = 1e-3});
+    const double expected = friction / least_friction;
+    outcome.assertions.push_back({fmt::format("factor of safety, friction {:.0f} deg, 100 GPa", degrees), "-",
+                                  report.factor(), expected,
+                                  "tan f/0.7855, limit equilibrium (Goodman and Bray 1976; exact/toppling_slope)",
+                                  relative_error(report.factor(), expected), 2.5e-3,
+                                  "columns that give way need 0.1 % more friction than rigid ones, and the factor is "
+                                  "known to 0.1 %"});
   }
   return outcome;
 }
@@ -154,6 +174,11 @@ std::vector<Case> slope_cases() {
            {18},
            CaseLabel::fast,
            toppling},
+          {"toppling-slope-safety",
+           "Factor of safety of Goodman and Bray's slope by strength reduction",
+           {18},
+           CaseLabel::fast,
+           toppling_safety},
           {"plane-failure",
            "Slice on a plane: limiting cohesion and friction from both sides",
            {19},

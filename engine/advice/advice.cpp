@@ -10,6 +10,7 @@
 #include "engine/advice/chain_errors.h"
 #include "engine/advice/load_history.h"
 #include "engine/advice/unseen_loads.h"
+#include "engine/model/quantity_names.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/settling_pace.h"
 #include "engine/simulation/system_matrix.h"
@@ -190,7 +191,7 @@ class Adviser {
     double farthest = 0;
     if (load_)
       for (const Measurement& measurement : model_.measurements)
-        if (measurement.bolt < 0) farthest = std::max(farthest, (measurement.point - load_->place).norm());
+        if (is_at_point(measurement)) farthest = std::max(farthest, (measurement.point - load_->place).norm());
     return farthest > 0 ? farthest : wavelength;
   }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/advice/load_trace.h"
+#include "engine/model/quantity_names.h"
 
 namespace dda {
 namespace {
@@ -152,7 +153,7 @@ std::optional<SceneLoad> scene_load(const Model& model) {
   auto load = first_drive(model);
   if (!load) return std::nullopt;
   for (const Measurement& measurement : model.measurements)
-    if (measurement.bolt < 0 && (measurement.point - load->place).norm() > (load->looked_at - load->place).norm())
+    if (is_at_point(measurement) && (measurement.point - load->place).norm() > (load->looked_at - load->place).norm())
       load->looked_at = measurement.point;
   return load;
 }

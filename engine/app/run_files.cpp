@@ -12,7 +12,8 @@ namespace {
 std::vector<Column> columns_of(const Model& model) {
   std::vector<Column> columns;
   for (const Measurement& measurement : model.measurements)
-    columns.push_back({measurement.name, std::string(unit_of(measurement.quantity))});
+    for (const HistoryFacts& history : histories_of(measurement.quantity))
+      columns.push_back({measurement.name + std::string(history.suffix), std::string(history.unit)});
   return columns;
 }
 

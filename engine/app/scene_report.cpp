@@ -14,13 +14,13 @@
 
 #include "engine/advice/advice.h"
 #include "engine/advice/remarks.h"
+#include "engine/app/measurement_report.h"
 #include "engine/app/recording_report.h"
 #include "engine/app/stiffness_report.h"
 #include "engine/contact/contact_set.h"
 #include "engine/geometry/box.h"
 #include "engine/linear/cholesky_solver.h"
 #include "engine/model/free_field_side.h"
-#include "engine/model/quantity_names.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/settling_pace.h"
@@ -135,18 +135,6 @@ void add_bolts(const Model& model, Text& text) {
   text.line("bolts", "{}, {}", model.bolts.size(), count(links, "link"));
 }
 
-std::string place_of(const Model& model, const Measurement& measurement) {
-  if (measurement.bolt < 0)
-    return fmt::format("at [{:.6g}, {:.6g}], block \"{}\"", measurement.point.x(), measurement.point.y(),
-                       model.blocks[static_cast<std::size_t>(measurement.block)].name);
-  const Bolt& bolt = model.bolts[static_cast<std::size_t>(measurement.bolt)];
-  if (measurement.link < 0) return fmt::format("of \"{}\"", bolt.name);
-  const BoltLink& link = bolt.links[static_cast<std::size_t>(measurement.link)];
-  return fmt::format("of \"{}\" between \"{}\" and \"{}\"", bolt.name,
-                     model.blocks[static_cast<std::size_t>(link.block_a)].name,
-                     model.blocks[static_cast<std::size_t>(link.block_b)].name);
-}
-
 void add_what_acts(const Model& model, Text& text) {
   text.line("loads", "{}, {}, gravity [{:.6g}, {:.6g}] m/s2", count(model.point_loads.size(), "point load"),
             count(model.edge_loads.size(), "edge load"), model.gravity.x(), model.gravity.y());
@@ -154,9 +142,7 @@ void add_what_acts(const Model& model, Text& text) {
   text.line("held by", "{}, {}, {}", count(model.supports.size(), "point support"),
             count(model.held_blocks.size(), "whole block"), count(model.viscous_edges.size(), "absorbing edge"));
   if (!model.bolts.empty()) add_bolts(model, text);
-  for (const Measurement& measurement : model.measurements)
-    text.line("measured", "{} [{}]: {} {}", measurement.name, unit_of(measurement.quantity),
-              to_string(measurement.quantity), place_of(model, measurement));
+  for (const Measurement& measurement : model.measurements) text.line("measured", "{}", describe(model, measurement));
 }
 
 const Block& block_held(const Model& model, int held) {

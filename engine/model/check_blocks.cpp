@@ -17,6 +17,7 @@ void check_block(const Model& model, const Item& item, const Block& block) {
   item.finite("initial stress", block.initial_stress);
   item.finite("initial velocity", block.initial_velocity);
   item.finite("initial spin", block.initial_spin);
+  item.finite("initial strain rate", block.initial_strain_rate);
 }
 
 // Blocks that touch along straight sides parallel to the axes, the most of them, drop out here already.

@@ -121,7 +121,7 @@ void check_held_block(const Model& model, const Item& item, const HeldBlock& hel
   check_history(item, held.history);
   const Block& block = model.blocks[static_cast<std::size_t>(held.block)];
   const std::string name = fmt::format("\"{}\"", block.name);
-  if (!block.initial_velocity.isZero(0) || block.initial_spin != 0)
+  if (!block.starts_at_rest())
     item.fail("block", name + " with an initial velocity or spin", "a block without, as its motion is prescribed");
   if (has_viscous_edge(model, held.block))
     item.fail("block", name + " with a viscous boundary", "a block without, as its motion is prescribed");

@@ -12,6 +12,7 @@
 #include "engine/core/types.h"
 #include "engine/geometry/polygon.h"
 #include "engine/model/material.h"
+#include "engine/model/measurement.h"
 #include "engine/model/motion.h"
 #include "engine/model/settings.h"
 #include "engine/model/time_function.h"
@@ -23,9 +24,14 @@ struct Block {
   Polygon shape;        // reference outline, outer ring counter-clockwise
   AreaMoments moments;  // of `shape`, m^2 and m^4
   int material = 0;
-  Vec3 initial_stress = Vec3::Zero();    // Pa, tension positive
-  Vec2 initial_velocity = Vec2::Zero();  // m/s, of the centroid
-  double initial_spin = 0;               // rad/s
+  Vec3 initial_stress = Vec3::Zero();       // Pa, tension positive
+  Vec2 initial_velocity = Vec2::Zero();     // m/s, of the centroid
+  double initial_spin = 0;                  // rad/s
+  Vec3 initial_strain_rate = Vec3::Zero();  // 1/s: xx, yy and the engineering shear strain's
+
+  [[nodiscard]] bool starts_at_rest() const {
+    return initial_velocity.isZero(0) && initial_spin == 0 && initial_strain_rate.isZero(0);
+  }
 };
 
 // Edges of blocks drawn along this line have the joint, whatever their pair of blocks says.
@@ -62,7 +68,8 @@ struct PointSupport {
   int last_stage = -1;             // let go at the end of this stage; -1: never
   bool takes_force_along = false;  // when let go; else its force stays as a constant load
   std::optional<Vec2> partner =
-      {};  // another point of the block: the spring holds the way from there to `point` instead
+      {};                 // another point of the block: the spring holds the way from there to `point` instead
+  std::string name = {};  // of its entry in the scene; measurements call it by that
 };
 
 // A block held, or moved, as a rigid whole: exactly as prescribed whatever forces act on it. It belongs to the
@@ -74,6 +81,7 @@ struct HeldBlock {
   Vec2 about = Vec2::Zero();      // as drawn; only asked where there is a turn
   TimeFunction history;
   MotionKind kind = MotionKind::displacement;
+  std::string name = {};  // of its entry in the scene
 };
 
 // Where a bolt acts between two blocks: its two anchors, or the two sides of a joint that a grouted bolt crosses.
@@ -117,34 +125,6 @@ struct ViscousEdge {
 struct FreeFieldSide {
   std::vector<int> viscous_edges;  // the side, from below, end to end; all from the same first stage on
   double outward = 1;              // x of its outward normal: -1 on the left, 1 on the right
-};
-
-enum class Quantity {
-  stress_xx,
-  stress_yy,
-  stress_xy,  // Pa, of the block (constant in it)
-  displacement_x,
-  displacement_y,  // m, of the material point since the start
-  velocity_x,
-  velocity_y,  // m/s, of the material point
-  acceleration_x,
-  acceleration_y,  // m/s2
-  rotation,        // rad, of the block since the start
-  traction_normal,
-  traction_shear,   // Pa, mean over the interface at the point; tension positive
-  bolt_force,       // N, in one bolt: axial, tension positive, the largest of its links or that of one
-  bolt_shear,       // N, in one bolt: the same across it
-  bolt_elongation,  // m, the sum of its links or that of one
-};
-
-struct Measurement {
-  std::string name;
-  Quantity quantity = Quantity::stress_xx;
-  int block = 0;         // for a traction: one of the two blocks
-  int other_block = -1;  // for a traction: the other block
-  Vec2 point;
-  int bolt = -1;  // for quantities of bolts
-  int link = -1;  // one of its links; -1: all
 };
 
 struct Model {

@@ -2,60 +2,92 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <string_view>
 
-#include "engine/model/model.h"
+#include "engine/model/measurement.h"
 
 namespace dda {
 
-inline constexpr std::array all_quantities = {
-    Quantity::stress_xx,      Quantity::stress_yy,  Quantity::stress_xy,       Quantity::displacement_x,
-    Quantity::displacement_y, Quantity::velocity_x, Quantity::velocity_y,      Quantity::acceleration_x,
-    Quantity::acceleration_y, Quantity::rotation,   Quantity::traction_normal, Quantity::traction_shear,
-    Quantity::bolt_force,     Quantity::bolt_shear, Quantity::bolt_elongation,
+// What a measurement is taken of.
+enum class Subject { block, joint, bolt, reaction, contact_force, resultant, contacts };
+
+// A history is called as its measurement, with the suffix behind; the unit is SI.
+struct HistoryFacts {
+  std::string_view suffix, unit;
 };
 
-constexpr std::string_view to_string(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::stress_xx: return "stress_xx";
-    case Quantity::stress_yy: return "stress_yy";
-    case Quantity::stress_xy: return "stress_xy";
-    case Quantity::displacement_x: return "displacement_x";
-    case Quantity::displacement_y: return "displacement_y";
-    case Quantity::velocity_x: return "velocity_x";
-    case Quantity::velocity_y: return "velocity_y";
-    case Quantity::acceleration_x: return "acceleration_x";
-    case Quantity::acceleration_y: return "acceleration_y";
-    case Quantity::rotation: return "rotation";
-    case Quantity::traction_normal: return "traction_normal";
-    case Quantity::traction_shear: return "traction_shear";
-    case Quantity::bolt_force: return "bolt_force";
-    case Quantity::bolt_shear: return "bolt_shear";
-    case Quantity::bolt_elongation: return "bolt_elongation";
-  }
-  return "unknown";
-}
+struct QuantityFacts {
+  Quantity quantity;
+  std::string_view name;
+  Subject subject;
+  std::span<const HistoryFacts> histories;
+};
 
-// The SI unit.
-constexpr std::string_view unit_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::stress_xx:
-    case Quantity::stress_yy:
-    case Quantity::stress_xy:
-    case Quantity::traction_normal:
-    case Quantity::traction_shear: return "Pa";
-    case Quantity::displacement_x:
-    case Quantity::displacement_y:
-    case Quantity::bolt_elongation: return "m";
-    case Quantity::bolt_force:
-    case Quantity::bolt_shear: return "N";
-    case Quantity::velocity_x:
-    case Quantity::velocity_y: return "m/s";
-    case Quantity::acceleration_x:
-    case Quantity::acceleration_y: return "m/s2";
-    case Quantity::rotation: return "rad";
-  }
-  return "";
+namespace histories {
+
+inline constexpr std::array<HistoryFacts, 1> pressure{{{"", "Pa"}}};
+inline constexpr std::array<HistoryFacts, 1> angle{{{"", "rad"}}};
+inline constexpr std::array<HistoryFacts, 1> length{{{"", "m"}}};
+inline constexpr std::array<HistoryFacts, 1> velocity{{{"", "m/s"}}};
+inline constexpr std::array<HistoryFacts, 1> acceleration{{{"", "m/s2"}}};
+inline constexpr std::array<HistoryFacts, 1> force{{{"", "N"}}};
+inline constexpr std::array<HistoryFacts, 1> energy{{{"", "J"}}};
+inline constexpr std::array<HistoryFacts, 3> force_and_moment{{{"_x", "N"}, {"_y", "N"}, {"_moment", "N m"}}};
+inline constexpr std::array<HistoryFacts, 4> force_on_joint{
+    {{"_x", "N"}, {"_y", "N"}, {"_normal", "N"}, {"_shear", "N"}}};
+inline constexpr std::array<HistoryFacts, 5> statistics{
+    {{"_open", "-"}, {"_sliding", "-"}, {"_sticking", "-"}, {"_passes", "-"}, {"_penetration", "m"}}};
+
+}  // namespace histories
+
+inline constexpr std::array all_quantities{
+    // in the order of Quantity
+    QuantityFacts{Quantity::stress_xx, "stress_xx", Subject::block, histories::pressure},
+    QuantityFacts{Quantity::stress_yy, "stress_yy", Subject::block, histories::pressure},
+    QuantityFacts{Quantity::stress_xy, "stress_xy", Subject::block, histories::pressure},
+    QuantityFacts{Quantity::stress_1, "stress_1", Subject::block, histories::pressure},
+    QuantityFacts{Quantity::stress_2, "stress_2", Subject::block, histories::pressure},
+    QuantityFacts{Quantity::stress_angle, "stress_angle", Subject::block, histories::angle},
+    QuantityFacts{Quantity::mean_stress, "mean_stress", Subject::block, histories::pressure},
+    QuantityFacts{Quantity::max_shear, "max_shear", Subject::block, histories::pressure},
+    QuantityFacts{Quantity::displacement_x, "displacement_x", Subject::block, histories::length},
+    QuantityFacts{Quantity::displacement_y, "displacement_y", Subject::block, histories::length},
+    QuantityFacts{Quantity::velocity_x, "velocity_x", Subject::block, histories::velocity},
+    QuantityFacts{Quantity::velocity_y, "velocity_y", Subject::block, histories::velocity},
+    QuantityFacts{Quantity::acceleration_x, "acceleration_x", Subject::block, histories::acceleration},
+    QuantityFacts{Quantity::acceleration_y, "acceleration_y", Subject::block, histories::acceleration},
+    QuantityFacts{Quantity::rotation, "rotation", Subject::block, histories::angle},
+    QuantityFacts{Quantity::kinetic_energy, "kinetic_energy", Subject::block, histories::energy},
+    QuantityFacts{Quantity::traction_normal, "traction_normal", Subject::joint, histories::pressure},
+    QuantityFacts{Quantity::traction_shear, "traction_shear", Subject::joint, histories::pressure},
+    QuantityFacts{Quantity::bolt_force, "bolt_force", Subject::bolt, histories::force},
+    QuantityFacts{Quantity::bolt_shear, "bolt_shear", Subject::bolt, histories::force},
+    QuantityFacts{Quantity::bolt_elongation, "bolt_elongation", Subject::bolt, histories::length},
+    QuantityFacts{Quantity::reaction, "reaction", Subject::reaction, histories::force_and_moment},
+    QuantityFacts{Quantity::contact_force, "contact_force", Subject::contact_force, histories::force_on_joint},
+    QuantityFacts{Quantity::resultant, "resultant", Subject::resultant, histories::force_and_moment},
+    QuantityFacts{Quantity::contacts, "contacts", Subject::contacts, histories::statistics},
+};
+
+static_assert([] {
+  for (std::size_t i = 0; i < all_quantities.size(); ++i)
+    if (static_cast<std::size_t>(all_quantities[i].quantity) != i) return false;
+  return true;
+}());
+
+constexpr const QuantityFacts& facts_of(Quantity quantity) {
+  return all_quantities[static_cast<std::size_t>(quantity)];
+}
+constexpr std::string_view to_string(Quantity quantity) { return facts_of(quantity).name; }
+constexpr Subject subject_of(Quantity quantity) { return facts_of(quantity).subject; }
+constexpr std::span<const HistoryFacts> histories_of(Quantity quantity) { return facts_of(quantity).histories; }
+
+// Taken at the point that it names, and of nothing else.
+inline bool is_at_point(const Measurement& measurement) {
+  const Subject subject = subject_of(measurement.quantity);
+  return subject == Subject::joint || (subject == Subject::block && measurement.blocks.empty());
 }
 
 }  // namespace dda

@@ -21,6 +21,7 @@ State initial_state(const Model& model) {
     const Block& block = model.blocks[i];
     state.velocity[i].head<2>() = block.initial_velocity;
     state.velocity[i](2) = block.initial_spin;
+    state.velocity[i].tail<3>() = block.initial_strain_rate;
     state.stress.push_back(block.initial_stress);
   }
   return state;

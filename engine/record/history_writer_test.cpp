@@ -148,14 +148,20 @@ TEST(HistoryWriter, WarmAppendDoesNotAllocate) {
 
 TEST(QuantityNames, AreDifferentAndHaveUnits) {
   std::set<std::string_view> names;
-  for (const Quantity quantity : all_quantities) {
-    names.insert(to_string(quantity));
-    EXPECT_NE(unit_of(quantity), "") << to_string(quantity);
+  for (const QuantityFacts& quantity : all_quantities) {
+    names.insert(quantity.name);
+    EXPECT_FALSE(quantity.histories.empty()) << quantity.name;
+    std::set<std::string_view> suffixes;
+    for (const HistoryFacts& history : quantity.histories) {
+      suffixes.insert(history.suffix);
+      EXPECT_NE(history.unit, "") << quantity.name;
+    }
+    EXPECT_EQ(suffixes.size(), quantity.histories.size()) << quantity.name;
   }
   EXPECT_EQ(names.size(), all_quantities.size());
-  EXPECT_FALSE(names.contains("unknown"));
-  EXPECT_EQ(unit_of(Quantity::traction_shear), "Pa");
-  EXPECT_EQ(unit_of(Quantity::acceleration_y), "m/s2");
+  EXPECT_EQ(to_string(Quantity::traction_shear), "traction_shear");
+  EXPECT_EQ(histories_of(Quantity::traction_shear)[0].unit, "Pa");
+  EXPECT_EQ(histories_of(Quantity::acceleration_y)[0].unit, "m/s2");
 }
 
 std::string resumed_text(const TemporaryFolder& folder, std::int64_t rows) {

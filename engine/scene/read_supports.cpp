@@ -95,6 +95,7 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
       value_or(field, "stiffness", 0.0, [](const Field& f) { return f.positive(Dimension::force_per_length); });
   support.last_stage =
       value_or(field, "until_stage", -1, [&](const Field& f) { return read_stage_reference(f, model); });
+  support.name = value_or(field, "name", std::string(), [](const Field& f) { return f.name(); });
   support.takes_force_along = value_or(field, "release", false, [](const Field& f) { return f.truth(); });
   if (support.last_stage < 0) refuse(field, {"release"}, "without until_stage");
   if (field.has("point")) {
@@ -132,9 +133,9 @@ void append_held(HeldBlock held, const std::vector<int>& blocks, const Field& na
     const Block& own = model.blocks[static_cast<std::size_t>(block)];
     if (already[static_cast<std::size_t>(block)])
       name.fail("blocks that are not held already, as \"" + own.name + "\" is");
-    if (!own.initial_velocity.isZero(0) || own.initial_spin != 0)
-      name.fail("blocks without initial velocity and spin, as their motion is prescribed, and not \"" + own.name +
-                "\"");
+    if (!own.starts_at_rest())
+      name.fail("blocks without initial velocity, spin and strain rate, as their motion is prescribed, and not \"" +
+                own.name + "\"");
     held.block = block;
     model.held_blocks.push_back(held);
   }
@@ -175,6 +176,7 @@ void read_held_blocks(const Field& field, const std::vector<std::string>& groups
   const Field name = field.at("block");
   const std::vector<int> blocks = blocks_called(name, groups, model);
   HeldBlock held;
+  held.name = value_or(field, "name", std::string(), [](const Field& f) { return f.name(); });
   read_motion(field, records, held);
   read_turn(field, records, held);
   held.about =

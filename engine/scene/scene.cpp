@@ -27,6 +27,7 @@ std::vector<std::string> read_blocks_and_joints(const Field& scene, const Scheme
 
 void read_what_acts(const Field& scene, const std::vector<std::string>& groups, const std::filesystem::path& folder,
                     Model& model) {
+  read_initial_fields(scene, groups, model);
   const GroundPlan plan(model);
   read_joint_lines(scene, plan, model);
   RecordFiles records(folder);
@@ -34,7 +35,7 @@ void read_what_acts(const Field& scene, const std::vector<std::string>& groups, 
   read_supports(scene, plan, groups, records, model);
   read_bolts(scene, plan, model);
   read_viscous_boundaries(scene, plan, model);
-  read_measurements(scene, plan, model);
+  read_measurements(scene, plan, groups, model);
 }
 
 std::vector<PlanOpening> openings_of(const Field& scene, const Model& model) {

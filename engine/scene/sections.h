@@ -25,13 +25,15 @@ void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups
 void read_gravity(const Field& scene, Model& model);
 
 // These need the blocks complete, as finish_model leaves them, and the stages.
+void read_initial_fields(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_joint_lines(const Field& scene, const GroundPlan& plan, Model& model);
 void read_loads(const Field& scene, const GroundPlan& plan, RecordFiles& records, Model& model);
 void read_supports(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                    RecordFiles& records, Model& model);
 void read_bolts(const Field& scene, const GroundPlan& plan, Model& model);
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model);
-void read_measurements(const Field& scene, const GroundPlan& plan, Model& model);
+void read_measurements(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
+                       Model& model);
 
 void read_stages(const Field& scene, const Scheme& scheme, Model& model);
 

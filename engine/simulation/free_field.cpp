@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/simulation/block_system.h"
 #include "engine/terms/viscous_boundary.h"
 
 namespace dda {
@@ -46,7 +47,7 @@ void FreeField::read_columns() {
 FreeField::Motion FreeField::motion_of(const Contact& contact) const {
   Vec2 force = Vec2::Zero();
   for (const std::size_t tie : {contact.ties, contact.ties + 1})
-    force -= columns_.supports()[tie].stiffness * columns_.supports()[tie].gap;
+    force -= columns_.system().supports[tie].stiffness * columns_.system().supports[tie].gap;
   return {columns_.state().velocity[at(contact.column_block)], force};
 }
 

@@ -5,20 +5,16 @@
 #include <cstddef>
 
 namespace dda {
-namespace {
 
-// m, of the end that is in deeper; not positive where nothing is pressed.
-double depth_of(const InterfaceElement& element, const Vec4& gap) {
+double penetration_depth(const InterfaceElement& element, const Vec4& gap) {
   if (has_stress_rows(element)) return std::abs(gap(2)) - gap(0);
   return element.length > 0 ? -std::min(gap(0), gap(2)) : -gap(0);
 }
 
-}  // namespace
-
 void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, double time, Penetration& deepest) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    const double depth = depth_of(element, contacts.states[i].gap);
+    const double depth = penetration_depth(element, contacts.states[i].gap);
     const double area = std::min(terms.area[static_cast<std::size_t>(element.block_a)],
                                  terms.area[static_cast<std::size_t>(element.block_b)]);
     if (depth <= 0 || depth * depth <= deepest.share * deepest.share * area) continue;

@@ -24,6 +24,9 @@ struct Penetration {
 // Beyond this share a run is doubtful: joints are too soft for what presses them, or a step too long for an impact.
 inline constexpr double tolerated_penetration = 0.01;
 
+// m, at the end that is in deeper; not positive where nothing is pressed.
+double penetration_depth(const InterfaceElement& element, const Vec4& gap);
+
 // Takes note of contacts that are pressed in deeper than any before.
 void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, double time, Penetration& deepest);
 

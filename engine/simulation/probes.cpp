@@ -2,19 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 #include "engine/core/error.h"
 #include "engine/geometry/segment.h"
+#include "engine/model/quantity_names.h"
+#include "engine/simulation/block_values.h"
+#include "engine/simulation/contact_statistics.h"
 
 namespace dda {
 namespace {
-
-bool is_traction(Quantity quantity) {
-  return quantity == Quantity::traction_normal || quantity == Quantity::traction_shear;
-}
 
 bool joins(const Interface& interface, int a, int b) {
   return (interface.block_a == a && interface.block_b == b) || (interface.block_a == b && interface.block_b == a);
@@ -41,20 +42,20 @@ int interface_of(const Simulation& simulation, const Measurement& measurement) {
   return nearest;
 }
 
+// Blocks that nothing holds together now may touch later; a line through them must cross something that is there.
+Cut cut_of(const Simulation& simulation, const Measurement& measurement) {
+  const bool may_come = measurement.quantity == Quantity::contact_force && simulation.follows_contacts();
+  if (!may_come && !cuts_something(simulation, measurement))
+    throw InputError("", fmt::format("measurements \"{}\"", measurement.name), "where no blocks touch",
+                     measurement.quantity == Quantity::resultant ? "a line with touching blocks on its two sides"
+                                                                 : "two sides that touch");
+  return make_cut(simulation, measurement);
+}
+
 Vec2 traction(const Simulation& simulation, int interface) {
   const auto i = static_cast<std::size_t>(interface);
   const ContactSet& contacts = simulation.contacts();
   return mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], simulation.interface_state(i));
-}
-
-Vec2 point_acceleration(const Simulation& simulation, const Measurement& measurement) {
-  const auto i = static_cast<std::size_t>(measurement.block);
-  const Vec2 offset = measurement.point - simulation.model().blocks[i].moments.centroid;
-  return displacement_rows(simulation.state().deformation[i] * offset) * simulation.state().acceleration[i];
-}
-
-bool is_of_bolt(Quantity quantity) {
-  return quantity == Quantity::bolt_force || quantity == Quantity::bolt_shear || quantity == Quantity::bolt_elongation;
 }
 
 // Of one link, or of the bolt: the sum of elongations, the force that is largest in magnitude.
@@ -78,60 +79,73 @@ double bolt_value(const Simulation& simulation, const Measurement& measurement) 
   return value;
 }
 
-double block_value(const Simulation& simulation, const Measurement& measurement) {
-  const Model& model = simulation.model();
-  const State& state = simulation.state();
-  const auto i = static_cast<std::size_t>(measurement.block);
-  switch (measurement.quantity) {
-    case Quantity::stress_xx: return state.stress[i](0);
-    case Quantity::stress_yy: return state.stress[i](1);
-    case Quantity::stress_xy: return state.stress[i](2);
-    case Quantity::displacement_x: return point_displacement(model, state, measurement.block, measurement.point).x();
-    case Quantity::displacement_y: return point_displacement(model, state, measurement.block, measurement.point).y();
-    case Quantity::velocity_x: return point_velocity(model, state, measurement.block, measurement.point).x();
-    case Quantity::velocity_y: return point_velocity(model, state, measurement.block, measurement.point).y();
-    case Quantity::acceleration_x: return point_acceleration(simulation, measurement).x();
-    case Quantity::acceleration_y: return point_acceleration(simulation, measurement).y();
-    case Quantity::rotation: return state.displacement[i](2);
-    case Quantity::traction_normal:
-    case Quantity::traction_shear:
-    case Quantity::bolt_force:
-    case Quantity::bolt_shear:
-    case Quantity::bolt_elongation: break;
-  }
-  return std::nan("");
+template <typename Values>
+void copy(const Values& from, std::span<double> to) {
+  std::copy(from.begin(), from.end(), to.begin());
+}
+
+void write_statistics(const Simulation& simulation, std::span<double> values) {
+  const ContactStatistics now = count_contacts(simulation);
+  copy(std::array{1.0 * now.open, 1.0 * now.sliding, 1.0 * now.sticking, static_cast<double>(now.passes),
+                  now.penetration},
+       values);
 }
 
 }  // namespace
 
 Probes::Probes(const Simulation& simulation) {
   for (const Measurement& measurement : simulation.model().measurements) {
-    Place& place = places_.emplace_back();
-    if (!is_traction(measurement.quantity)) continue;
-    if (simulation.follows_contacts()) {
-      place.edge = shared_edge(simulation.model(), measurement.block, measurement.other_block, measurement.point);
-      if (!place.edge) fail(measurement);
-    } else {
-      place.interface = interface_of(simulation, measurement);
-    }
+    places_.push_back(place_of(simulation, measurement));
+    size_ += histories_of(measurement.quantity).size();
   }
+}
+
+Probes::Place Probes::place_of(const Simulation& simulation, const Measurement& measurement) {
+  Place place;
+  switch (subject_of(measurement.quantity)) {
+    case Subject::joint:
+      if (simulation.follows_contacts()) {
+        place.edge = shared_edge(simulation.model(), measurement.block, measurement.other_block, measurement.point);
+        if (!place.edge) fail(measurement);
+      } else {
+        place.interface = interface_of(simulation, measurement);
+      }
+      break;
+    case Subject::contact_force:
+    case Subject::resultant: place.cut = cut_of(simulation, measurement); break;
+    case Subject::block:
+    case Subject::bolt:
+    case Subject::reaction:
+    case Subject::contacts: break;
+  }
+  return place;
 }
 
 void Probes::sample(const Simulation& simulation, std::span<double> values) const {
   const std::vector<Measurement>& measurements = simulation.model().measurements;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (is_of_bolt(measurements[i].quantity)) {
-      values[i] = bolt_value(simulation, measurements[i]);
-      continue;
+    const std::size_t count = histories_of(measurements[i].quantity).size();
+    write(simulation, measurements[i], places_[i], values.first(count));
+    values = values.subspan(count);
+  }
+}
+
+void Probes::write(const Simulation& simulation, const Measurement& measurement, const Place& place,
+                   std::span<double> values) {
+  switch (subject_of(measurement.quantity)) {
+    case Subject::block: values[0] = block_value(simulation.system(), measurement); break;
+    case Subject::bolt: values[0] = bolt_value(simulation, measurement); break;
+    case Subject::joint: {
+      const Vec2 mean = place.edge
+                            ? traction_along(simulation.model(), simulation.state(), simulation.contacts(), *place.edge)
+                            : traction(simulation, place.interface);
+      values[0] = measurement.quantity == Quantity::traction_normal ? mean(0) : mean(1);
+      break;
     }
-    if (!is_traction(measurements[i].quantity)) {
-      values[i] = block_value(simulation, measurements[i]);
-      continue;
-    }
-    const Vec2 mean = places_[i].edge ? traction_along(simulation.model(), simulation.state(), simulation.contacts(),
-                                                       *places_[i].edge)
-                                      : traction(simulation, places_[i].interface);
-    values[i] = measurements[i].quantity == Quantity::traction_normal ? mean(0) : mean(1);
+    case Subject::reaction: copy(reaction(simulation, measurement), values); break;
+    case Subject::contact_force: copy(contact_force(simulation, measurement, place.cut), values); break;
+    case Subject::resultant: copy(resultant(simulation, measurement, place.cut), values); break;
+    case Subject::contacts: write_statistics(simulation, values); break;
   }
 }
 

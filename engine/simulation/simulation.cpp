@@ -54,7 +54,6 @@ const Model& Simulation::model() const { return system_->model; }
 const State& Simulation::state() const { return system_->state; }
 const ContactSet& Simulation::contacts() const { return system_->contacts; }
 bool Simulation::follows_contacts() const { return general_->follows_contacts(); }
-const std::vector<SupportElement>& Simulation::supports() const { return system_->supports; }
 const BoltSet& Simulation::bolts() const { return system_->bolts; }
 const StepPlan& Simulation::plan() const { return system_->plan; }
 const EnergyLedger& Simulation::energy() const { return system_->audit.ledger(); }
@@ -112,6 +111,7 @@ Status Simulation::step() {
     message_ = "all stages are done";
     return Status::finished;
   }
+  system_->passes_before_step = system_->costs.counters.open_close_iterations;
   if (const Status ahead = step_free_field(); ahead != Status::ok) return ahead;
   BlockSystem& s = *system_;
   const Status status = is_settling()

@@ -60,7 +60,6 @@ class Simulation {
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
   // The columns beside free-field sides, stepped along; nullptr where there are none.
   [[nodiscard]] const Simulation* free_field_columns() const;
-  [[nodiscard]] const std::vector<SupportElement>& supports() const;
   [[nodiscard]] const BoltSet& bolts() const;
   [[nodiscard]] const StepPlan& plan() const;
   [[nodiscard]] const EnergyLedger& energy() const;
@@ -86,6 +85,9 @@ class Simulation {
 
   // Without those of stages that pace themselves.
   [[nodiscard]] std::int64_t steps_in_all_stages() const;
+
+  // All of it, for what reads forces from it.
+  [[nodiscard]] const BlockSystem& system() const { return *system_; }
 
   // See snapshot.h, whose functions call these.
   [[nodiscard]] std::vector<std::byte> save() const;

@@ -15,7 +15,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3031'4e53'4144'44ULL;  // "DDASN10", read as a little-endian number
+constexpr std::uint64_t kind = 0x3131'4e53'4144'44ULL;  // "DDASN11", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>

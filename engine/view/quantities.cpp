@@ -6,21 +6,16 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/principal_stress.h"
 
 namespace dda {
-namespace {
-
-double mean(const Vec3& stress) { return (stress[0] + stress[1]) / 2; }
-double largest_shear(const Vec3& stress) { return std::hypot((stress[0] - stress[1]) / 2, stress[2]); }
-
-}  // namespace
 
 const std::array<DrawnQuantity, drawn_quantity_count> drawn_quantities = {{
-    {"mean_stress", "Mean stress", "Pa", [](const Frame& f, std::size_t i) { return mean(f.stress[i]); }},
+    {"mean_stress", "Mean stress", "Pa", [](const Frame& f, std::size_t i) { return mean_stress(f.stress[i]); }},
     {"stress_1", "Largest principal stress", "Pa",
-     [](const Frame& f, std::size_t i) { return mean(f.stress[i]) + largest_shear(f.stress[i]); }},
+     [](const Frame& f, std::size_t i) { return mean_stress(f.stress[i]) + largest_shear(f.stress[i]); }},
     {"stress_2", "Smallest principal stress", "Pa",
-     [](const Frame& f, std::size_t i) { return mean(f.stress[i]) - largest_shear(f.stress[i]); }},
+     [](const Frame& f, std::size_t i) { return mean_stress(f.stress[i]) - largest_shear(f.stress[i]); }},
     {"max_shear", "Largest shear stress", "Pa",
      [](const Frame& f, std::size_t i) { return largest_shear(f.stress[i]); }},
     {"stress_xx", "Stress \u03c3xx", "Pa", [](const Frame& f, std::size_t i) { return f.stress[i][0]; }},
@@ -40,8 +35,8 @@ std::size_t find_quantity(std::string_view id, const std::string& option) {
 }
 
 PrincipalStress principal_stress(const Vec3& stress) {
-  const double angle = std::atan2(2 * stress[2], stress[0] - stress[1]) / 2;
-  return {mean(stress) + largest_shear(stress), mean(stress) - largest_shear(stress),
+  const double angle = principal_angle(stress);
+  return {mean_stress(stress) + largest_shear(stress), mean_stress(stress) - largest_shear(stress),
           Vec2(std::cos(angle), std::sin(angle))};
 }
 

@@ -1,0 +1,60 @@
+// What a run is asked to record: one measurement is one history, or several that belong together (quantity_names.h says
+// which). Indices refer to the vectors of the model, points are as drawn.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/core/types.h"
+
+namespace dda {
+
+enum class Quantity {
+  stress_xx,
+  stress_yy,
+  stress_xy,     // Pa, of the block (constant in it)
+  stress_1,      // Pa, the largest principal stress in the plane
+  stress_2,      // Pa, the smallest
+  stress_angle,  // rad, of stress_1, counter-clockwise from x, above -pi/2 up to pi/2
+  mean_stress,   // Pa, half of stress_1 + stress_2
+  max_shear,     // Pa, half of stress_1 - stress_2
+  displacement_x,
+  displacement_y,  // m, of the material point since the start
+  velocity_x,
+  velocity_y,  // m/s, of the material point
+  acceleration_x,
+  acceleration_y,  // m/s2
+  rotation,        // rad, of the block since the start
+  kinetic_energy,  // J per m of thickness
+  traction_normal,
+  traction_shear,   // Pa, mean over the interface at the point; tension positive
+  bolt_force,       // N, in one bolt: axial, tension positive, the largest of its links or that of one
+  bolt_shear,       // N, in one bolt: the same across it
+  bolt_elongation,  // m, the sum of its links or that of one
+  reaction,         // N, what supports and held blocks exert: x, y, moment
+  contact_force,    // N, what `others` exert on `blocks` where they touch: x, y; normal (tension positive) and shear
+  resultant,        // N, what the right of a line exerts on its left: x, y, moment
+  contacts,         // of all contacts: how many are open, slide and stick; passes of the step; deepest penetration
+};
+
+struct Measurement {
+  std::string name;
+  Quantity quantity = Quantity::stress_xx;
+  int block = 0;         // for a traction: one of the two blocks
+  int other_block = -1;  // for a traction: the other block
+  Vec2 point = Vec2::Zero();
+  int bolt = -1;  // for quantities of bolts
+  int link = -1;  // one of its links; -1: all
+
+  // Ascending. Of quantities of blocks: the mean (of energies the sum) over these in place of `block` at `point`. Of
+  // reactions: those of these held blocks. Of contact forces: what the force acts on.
+  std::vector<int> blocks = {};
+  std::vector<int> others = {};    // of contact forces: what exerts them; ascending, none of `blocks`
+  std::vector<int> supports = {};  // of reactions
+  bool on_line = false;            // contact forces: only of contacts drawn on the line below
+  Vec2 from = Vec2::Zero();        // of resultants and contact forces on a line: its ends
+  Vec2 to = Vec2::Zero();
+  Vec2 about = Vec2::Zero();  // of moments; does not move
+};
+
+}  // namespace dda

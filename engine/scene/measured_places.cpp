@@ -1,0 +1,195 @@
+#include "engine/scene/measured_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/model/quantity_names.h"
+#include "engine/scene/places.h"
+
+namespace dda {
+namespace {
+
+constexpr const char* place_keys[] = {"point", "block", "group", "side", "bolt", "support", "between", "line", "about"};
+
+std::span<const std::string_view> keys_of(Subject subject) {
+  static constexpr std::array<std::string_view, 4> block = {"point", "block", "group", "side"};
+  static constexpr std::array<std::string_view, 1> joint = {"point"};
+  static constexpr std::array<std::string_view, 2> bolt = {"bolt", "point"};
+  static constexpr std::array<std::string_view, 3> reaction = {"support", "block", "about"};
+  static constexpr std::array<std::string_view, 2> contact_force = {"between", "line"};
+  static constexpr std::array<std::string_view, 2> resultant = {"line", "about"};
+  switch (subject) {
+    case Subject::block: return block;
+    case Subject::joint: return joint;
+    case Subject::bolt: return bolt;
+    case Subject::reaction: return reaction;
+    case Subject::contact_force: return contact_force;
+    case Subject::resultant: return resultant;
+    case Subject::contacts: break;
+  }
+  return {};
+}
+
+void refuse_other_keys(const Field& field, Quantity quantity) {
+  const std::span<const std::string_view> allowed = keys_of(subject_of(quantity));
+  for (const char* key : place_keys) {
+    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    if (const auto given = field.find(key)) given->fail(fmt::format("to be left out beside {}", to_string(quantity)));
+  }
+}
+
+// Ways from a point into the block meant: straight to that side, leaning up first where two blocks lie there.
+std::vector<Vec2> directions_to(const std::string& side) {
+  if (side == "right") return {{1, 0.1}, {1, -0.1}, {1, 0}};
+  if (side == "left") return {{-1, 0.1}, {-1, -0.1}, {-1, 0}};
+  if (side == "above") return {{0.1, 1}, {-0.1, 1}, {0, 1}};
+  if (side == "below") return {{0.1, -1}, {-0.1, -1}, {0, -1}};
+  return {{1, 1}, {1, 0}, {0, 1}, {1, -1}, {-1, 1}, {-1, 0}, {0, -1}, {-1, -1}};
+}
+
+Segment read_line(const Field& field) {
+  const Segment line{field.at("from").vector(Dimension::length), field.at("to").vector(Dimension::length)};
+  if (line.start == line.end) field.fail("two different points");
+  return line;
+}
+
+bool runs_along(const std::vector<Stretch>& stretches, const std::vector<int>& blocks) {
+  return std::any_of(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
+    return std::binary_search(blocks.begin(), blocks.end(), stretch.block);
+  });
+}
+
+}  // namespace
+
+MeasuredPlaces::MeasuredPlaces(const GroundPlan& plan, const BlockSets& sets, const Model& model)
+    : plan_(plan), sets_(sets), model_(model), bolts_(model.bolts) {}
+
+void MeasuredPlaces::read(const Field& field, Measurement& measurement) const {
+  refuse_other_keys(field, measurement.quantity);
+  switch (subject_of(measurement.quantity)) {
+    case Subject::block: place_in_block(field, measurement); break;
+    case Subject::joint: place_on_joint(field, measurement); break;
+    case Subject::bolt: place_on_bolt(field, measurement); break;
+    case Subject::reaction: place_at_supports(field, measurement); break;
+    case Subject::contact_force: place_between(field, measurement); break;
+    case Subject::resultant: place_across_line(field, measurement); break;
+    case Subject::contacts: break;
+  }
+}
+
+void MeasuredPlaces::place_in_block(const Field& field, Measurement& measurement) const {
+  if (const auto group = field.find("group")) {
+    refuse(field, {"point", "block", "side"}, "beside group");
+    measurement.blocks = sets_.members(*group);
+  } else if (!field.has("point") && field.has("block")) {
+    measurement.block = plan_.names().choice(field.at("block"));
+    measurement.point = model_.blocks[static_cast<std::size_t>(measurement.block)].moments.centroid;
+  } else {
+    measurement.point = field.at("point").vector(Dimension::length);
+    measurement.block = block_at_point(field, measurement.point);
+  }
+}
+
+int MeasuredPlaces::block_at_point(const Field& field, const Vec2& point) const {
+  const std::vector<int> blocks = plan_.blocks_at(point);
+  const bool on_a_joint = blocks.size() > 1 && !field.has("block");
+  if (!on_a_joint) return read_point(field, plan_, model_).block;
+  const std::string side = value_or(field, "side", std::string(), [](const Field& f) { return f.text(); });
+  if (const auto block = plan_.block_towards(blocks, point, directions_to(side))) return *block;
+  if (side.empty()) return blocks.front();
+  field.at("side").fail(fmt::format("a side of the point on which one of its blocks lies: {}", listed(blocks, model_)));
+}
+
+void MeasuredPlaces::place_on_joint(const Field& field, Measurement& measurement) const {
+  const Field point = field.at("point");
+  measurement.point = point.vector(Dimension::length);
+  const std::vector<int> blocks = plan_.blocks_at(measurement.point);
+  if (blocks.size() != 2) {
+    point.fail(fmt::format("a point on the joint between two blocks (at this one: {})",
+                           blocks.empty() ? "none" : listed(blocks, model_)));
+  }
+  measurement.block = blocks[0];
+  measurement.other_block = blocks[1];
+}
+
+// The link nearest to the point, where one is given.
+void MeasuredPlaces::place_on_bolt(const Field& field, Measurement& measurement) const {
+  if (model_.bolts.empty()) field.at("bolt").fail("the name of a bolt, of which there is none");
+  measurement.bolt = bolts_.choice(field.at("bolt"));
+  const auto point = field.find("point");
+  if (!point) return;
+  measurement.point = point->vector(Dimension::length);
+  const std::vector<BoltLink>& links = model_.bolts[static_cast<std::size_t>(measurement.bolt)].links;
+  const auto away = [&](const BoltLink& link) {
+    return distance(Segment{link.point_a, link.point_b}, measurement.point);
+  };
+  const auto nearest = std::min_element(links.begin(), links.end(),
+                                        [&](const BoltLink& a, const BoltLink& b) { return away(a) < away(b); });
+  measurement.link = static_cast<int>(nearest - links.begin());
+}
+
+// Of named supports, of held blocks, or of all that is held.
+void MeasuredPlaces::place_at_supports(const Field& field, Measurement& measurement) const {
+  measurement.about =
+      value_or(field, "about", Vec2(Vec2::Zero()), [](const Field& f) { return f.vector(Dimension::length); });
+  if (const auto block = field.find("block")) {
+    refuse(field, {"support"}, "beside block");
+    measurement.blocks = sets_.members(*block);
+    for (const int each : measurement.blocks)
+      if (!model_.is_held(each))
+        block->fail(fmt::format("blocks that are held as a whole, and \"{}\" is not",
+                                model_.blocks[static_cast<std::size_t>(each)].name));
+    return;
+  }
+  const auto name = field.find("support");
+  take_held(name, measurement);
+  if (!measurement.supports.empty() || !measurement.blocks.empty()) return;
+  if (name) name->fail("the \"name\" of an entry of supports");
+  field.at("quantity").fail("something that is held: supports or fixed");
+}
+
+void MeasuredPlaces::take_held(const std::optional<Field>& name, Measurement& measurement) const {
+  const auto meant = [&](const std::string& own) { return !name || own == name->text(); };
+  for (std::size_t i = 0; i < model_.supports.size(); ++i)
+    if (meant(model_.supports[i].name)) measurement.supports.push_back(static_cast<int>(i));
+  for (const HeldBlock& held : model_.held_blocks)
+    if (meant(held.name)) measurement.blocks.push_back(held.block);
+  std::sort(measurement.blocks.begin(), measurement.blocks.end());
+}
+
+void MeasuredPlaces::place_between(const Field& field, Measurement& measurement) const {
+  const Field between = field.at("between");
+  const std::vector<Field> names = between.items();
+  measurement.blocks = sets_.members(names.at(0));
+  measurement.others = sets_.members(names.at(1));
+  std::vector<int> common;
+  std::set_intersection(measurement.blocks.begin(), measurement.blocks.end(), measurement.others.begin(),
+                        measurement.others.end(), std::back_inserter(common));
+  if (!common.empty()) between.fail("two names that have no block in common, as " + listed(common, model_));
+  const auto field_of_line = field.find("line");
+  measurement.on_line = field_of_line.has_value();
+  if (!measurement.on_line) return;
+  const Segment line = read_line(*field_of_line);
+  const std::vector<Stretch> stretches = plan_.stretches_along(line);
+  if (!runs_along(stretches, measurement.blocks) || !runs_along(stretches, measurement.others))
+    field_of_line->fail("a line along which both sides have edges");
+  measurement.from = line.start;
+  measurement.to = line.end;
+}
+
+void MeasuredPlaces::place_across_line(const Field& field, Measurement& measurement) const {
+  const Segment line = read_line(field.at("line"));
+  measurement.from = line.start;
+  measurement.to = line.end;
+  measurement.about = value_or(field, "about", Vec2((line.start + line.end) / 2),
+                               [](const Field& f) { return f.vector(Dimension::length); });
+}
+
+}  // namespace dda

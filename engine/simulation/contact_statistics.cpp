@@ -1,0 +1,35 @@
+#include "engine/simulation/contact_statistics.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/simulation/block_system.h"
+
+namespace dda {
+namespace {
+
+void count(ContactStatus status, ContactStatistics& statistics) {
+  switch (status) {
+    case ContactStatus::open: ++statistics.open; break;
+    case ContactStatus::sliding: ++statistics.sliding; break;
+    case ContactStatus::locked: ++statistics.sticking; break;
+  }
+}
+
+}  // namespace
+
+ContactStatistics count_contacts(const Simulation& simulation) {
+  ContactStatistics statistics;
+  const BlockSystem& system = simulation.system();
+  statistics.passes = system.costs.counters.open_close_iterations - system.passes_before_step;
+  const ContactSet& contacts = simulation.contacts();
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceState state = simulation.interface_state(i);
+    for (int end = 0; end < ends_of(contacts.elements[i]); ++end)
+      count(state.status[static_cast<std::size_t>(end)], statistics);
+    statistics.penetration = std::max(statistics.penetration, penetration_depth(contacts.elements[i], state.gap));
+  }
+  return statistics;
+}
+
+}  // namespace dda

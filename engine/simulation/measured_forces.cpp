@@ -1,0 +1,170 @@
+#include "engine/simulation/measured_forces.h"
+
+#include <algorithm>
+
+#include "engine/contact/contact_set.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/tolerance.h"
+#include "engine/simulation/block_system.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool contains(const std::vector<int>& ascending, int value) {
+  return std::binary_search(ascending.begin(), ascending.end(), value);
+}
+
+// `force` is conjugate to the translation of a block and to its turn about its centroid.
+ForceAndMoment moved_to(const Vec2& about, const BlockSystem& system, int block, const Vec3& force) {
+  const Vec2 centroid = system.geometry_moves() ? current_centroid(system.model, system.state, block)
+                                                : system.model.blocks[at(block)].moments.centroid;
+  return force + Vec3(0, 0, cross(centroid - about, force.head<2>()));
+}
+
+// Forces on the rows of an interface. The cubic law's normal force is the one its reconstruction has at the interface,
+// as for tractions.
+Vec4 carried(const Simulation& simulation, std::size_t i) {
+  const ContactSet& contacts = simulation.contacts();
+  const InterfaceState state = simulation.interface_state(i);
+  Vec4 force = state.force;
+  if (contacts.elements[i].law == InterfaceLaw::cubic)
+    force(0) = contacts.elements[i].length *
+               mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], state)(0);
+  return force;
+}
+
+// On one of the two blocks, whose rows these are, about its centroid.
+Vec3 on_block(const InterfaceElement& element, const Mat46& rows, const Vec4& force) {
+  if (is_lone_vertex(element)) return -rows.topLeftCorner<2, 3>().transpose() * force.head<2>();
+  return -rows.leftCols<3>().transpose() * force;
+}
+
+bool is_left_of(const Measurement& line, const Vec2& point, double tolerance) {
+  const Vec2 along = (line.to - line.from).normalized();
+  return cross(along, point - line.from) >= -tolerance;
+}
+
+bool is_beside(const Measurement& line, const Vec2& point, double tolerance) {
+  const double length = (line.to - line.from).norm();
+  const double place = (line.to - line.from).dot(point - line.from) / length;
+  return place >= -tolerance && place <= length + tolerance;
+}
+
+// Which way a contact or a bolt goes through a cut: 1 where its block a is on the measured side, -1 where block b is, 0
+// where it is not cut.
+int side_of_line(const Model& model, const Measurement& line, int block_a, int block_b, const Vec2& middle) {
+  const double tolerance = point_tolerance(model);
+  const bool a = is_left_of(line, model.blocks[at(block_a)].moments.centroid, tolerance);
+  const bool b = is_left_of(line, model.blocks[at(block_b)].moments.centroid, tolerance);
+  if (a == b || !is_beside(line, middle, tolerance)) return 0;
+  return a ? 1 : -1;
+}
+
+int side_between(const Model& model, const Measurement& measurement, const Interface& interface) {
+  int side = 0;
+  if (contains(measurement.blocks, interface.block_a) && contains(measurement.others, interface.block_b)) side = 1;
+  if (contains(measurement.others, interface.block_a) && contains(measurement.blocks, interface.block_b)) side = -1;
+  if (side == 0 || !measurement.on_line) return side;
+  const Segment line{measurement.from, measurement.to};
+  const double tolerance = point_tolerance(model);
+  return distance(line, interface.from) <= tolerance && distance(line, interface.to) <= tolerance ? side : 0;
+}
+
+int side_cut(const Model& model, const Measurement& measurement, const Interface& interface) {
+  if (measurement.quantity == Quantity::contact_force) return side_between(model, measurement, interface);
+  return side_of_line(model, measurement, interface.block_a, interface.block_b, (interface.from + interface.to) / 2);
+}
+
+// Calls visit(index, block, force, carried) for every contact that is cut: its block on the measured side, the force on
+// that about its centroid, and the forces on the contact's rows.
+template <typename Visit>
+void visit_cut(const Simulation& simulation, const Measurement& measurement, const Cut& cut, Visit visit) {
+  const ContactSet& contacts = simulation.contacts();
+  const std::size_t count = cut.interfaces ? cut.interfaces->size() : contacts.interfaces.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = cut.interfaces ? (*cut.interfaces)[k] : k;
+    const InterfaceElement& element = contacts.elements[i];
+    const int side = side_cut(simulation.model(), measurement, contacts.interfaces[i]);
+    if (side == 0) continue;
+    const Vec4 force = carried(simulation, i);
+    if (side > 0) {
+      visit(i, element.block_a, on_block(element, element.rows_a, force), force);
+    } else {
+      visit(i, element.block_b, on_block(element, element.rows_b, force), force);
+    }
+  }
+}
+
+ForceAndMoment across_bolts(const Simulation& simulation, const Measurement& line) {
+  const BlockSystem& system = simulation.system();
+  ForceAndMoment sum = ForceAndMoment::Zero();
+  std::size_t next = 0;
+  for (const Bolt& bolt : system.model.bolts) {
+    for (const BoltLink& drawn : bolt.links) {
+      const LinkElement& link = system.bolts.links()[next++];
+      const Vec2 middle = (drawn.point_a + drawn.point_b) / 2;
+      const int side = side_of_line(system.model, line, drawn.block_a, drawn.block_b, middle);
+      if (side == 0) continue;
+      const Mat26& rows = side > 0 ? link.rows.a : link.rows.b;
+      const Vec3 force = -rows.leftCols<3>().transpose() * link.state.force;
+      sum += moved_to(line.about, system, side > 0 ? drawn.block_a : drawn.block_b, force);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+ForceAndMoment reaction(const Simulation& simulation, const Measurement& measurement) {
+  const BlockSystem& system = simulation.system();
+  ForceAndMoment sum = ForceAndMoment::Zero();
+  for (const int i : measurement.supports) {
+    const SupportElement& support = system.supports[at(i)];
+    const Vec6 force = -support.rows.transpose() * (support.stiffness * support.gap);
+    sum += moved_to(measurement.about, system, support.block, force.head<3>());
+  }
+  for (const int block : measurement.blocks) {
+    const Vec3 force = system.forces.internal_old.segment<3>(6 * block) - system.forces.load_old.segment<3>(6 * block);
+    sum += moved_to(measurement.about, system, block, force);
+  }
+  return sum;
+}
+
+Cut make_cut(const Simulation& simulation, const Measurement& measurement) {
+  if (simulation.follows_contacts()) return {};
+  Cut cut{std::vector<std::size_t>()};
+  const std::vector<Interface>& interfaces = simulation.contacts().interfaces;
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    if (side_cut(simulation.model(), measurement, interfaces[i]) != 0) cut.interfaces->push_back(i);
+  return cut;
+}
+
+bool cuts_something(const Simulation& simulation, const Measurement& measurement) {
+  const std::vector<Interface>& interfaces = simulation.contacts().interfaces;
+  return std::any_of(interfaces.begin(), interfaces.end(), [&](const Interface& interface) {
+    return side_cut(simulation.model(), measurement, interface) != 0;
+  });
+}
+
+Eigen::Vector4d contact_force(const Simulation& simulation, const Measurement& measurement, const Cut& cut) {
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  const std::vector<InterfaceElement>& elements = simulation.contacts().elements;
+  visit_cut(simulation, measurement, cut, [&](std::size_t i, int, const Vec3& force, const Vec4& carried) {
+    sum.head<2>() += force.head<2>();
+    sum.tail<2>() += carried.head<2>();
+    if (elements[i].law == InterfaceLaw::classical && !is_lone_vertex(elements[i])) sum.tail<2>() += carried.tail<2>();
+  });
+  return sum;
+}
+
+ForceAndMoment resultant(const Simulation& simulation, const Measurement& measurement, const Cut& cut) {
+  ForceAndMoment sum = across_bolts(simulation, measurement);
+  visit_cut(simulation, measurement, cut, [&](std::size_t, int block, const Vec3& force, const Vec4&) {
+    sum += moved_to(measurement.about, simulation.system(), block, force);
+  });
+  return sum;
+}
+
+}  // namespace dda

@@ -68,6 +68,6 @@ inline constexpr auto restless_slab = R"({"dda": 1, "gravity": 9.81,
  "blocks": [{"polygon": {"name": "floor", "vertices": [[-1, -1], [2, -1], [2, 0], [-1, 0]]}},
             {"polygon": {"name": "slab", "vertices": [[0, 0], [1, 0], [1, 0.2], [0, 0.2]]}}],
  "supports": [{"edge": "bottom", "stiffness": 2e12}],
- "steps": {"dt": "1 ms", "duration": "0.2 s", "integrator": "trapezoidal"}})";
+ "steps": {"dt": "1 ms", "duration": "0.2 s", "integrator": {"generalized_alpha": 0.95}}})";
 
 }  // namespace dda

@@ -65,7 +65,8 @@ ContactPieces pieces_of(const InterfaceTrial& trial) {
     if (trial.active(n) == 0) {
       pieces[e] = ContactPiece::open;
     } else if (trial.active(n + 1) < 1) {
-      pieces[e] = std::signbit(trial.force(n + 1)) ? ContactPiece::slides_back : ContactPiece::slides_forth;
+      pieces[e] = std::signbit(trial.force(n + 1) + trial.before(n + 1)) ? ContactPiece::slides_back
+                                                                         : ContactPiece::slides_forth;
     }
   }
   return pieces;

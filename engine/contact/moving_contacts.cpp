@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/contact/acting_frame.h"
 #include "engine/contact/covered_corners.h"
 #include "engine/model/tolerance.h"
 
@@ -26,19 +27,6 @@ std::pair<int, int> pair_of(const Between& between) {
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
-}
-
-// Both blocks feel the contact at the vertex, so its forces have no moment between them.
-InterfaceFrame frame_of(const Model& model, const State& state, const Outlines& outlines,
-                        const VertexContact& contact) {
-  const Vec2& point = outlines.current[at(contact.vertex)];
-  return {point,
-          point,
-          point,
-          point,
-          contact.normal,
-          current_centroid(model, state, contact.edge_block),
-          current_centroid(model, state, contact.vertex_block)};
 }
 
 // Says for every contact found which known one it continues, if any; each is continued once. A contact that is not
@@ -140,12 +128,12 @@ InterfaceState new_state(const JointMaterial& joint) {
   return state;
 }
 
-// Blocks that turn fast meet deeper than the first-order gaps of the step said. Far beyond what steps of usual length
-// make of that, it would be energy from nowhere: the spring then closes deeper by as much.
-void forgive_turn(double distance, double size, InterfaceState& state) {
-  constexpr double usual = 1e-4;  // of the size: a turn of some 0.015 in the step
+// Blocks that turn meet a little deeper, or less deep, than the first-order gaps of the step said. Deeper would be
+// energy from nowhere, and a force at the start of the next step that is not what the last one found: the spring then
+// closes deeper by as much.
+void forgive_turn(double distance, InterfaceState& state) {
   const double deeper = std::min(0.0, state.gap(0)) - (distance - state.held_open(0));
-  if (deeper > usual * size) state.seat[0] -= deeper;
+  if (deeper > 0) state.seat[0] -= deeper;
 }
 
 // A spring that opens has lost what it was seated with, but for a depth that it has not yet come out of.
@@ -171,17 +159,17 @@ MovingContacts::MovingContacts(const Model& model, const State& state, ContactSe
   stretches_ = contacts.interfaces.size();
   keep_ends(model, state, contacts, true);
   drop_stretches(model, contacts, true);
-  refresh(model, state, contacts);
+  refresh(model, state, state, contacts);
   lost_ends_.clear();
 }
 
-bool MovingContacts::follow(const Model& model, const State& state, ContactSet& contacts) {
+bool MovingContacts::follow(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   double lift = 0;
   for (const InterfaceState& each : contacts.states) lift = std::max({lift, each.held_open(0), each.held_open(1)});
   const bool new_pairs = search_.update(model, state, lift);
   keep_ends(model, state, contacts, false);
   drop_stretches(model, contacts, false);
-  refresh(model, state, contacts);
+  refresh(model, state, acting, contacts);
   lost_ends_.clear();
   return new_pairs;
 }
@@ -280,14 +268,14 @@ void MovingContacts::drop_stretches(const Model& model, ContactSet& contacts, bo
   stretches_ = kept;
 }
 
-void MovingContacts::refresh(const Model& model, const State& state, ContactSet& contacts) {
+void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   std::vector<std::pair<int, int>> bonded;
   std::vector<Carrier> joints;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
     bonded.emplace_back(std::min(interface.block_a, interface.block_b), std::max(interface.block_a, interface.block_b));
     const InterfaceFrame frame = current_frame(model, state, interface);
-    set_geometry(model, frame, contacts.elements[i]);
+    set_geometry(model, current_frame(model, acting, interface), contacts.elements[i]);
     for (const auto& [on_a, on_b] : {std::pair{frame.from_a, frame.from_b}, {frame.to_a, frame.to_b}})
       joints.push_back({interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)});
   }
@@ -306,7 +294,7 @@ void MovingContacts::refresh(const Model& model, const State& state, ContactSet&
     const Interface interface = interface_of(model, found[i]);
     contacts.interfaces[entry] = interface;
     contacts.elements[entry] = make_element(model, interface, InterfaceLaw::classical);
-    set_geometry(model, frame_of(model, state, search_.outlines(), found[i]), contacts.elements[entry]);
+    set_geometry(model, acting_frame(model, acting, search_.outlines(), found[i]), contacts.elements[entry]);
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     const std::ptrdiff_t earlier = succession.earlier()[i];
     if (earlier >= 0) {
@@ -314,8 +302,7 @@ void MovingContacts::refresh(const Model& model, const State& state, ContactSet&
       InterfaceState& own = states.emplace_back(contacts.states[stretches_ + static_cast<std::size_t>(earlier)]);
       const double moved = std::abs(own.gap(0) + own.held_open(0) - before.gap);
       if (is_same(found[i], before)) {
-        forgive_turn(found[i].gap, std::min(search_.size_of(interface.block_a), search_.size_of(interface.block_b)),
-                     own);
+        forgive_turn(found[i].gap, own);
       } else {
         press_no_more(found[i].gap, moved, own);
       }

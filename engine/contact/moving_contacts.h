@@ -21,8 +21,12 @@ class MovingContacts {
   MovingContacts(const Model& model, const State& state, ContactSet& contacts);
 
   // Brings `contacts` to the current geometry. Known contacts keep status, shear and slip; normal gaps are measured.
+  // Arms and directions of forces are those in `acting`, where the blocks are when the forces act.
   // Returns true when the list of pairs that can touch changed.
-  bool follow(const Model& model, const State& state, ContactSet& contacts);
+  bool follow(const Model& model, const State& state, const State& acting, ContactSet& contacts);
+  bool follow(const Model& model, const State& state, ContactSet& contacts) {
+    return follow(model, state, state, contacts);
+  }
 
   // True when increments `d` from `state` move blocks further against each other than contacts were looked for: the
   // next `follow` looks far enough.
@@ -52,7 +56,7 @@ class MovingContacts {
 
   void drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones);
   void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones);
-  void refresh(const Model& model, const State& state, ContactSet& contacts);
+  void refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts);
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact) const;
   [[nodiscard]] const InterfaceState* lost_end(const Model& model, const Interface& interface) const;
   [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface,

@@ -27,7 +27,15 @@ struct Scene {
     state = initial_state(model);
   }
 
-  void move_upper(double x, double y) { state.displacement[1].head<2>() += Vec2(x, y); }
+  // With the gaps of vertex contacts that a step finds.
+  void move_upper(double x, double y) {
+    state.displacement[1].head<2>() += Vec2(x, y);
+    for (std::size_t i = 0; i < contacts.states.size(); ++i) {
+      if (contacts.interfaces[i].length > 0) continue;
+      const double sense = contacts.interfaces[i].block_b == 1 ? 1 : -1;
+      contacts.states[i].gap(0) += sense * contacts.interfaces[i].normal.dot(Vec2(x, y));
+    }
+  }
 
   Model model;
   State state;
@@ -320,7 +328,7 @@ TEST(MovingContacts, AHandoverPressesNoMoreThanTheMotion) {
     while (contacts.interfaces.at(found).block_b != 2) ++found;
     return found;
   };
-  state.displacement[2](1) = -1e-6;
+  state.displacement[2](1) = contacts.states[under_the_tip()].gap(0) = -1e-6;
   moving.follow(model, state, contacts);
   const double before = contacts.states[under_the_tip()].force(0);
   ASSERT_NEAR(before, -1e-6 * contacts.elements[under_the_tip()].stiffness(0), 1e-3);
@@ -337,7 +345,10 @@ TEST(MovingContacts, ALiftedContactIsNotLost) {
   MovingContacts moving(scene.model, scene.state, scene.contacts);
   ASSERT_EQ(scene.contacts.states.size(), 2U);
   for (const double height : {0.015, 0.05, 0.3}) {
-    for (InterfaceState& state : scene.contacts.states) state.dilation[0] = height;
+    for (InterfaceState& state : scene.contacts.states) {
+      state.dilation[0] = height;
+      state.gap(0) = -1e-5;
+    }
     scene.state.displacement[1](1) = height - 1e-5;
     moving.follow(scene.model, scene.state, scene.contacts);
     ASSERT_EQ(scene.contacts.states.size(), 2U) << height;

@@ -75,12 +75,14 @@ Answer shear(const Row& row, double gap, const InterfaceTrial& trial, std::size_
   const double stuck = stuck_force(row, gap);
   const double slope = stuck_slope(row);
   if (!row.broken) return {stuck, slope};
-  const auto [yield, hardening] = yield_of(trial, end, std::copysign(1, stuck));
+  const double before = trial.before(static_cast<Eigen::Index>(2 * end + 1));
+  const double both = stuck + before;
+  const auto [yield, hardening] = yield_of(trial, end, std::copysign(1, both));
   // A joint that slid in the last step starts this one right at its capacity: it slides on unless it turns back.
-  if (std::abs(stuck) < (1 - at_capacity) * yield) return {stuck, slope};
-  if (hardening == 0) return {std::copysign(yield, stuck), 0};
+  if (std::abs(both) < (1 - at_capacity) * yield) return {stuck, slope};
+  if (hardening == 0) return {std::copysign(yield, both) - before, 0};
   const double share = hardening / (row.stiffness + row.dashpot + hardening);
-  return {std::copysign((1 - share) * yield + share * std::abs(stuck), stuck), share * slope};
+  return {std::copysign((1 - share) * yield + share * std::abs(both), both) - before, share * slope};
 }
 
 Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::Index row) {
@@ -93,7 +95,9 @@ Eigen::Index normal_row(int end) { return 2 * end; }
 double capacity_of(const EndStrength& strength, const InterfaceTrial& trial, int end) {
   const Eigen::Index n = normal_row(end);
   if (trial.rule.sticks) return trial.start(n) <= trial.rule.touching ? std::numeric_limits<double>::infinity() : 0;
-  return strength.capacity(trial.force(n), trial.residual[static_cast<std::size_t>(end)]);
+  const bool residual = trial.residual[static_cast<std::size_t>(end)];
+  if (trial.rule.conserves_energy) return 2 * strength.capacity((trial.force(n) + trial.before(n)) / 2, residual);
+  return strength.capacity(trial.force(n), residual);
 }
 
 void respond_normal(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
@@ -117,6 +121,14 @@ void let_go_of_opening(InterfaceTrial& trial) {
     if (trial.start(normal_row(end)) > 0 && trial.normal_gap(end) > 0) trial.rule.touching = -1;
 }
 
+void follow_pressure(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
+    respond_normal(springs, end, trial);
+    trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
+    respond_tangent(springs, end, trial);
+  }
+}
+
 void set_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end)
     trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
@@ -127,10 +139,26 @@ bool slides(const InterfaceTrial& trial, int end) {
          trial.active(normal_row(end) + 1) < 1;
 }
 
+// What the spring of an end that slides keeps of its shear.
+double shear_kept(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
+  const Eigen::Index row = normal_row(end) + 1;
+  if (!trial.rule.conserves_energy) return trial.force(row);
+  const double friction = trial.capacity[static_cast<std::size_t>(end)] / 2;
+  return std::clamp(springs.stiffness(row) * trial.gap(row), -friction, friction);
+}
+
+// In a conserving step an end slips when its spring ends the step beyond its friction, even if the mean never was.
+bool slips(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
+  if (trial.active(normal_row(end) + 1) < 1) return true;
+  if (!trial.rule.conserves_energy || trial.rule.sticks || !trial.broken[static_cast<std::size_t>(end)]) return false;
+  const Eigen::Index row = normal_row(end) + 1;
+  return shear_kept(springs, trial, end) != springs.stiffness(row) * trial.gap(row);
+}
+
 // Slip of a sliding end within the step.
 double slip_in_step(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
   const Eigen::Index row = normal_row(end) + 1;
-  return trial.gap(row) - elastic_gap(trial.force(row), springs.stiffness(row), trial.gap(row));
+  return trial.gap(row) - elastic_gap(shear_kept(springs, trial, end), springs.stiffness(row), trial.gap(row));
 }
 
 // The same as the law of hardening sees it, dashpot included.
@@ -161,7 +189,7 @@ void keep_sliding(const InterfaceSprings& springs, const InterfaceState& start, 
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index row = normal_row(end) + 1;
     if (start.status[e] != ContactStatus::sliding || trial.capacity[e] == 0 || trial.rule.sticks) continue;
-    trial.force(row) = std::copysign(trial.capacity[e], start.gap(row));
+    trial.force(row) = std::copysign(trial.capacity[e], start.gap(row)) - trial.before(row);
     const double hardening = yield_of(trial, e, std::copysign(1, start.gap(row))).hardening;
     trial.active(row) = hardening > 0 ? hardening / (springs.stiffness(row) + hardening) : 0;
   }
@@ -184,9 +212,11 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   trial.force = start.force;
   trial.rule = rule;
   if (has_stress_rows(springs)) return trial;
-  set_capacity(springs, strength, trial);  // by the forces of the start
+  for (int end = 0; end < ends_of(springs); ++end)
+    if (rule.conserves_energy && trial.broken[static_cast<std::size_t>(end)])
+      trial.before.segment<2>(normal_row(end)) = start.force.segment<2>(normal_row(end));
   if (strength.dilation > 0 && !rule.sticks) expect_full_stiffness(springs, strength, trial);
-  respond(springs, trial);
+  follow_pressure(springs, strength, trial);  // at the gap that the step begins with, what is foreseen included
   keep_sliding(springs, start, trial);
   return trial;
 }
@@ -207,11 +237,7 @@ void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& 
 
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) let_go_of_opening(trial);
-  for (int end = 0; end < ends_of(springs); ++end) {
-    respond_normal(springs, end, trial);
-    trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
-    respond_tangent(springs, end, trial);
-  }
+  follow_pressure(springs, strength, trial);
 }
 
 double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial, double t) {
@@ -318,12 +344,14 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
       state.gap(n + 1) = 0;  // a joint that closes again starts without shear
       continue;
     }
-    state.status[e] = trial.active(n + 1) < 1 ? ContactStatus::sliding : ContactStatus::locked;
-    if (state.status[e] == ContactStatus::locked) {
+    const bool slid = slips(springs, trial, end);
+    state.status[e] = slid ? ContactStatus::sliding : ContactStatus::locked;
+    if (!slid) {
       state.force(n + 1) = springs.stiffness(n + 1) * trial.gap(n + 1);
       continue;
     }
-    state.gap(n + 1) = elastic_gap(trial.force(n + 1), springs.stiffness(n + 1), trial.gap(n + 1));
+    state.force(n + 1) = shear_kept(springs, trial, end);
+    state.gap(n + 1) = elastic_gap(state.force(n + 1), springs.stiffness(n + 1), trial.gap(n + 1));
     state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
   }
   return state;

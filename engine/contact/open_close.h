@@ -36,7 +36,9 @@ struct ContactRule {
 //   a
 //                       balance of means (alpha_f = 1/2) turns into the discrete gradient of V (Gonzalez 1996)
 //   dashpot             C (min(0, g1) - min(0, g0)), C = dashpot * dashpot_rate, and no pull of both together
-//   shear while closed  k g1 + C (g1 - g0), at most the capacity
+//   shear while closed  k g1 + C (g1 - g0), at most the capacity. Conserving: the mean of this and the shear of the
+//                       start is at most the friction of the mean normal force, so that slip, which goes the way of
+//                       the mean, always takes energy; the spring itself keeps no more than that friction.
 // Each is a non-decreasing function of g1, so every one has a convex potential.
 struct InterfaceTrial {
   Vec4 start = Vec4::Zero();             // m, gap at the start of the step
@@ -44,7 +46,8 @@ struct InterfaceTrial {
   Vec4 direction = Vec4::Zero();         // m, its change along the full Newton step
   Vec4 force = Vec4::Zero();             // N per m of thickness, at `gap`, what the balance of the step sees
   Vec4 active = Vec4::Ones();            // d force/d gap over the stiffness: 0 for open or sliding rows, mostly 1 else
-  std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end
+  Vec4 before = Vec4::Zero();            // N per m of thickness, of the start, where the balance takes means with it
+  std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end; with `before`
   std::array<bool, 2> broken{false, false};
   std::array<bool, 2> residual{false, false};
   ContactRule rule;

@@ -24,6 +24,8 @@ BlockTerms make_block_terms(const Model& model) {
     terms.area.push_back(block.moments.area);
     terms.elasticity.push_back(elasticity);
     terms.compliance.emplace_back(elasticity.inverse());
+    terms.directions.push_back(0);
+    terms.centrifugal.emplace_back(Vec3::Zero());
   }
   for (const HeldBlock& held : model.held_blocks) terms.inertia[static_cast<std::size_t>(held.block)].mass = 0;
   return terms;
@@ -39,12 +41,12 @@ void set_strain_inertia(const Stage& stage, BlockTerms& terms) {
   for (Inertia& inertia : terms.inertia) inertia.strain_inertia = stage.strain_inertia;
 }
 
-void update_geometry(const Model& model, const State& state, BlockTerms& terms) {
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    const AreaMoments& moments = model.blocks[i].moments;
-    terms.area[i] = moments.area * state.deformation[i].determinant();
-    terms.inertia[i].squares = deformed_mean_squares(mean_squares(moments), state.deformation[i]);
-  }
+double deformed_area(const Model& model, const State& state, std::size_t block) {
+  return model.blocks[block].moments.area * state.deformation[block].determinant();
+}
+
+Vec3 deformed_squares(const Model& model, const State& state, std::size_t block) {
+  return deformed_mean_squares(mean_squares(model.blocks[block].moments), state.deformation[block]);
 }
 
 BlockDamping make_block_damping(const Model& model, const State& state, std::size_t stage) {

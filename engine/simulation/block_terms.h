@@ -18,12 +18,19 @@ struct BlockTerms {
   std::vector<Mat3> elasticity;  // Pa
   std::vector<Mat3> compliance;  // 1/Pa
 
+  // Rotation (rad) at which each block has the directions in which its strains, their rates, its stress and its inertia
+  // are measured.
+  std::vector<double> directions;
+  std::vector<Vec3> centrifugal;  // N m per m of thickness, on the strains
+
   // What finite kinematics change.
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [inertia, area, elasticity, compliance] = self;
-    for (auto& each : inertia) archive(each.squares);
+    auto& [inertia, area, elasticity, compliance, directions, centrifugal] = self;
+    for (auto& each : inertia) archive(each.squares, each.beyond);
     archive.each(area);
+    archive.each(directions);
+    archive.each(centrifugal);
   }
 };
 
@@ -34,8 +41,9 @@ BlockTerms make_block_terms(const Model& model);
 BlockTerms make_block_terms(const Model& model, const Stage& stage);
 void set_strain_inertia(const Stage& stage, BlockTerms& terms);
 
-// Areas and inertia of the deformed blocks (finite kinematics).
-void update_geometry(const Model& model, const State& state, BlockTerms& terms);
+// Area (m2) and mean squares (m2) of a deformed block (finite kinematics).
+double deformed_area(const Model& model, const State& state, std::size_t block);
+Vec3 deformed_squares(const Model& model, const State& state, std::size_t block);
 
 // Damping matrices of the blocks that have an absorbing edge, at most one entry a block; of the edges that act in
 // `stage`.

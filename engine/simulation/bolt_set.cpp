@@ -25,22 +25,38 @@ double lengthening(const Vec2& drawn, const Vec2& change) {
   return change.dot(2 * drawn + change) / ((drawn + change).norm() + drawn.norm());
 }
 
-// Rows, and gaps from where the anchors are.
-void place(const Model& model, const State& state, const Bolt& bolt, const BoltLink& drawn, LinkElement& link) {
-  const Vec2 a = current_position(model, state, link.block_a, drawn.point_a);
-  const Vec2 b = current_position(model, state, link.block_b, drawn.point_b);
+// Change of the way from anchor a to anchor b.
+Vec2 change_of_span(const Model& model, const State& state, const BoltLink& drawn) {
+  return point_displacement(model, state, drawn.block_b, drawn.point_b) -
+         point_displacement(model, state, drawn.block_a, drawn.point_a);
+}
+
+Vec2 direction_in(const Model& model, const State& state, const Bolt& bolt, const BoltLink& drawn) {
+  if (bolt.grouted) return turned_with_blocks(state, drawn, bolt.direction);
+  return (drawn.point_b - drawn.point_a + change_of_span(model, state, drawn)).normalized();
+}
+
+// Gaps from where the anchors are.
+void measure(const Model& model, const State& state, const Bolt& bolt, const BoltLink& drawn, LinkElement& link) {
   const Vec2 span = drawn.point_b - drawn.point_a;
-  const Vec2 change = point_displacement(model, state, link.block_b, drawn.point_b) -
-                      point_displacement(model, state, link.block_a, drawn.point_a);
-  const Vec2 along =
-      bolt.grouted ? turned_with_blocks(state, drawn, bolt.direction) : Vec2((span + change).normalized());
-  const Vec2 across(-along.y(), along.x());
-  link.rows = bolt_rows(along, a - current_centroid(model, state, link.block_a),
-                        b - current_centroid(model, state, link.block_b));
+  const Vec2 change = change_of_span(model, state, drawn);
   Vec2 total(lengthening(span, change), 0);
-  if (bolt.grouted) total = Vec2(along.dot(span + change) - bolt.direction.dot(span), across.dot(span + change));
+  if (bolt.grouted) {
+    const Vec2 along = direction_in(model, state, bolt, drawn);
+    const Vec2 across(-along.y(), along.x());
+    total = Vec2(along.dot(span + change) - bolt.direction.dot(span), across.dot(span + change));
+  }
   link.state.gap = total + Vec2(link.pretension_gap, 0) - link.state.plastic;
   link.state.force = answer_of(link.law, link.state.gap, link.state.ruptured).force;
+}
+
+// Rows where the blocks are in `acting`.
+void place(const Model& model, const State& acting, const Bolt& bolt, const BoltLink& drawn, LinkElement& link) {
+  const auto arm = [&](int block, const Vec2& point) -> Vec2 {
+    return current_position(model, acting, block, point) - current_centroid(model, acting, block);
+  };
+  link.rows = bolt_rows(direction_in(model, acting, bolt, drawn), arm(drawn.block_a, drawn.point_a),
+                        arm(drawn.block_b, drawn.point_b));
 }
 
 }  // namespace
@@ -58,7 +74,7 @@ BoltSet::BoltSet(const Model& model, const State& state) {
       links_.push_back(link);
     }
   }
-  update_geometry(model, state);
+  update_geometry(model, state, state);
 }
 
 std::vector<std::pair<int, int>> BoltSet::pairs() const {
@@ -73,10 +89,14 @@ double BoltSet::stored_energy() const {
   return energy;
 }
 
-void BoltSet::update_geometry(const Model& model, const State& state) {
+void BoltSet::update_geometry(const Model& model, const State& state, const State& acting) {
   std::size_t next = 0;
   for (const Bolt& bolt : model.bolts)
-    for (const BoltLink& drawn : bolt.links) place(model, state, bolt, drawn, links_[next++]);
+    for (const BoltLink& drawn : bolt.links) {
+      LinkElement& link = links_[next++];
+      place(model, acting, bolt, drawn, link);
+      measure(model, state, bolt, drawn, link);
+    }
 }
 
 void BoltSet::add_force(Eigen::VectorXd& force) const {

@@ -33,8 +33,9 @@ class BoltSet {
   // All links, those of one bolt after those of the other.
   [[nodiscard]] std::span<const LinkElement> links() const { return links_; }
 
-  // Turns the lines of action with blocks and anchors and measures elongations anew (finite kinematics).
-  void update_geometry(const Model& model, const State& state);
+  // Turns the lines of action with blocks and anchors to where these are in `acting`, and measures elongations anew
+  // (finite kinematics).
+  void update_geometry(const Model& model, const State& state, const State& acting);
 
   // Adds the internal forces of the states.
   void add_force(Eigen::VectorXd& force) const;

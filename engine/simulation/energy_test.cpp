@@ -229,7 +229,7 @@ TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
       const double work = inertia_work(step, terms, state, d);
       audit.dashpots_worked(step, told, state, d);
       advance_blocks(step, terms, d, state);
-      deform_blocks(Kinematics::small, d, state);
+      deform_blocks(Kinematics::small, d, terms, state);
       Eigen::VectorXd new_force = none;
       new_force.tail<3>() = terms.area[0] * state.stress[0];
       audit.record(step, work, {kinetic_energy(terms, state), strain_energy(terms, state), 0},

@@ -32,13 +32,14 @@ TEST(FiniteKinematics, ArmOfAForceTurnsWithItsBlock) {
   const Integrator integrator = generalized_alpha_integrator(0.5);
   model.stages = {stage_of(integrator, dt, 30, Kinematics::finite)};
   Simulation simulation = simulation_of(std::move(model));
-  // The same step by step for a rigid body: torque with the arm of the step's start, old and new.
+  // The same step by step for a rigid body: torque with the arm of the moment at which the integrator's balance holds,
+  // as foreseen at the step's start.
   const StepCoefficients step = step_coefficients(integrator, dt);
   const double inertia = 1000.0 / 6;
   double angle = 0, velocity = 0, acceleration = force * 0.5 / inertia;
   for (int i = 0; i < 30; ++i) {
     ASSERT_EQ(simulation.step(), Status::ok);
-    const double torque = force * 0.5 * std::cos(angle);
+    const double torque = force * 0.5 * std::cos(angle + step.acts_at * dt * velocity);
     const double d = (torque / inertia + step.mass_v * velocity + step.mass_a * acceleration) / step.mass;
     const double new_acceleration = step.a_d * d + step.a_v * velocity + step.a_a * acceleration;
     velocity += step.v_a0 * acceleration + step.v_a1 * new_acceleration;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/contact/foreseen_gap.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/initial_acceleration.h"
@@ -49,13 +50,16 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
 }
 
+// Blocks that spin are pulled apart.
+bool feels_spin(const StepPlan& plan) { return plan.finite_kinematics && !plan.is_static; }
+
 }  // namespace
 
 GeneralStep::GeneralStep(BlockSystem& system)
     : system_(system),
       solver_(system.costs),
       range_(system.model, system.contacts.interfaces),
-      turned_(system.model.blocks.size(), Vec4::Zero()),
+      acting_(system.state),
       base_(0, {}) {
   if (!contacts_move(system.model)) return;
   system.contacts.can_change = true;
@@ -86,7 +90,10 @@ void GeneralStep::set_step_size(double dt) {
 }
 
 void GeneralStep::begin() {
-  if (!system_.plan.is_static) set_initial_acceleration(changing_, system_);
+  for (Vec3& force : system_.terms.centrifugal) force.setZero();
+  if (system_.plan.is_static) return;
+  if (feels_spin(system_.plan)) set_centrifugal_forces(system_.model, system_.state, system_.terms);
+  set_initial_acceleration(changing_, system_);
 }
 
 void GeneralStep::list_contacts() {
@@ -147,21 +154,30 @@ bool GeneralStep::moves_further_than_seen() {
   return true;
 }
 
+// Forces act in the geometry that is foreseen for the moment to which the balance belongs; gaps are those of now. What
+// is foreseen may be wrong, so it counts as motion that the geometry has still to follow.
 void GeneralStep::follow_geometry() {
-  if (moved_ <= geometry_tolerance) return;
-  const PhaseTimer timer(system_.costs.times.geometry);
   BlockSystem& s = system_;
-  moved_ = 0;
-  turn_stresses(s.terms, s.state, turned_);
-  update_geometry(s.model, s.state, s.terms);
+  const double ahead = s.coefficients.acts_at * s.coefficients.dt;
+  const double coming = largest_motion_within(system_, ahead);
+  if (std::max(moved_, coming) <= geometry_tolerance) return;
+  const PhaseTimer timer(s.costs.times.geometry);
+  const bool moves = coming > geometry_tolerance;
+  moved_ = moves ? coming : 0;
+  const double most = moving_ ? most_turn : std::numeric_limits<double>::infinity();
+  foresee(s.state, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, most, acting_);
+  follow_blocks(s.model, acting_, s.plan.is_static, s.state, s.terms);
+  if (feels_spin(s.plan)) set_centrifugal_forces(s.model, s.state, s.terms);
   follow_contacts();
-  update_geometry(s.model, s.state, s.supports);
+  if (moves && moving_ && s.coefficients.acts_at != 0.5)
+    foresee_gaps(acting_.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
+  update_geometry(s.model, acting_, s.supports);
   for (std::size_t i = 0; i < s.supports.size(); ++i) measure_gap(s.model, s.state, i, s.supports[i]);
-  s.bolts.update_geometry(s.model, s.state);
-  if (s.plan.viscous_edges) update_geometry(s.model, s.state, s.clock.stage, s.damping);
+  s.bolts.update_geometry(s.model, s.state, acting_);
+  if (s.plan.viscous_edges) update_geometry(s.model, acting_, s.clock.stage, s.damping);
   if (s.plan.loads) {
-    s.external.update_geometry(s.model, s.state);
-    if (s.free_field) s.free_field->update_geometry(s.model, s.state, s.clock.stage);
+    s.external.update_geometry(s.model, acting_);
+    if (s.free_field) s.free_field->update_geometry(s.model, acting_, s.clock.stage);
     s.loads_at(s.state.time, s.forces.load_old);
   }
   refresh_tractions(s.state, s.contacts);
@@ -173,11 +189,11 @@ void GeneralStep::follow_geometry() {
 void GeneralStep::follow_contacts() {
   BlockSystem& s = system_;
   if (!moving_) {
-    update_geometry(s.model, s.state, s.contacts);
+    update_geometry(s.model, acting_, s.contacts);
     return;
   }
   ++s.costs.counters.contact_searches;
-  if (moving_->follow(s.model, s.state, s.contacts)) {
+  if (moving_->follow(s.model, s.state, acting_, s.contacts)) {
     base_ = pattern();
     solver_.set_pattern(base_);
   }
@@ -194,6 +210,7 @@ void GeneralStep::form_rhs() {
   for (std::size_t i = 0; i < state.velocity.size(); ++i)
     rhs_.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
         momentum(system_.terms.inertia[i], c.mass_v * state.velocity[i] + c.mass_a * state.acceleration[i]);
+  if (feels_spin(system_.plan)) add_centrifugal_forces(system_.terms, rhs_);
   add_dashpot_and_support_rhs(system_, rhs_);
 }
 
@@ -297,17 +314,22 @@ bool GeneralStep::is_in_contact_range() {
 void GeneralStep::accept() {
   BlockSystem& s = system_;
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
+  if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment);
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
+  // What only a matrix built anew may see: the next step follows the geometry.
+  const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance;
+  if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts();
   if (s.plan.contacts_can_change) note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
   s.bolts.accept(solver_.bolts(), s.audit);
   accept_supports(s);
   s.sum_internal_forces(s.forces.internal_new);
   finish_step(work, s.stored_energy_now(), s);
+  if (geometry_is_late) turn_strains_home(s.state, s.terms);  // what is recorded has the directions of now
   if (!more_are_loose) return;
   s.drag.hold_loose(s.model.blocks.size(), s.held);
   base_is_current_ = false;
@@ -325,6 +347,7 @@ void GeneralStep::accept_bonded() {
 void GeneralStep::accept_contacts() {
   BlockSystem& s = system_;
   const double weight = s.coefficients.stiffness;
+  const bool gaps_are_foreseen = s.plan.finite_kinematics && s.coefficients.acts_at != 0.5;  // and do no work
   const InterfaceTrials& trials = solver_.contacts();
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const std::size_t i = trials.place(k);
@@ -335,7 +358,7 @@ void GeneralStep::accept_contacts() {
     const bool drops = trials[k].force != after.force;
     if (drops && !s.held.empty())  // the rest of their work is in audit_held_blocks
       s.audit.held_blocks_moved_against(weight * s.held.gap_increment(element).dot(dropped));
-    if (before.status != after.status || before.slip != after.slip || drops)
+    if (before.status != after.status || before.slip != after.slip || drops || gaps_are_foreseen)
       s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
                                 weight * dashpot_force(element, trials[k]));
     s.contacts.states[i] = after;

@@ -46,11 +46,11 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, turned, deepest, changing, bonded, base, base_version, base_is_current,
+    auto& [system, solver, moving, range, moved, acting, deepest, changing, bonded, base, base_version, base_is_current,
            rule, rhs, message] = self;
     if (moving) archive(*moving);
     archive(solver, deepest);
-    if (system.geometry_moves()) archive(range, moved, turned);
+    if (system.geometry_moves()) archive(range, moved);
     // The others follow from the system, or begin with every step.
   }
 
@@ -81,7 +81,7 @@ class GeneralStep : public Step {
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
   ContactRange range_;                    // looked at where they cannot
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
-  std::vector<Vec4> turned_;              // rotation (rad) and strains of each block that its stress has followed
+  State acting_;                          // displacements and shapes of the blocks where the step's forces act
   Penetration deepest_;
 
   std::vector<int> changing_, bonded_;  // interfaces that can change in a step, and the others; ascending

@@ -42,6 +42,20 @@ std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing
   return stiffness;
 }
 
+// Blocks that spin and have no stress yet begin to swing. An integrator's acceleration belongs to a moment that is
+// t = (gamma - 1/2) dt away from that of the state (ADR 30), where the swing has a0 cos(Omega t) of it left, close to
+// a0/(1 + (Omega t)^2/2); so (M + t^2 K/2) a = F. With M alone rho_inf = 0 would begin with too much energy.
+Vec6 centrifugal_acceleration(const Mat6& mass, std::size_t block, const BlockSystem& system) {
+  const Vec3& stretching = system.terms.centrifugal[block];
+  if (stretching.isZero(0)) return Vec6::Zero();
+  const double away = system.coefficients.v_a1 - system.coefficients.dt / 2;
+  Mat6 matrix = mass;
+  matrix.bottomRightCorner<3, 3>() += away * away / 2 * system.terms.area[block] * system.terms.elasticity[block];
+  Vec6 force = Vec6::Zero();
+  force.tail<3>() = stretching;
+  return matrix.llt().solve(force);
+}
+
 }  // namespace
 
 void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& system) {
@@ -57,8 +71,9 @@ void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& sys
     Vec6& acceleration = system.state.acceleration[i];
     acceleration = mass.llt().solve(force);
     const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;
-    if (chi <= unresolved || motion_share(dt * dt * acceleration, system.terms.area[i]) <= harmful) continue;
-    acceleration = (mass + dt * dt * stiffness[i]).llt().solve(force);
+    if (chi > unresolved && motion_share(dt * dt * acceleration, system.terms.area[i]) > harmful)
+      acceleration = (mass + dt * dt * stiffness[i]).llt().solve(force);
+    acceleration += centrifugal_acceleration(mass, i, system);
   }
 }
 

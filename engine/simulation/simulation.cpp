@@ -13,6 +13,7 @@
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/system_matrix.h"
 
 namespace dda {
@@ -38,6 +39,8 @@ Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std:
     in_situ_force_ = std::max(in_situ_force_, state.force.cwiseAbs().maxCoeff());
   general_ = std::make_unique<GeneralStep>(s);
   linear_ = std::make_unique<LinearStep>(s);
+  if (s.contacts.can_change)
+    for (Stage& each : s.model.stages) each.integrator = with_contacts(each.integrator);
   s.sum_internal_forces(s.forces.internal_old);
   if (!s.model.free_field_sides.empty()) s.free_field = std::make_unique<FreeField>(s.model, s.contacts, s.state);
   s.loads_at(s.state.time, s.forces.load_old);

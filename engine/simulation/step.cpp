@@ -20,7 +20,7 @@ void move_blocks(Kinematics kinematics, BlockSystem& system) {
   const StepCoefficients& c = system.coefficients;
   system.audit.dashpots_worked(c, system.damping, system.state, system.increment);
   advance_blocks(c, system.terms, system.increment, system.state);
-  deform_blocks(kinematics, system.increment, system.state);
+  deform_blocks(kinematics, system.increment, system.terms, system.state);
   system.state.time = system.end_of_step(c.dt);
 }
 

@@ -2,6 +2,17 @@
 
 namespace dda {
 
+Integrator with_contacts(const Integrator& integrator) {
+  const auto is_scheme_of = [&](const Integrator& other) {
+    return integrator.beta == other.beta && integrator.gamma == other.gamma && integrator.alpha_m == other.alpha_m &&
+           integrator.alpha_f == other.alpha_f;
+  };
+  Integrator conserving = energy_conserving_integrator();
+  if (!is_scheme_of(trapezoidal_integrator()) && !is_scheme_of(conserving)) return integrator;
+  conserving.name = integrator.name;
+  return conserving;
+}
+
 StepCoefficients step_coefficients(const Integrator& integrator, double dt) {
   const double beta = integrator.beta;
   const double gamma = integrator.gamma;
@@ -26,6 +37,9 @@ StepCoefficients step_coefficients(const Integrator& integrator, double dt) {
   c.v_a0 = dt * (1 - gamma);
   c.v_a1 = dt * gamma;
   c.weight_new_a = new_m;
+  // v1 - v0 = dt ((1 - gamma) a0 + gamma a1) is the integral of the acceleration to second order if a0 and a1 belong to
+  // moments 1/2 - gamma of a step after its start and its end. The balance has a0 + new_m (a1 - a0).
+  c.acts_at = 0.5 - gamma + new_m;
   return c;
 }
 

@@ -19,7 +19,13 @@ struct StepCoefficients {
   double a_d = 0, a_v = 0, a_a = 0;    // a1 = a_d d + a_v v0 + a_a a0
   double v_v = 0, v_a0 = 0, v_a1 = 0;  // v1 = v_v v0 + v_a0 a0 + v_a1 a1
   double weight_new_a = 0;             // acceleration in the balance: weight_new_a a1 + (1 - weight_new_a) a0
+  double acts_at = 0;                  // moment in the step, as a share of it, to which that acceleration belongs
 };
+
+// What an integrator is where contacts open, close and slide. The trapezoidal rule moves as the midpoint rule does but
+// carries the accelerations of earlier contact forces on: it becomes that rule, and as both damp nothing, contacts
+// conserve energy. Integrators that damp stay what they are (ADR 30).
+Integrator with_contacts(const Integrator& integrator);
 
 StepCoefficients step_coefficients(const Integrator& integrator, double dt);
 

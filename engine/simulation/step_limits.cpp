@@ -12,10 +12,8 @@
 namespace dda {
 namespace {
 
-// A block may turn, or be strained, by this much in a step (rad): first-order gaps are then off by its size times half
-// the square. In static stages that is put right by the steps that follow; and a small block that tumbles faster than
-// the shortest parts of a step resolve does not stop the others: what it meets forgives it the rest (moving_contacts).
-constexpr double most_turn = 0.01;
+// In static stages a larger turn is put right by the steps that follow; and a small block that tumbles faster than the
+// shortest parts of a step resolve does not stop the others: what it meets forgives it the rest (moving_contacts).
 constexpr double most_turn_in_static_steps = 0.05;
 constexpr double most_turn_in_shortest_steps = 0.3;
 
@@ -35,6 +33,13 @@ double largest_motion(const BlockSystem& system) {
     largest = std::max(largest, motion_share(own, system.terms.area[i]));
   }
   return largest;
+}
+
+double largest_motion_within(const BlockSystem& system, double time) {
+  double largest = 0;
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i)
+    largest = std::max(largest, motion_share(system.state.velocity[i], system.terms.area[i]));
+  return time * largest;
 }
 
 std::string turn_problem(const BlockSystem& system) {

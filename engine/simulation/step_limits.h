@@ -8,8 +8,15 @@
 
 namespace dda {
 
+// A block may turn, or be strained, by this much in a step (rad) where contacts are followed: first-order gaps are then
+// off by its size times half the square.
+inline constexpr double most_turn = 0.01;
+
 // Of the block that moves most by system.increment, its motion in its own size (see motion_share).
 double largest_motion(const BlockSystem& system);
+
+// The same by what each block would do within `time` (s) if it went on as it moves now.
+double largest_motion_within(const BlockSystem& system, double time);
 
 // Which block would turn or be strained too far for first-order gaps by system.increment; empty when none.
 std::string turn_problem(const BlockSystem& system);

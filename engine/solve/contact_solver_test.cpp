@@ -56,6 +56,22 @@ TEST(ContactSolver, ABlockThatIsPushedBeyondFrictionSlides) {
   }
 }
 
+// What was foreseen of the gap is in the friction that the first pass expects: it is not to take another for it.
+TEST(ContactSolver, ABlockThatSlidesOnTakesOnePassWhateverGapsAreForeseen) {
+  for (const double foreseen : {0.0, 1e-3, -1e-3}) {
+    HandMadeProblem made = block_on_floor({100, -100});
+    InterfaceState& state = made.states[0];
+    state.status[0] = ContactStatus::sliding;
+    state.gap << -0.1, -0.5 * kn * 0.1 / ks, 0, 0;
+    state.force << kn * state.gap(0), ks * state.gap(1), 0, 0;
+    state.gap(0) += foreseen;
+    const Solved solved(made);
+    ASSERT_EQ(solved.solution.status, Status::ok);
+    EXPECT_EQ(solved.solver.contacts()[0].force(1), 0.5 * solved.solver.contacts()[0].force(0));
+    EXPECT_EQ(solved.costs.counters.open_close_iterations, 1) << foreseen;
+  }
+}
+
 TEST(ContactSolver, ABlockThatIsLiftedOpens) {
   const Solved solved(block_on_floor({30, 50}));
   ASSERT_EQ(solved.solution.status, Status::ok);

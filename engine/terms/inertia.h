@@ -17,6 +17,12 @@ struct Inertia {
   double mass = 0;              // kg per m of thickness
   Vec3 squares = Vec3::Zero();  // mean squares, m^2
   double strain_inertia = 1;    // factor on the inertia of the strains alone (see Stage)
+  // m^2, what the block has more against rotation than `squares` say, if its shape has changed since these were
+  // measured.
+  double beyond = 0;
+
+  // Mean square of the distances from the centroid, m^2.
+  [[nodiscard]] double polar() const { return squares(0) + squares(1) + beyond; }
 };
 
 Mat6 mass_matrix(const Inertia& inertia);
@@ -28,10 +34,10 @@ inline Vec6 momentum(const Inertia& inertia, const Vec6& v) {
   const double xy = inertia.squares(2);
   const double strain = inertia.strain_inertia;
   Vec6 p;
-  p << v(0), v(1),                                                   //
-      (xx + yy) * v(2) + xy * (v(4) - v(3)) + (xx - yy) / 2 * v(5),  //
-      -xy * v(2) + strain * (xx * v(3) + xy / 2 * v(5)),             //
-      xy * v(2) + strain * (yy * v(4) + xy / 2 * v(5)),              //
+  p << v(0), v(1),                                                         //
+      inertia.polar() * v(2) + xy * (v(4) - v(3)) + (xx - yy) / 2 * v(5),  //
+      -xy * v(2) + strain * (xx * v(3) + xy / 2 * v(5)),                   //
+      xy * v(2) + strain * (yy * v(4) + xy / 2 * v(5)),                    //
       (xx - yy) / 2 * v(2) + strain * (xy / 2 * (v(3) + v(4)) + (xx + yy) / 4 * v(5));
   return inertia.mass * p;
 }

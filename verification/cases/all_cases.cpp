@@ -33,6 +33,7 @@
 #include "verification/cases/sliding_cases.h"
 #include "verification/cases/slope_cases.h"
 #include "verification/cases/soil_column_cases.h"
+#include "verification/cases/spin_cases.h"
 #include "verification/cases/static_stress_cases.h"
 #include "verification/cases/statics_cases.h"
 #include "verification/cases/stick_slip_cases.h"
@@ -46,6 +47,7 @@ namespace {
 // One function a subject, by catalogue number; its cases keep their order.
 constexpr std::array subjects{
     rigid_motion_cases,        // 1-3
+    spin_cases,                // 3
     contact_oscillator_cases,  // 4
     base_shaking_cases,        // 4, 11
     bounce_cases,              // 5

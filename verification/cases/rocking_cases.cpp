@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "verification/cases/contact_rig.h"
+#include "verification/cases/every_integrator.h"
 #include "verification/exact/rocking.h"
 
 namespace verify {
@@ -37,6 +38,7 @@ struct Release {
   double dt = 1e-3;    // s
   dda::Integrator integrator = dda::generalized_alpha_integrator(0);
   double contact_damping = 0;
+  double spring = 0;  // N/m at each corner; 0: that of the rock
 
   [[nodiscard]] double drawn_tilt() const { return share * block.slenderness_angle(); }
 };
@@ -48,6 +50,7 @@ exact::RockingBlock block_of(double slenderness) { return {block_height / slende
 dda::Model tilted_block(const Release& release) {
   dda::JointMaterial joint = dry_joint(friction_angle);
   joint.contact_damping = release.contact_damping;
+  joint.normal_spring = release.spring;
   dda::Model model = floor_with(joint);
   hold_corners(model, 0);
   const double c = std::cos(release.drawn_tilt());
@@ -140,9 +143,8 @@ Outcome rocking_period() {
       outcome.assertions.push_back({"period of rocking, " + what, "s", got.period, got.full,
                                     "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking), 4 x the time to the "
                                     "upright position",
-                                    got.full_error, 1.5e-3,
-                                    "measured 3e-4 to 8e-4 at dt = 1 ms, in proportion to dt; target of the project "
-                                    "0.5 %"});
+                                    got.full_error, 1e-4,
+                                    "measured 4e-6 to 4e-5 at dt = 1 ms; target of the project 0.5 %"});
       if (slenderness < 4) continue;  // linearising alone costs up to 1.3 %
       outcome.assertions.push_back({"period of rocking against the linearised formula, " + what, "s", got.period,
                                     got.housner, "(4/p) acosh(1/(1 - theta0/alpha)), p^2 = 3 g/(4 R): Housner 1963",
@@ -158,8 +160,7 @@ Outcome rocking_period() {
 Outcome rocking_period_order() {
   Outcome outcome;
   double residual = 0;
-  for (const dda::Integrator& integrator :
-       {dda::generalized_alpha_integrator(0), dda::thesis_integrator(), dda::energy_conserving_integrator()}) {
+  for (const dda::Integrator& integrator : every_integrator()) {
     std::vector<double> errors;
     PeriodErrors got;
     for (const double dt : {4e-3, 2e-3, 1e-3}) {
@@ -169,14 +170,28 @@ Outcome rocking_period_order() {
     }
     outcome.assertions.push_back({"period of rocking at dt = 1 ms, h/b = 4, theta0 = 0.5 alpha, " + integrator.name,
                                   "s", got.period, got.full,
-                                  "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking)", got.full_error, 6e-4,
-                                  "measured 3e-4 to 5.2e-4", Order{std::log2(errors[1] / errors[2]), 1, 0.1}});
+                                  "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking)", got.full_error, 2e-5,
+                                  "measured up to 1.4e-5; 3e-4 to 5e-4 where forces lag behind the block"});
+    // Others are as exact but for what their start and vibrations of the springs make of it. From the differences
+    // between steps, as springs alone are 4e-7 off.
+    if (integrator.name != "thesis") continue;
+    outcome.assertions.back().order = Order{std::log2((errors[0] - errors[1]) / (errors[1] - errors[2])), 2, 0.3};
   }
-  outcome.assertions.push_back(energy_assertion("nine releases", residual));
+  outcome.assertions.push_back(energy_assertion("all integrators", residual));
   return outcome;
 }
 
 // ---- Impact.
+
+// Angular speed after the first impact over that before it.
+double impact_ratio(const Release& release, Outcome& outcome, double& residual) {
+  Rocking rocking(release);
+  const double after = rocking.tilt_after_impact();
+  const auto speed = [&](double tilt) { return exact::rocking_speed(release.block, standard_gravity, tilt, 0); };
+  residual = std::max(residual, rocking.run().energy_residual());
+  outcome.counters += rocking.run().simulation().counters();
+  return speed(after) / speed(rocking.start());
+}
 
 Outcome rocking_impact() {
   Outcome outcome;
@@ -184,21 +199,40 @@ Outcome rocking_impact() {
   for (const double slenderness : {3.0, 4.0, 8.0}) {
     for (const double share : {0.3, 0.6}) {
       const Release release{block_of(slenderness), share, 1e-4, dda::generalized_alpha_integrator(0), 3};
-      Rocking rocking(release);
-      const double after = rocking.tilt_after_impact();
-      const auto speed = [&](double tilt) { return exact::rocking_speed(release.block, standard_gravity, tilt, 0); };
-      const double ratio = speed(after) / speed(rocking.start());
+      const double ratio = impact_ratio(release, outcome, residual);
       const double expected = exact::rocking_impact_ratio(release.block);
       outcome.assertions.push_back(
           {fmt::format("angular speed after over before the impact, h/b = {}, theta0 = {} alpha", slenderness, share),
            "-", ratio, expected, "1 - (3/2) sin^2 alpha (Housner 1963); speeds from the tilts reached, by energy",
            relative_error(ratio, expected), 6e-3,
            "measured up to 5e-3: impacts on springs with dashpots take time, and are not quite without bounce"});
-      residual = std::max(residual, rocking.run().energy_residual());
-      outcome.counters += rocking.run().simulation().counters();
     }
   }
   outcome.assertions.push_back(energy_assertion("six impacts", residual));
+  return outcome;
+}
+
+// Housner's block lands on its whole base at once and is rigid. On springs far softer than the block, with critical
+// dashpots, an impact lasts long beside vibrations of the block and short beside its swing; then the ratio neither
+// depends on dt nor on whether dt resolves the impact. On springs stiffer than the block a resolved impact sets the
+// block ringing, and it bounces: 3.5 % more speed after it on springs of 10 E at h/b = 3.
+Outcome rocking_impact_as_dt_falls() {
+  constexpr double soft_spring = 2e9;
+  Outcome outcome;
+  double residual = 0;
+  for (const double slenderness : {2.0, 3.0, 4.0, 6.0}) {
+    for (const double dt : {8e-4, 4e-4, 2e-4, 1e-4}) {
+      const Release release{block_of(slenderness), 0.5, dt, dda::generalized_alpha_integrator(0), 1, soft_spring};
+      const double ratio = impact_ratio(release, outcome, residual);
+      const double expected = exact::rocking_impact_ratio(release.block);
+      outcome.assertions.push_back(
+          {fmt::format("angular speed after over before the impact, h/b = {}, dt = {} ms", slenderness, 1e3 * dt), "-",
+           ratio, expected, "1 - (3/2) sin^2 alpha (Housner 1963); speeds from the tilts reached, by energy",
+           relative_error(ratio, expected), 5e-3,
+           "target of the project; measured up to 4e-3 for h/b = 2, 7e-4 beyond"});
+    }
+  }
+  outcome.assertions.push_back(energy_assertion("sixteen impacts", residual));
   return outcome;
 }
 
@@ -306,6 +340,11 @@ std::vector<Case> rocking_cases() {
            CaseLabel::fast,
            rocking_period_order},
           {"rocking-impact", "Rocking block lands without bounce (Housner)", {15}, CaseLabel::fast, rocking_impact},
+          {"rocking-impact-dt",
+           "Rocking block on damped springs: the impact does not depend on dt",
+           {15},
+           CaseLabel::fast,
+           rocking_impact_as_dt_falls},
           {"uplift", "Block on a floor that speeds up: when a corner lifts", {16}, CaseLabel::fast, uplift}};
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "verification/cases/contact_rig.h"
+#include "verification/cases/every_integrator.h"
 #include "verification/exact/coulomb_sliding.h"
 
 namespace verify {
@@ -29,9 +30,10 @@ dda::Model block_on_incline(double friction_angle) {
   return model;
 }
 
-WatchedRun settled_on_incline(double friction_angle, double dt, double duration) {
+WatchedRun settled_on_incline(double friction_angle, double dt, double duration,
+                              const dda::Integrator& integrator = dda::thesis_integrator()) {
   dda::Model model = block_on_incline(friction_angle);
-  model.stages = {settling_stage(), moving_stage(dda::thesis_integrator(), dt, duration)};
+  model.stages = {settling_stage(), moving_stage(integrator, dt, duration)};
   WatchedRun run(std::move(model));
   run.run_to(settling_time);
   return run;
@@ -87,6 +89,40 @@ Outcome stay() {
   return outcome;
 }
 
+// Mean position (m) along the slope over the next second: what is left of vibrations cancels out.
+double mean_position(WatchedRun& run) {
+  const double end = run.state().time + 1;
+  double sum = 0;
+  int steps = 0;
+  for (; run.state().time < end && !run.simulation().finished(); ++steps) {
+    run.step();
+    sum += run.state().displacement[1](0);
+  }
+  return sum / steps;
+}
+
+Outcome stay_under_every_integrator() {
+  constexpr double duration = 20;
+  Outcome outcome;
+  double residual = 0;
+  for (const double dt : {0.1, 0.01}) {
+    for (const dda::Integrator& integrator : every_integrator()) {
+      WatchedRun run = settled_on_incline(35 * degree, dt, duration, integrator);
+      run.run_to(settling_time + 5);  // what friction and integrators take of vibrations is gone
+      const double at_first = mean_position(run);
+      run.run_to(settling_time + duration - 1);
+      const double creep = std::abs(mean_position(run) - at_first);
+      outcome.assertions.push_back({fmt::format("creep from 5 s to {} s, dt = {} s, {}", duration, dt, integrator.name),
+                                    "m", creep, 0, "friction above the slope holds (error absolute)", creep, 1e-9,
+                                    "target of the project; theory: none"});
+      residual = std::max(residual, run.energy_residual());
+      outcome.counters += run.simulation().counters();
+    }
+  }
+  outcome.assertions.push_back(energy_assertion("all integrators", residual));
+  return outcome;
+}
+
 // The block runs from the start; its weight rings in the meantime, which friction evens out.
 Outcome slide_to_rest() {
   constexpr double friction = 0.5;
@@ -128,6 +164,11 @@ Outcome slide_to_rest() {
 std::vector<Case> sliding_cases() {
   return {{"incline-sliding", "Block that slides down an incline of 30 degrees", {9}, CaseLabel::fast, slide_down},
           {"incline-sticking", "Block that friction holds on an incline of 30 degrees", {9}, CaseLabel::fast, stay},
+          {"incline-creep",
+           "Block that friction holds does not creep under any integrator",
+           {9},
+           CaseLabel::fast,
+           stay_under_every_integrator},
           {"sliding-to-rest", "Block that friction stops on a level plane", {12}, CaseLabel::fast, slide_to_rest}};
 }
 

@@ -8,11 +8,13 @@
 #include <numeric>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "engine/advice/unseen_loads.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/segment.h"
+#include "engine/simulation/step_coefficients.h"
 
 namespace dda {
 namespace {
@@ -237,13 +239,42 @@ void remark_on_brittle_joints(const Model& model, const ContactSet& contacts, Re
   }
 }
 
+bool moves(const PointSupport& support) { return !support.amplitude.isZero(0); }
+bool moves(const HeldBlock& held) { return !held.amplitude.isZero(0) || held.turn != 0; }
+
+bool is_shaken(const Model& model) {
+  const auto moving = [](const auto& held) { return moves(held); };
+  const auto changing = [](const auto& load) { return !std::holds_alternative<Constant>(load.history); };
+  return std::ranges::any_of(model.supports, moving) || std::ranges::any_of(model.held_blocks, moving) ||
+         std::ranges::any_of(model.point_loads, changing) || std::ranges::any_of(model.edge_loads, changing);
+}
+
+// Friction follows the pressure on a contact and so couples the vibrations of the block on it. Where nothing damps them
+// they grow while it slides, until it chatters (ADR 30).
+void remark_on_chatter(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  if (!is_shaken(model)) return;
+  const auto rubs = [&](const Interface& interface) {
+    const JointMaterial& joint = model.joints[at(interface.joint)];
+    return !joint.bonded && joint.friction_angle > 0 && joint.contact_damping == 0;
+  };
+  const auto rubbing = std::ranges::find_if(contacts.interfaces, rubs);
+  if (rubbing == contacts.interfaces.end()) return;
+  for (const Stage& stage : model.stages) {
+    if (stage.integrator.is_static || !with_contacts(stage.integrator).conserves_contact_energy) continue;
+    remarks.push_back(fmt::format(
+        "stage \"{}\": {} damps nothing, and joint \"{}\" has friction without contact_damping: blocks that are shaken "
+        "chatter on it and may slide many times too far; take an integrator that damps, or a contact_damping of 0.2",
+        stage.name, stage.integrator.name, model.joints[at(rubbing->joint)].name));
+  }
+}
+
 void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
 }
 
-constexpr auto all_remarks = {remark_on_holding,   remark_on_gravity, remark_on_tension,
-                              remark_on_materials, remark_on_sizes,   remark_on_gaps,
-                              remark_on_steps,     remark_on_loads,   remark_on_brittle_joints};
+constexpr auto all_remarks = {remark_on_holding,        remark_on_gravity, remark_on_tension, remark_on_materials,
+                              remark_on_sizes,          remark_on_gaps,    remark_on_steps,   remark_on_loads,
+                              remark_on_brittle_joints, remark_on_chatter};
 
 }  // namespace
 

@@ -39,6 +39,11 @@ Model ordinary() {
 
 void make_static(Model& model) { model.stages[0].integrator.is_static = true; }
 
+void shake(Model& model) {
+  model.held_blocks[0].amplitude = {1e-2, 0};
+  model.held_blocks[0].history = SineCycles{.frequency = 2};
+}
+
 std::vector<std::string> remarks_after(const std::function<void(Model&)>& change) {
   Model model = ordinary();
   change(model);
@@ -132,6 +137,43 @@ const std::vector<OddScene> odd_scenes = {
     {"brittle", [](Model& model) { model.joints[0].cohesion = 1e6; },
      "joint \"default\" is brittle: residual_cohesion is 0 or left out, so a contact that fails loses all of its 1e+06 "
      "Pa"},
+    {"shaken_without_damping", shake,
+     "stage \"run\": trapezoidal damps nothing, and joint \"default\" has friction without contact_damping: blocks "
+     "that "
+     "are shaken chatter on it and may slide many times too far; take an integrator that damps, or a contact_damping "
+     "of "
+     "0.2"},
+    {"pushed_to_and_fro_without_damping",
+     [](Model& model) {
+       model.stages[0].integrator = energy_conserving_integrator();
+       model.point_loads.push_back({2, {0.5, 2.5}, {1e3, 0}, SineCycles{.frequency = 2}});
+     },
+     "stage \"run\": energy_conserving damps nothing, and joint \"default\" has friction without contact_damping: "
+     "blocks that are shaken chatter on it and may slide many times too far; take an integrator that damps, or a "
+     "contact_damping of 0.2"},
+    {"pushed_steadily",
+     [](Model& model) {
+       model.point_loads.push_back({2, {0.5, 2.5}, {1e3, 0}, Constant{}});
+     },
+     ""},
+    {"shaken_with_an_integrator_that_damps",
+     [](Model& model) {
+       shake(model);
+       model.stages[0].integrator = generalized_alpha_integrator(0.8);
+     },
+     ""},
+    {"shaken_with_contact_damping",
+     [](Model& model) {
+       shake(model);
+       model.joints[0].contact_damping = 0.2;
+     },
+     ""},
+    {"shaken_bonded_blocks",
+     [](Model& model) {
+       shake(model);
+       model.joints[0].bonded = true;
+     },
+     ""},
     {"tough",
      [](Model& model) {
        model.joints[0].cohesion = 1e6;

@@ -217,13 +217,27 @@ exact::Accelerogram record_like() {
   return record;
 }
 
+// How a record is run, and how far off (over the path) its slip may be.
+struct RecordRun {
+  dda::Integrator integrator;
+  double contact_damping = 0;
+  double tolerance = 0;
+  std::string reason;
+};
+
+std::string name_of(const RecordRun& how) {
+  if (how.contact_damping == 0) return how.integrator.name;
+  return fmt::format("{} with contact_damping {}", how.integrator.name, how.contact_damping);
+}
+
 // Slip (m) relative to the base, at the record's end.
-double slip_on_record(double slope, double friction_angle, const exact::Accelerogram& record,
-                      const dda::Integrator& integrator, double dt, Outcome& outcome, double& residual) {
+double slip_on_record(double slope, double friction_angle, const exact::Accelerogram& record, const RecordRun& how,
+                      double dt, Outcome& outcome, double& residual) {
   dda::PiecewiseLinear history{record.times, record.values};
   for (double& time : history.times) time += settling_time;
   dda::Model model = block_on_base(slope, friction_angle, 1, history);
-  model.stages = {settling_stage(), moving_stage(integrator, dt, record.times.back())};
+  model.joints[0].contact_damping = how.contact_damping;
+  model.stages = {settling_stage(), moving_stage(how.integrator, dt, record.times.back())};
   WatchedRun run(std::move(model));
   run.run_to(settling_time);
   const double start = relative_slip(run);
@@ -244,6 +258,19 @@ double path_on_record(const exact::SlidingPlane& plane, const exact::Accelerogra
   return path;
 }
 
+// A rule that damps nothing needs contacts that damp: vibrations of the block grow while it slides (see README.md).
+std::vector<RecordRun> ways_to_run(double friction_angle) {
+  constexpr double damping = 0.2;
+  const std::string exact = "measured 1.5e-5 to 7.7e-5; target of the project 1e-3";
+  std::vector<RecordRun> ways = {{damped, 0, 2e-4, exact}, {dda::thesis_integrator(), 0, 2e-4, exact}};
+  const bool chatters = std::tan(friction_angle) > 0.5;
+  ways.push_back({dda::trapezoidal_integrator(), damping, chatters ? 0.1 : 1e-3,
+                  chatters ? "measured 1.4 % with 0.2, 1.4 to 4.9 % with 0.15 to 0.4: the block still chatters in "
+                             "bursts, by round-off; without damping 600 %"
+                           : "target of the project; measured 4e-5 and 4e-4"});
+  return ways;
+}
+
 Outcome newmarks_block() {
   constexpr double dt = 1e-4;
   const exact::Accelerogram record = record_like();
@@ -253,13 +280,12 @@ Outcome newmarks_block() {
     const exact::SlidingPlane plane{standard_gravity, slope * degree, std::tan(friction * degree)};
     const double expected = exact::slide_on_record(plane, record, record.times.back()).displacement;
     const double path = path_on_record(plane, record);
-    for (const dda::Integrator& integrator : {damped, dda::thesis_integrator()}) {
-      const double slip = slip_on_record(slope * degree, friction * degree, record, integrator, dt, outcome, residual);
+    for (const RecordRun& how : ways_to_run(friction * degree)) {
+      const double slip = slip_on_record(slope * degree, friction * degree, record, how, dt, outcome, residual);
       outcome.assertions.push_back(
-          {fmt::format("slip at the end, slope {} deg, friction {} deg, {}", slope, friction, integrator.name), "m",
-           slip, expected,
-           "phases of sliding and sticking in closed form (exact/sliding_on_record; error over the path)",
-           (slip - expected) / path, 2e-4, "measured 1.5e-5 to 7.7e-5; target of the project 1e-3"});
+          {fmt::format("slip at the end, slope {} deg, friction {} deg, {}", slope, friction, name_of(how)), "m", slip,
+           expected, "phases of sliding and sticking in closed form (exact/sliding_on_record; error over the path)",
+           (slip - expected) / path, how.tolerance, how.reason});
     }
   }
   outcome.assertions.push_back(energy_assertion("all runs", residual));

@@ -218,7 +218,8 @@ class Run {
     summary.stages = stage_spans(simulation_.model());
     summary.out_of_balance = static_stages();
     summary.solver = to_string(simulation_.plan().solver);
-    summary.blocks = static_cast<std::int64_t>(simulation_.model().blocks.size());
+    summary.blocks =
+        static_cast<std::int64_t>(simulation_.model().blocks.size()) - std::ranges::count(simulation_.absent(), true);
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
     for (const auto& [stage, block, place] : simulation_.loose_blocks())
       summary.loose_blocks.push_back({simulation_.model().stages[static_cast<std::size_t>(stage)].name,

@@ -106,7 +106,7 @@ void RunFiles::write_frame_when_due() {
 void RunFiles::write_frame() {
   contact_frames_->write(simulation_.state().time, contact_points_of(simulation_));
   if (bolt_frames_) bolt_frames_->write(simulation_.state(), bolt_links_of(simulation_));
-  frames_->write(simulation_.state());
+  frames_->write(simulation_.state(), simulation_.absent());
   frame_times_.push_back(simulation_.state().time);
 }
 

@@ -174,6 +174,17 @@ std::string steps_of(const Stage& stage) {
                      stage.automatic_dt ? fmt::format(" (chosen: {})", stage.dt_reason) : "", stage.duration);
 }
 
+std::string removal_of(const Model& model, const Stage& stage) {
+  const std::vector<int>& blocks = stage.removal.blocks;
+  constexpr std::size_t most_named = 3;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(blocks.size(), most_named); ++i)
+    names.push_back(fmt::format("\"{}\"", model.blocks[static_cast<std::size_t>(blocks[i])].name));
+  if (blocks.size() > most_named) names.push_back(fmt::format("{} more", blocks.size() - most_named));
+  return fmt::format("removes {}: {}{}", count(blocks.size(), "block"), fmt::join(names, ", "),
+                     stage.removal.relaxation ? "; what they exerted on the others fades" : ", at once");
+}
+
 void add_stage(const Model& model, std::size_t index, const ContactSet& contacts, const BlockMatrix& matrix,
                Text& text) {
   const Stage& stage = model.stages[index];
@@ -183,6 +194,7 @@ void add_stage(const Model& model, std::size_t index, const ContactSet& contacts
   text.gap();
   text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
+  if (!stage.removal.blocks.empty()) text.plain("  " + removal_of(model, stage));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
   for (const std::string& line : warn_of_recordings(model, index)) text.plain("  " + line);
 }

@@ -39,7 +39,7 @@ void ContactSearch::list_pairs() {
   must_list_ = false;
   grown_.resize(outlines_.boxes.size());
   for (std::size_t i = 0; i < grown_.size(); ++i)
-    grown_[i] = expanded(outlines_.boxes[i], growth * sizes_[i] + lift_ + room_[i]);
+    grown_[i] = is_absent(i) ? Box{} : expanded(outlines_.boxes[i], growth * sizes_[i] + lift_ + room_[i]);
   const std::vector<std::pair<int, int>> before = std::exchange(pairs_, overlapping_pairs(grown_));
   const std::vector<double> wider_before = std::exchange(wider_, std::vector<double>(pairs_.size(), 0.0));
   for (std::size_t k = 0; k < before.size(); ++k) {
@@ -56,9 +56,14 @@ bool ContactSearch::update(const Model& model, const State& state, double lift) 
   update_outlines(model, state, outlines_);
   bool left = must_list_;
   for (std::size_t i = 0; i < grown_.size() && !left; ++i)
-    left = !contains(grown_[i], expanded(outlines_.boxes[i], reach * sizes_[i] + lift_));
+    left = !is_absent(i) && !contains(grown_[i], expanded(outlines_.boxes[i], reach * sizes_[i] + lift_));
   if (left) list_pairs();
   return left;
+}
+
+void ContactSearch::leave_out(const std::vector<bool>& absent) {
+  absent_ = absent;
+  list_pairs();
 }
 
 double ContactSearch::reach_of(std::size_t pair) const {
@@ -78,6 +83,7 @@ bool ContactSearch::widen(const Model& model, const State& state, const Eigen::V
   bool wider = false;
   std::vector<double> motion(sizes_.size());
   for (int i = 0; i < outlines_.blocks(); ++i) {
+    if (is_absent(at(i))) continue;
     motion[at(i)] = largest_displacement(moving(i));
     if (contains(grown_[at(i)], expanded(outlines_.boxes[at(i)], motion[at(i)]))) continue;
     room_[at(i)] = margin * motion[at(i)];

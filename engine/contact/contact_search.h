@@ -28,6 +28,9 @@ class ContactSearch {
   // Returns true when the list of pairs was made anew.
   bool update(const Model& model, const State& state, double lift = 0);
 
+  // Blocks that are absent touch nothing from now on; `absent` says so of each.
+  void leave_out(const std::vector<bool>& absent);
+
   // Contacts now, sorted by edge and vertex. `bonded` (sorted pairs) are left out.
   [[nodiscard]] std::vector<VertexContact> find(const std::vector<std::pair<int, int>>& bonded) const;
 
@@ -47,19 +50,22 @@ class ContactSearch {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [outlines, sizes, lift, grown, room, must_list, just_widened, pairs, wider] = self;
+    auto& [outlines, sizes, absent, lift, grown, room, must_list, just_widened, pairs, wider] = self;
     archive.each(grown);
     archive(room, must_list, just_widened, pairs,
-            wider);  // sizes are the drawing's; outlines and lift are brought up to date before they are read
+            wider);  // sizes are the drawing's; what is absent follows from the stage; outlines and lift are brought
+                     // up to date before they are read
   }
 
  private:
   void list_pairs();
   void forget_slowly();
   [[nodiscard]] double reach_of(std::size_t pair) const;
+  [[nodiscard]] bool is_absent(std::size_t block) const { return !absent_.empty() && absent_[block]; }
 
   Outlines outlines_;
   std::vector<double> sizes_;
+  std::vector<bool> absent_;  // empty where no block is
   double lift_ = 0;
   std::vector<Box> grown_;    // boxes of the broad phase
   std::vector<double> room_;  // by how much more than usual each is grown for what moves far in a step, m

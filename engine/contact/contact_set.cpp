@@ -74,7 +74,7 @@ ContactSet make_contacts(const Model& model) {
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
   const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
-  const bool cubic_allowed = model.stays_linear();
+  const bool cubic_allowed = model.stays_linear() && !model.removes_blocks();
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
@@ -95,6 +95,23 @@ ContactSet make_contacts(const Model& model) {
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
   return contacts;
+}
+
+void leave_out(const std::vector<bool>& absent, ContactSet& contacts) {
+  const auto is_absent = [&](int block) { return absent[static_cast<std::size_t>(block)]; };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    if (is_absent(contacts.interfaces[i].block_a) || is_absent(contacts.interfaces[i].block_b)) continue;
+    contacts.interfaces[kept] = contacts.interfaces[i];
+    contacts.elements[kept] = contacts.elements[i];
+    contacts.strengths[kept] = contacts.strengths[i];
+    contacts.states[kept] = contacts.states[i];
+    ++kept;
+  }
+  contacts.interfaces.resize(kept);
+  contacts.elements.resize(kept);
+  contacts.strengths.resize(kept);
+  contacts.states.resize(kept);
 }
 
 InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_rest, const Vec6& displacement_a,

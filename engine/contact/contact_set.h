@@ -26,8 +26,8 @@ struct ContactSet {
   }
 };
 
-// Cubic joints become consistent ones unless all joints are bonded, all stages have small kinematics and there are no
-// bolts: only then is the inertia between blocks constant.
+// Cubic joints become consistent ones unless all joints are bonded, all stages have small kinematics, no block is ever
+// removed and there are no bolts: only then is the inertia between blocks constant.
 ContactSet make_contacts(const Model& model);
 
 // Normal and shear force at either end of an interface under the mean of its blocks' initial stresses, as far as a dry
@@ -43,6 +43,9 @@ InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_
 // reconstruction has at the interface. Zero where blocks touch in a point.
 Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,
                    const InterfaceState& state);
+
+// Takes out the interfaces of blocks that are absent, `absent` saying so of each block.
+void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
 
 // Where an interface is now: its ends follow their blocks, its normal turns with the mean of the two edges.
 InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface);

@@ -174,6 +174,16 @@ bool MovingContacts::follow(const Model& model, const State& state, const State&
   return new_pairs;
 }
 
+void MovingContacts::leave_out(const std::vector<bool>& absent, ContactSet& contacts) {
+  const auto is_absent = [&](int a, int b) { return absent[at(a)] || absent[at(b)]; };
+  const auto end = contacts.interfaces.begin() + static_cast<std::ptrdiff_t>(stretches_);
+  stretches_ -= static_cast<std::size_t>(std::count_if(
+      contacts.interfaces.begin(), end, [&](const Interface& i) { return is_absent(i.block_a, i.block_b); }));
+  std::erase_if(known_, [&](const VertexContact& c) { return is_absent(c.edge_block, c.vertex_block); });
+  dda::leave_out(absent, contacts);
+  search_.leave_out(absent);
+}
+
 // Forces, slip and dilation of stretches that are dry (at the start) or broken at both ends (later) go on in the vertex
 // contacts that take their place. They are sorted by their pair of blocks, so that first_state() finds them quickly.
 void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones) {

@@ -28,6 +28,9 @@ class MovingContacts {
     return follow(model, state, state, contacts);
   }
 
+  // Takes out the contacts of blocks that are absent, which touch nothing from now on.
+  void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
+
   // True when increments `d` from `state` move blocks further against each other than contacts were looked for: the
   // next `follow` looks far enough.
   bool widen(const Model& model, const State& state, const Eigen::VectorXd& d) {

@@ -45,13 +45,13 @@ void check_history(const Item& item, const Recorded& recorded) {
   item.finite("history start", recorded.start);
 }
 
-void check_history(const Item& item, const TimeFunction& history) {
-  std::visit([&item](const auto& f) { check_history(item, f); }, history);
-}
-
 const Polygon& shape_of(const Model& model, int block) { return model.blocks[static_cast<std::size_t>(block)].shape; }
 
 }  // namespace
+
+void check_history(const Item& item, const TimeFunction& history) {
+  std::visit([&item](const auto& f) { check_history(item, f); }, history);
+}
 
 void check_point(const Model& model, const Item& item, int block, const Vec2& point) {
   item.index("block", block, model.blocks.size());

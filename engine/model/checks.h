@@ -30,6 +30,9 @@ class Item {
   std::string_view name_;
 };
 
+// That the numbers of a history are those of a function of time.
+void check_history(const Item& item, const TimeFunction& history);
+
 // That `point` is one of `block`, up to point_tolerance.
 void check_point(const Model& model, const Item& item, int block, const Vec2& point);
 

@@ -21,6 +21,7 @@ struct EnergyLedger {
   double dashpot = 0;    // radiated through viscous edges
   double damping = 0;    // taken out by velocity_factor and damping_rate
   double numerical = 0;  // dissipated by the time integrator
+  double removed = 0;    // what removed blocks and the joints to them had stored
 
   double initial_kinetic = 0;
   double initial_strain = 0;
@@ -32,24 +33,25 @@ struct EnergyLedger {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping, numerical,
-           initial_kinetic, initial_strain, initial_contact, initial_bolts, largest] = self;
+           removed, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest] = self;
     archive(kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping,
-            numerical, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest);
+            numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest);
   }
 
   // What the balance does not explain: zero but for round-off when every term is right.
   [[nodiscard]] double residual() const {
     const double stored =
         (kinetic - initial_kinetic) + (strain - initial_strain) + (contact - initial_contact) + (bolts - initial_bolts);
-    return external_work + gravity_work - stored - friction - plastic - dashpot - damping - numerical;
+    return external_work + gravity_work - stored - friction - plastic - dashpot - damping - numerical - removed;
   }
 
   // The largest magnitude that any of the terms has had in the run, what a residual is compared with. (At a moment all
   // of them can be small, as after a load that came and went.)
   [[nodiscard]] double scale() const {
     double most = largest;
-    for (const double term : {kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot,
-                              damping, numerical, initial_kinetic, initial_strain, initial_contact, initial_bolts}) {
+    for (const double term :
+         {kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping, numerical,
+          removed, initial_kinetic, initial_strain, initial_contact, initial_bolts}) {
       most = std::max(most, std::abs(term));
     }
     return most;

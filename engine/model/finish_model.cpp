@@ -72,6 +72,7 @@ void finish_model(Model& model) {
   model.expected_pressure = expected_pressure(model);
   choose_time_steps(model);
   check_stages(model);
+  check_removals(model);
 }
 
 }  // namespace dda

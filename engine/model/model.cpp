@@ -39,6 +39,21 @@ bool Model::is_held(int block) const {
                      [block](const HeldBlock& held) { return held.block == block; });
 }
 
+bool Model::removes_blocks() const {
+  return std::ranges::any_of(stages, [](const Stage& stage) { return !stage.removal.blocks.empty(); });
+}
+
+std::vector<bool> Model::absent_in(std::size_t stage) const {
+  std::vector<bool> absent;
+  for (std::size_t i = 0; i <= stage && i < stages.size(); ++i) {
+    for (const int block : stages[i].removal.blocks) {
+      absent.resize(blocks.size(), false);
+      absent[at(block)] = true;
+    }
+  }
+  return absent;
+}
+
 double Model::mass_of(int block) const { return material_of(block).density * blocks[at(block)].moments.area; }
 
 }  // namespace dda

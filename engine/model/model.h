@@ -2,6 +2,7 @@
 // hand), never changed by a run. Indices refer to the vectors here. Points are in reference (as drawn) coordinates.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <optional>
@@ -160,6 +161,9 @@ struct Model {
   [[nodiscard]] Stage with_acting_corrections(const Stage& stage) const;
   [[nodiscard]] bool is_held(int block) const;    // as a whole: one of held_blocks
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
+  [[nodiscard]] bool removes_blocks() const;      // in some stage
+  // For every block whether it was removed by the time that `stage` begins; empty where none was.
+  [[nodiscard]] std::vector<bool> absent_in(std::size_t stage) const;
 };
 
 // Fills what follows from the rest (area moments, length tolerance = 1e-9 of the extent, expected pressure) and checks

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "engine/model/time_function.h"
 
 namespace dda {
 
@@ -34,6 +38,14 @@ enum class Kinematics {
 };
 
 enum class SolverRequest { automatic, cholesky, pcg, dense };
+
+// What is excavated: blocks that are absent from the start of a stage on.
+struct Removal {
+  std::vector<int> blocks;
+  // Factor, over the time since the start of the stage, on what these blocks exerted on the others until then, which
+  // goes on acting as a load. None: that goes with the blocks, at once.
+  std::optional<TimeFunction> relaxation;
+};
 
 struct Stage {
   std::string name = "run";
@@ -71,6 +83,8 @@ struct Stage {
   // Contacts that are closed do not slide and joints do not break: for turning on gravity. What exceeds the friction
   // when such a stage ends slides then.
   bool unlimited_strength = false;
+
+  Removal removal;
 
   int max_open_close_iterations = 200;
   int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge

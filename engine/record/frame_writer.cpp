@@ -74,21 +74,31 @@ std::optional<std::size_t> fan_apex(const Polygon& polygon) {
 FrameWriter::FrameWriter(const Model& model, std::filesystem::path index) : model_(model), series_(std::move(index)) {
   const int blocks = static_cast<int>(model.blocks.size());
   for (int block = 0; block < blocks; ++block) add_points(block);
-  for (int block = 0; block < blocks; ++block) add_rings(block, first_point_[at(block)]);
-  for (int block = 0; block < blocks; ++block) add_surface(block, first_point_[at(block)]);
+  data_.points.assign(3 * vertices_.size(), 0);
+  data_.point_data = {doubles("displacement [m]", 3, vertices_.size()), doubles("velocity [m/s]", 3, vertices_.size())};
+  list_cells();
+}
+
+// Of the blocks that are there: rings before surfaces, as VTK numbers lines before polygons.
+void FrameWriter::list_cells() {
+  const int blocks = static_cast<int>(model_.blocks.size());
+  data_.lines = data_.polygons = {};
+  cell_block_.clear();
+  for (int block = 0; block < blocks; ++block)
+    if (!is_absent(block)) add_rings(block, first_point_[at(block)]);
+  for (int block = 0; block < blocks; ++block)
+    if (!is_absent(block)) add_surface(block, first_point_[at(block)]);
 
   const std::size_t cells = cell_block_.size();
   std::vector<std::int32_t> materials;
-  for (const int block : cell_block_) materials.push_back(model.blocks[at(block)].material);
+  for (const int block : cell_block_) materials.push_back(model_.blocks[at(block)].material);
   std::vector<std::string> names;
-  for (const int block : cell_block_) names.push_back(model.blocks[at(block)].name);
+  for (const int block : cell_block_) names.push_back(model_.blocks[at(block)].name);
   data_.cell_data = {
       {"block", 1, cell_block_}, {"material", 1, std::move(materials)}, {"block_name", 1, std::move(names)}};
   for (const ScalarOfBlock& scalar : scalars_of_block) data_.cell_data.push_back(doubles(scalar.name, 1, cells));
   data_.cell_data.push_back(doubles("velocity [m/s]", 3, cells));
   data_.cell_data.push_back(doubles("displacement [m]", 3, cells));
-  data_.points.assign(3 * vertices_.size(), 0);
-  data_.point_data = {doubles("displacement [m]", 3, vertices_.size()), doubles("velocity [m/s]", 3, vertices_.size())};
 }
 
 void FrameWriter::add_points(int block) {
@@ -130,7 +140,11 @@ void FrameWriter::add_surface(int block, int first_point) {
   }
 }
 
-void FrameWriter::write(const State& state) {
+void FrameWriter::write(const State& state, const std::vector<bool>& absent) {
+  if (absent != absent_) {
+    absent_ = absent;
+    list_cells();
+  }
   data_.time = state.time;
   fill_points(state);
   fill_cells(state);

@@ -26,8 +26,9 @@ class FrameWriter {
   // `index` is DIR/NAME.pvd, as for VtpSeries. `model` must outlive the writer.
   FrameWriter(const Model& model, std::filesystem::path index);
 
-  // Adds a frame; errors as of VtpSeries.
-  void write(const State& state);
+  // Adds a frame; errors as of VtpSeries. Blocks that are absent, `absent` saying so of each where any is, have points
+  // and no cells.
+  void write(const State& state, const std::vector<bool>& absent = {});
 
   // Goes on behind the frames that an earlier run wrote at these times (s), which stay as they are.
   void go_on_after(std::span<const double> times) { series_.go_on_after(times); }
@@ -36,6 +37,8 @@ class FrameWriter {
 
  private:
   void add_points(int block);
+  void list_cells();
+  [[nodiscard]] bool is_absent(int block) const { return !absent_.empty() && absent_[static_cast<std::size_t>(block)]; }
   void add_rings(int block, int first_point);
   void add_surface(int block, int first_point);
   void fill_points(const State& state);
@@ -47,7 +50,8 @@ class FrameWriter {
   std::vector<int> vertex_block_;  // block of each point
   std::vector<int> first_point_;   // of each block
   std::vector<int> cell_block_;
-  PolyData data_;  // topology fixed, values of the latest frame
+  std::vector<bool> absent_;  // of the latest frame
+  PolyData data_;             // of the latest frame
 };
 
 // The vertex (of a polygon without holes, counter-clockwise) from which a fan of triangles covers the polygon; nothing

@@ -60,6 +60,21 @@ class FrameWriterTest : public testing::Test {
   Model model_ = three_blocks();
 };
 
+// The frame's two rings and eight triangles go, and come back in a later frame of the same writer.
+TEST_F(FrameWriterTest, AbsentBlocksHavePointsAndNoCells) {
+  FrameWriter writer(model_, index_);
+  const State state = moved_state(model_);
+  writer.write(state, {false, false, true});
+  writer.write(state);
+  const VtpReader without(folder_ / "run/000000.vtp");
+  EXPECT_EQ(without.count("NumberOfPoints"), 4U + 6U + 8U);
+  EXPECT_EQ(without.count("NumberOfLines"), 0U);
+  EXPECT_EQ(without.count("NumberOfPolys"), 2U);
+  const VtpReader with(folder_ / "run/000001.vtp");
+  EXPECT_EQ(with.count("NumberOfLines"), 2U);
+  EXPECT_EQ(with.count("NumberOfPolys"), 1U + 1U + 8U);
+}
+
 TEST_F(FrameWriterTest, FileIsCompleteAndSaysHowToReadIt) {
   const VtpReader vtp = frame(initial_state(model_));
   EXPECT_EQ(vtp.file().attributes.at("type"), "PolyData");

@@ -32,6 +32,7 @@ Json to_json(const EnergyLedger& energy) {
           {"dashpot", energy.dashpot},
           {"damping", energy.damping},
           {"numerical", energy.numerical},
+          {"removed", energy.removed},
           {"residual", energy.residual()},
           {"residual_relative", energy.relative_residual()}};
 }

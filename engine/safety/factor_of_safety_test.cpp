@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -51,6 +52,16 @@ TEST(FactorOfSafety, PlaneFailure) {
     EXPECT_NEAR(report.factor() / exact, 1, width);
     EXPECT_FALSE(report.failure.reason.empty());
   }
+}
+
+// The lower box holds the upper one, until a stage of the model removes it.
+TEST(FactorOfSafety, OfWhatStaysWhereBlocksAreRemoved) {
+  Model model = boxes_on_slope(30 * degree, {40 * degree, 10 * degree});
+  model.stages.resize(2);
+  model.stages[1].removal.blocks = {1};
+  const SafetyReport report = factor_of_safety(model, {});
+  ASSERT_TRUE(report.is_bracketed());
+  EXPECT_NEAR(report.factor() / (std::tan(10 * degree) / std::tan(30 * degree)), 1, width);
 }
 
 // c A + W cos(a) tan(f) over W sin(a), where the joint keeps its cohesion as it slides. A joint that loses it fails

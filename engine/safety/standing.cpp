@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "engine/simulation/simulation.h"
 
@@ -17,6 +18,14 @@ Stage static_stage(const char* name, double duration, bool unlimited_strength) {
   stage.equilibrium = 1e-9;
   stage.unlimited_strength = unlimited_strength;
   return stage;
+}
+
+// All that the model's own stages remove.
+std::vector<int> removed_blocks(const Model& model) {
+  std::vector<int> blocks;
+  for (const Stage& stage : model.stages)
+    blocks.insert(blocks.end(), stage.removal.blocks.begin(), stage.removal.blocks.end());
+  return blocks;
 }
 
 // In sizes of the blocks: the square root of their areas.
@@ -74,7 +83,9 @@ class Watch {
 }  // namespace
 
 Standing standing_of(Model model, double time) {
-  model.stages = {static_stage("load", time, true), static_stage("stand", 0, false)};
+  Stage stand = static_stage("stand", 0, false);
+  stand.removal.blocks = removed_blocks(model);
+  model.stages = {static_stage("load", time, true), stand};
   finish_model(model);
   Simulation simulation(std::move(model));
   Watch watch(simulation);

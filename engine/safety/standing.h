@@ -27,7 +27,7 @@ struct Standing {
 constexpr double movement_of_failure = 0.05;
 
 // The model's own stages give way to two static ones that find their own steps; loads and motions are those of `time`
-// (s). Throws InputError as finish_model does.
+// (s). What its stages remove is removed when the first of the two is over. Throws InputError as finish_model does.
 [[nodiscard]] Standing standing_of(Model model, double time);
 
 }  // namespace dda

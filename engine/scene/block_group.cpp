@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/scene/stress_field.h"
 
 namespace dda {
 namespace {
@@ -19,11 +20,6 @@ int read_material_reference(const Field& owner, const Model& model) {
   if (const auto field = owner.find("material")) return material_named(*field, model);
   if (model.materials.size() == 1) return 0;
   throw InputError("", owner.path() + ".material", "missing", "one of the names in materials, as there are several");
-}
-
-Vec3 read_stress(const Field& field) {
-  const auto stress = [](const Field& f) { return f.quantity(Dimension::stress); };
-  return {value_or(field, "xx", 0.0, stress), value_or(field, "yy", 0.0, stress), value_or(field, "xy", 0.0, stress)};
 }
 
 }  // namespace

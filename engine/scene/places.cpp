@@ -52,17 +52,6 @@ void keep_only(int block, std::vector<Stretch>& stretches) {
   std::erase_if(stretches, [block](const Stretch& stretch) { return stretch.block != block; });
 }
 
-PiecewiseLinear read_table(const Field& field) {
-  PiecewiseLinear table;
-  for (const Field& row : field.items()) {
-    const Vec2 pair = row.vector(Dimension::time, Dimension::dimensionless);
-    if (!table.times.empty() && pair.x() <= table.times.back()) row.fail("a later time than the row before");
-    table.times.push_back(pair.x());
-    table.values.push_back(pair.y());
-  }
-  return table;
-}
-
 double read_start(const Field& field) {
   return value_or(field, "start", 0.0, [](const Field& f) { return f.quantity(Dimension::time); });
 }
@@ -97,6 +86,30 @@ ExponentialDecay read_decay(const Field& field) {
 int read_joint_reference(const Field& field, const Model& model) { return Names(model.joints).choice(field); }
 
 int read_stage_reference(const Field& field, const Model& model) { return Names(model.stages).choice(field); }
+
+PiecewiseLinear read_table(const Field& field) {
+  PiecewiseLinear table;
+  for (const Field& row : field.items()) {
+    const Vec2 pair = row.vector(Dimension::time, Dimension::dimensionless);
+    if (!table.times.empty() && pair.x() <= table.times.back()) row.fail("a later time than the row before");
+    table.times.push_back(pair.x());
+    table.values.push_back(pair.y());
+  }
+  return table;
+}
+
+std::vector<int> blocks_called(const Field& field, const std::vector<std::string>& groups, const Model& model) {
+  const std::string name = field.text();
+  std::vector<int> blocks;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    if (model.blocks[i].name == name || groups[i] == name) blocks.push_back(static_cast<int>(i));
+  if (blocks.empty()) {
+    std::vector<std::string> names = groups;
+    for (const Block& block : model.blocks) names.push_back(block.name);
+    static_cast<void>(field.choice(names));  // throws, as none is it
+  }
+  return blocks;
+}
 
 std::string listed(const std::vector<int>& blocks, const Model& model) {
   constexpr std::size_t most_listed = 4;

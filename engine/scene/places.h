@@ -35,6 +35,12 @@ int read_joint_reference(const Field& field, const Model& model);
 // The position of the stage that `field` names.
 int read_stage_reference(const Field& field, const Model& model);
 
+// The blocks that have the name `field`, or are of that group (`groups`: of each block); at least one.
+std::vector<int> blocks_called(const Field& field, const std::vector<std::string>& groups, const Model& model);
+
+// [time, factor] rows, times increasing.
+PiecewiseLinear read_table(const Field& field);
+
 // Names of blocks as a sentence lists them.
 std::string listed(const std::vector<int>& blocks, const Model& model);
 

@@ -72,10 +72,8 @@ void read_polygon(const Field& field, Model& model) {
 }
 
 // Appends the blocks of the entry and the group of each.
-void read_entry(const Field& entry, const std::filesystem::path& folder, Model& model,
+void read_entry(const std::string& kind, const Field& field, const std::filesystem::path& folder, Model& model,
                 std::vector<std::string>& groups) {
-  const auto members = entry.members();
-  const auto& [kind, field] = members.front();
   if (kind == "rock") {
     append_rock(read_rock(field, folder, model), model, groups);
     return;
@@ -97,12 +95,16 @@ void read_entry(const Field& entry, const std::filesystem::path& folder, Model& 
 
 }  // namespace
 
-std::vector<std::string> read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model) {
+BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model) {
   const Field blocks = scene.at("blocks");
-  std::vector<std::string> groups;
-  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks})
-    read_entry(entry, folder, model, groups);
-  return groups;
+  BlockFacts facts;
+  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
+    const auto members = entry.members();
+    const auto& [kind, field] = members.front();
+    read_entry(kind, field, folder, model, facts.groups);
+    facts.own_stress.resize(model.blocks.size(), field.has("initial_stress"));
+  }
+  return facts;
 }
 
 void read_gravity(const Field& scene, Model& model) {

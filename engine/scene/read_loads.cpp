@@ -35,17 +35,20 @@ std::string only_edge_intensity(const Field& field) {
                    "exactly one of them");
 }
 
-void read_edge_load(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
+void read_edge_load(const Field& field, const GroundPlan& plan, const StressField& stresses, RecordFiles& records,
+                    Model& model) {
   const std::vector<Stretch> stretches = read_edge(field, plan, model);
   const std::string kind = only_edge_intensity(field);
   const Field value = field.at(kind);
   const TimeFunction history = read_history(field, kind == "force" ? Dimension::force : Dimension::stress, records);
   const double pressure = kind == "pressure" ? value.quantity(Dimension::stress) : 0;
+  const bool in_situ = kind == "traction" && value.is_text();  // the schema knows one text
   Vec2 traction = Vec2::Zero();
-  if (kind == "traction") traction = value.vector(Dimension::stress);
+  if (kind == "traction" && !in_situ) traction = value.vector(Dimension::stress);
   if (kind == "force") traction = value.vector(Dimension::force) / total_length(stretches);
   for (const Stretch& s : stretches) {
-    model.edge_loads.push_back({s.block, s.from, s.to, traction + pressure * s.inward, history});
+    const Vec2 own = in_situ ? stresses.traction_on(s, model) : traction + pressure * s.inward;
+    model.edge_loads.push_back({s.block, s.from, s.to, own, history});
   }
 }
 
@@ -65,12 +68,6 @@ double read_shear_speed(const Field& field, const Material& material) {
 
 double read_impedance(const Field& field, const char* key, double otherwise) {
   return value_or(field, key, otherwise, [](const Field& f) { return f.not_negative(Dimension::impedance); });
-}
-
-// What the surroundings do to a stretch of a block under its initial stress.
-Vec2 initial_traction(const Stretch& stretch, const Model& model) {
-  const Vec3& stress = model.blocks[static_cast<std::size_t>(stretch.block)].initial_stress;
-  return traction_on(stress, -stretch.inward);
 }
 
 // Of the blocks along a free-field side, from below. Held blocks among them are what the side stands on.
@@ -98,7 +95,7 @@ void append_free_field_side(const std::vector<Stretch>& stretches, Model& model)
   model.free_field_sides.push_back(std::move(side));
 }
 
-void read_viscous_boundary(const Field& field, const GroundPlan& plan, Model& model) {
+void read_viscous_boundary(const Field& field, const GroundPlan& plan, const StressField& stresses, Model& model) {
   if (field.has("normal_impedance")) refuse(field, {"normal_speed"}, "beside normal_impedance");
   if (field.has("shear_impedance")) refuse(field, {"shear_speed"}, "beside shear_impedance");
   const double ratio =
@@ -115,7 +112,7 @@ void read_viscous_boundary(const Field& field, const GroundPlan& plan, Model& mo
         read_impedance(field, "normal_impedance", material.density * read_normal_speed(field, material));
     const double shear = read_impedance(field, "shear_impedance", material.density * read_shear_speed(field, material));
     model.viscous_edges.push_back({s.block, s.from, s.to, ratio * normal, ratio * shear, first_stage});
-    if (carries) model.edge_loads.push_back({s.block, s.from, s.to, initial_traction(s, model), Constant{}});
+    if (carries) model.edge_loads.push_back({s.block, s.from, s.to, stresses.traction_on(s, model), Constant{}});
   }
   if (free_field) append_free_field_side(stretches, model);
 }
@@ -140,21 +137,22 @@ void read_each(const Field& scene, const char* key, Read read) {
 
 }  // namespace
 
-void read_loads(const Field& scene, const GroundPlan& plan, RecordFiles& records, Model& model) {
+void read_loads(const Field& scene, const GroundPlan& plan, const StressField& stresses, RecordFiles& records,
+                Model& model) {
   read_each(scene, "loads", [&](const Field& load) {
     if (load.has("point")) {
       read_point_load(load, plan, records, model);
     } else {
-      read_edge_load(load, plan, records, model);
+      read_edge_load(load, plan, stresses, records, model);
     }
   });
 }
 
-void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model) {
+void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, const StressField& stresses, Model& model) {
   std::vector<Field> free_edges;
   read_each(scene, "viscous_boundaries", [&](const Field& edge) {
     const std::size_t before = model.free_field_sides.size();
-    read_viscous_boundary(edge, plan, model);
+    read_viscous_boundary(edge, plan, stresses, model);
     if (model.free_field_sides.size() > before) free_edges.push_back(edge.at("edge"));
   });
   check_free_field(free_edges, model);

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "engine/scene/places.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -83,6 +88,39 @@ void read_limits(const Field& field, Stage& stage) {
   stage.max_step_reductions = value_or(field, "max_step_reductions", stage.max_step_reductions, whole);
 }
 
+std::optional<TimeFunction> read_relaxation(const Field& field, const Stage& stage) {
+  if (!field.is_object()) return std::nullopt;
+  const auto over = field.find("over");
+  const auto table = field.find("table");
+  if (over) refuse(field, {"table"}, "beside over");
+  if (!over && !table) return std::nullopt;
+  if (stage.paces_itself())
+    (over ? *over : *table).fail("left out in a static stage without dt, whose steps take no time");
+  if (over) return PiecewiseLinear{{0, over->positive(Dimension::time)}, {1, 0}};
+  PiecewiseLinear rows = read_table(*table);
+  if (evaluate(rows, 0) != 1) table->fail("1 at time 0, when the blocks are removed");
+  return rows;
+}
+
+// Names of blocks and groups; one that is in two of them is meant once.
+void read_removal(const Field& field, const std::vector<std::string>& groups, const Model& model, Stage& stage) {
+  const Field names = field.is_object() ? field.at("blocks") : field;
+  if (model.stages.empty())
+    field.fail("given in the first stage", "a later one: leave the blocks out of the scene, or let them settle first");
+  std::vector<bool> absent = model.absent_in(model.stages.size());
+  absent.resize(model.blocks.size(), false);
+  std::vector<int>& removed = stage.removal.blocks;
+  for (const Field& name : names.items()) {
+    for (const int block : blocks_called(name, groups, model)) {
+      const auto i = static_cast<std::size_t>(block);
+      if (absent[i]) name.fail("blocks that no stage before removes, as \"" + model.blocks[i].name + "\" is");
+      if (std::ranges::find(removed, block) == removed.end()) removed.push_back(block);
+    }
+  }
+  std::ranges::sort(removed);
+  stage.removal.relaxation = read_relaxation(field, stage);
+}
+
 Stage read_stage(const Field& field, std::string name, const Scheme& scheme, bool all_bonded) {
   const Kinematics kinematics = value_or(field, "kinematics", Kinematics::finite, read_kinematics);
   Stage stage = preset_stage(scheme, kinematics, all_bonded);
@@ -107,17 +145,21 @@ Scheme read_scheme(const Field& scene) {
   return scheme;
 }
 
-void read_stages(const Field& scene, const Scheme& scheme, Model& model) {
+void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std::string>& groups, Model& model) {
   const bool all_bonded = std::all_of(model.joints.begin(), model.joints.end(), [](const auto& j) { return j.bonded; });
   const Field steps = scene.at("steps");
+  const auto append = [&](const Field& step, std::string name) {
+    Stage stage = read_stage(step, std::move(name), scheme, all_bonded);
+    if (const auto removed = step.find("remove")) read_removal(*removed, groups, model, stage);
+    model.stages.push_back(std::move(stage));
+  };
   if (!steps.is_array()) {
-    model.stages.push_back(read_stage(steps, "run", scheme, all_bonded));
+    append(steps, "run");
     return;
   }
   std::set<std::string> names;
   for (const Field& step : steps.items()) {
-    const std::string name = fmt::format("stage {}", model.stages.size() + 1);
-    model.stages.push_back(read_stage(step, name, scheme, all_bonded));
+    append(step, fmt::format("stage {}", model.stages.size() + 1));
     if (!names.insert(model.stages.back().name).second) step.at("name").fail("a name that no stage before has");
   }
 }

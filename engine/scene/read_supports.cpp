@@ -108,19 +108,6 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
 
 // Whole blocks.
 
-std::vector<int> blocks_called(const Field& field, const std::vector<std::string>& groups, const Model& model) {
-  const std::string name = field.text();
-  std::vector<int> blocks;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (model.blocks[i].name == name || groups[i] == name) blocks.push_back(static_cast<int>(i));
-  if (blocks.empty()) {
-    std::vector<std::string> names = groups;
-    for (const Block& block : model.blocks) names.push_back(block.name);
-    static_cast<void>(field.choice(names));  // throws, as none is it
-  }
-  return blocks;
-}
-
 std::vector<bool> held_already(const Model& model) {
   std::vector<bool> held(model.blocks.size(), false);
   for (const HeldBlock& each : model.held_blocks) held[static_cast<std::size_t>(each.block)] = true;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
@@ -14,27 +15,26 @@
 namespace dda {
 namespace {
 
-// Returns the group of each block.
-std::vector<std::string> read_blocks_and_joints(const Field& scene, const Scheme& scheme,
-                                                const std::filesystem::path& folder, Model& model) {
+BlockFacts read_blocks_and_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
+                                  Model& model) {
   read_materials(scene, model);
   read_joints(scene, scheme, model);
-  std::vector<std::string> groups = read_blocks(scene, folder, model);
-  read_joint_pairs(scene, groups, model);
+  BlockFacts facts = read_blocks(scene, folder, model);
+  read_joint_pairs(scene, facts.groups, model);
   read_gravity(scene, model);
-  return groups;
+  return facts;
 }
 
-void read_what_acts(const Field& scene, const std::vector<std::string>& groups, const std::filesystem::path& folder,
-                    Model& model) {
+void read_what_acts(const Field& scene, const std::vector<std::string>& groups, const StressField& stresses,
+                    const std::filesystem::path& folder, Model& model) {
   read_initial_fields(scene, groups, model);
   const GroundPlan plan(model);
   read_joint_lines(scene, plan, model);
   RecordFiles records(folder);
-  read_loads(scene, plan, records, model);
+  read_loads(scene, plan, stresses, records, model);
   read_supports(scene, plan, groups, records, model);
   read_bolts(scene, plan, model);
-  read_viscous_boundaries(scene, plan, model);
+  read_viscous_boundaries(scene, plan, stresses, model);
   read_measurements(scene, plan, groups, model);
 }
 
@@ -57,11 +57,14 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   if (const auto frequency = scene.find("target_frequency"))
     model.target_frequency = frequency->positive(Dimension::frequency);
   if (const auto title = scene.find("title")) model.title = title->text();
-  parts.groups = read_blocks_and_joints(scene, scheme, folder, model);
+  BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, model);
+  parts.groups = std::move(facts.groups);
   parts.openings = openings_of(scene, model);
   finish_model(model);  // what follows needs the moments, and blocks that do not overlap
-  read_stages(scene, scheme, model);
-  read_what_acts(scene, parts.groups, folder, model);
+  const StressField stresses(scene, std::move(facts.own_stress), model);
+  stresses.fill(model);
+  read_stages(scene, scheme, parts.groups, model);
+  read_what_acts(scene, parts.groups, stresses, folder, model);
   finish_model(model);
   return parts;
 }

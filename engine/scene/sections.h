@@ -11,6 +11,7 @@
 #include "engine/scene/ground_plan.h"
 #include "engine/scene/record_files.h"
 #include "engine/scene/scheme.h"
+#include "engine/scene/stress_field.h"
 
 namespace dda {
 
@@ -18,23 +19,29 @@ Scheme read_scheme(const Field& scene);
 void read_materials(const Field& scene, Model& model);
 void read_joints(const Field& scene, const Scheme& scheme, Model& model);
 
-// Returns the group of each block: the name of its generator, of a polygon its own. Drawings are looked for relative to
-// `folder`.
-std::vector<std::string> read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model);
+// Of each block its group, the name of its generator or a polygon's own, and whether it states its initial stress.
+struct BlockFacts {
+  std::vector<std::string> groups;
+  std::vector<bool> own_stress;
+};
+
+// Drawings are looked for relative to `folder`.
+BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model);
 void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_gravity(const Field& scene, Model& model);
 
 // These need the blocks complete, as finish_model leaves them, and the stages.
 void read_initial_fields(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_joint_lines(const Field& scene, const GroundPlan& plan, Model& model);
-void read_loads(const Field& scene, const GroundPlan& plan, RecordFiles& records, Model& model);
+void read_loads(const Field& scene, const GroundPlan& plan, const StressField& stresses, RecordFiles& records,
+                Model& model);
 void read_supports(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                    RecordFiles& records, Model& model);
 void read_bolts(const Field& scene, const GroundPlan& plan, Model& model);
-void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, Model& model);
+void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, const StressField& stresses, Model& model);
 void read_measurements(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                        Model& model);
 
-void read_stages(const Field& scene, const Scheme& scheme, Model& model);
+void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std::string>& groups, Model& model);
 
 }  // namespace dda

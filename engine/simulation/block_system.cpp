@@ -50,6 +50,7 @@ bool BlockSystem::geometry_moves() const {
 
 void BlockSystem::loads_at(double time, Eigen::VectorXd& force) const {
   external.loads_at(time, force);
+  excavated.released.add_loads_at(model, time, force);
   if (free_field) free_field->add_loads_at(time, force);
 }
 

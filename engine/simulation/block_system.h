@@ -15,6 +15,7 @@
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/bolt_set.h"
 #include "engine/simulation/energy_audit.h"
+#include "engine/simulation/excavated.h"
 #include "engine/simulation/external_forces.h"
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step_coefficients.h"
@@ -66,10 +67,11 @@ struct BlockSystem {
   WaveCorrections waves;  // of the linear stage begun last; at first, of the first stage
   std::vector<SupportElement> supports;
   BoltSet bolts;
-  HeldUnknowns held;
+  HeldUnknowns held;  // absent blocks among them
   BlockTerms terms;
   BlockDamping damping;
   ExternalForces external;
+  Excavated excavated;
   std::unique_ptr<FreeField> free_field;  // only where a side has one
   EnergyAudit audit;
   Costs costs;
@@ -102,13 +104,13 @@ struct BlockSystem {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [model, state, contacts, waves, supports, bolts, held, terms, damping, external, free_field, audit, costs,
-           clock, plan, coefficients, forces, increment, drag, passes_before_step] = self;
+    auto& [model, state, contacts, waves, supports, bolts, held, terms, damping, external, excavated, free_field, audit,
+           costs, clock, plan, coefficients, forces, increment, drag, passes_before_step] = self;
     const bool moves = self.geometry_moves();
     if (moves || contacts.can_change || !bolts.empty()) archive(contacts);
     if (moves) archive(terms);
     archive.each(supports);
-    archive(bolts, external, audit, forces, increment, drag, passes_before_step, plan.chi, plan.solver);
+    archive(bolts, external, excavated, audit, forces, increment, drag, passes_before_step, plan.chi, plan.solver);
     for (auto& [block, matrix] : damping) archive(matrix);
     if (free_field) archive(*free_field);
     // State and clock are saved beside this; all else follows from the model.

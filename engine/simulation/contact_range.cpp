@@ -69,6 +69,18 @@ ContactRange::ContactRange(const Model& model, const std::vector<Interface>& int
     thickness_.push_back(block.moments.area / (2 * radius_.back()));
     least_thickness_ = std::min(least_thickness_, thickness_.back());
   }
+  list(model, interfaces);
+}
+
+void ContactRange::leave_out(const std::vector<bool>& absent, const Model& model,
+                             const std::vector<Interface>& interfaces) {
+  absent_ = absent;
+  list(model, interfaces);
+}
+
+void ContactRange::list(const Model& model, const std::vector<Interface>& interfaces) {
+  slide_limit_.clear();
+  of_pair_.clear();
   for (const Interface& interface : interfaces) {
     slide_limit_.push_back(slide_limit(model, interface));
     of_pair_.emplace_back(std::minmax(interface.block_a, interface.block_b), static_cast<int>(of_pair_.size()));
@@ -114,7 +126,9 @@ std::string ContactRange::overlap_problem(const Model& model, const State& state
   for (int block = 0; block < static_cast<int>(model.blocks.size()); ++block) {
     outlines.push_back(current_outline(model, state, block));
     // Half the least tolerance: blocks that overlap by a whole one still have boxes in common, most that touch do not.
-    boxes.push_back(expanded(bounding_box(outlines.back()), -overlap_tolerance * least_thickness_ / 2));
+    const bool is_absent = !absent_.empty() && absent_[at(block)];
+    boxes.push_back(is_absent ? Box{}
+                              : expanded(bounding_box(outlines.back()), -overlap_tolerance * least_thickness_ / 2));
   }
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
     if (holds_together(a, b, contacts)) continue;

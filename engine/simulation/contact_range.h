@@ -19,6 +19,9 @@ class ContactRange {
  public:
   ContactRange(const Model& model, const std::vector<Interface>& interfaces);
 
+  // Blocks that are absent, `absent` saying so of each, are left out from now on; `interfaces` are those of the others.
+  void leave_out(const std::vector<bool>& absent, const Model& model, const std::vector<Interface>& interfaces);
+
   // A sentence naming the two blocks that have left their contacts, or empty. Looks closely only when some point has
   // moved farther than the skin (1 % of the least block thickness) since it last did; costs one pass over the blocks
   // otherwise. Reported are
@@ -29,11 +32,13 @@ class ContactRange {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [radius, thickness, slide_limit, of_pair, least_thickness, checked_displacement, checked_deformation] = self;
+    auto& [radius, thickness, absent, slide_limit, of_pair, least_thickness, checked_displacement,
+           checked_deformation] = self;
     archive(checked_displacement, checked_deformation);  // the others are the drawing's
   }
 
  private:
+  void list(const Model& model, const std::vector<Interface>& interfaces);
   [[nodiscard]] bool moved_beyond_skin(const State& state) const;
   [[nodiscard]] std::string sliding_problem(const Model& model, const State& state, const ContactSet& contacts) const;
   [[nodiscard]] std::string overlap_problem(const Model& model, const State& state, const ContactSet& contacts) const;
@@ -41,6 +46,7 @@ class ContactRange {
 
   std::vector<double> radius_;       // m, farthest vertex from the centroid of each block
   std::vector<double> thickness_;    // m, area over diameter: at most the least width of a block
+  std::vector<bool> absent_;         // empty where no block is
   std::vector<double> slide_limit_;  // m, of each interface
   std::vector<std::pair<std::pair<int, int>, int>> of_pair_;  // (smaller, larger block) -> interface, sorted
   double least_thickness_ = 0;

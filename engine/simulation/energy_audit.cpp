@@ -111,6 +111,16 @@ void EnergyAudit::geometry_followed(const StoredEnergy& stored) {
   ledger_.bolts = stored.bolts;
 }
 
+void EnergyAudit::blocks_removed(const StoredEnergy& before, const StoredEnergy& after) {
+  const double kinetic = before.kinetic - after.kinetic;
+  const double strain = before.strain - after.strain;
+  const double contact = before.contact - after.contact;
+  ledger_.kinetic -= kinetic;
+  ledger_.strain -= strain;
+  ledger_.contact -= contact;
+  ledger_.removed += kinetic + strain + contact;
+}
+
 void EnergyAudit::support_moved(const SupportElement& before, const SupportElement& after) {
   const Vec2 mean_force = before.stiffness * (before.gap + after.gap) / 2;
   ledger_.external_work -= mean_force.dot(after.prescribed - before.prescribed);

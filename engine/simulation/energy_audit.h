@@ -90,6 +90,9 @@ class EnergyAudit {
     ledger_.contact -= energy;
   }
 
+  // Blocks were removed, by which the stored energies fell.
+  void blocks_removed(const StoredEnergy& before, const StoredEnergy& after);
+
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
 

@@ -65,6 +65,12 @@ void ExternalForces::keep_reaction(std::size_t support, const Vec2& offset, cons
   }
 }
 
+void ExternalForces::leave_out(const std::vector<bool>& absent) {
+  if (weight_.size() == 0) return;
+  for (std::size_t i = 0; i < absent.size(); ++i)
+    if (absent[i]) weight_.segment<6>(static_cast<Eigen::Index>(6 * i)).setZero();
+}
+
 void ExternalForces::filter(const WaveCorrections& waves) {
   for (Load& load : loads_) load.filter = waves.load_filter(load.block);
 }

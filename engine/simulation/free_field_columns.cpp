@@ -201,7 +201,8 @@ FreeFieldColumns make_free_field_columns(const Model& model, const ContactSet& c
   columns.model.materials = model.materials;
   columns.model.joints = {whole_block()};  // every pair of neighbours has one of its own
   columns.model.gravity = model.gravity;
-  for (const Stage& stage : model.stages) columns.model.stages.push_back(model.with_acting_corrections(stage));
+  for (const Stage& stage : model.stages)
+    columns.model.stages.emplace_back(model.with_acting_corrections(stage)).removal = {};
   double left = 0;
   for (const FreeFieldSide& side : model.free_field_sides) {
     Column column(model, contacts, side, left, columns);

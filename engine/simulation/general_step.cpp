@@ -53,6 +53,16 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
 // Blocks that spin are pulled apart.
 bool feels_spin(const StepPlan& plan) { return plan.finite_kinematics && !plan.is_static; }
 
+// Of a bonded interface at the end of a step of these increments, before the state moves.
+Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i, const Vec4& gap) {
+  const auto stress = [&](int block) -> Vec3 {
+    const auto b = static_cast<std::size_t>(block);
+    return system.state.stress[b] + system.terms.elasticity[b] * increment.segment<3>(6 * block + 3);
+  };
+  const InterfaceElement& element = system.contacts.elements[i];
+  return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
+}
+
 }  // namespace
 
 GeneralStep::GeneralStep(BlockSystem& system)
@@ -72,6 +82,17 @@ BlockMatrix GeneralStep::pattern() const {
   if (!moving_) return make_system_matrix(blocks, system_.contacts, std::move(pairs));
   pairs.insert(pairs.end(), moving_->pairs().begin(), moving_->pairs().end());
   return make_system_matrix(blocks, std::move(pairs));
+}
+
+void GeneralStep::leave_out(const std::vector<bool>& absent) {
+  ContactSet& contacts = system_.contacts;
+  if (moving_) {
+    moving_->leave_out(absent, contacts);
+  } else {
+    dda::leave_out(absent, contacts);
+    range_.leave_out(absent, system_.model, contacts.interfaces);
+  }
+  moved_ = std::numeric_limits<double>::infinity();
 }
 
 void GeneralStep::set_up(BlockMatrix pattern) {
@@ -177,6 +198,7 @@ void GeneralStep::follow_geometry() {
   if (s.plan.viscous_edges) update_geometry(s.model, acting_, s.clock.stage, s.damping);
   if (s.plan.loads) {
     s.external.update_geometry(s.model, acting_);
+    s.excavated.released.update_geometry(acting_.deformation);
     if (s.free_field) s.free_field->update_geometry(s.model, acting_, s.clock.stage);
     s.loads_at(s.state.time, s.forces.load_old);
   }
@@ -260,7 +282,8 @@ bool GeneralStep::replace_broken_joints() {
     const int index = bonded_[b];
     const auto i = static_cast<std::size_t>(index);
     const Vec4 gap = contacts.states[i].gap + gap_increment(contacts.elements[i], solver_.increment());
-    const std::array<bool, 2> broken = ends_beyond_strength(contacts.strengths[i], bonded_force(i, gap));
+    const std::array<bool, 2> broken =
+        ends_beyond_strength(contacts.strengths[i], bonded_force(system_, solver_.increment(), i, gap));
     if (!broken[0] && !broken[1]) {
       ++b;
       continue;
@@ -293,16 +316,6 @@ void GeneralStep::weaken(std::size_t i) {
   s.audit.interface_replaced(energy_before - interface_energy(element, s.contacts.states[i]));
   list_contacts();
   base_is_current_ = false;
-}
-
-// Of a bonded interface at the end of the step, before the state moves.
-Vec4 GeneralStep::bonded_force(std::size_t i, const Vec4& gap) const {
-  const auto stress = [this](int block) -> Vec3 {
-    const auto b = static_cast<std::size_t>(block);
-    return system_.state.stress[b] + system_.terms.elasticity[b] * solver_.increment().segment<3>(6 * block + 3);
-  };
-  const InterfaceElement& element = system_.contacts.elements[i];
-  return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
 }
 
 bool GeneralStep::is_in_contact_range() {
@@ -340,7 +353,7 @@ void GeneralStep::accept_bonded() {
     const auto i = static_cast<std::size_t>(index);
     InterfaceState& state = system_.contacts.states[i];
     state.gap += gap_increment(system_.contacts.elements[i], system_.increment);
-    state.force = bonded_force(i, state.gap);
+    state.force = bonded_force(system_, solver_.increment(), i, state.gap);
   }
 }
 

@@ -37,6 +37,12 @@ class GeneralStep : public Step {
   // The pattern of the system's matrix: blocks that touch, or can before the pattern changes, and those that bolts tie.
   [[nodiscard]] BlockMatrix pattern() const;
 
+  // Blocks that are absent, `absent` saying so of each, touch nothing from now on. What they were in the way of is
+  // looked for in the next step.
+  void leave_out(const std::vector<bool>& absent);
+  // Brings all to the geometry of the state, however little has moved.
+  void follow_geometry();
+
   // Contacts are looked for anew as blocks move.
   [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
   // False when bonded blocks have left the contacts of the start, which are then not followed; message() says which.
@@ -61,7 +67,6 @@ class GeneralStep : public Step {
   void pose(double end);
   [[nodiscard]] Status solve_far_enough(double end);
   [[nodiscard]] bool moves_further_than_seen();
-  void follow_geometry();
   void follow_contacts();
   void form_rhs();
   void assemble_base();
@@ -70,7 +75,6 @@ class GeneralStep : public Step {
   [[nodiscard]] Status solve();
   [[nodiscard]] bool replace_broken_joints();
   void weaken(std::size_t i);
-  [[nodiscard]] Vec4 bonded_force(std::size_t i, const Vec4& gap) const;
 
   void accept();
   void accept_contacts();

@@ -47,7 +47,7 @@ Motion motion_of(const Model& model, const HeldBlock& held, double time) {
 
 }  // namespace
 
-HeldUnknowns make_held_unknowns(const Model& model) {
+HeldUnknowns make_held_unknowns(const Model& model, const std::vector<bool>& absent) {
   HeldUnknowns unknowns;
   unknowns.place.assign(model.held_blocks.empty() ? 0 : model.blocks.size(), -1);
   for (const HeldBlock& held : model.held_blocks) {
@@ -56,6 +56,8 @@ HeldUnknowns make_held_unknowns(const Model& model) {
     unknowns.increments.emplace_back(Vec6::Zero());
     unknowns.move = unknowns.move || moves(held);
   }
+  for (std::size_t i = 0; i < absent.size(); ++i)
+    if (absent[i]) hold_still(static_cast<int>(i), absent.size(), unknowns);
   return unknowns;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "engine/model/model.h"
 #include "engine/model/state.h"
@@ -12,7 +13,8 @@
 
 namespace dda {
 
-HeldUnknowns make_held_unknowns(const Model& model);
+// With the blocks that are `absent` (see BlockSystem), which stay where they are.
+HeldUnknowns make_held_unknowns(const Model& model, const std::vector<bool>& absent = {});
 
 // Adds a block that stays where it is, of `blocks` in all. Such blocks follow those of the model in the list.
 void hold_still(int block, std::size_t blocks, HeldUnknowns& held);

@@ -104,9 +104,13 @@ void LinearStep::take_over() {
   }
 }
 
-void LinearStep::hand_over() {
+void LinearStep::write_states() {
   std::vector<InterfaceState>& states = system_.contacts.states;
   for (std::size_t i = 0; i < states.size(); ++i) states[i] = interface_state(i);
+}
+
+void LinearStep::hand_over() {
+  write_states();
   operators_.reset();
   matrix_.end();
 }

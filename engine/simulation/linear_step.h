@@ -30,6 +30,8 @@ class LinearStep : public Step {
   [[nodiscard]] Status advance(double dt) override;
   void hand_over() override;
   void take_over() override;
+  // Writes the states of the contacts as they are now, which hand_over() does too.
+  void write_states();
   [[nodiscard]] StoredEnergy stored_energy() const override;
   [[nodiscard]] const std::string& message() const override { return message_; }
 

@@ -52,9 +52,18 @@ Cut cut_of(const Simulation& simulation, const Measurement& measurement) {
   return make_cut(simulation, measurement);
 }
 
-Vec2 traction(const Simulation& simulation, int interface) {
+// Interfaces move up in their list when those of removed blocks leave it.
+bool is_still(const std::vector<Interface>& interfaces, int interface, const Measurement& measurement,
+              double tolerance) {
   const auto i = static_cast<std::size_t>(interface);
+  return i < interfaces.size() && joins(interfaces[i], measurement.block, measurement.other_block) &&
+         distance(Segment{interfaces[i].from, interfaces[i].to}, measurement.point) <= tolerance;
+}
+
+Vec2 traction(const Simulation& simulation, const Measurement& measurement, int interface) {
   const ContactSet& contacts = simulation.contacts();
+  const bool still = is_still(contacts.interfaces, interface, measurement, simulation.model().length_tolerance);
+  const auto i = static_cast<std::size_t>(still ? interface : interface_of(simulation, measurement));
   return mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], simulation.interface_state(i));
 }
 
@@ -138,7 +147,7 @@ void Probes::write(const Simulation& simulation, const Measurement& measurement,
     case Subject::joint: {
       const Vec2 mean = place.edge
                             ? traction_along(simulation.model(), simulation.state(), simulation.contacts(), *place.edge)
-                            : traction(simulation, place.interface);
+                            : traction(simulation, measurement, place.interface);
       values[0] = measurement.quantity == Quantity::traction_normal ? mean(0) : mean(1);
       break;
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/excavation.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
@@ -28,6 +29,15 @@ void release_shear_of_contacts(BlockSystem& s) {
   if (!released) return;
   s.audit.geometry_followed(s.stored_energy_now());
   s.sum_internal_forces(s.forces.internal_old);
+}
+
+// The columns go first: what they do at the end of the step is then known.
+Status step_free_field(BlockSystem& s, std::string& message) {
+  if (!s.free_field) return Status::ok;
+  const double dt = s.stage().dt;
+  const Status status = s.free_field->advance_to(s.clock.start + static_cast<double>(s.clock.step + 1) * dt, dt);
+  if (status != Status::ok) message = "columns of the free field: " + s.free_field->message();
+  return status;
 }
 
 }  // namespace
@@ -57,6 +67,7 @@ const Model& Simulation::model() const { return system_->model; }
 const State& Simulation::state() const { return system_->state; }
 const ContactSet& Simulation::contacts() const { return system_->contacts; }
 bool Simulation::follows_contacts() const { return general_->follows_contacts(); }
+const std::vector<bool>& Simulation::absent() const { return system_->excavated.absent; }
 const BoltSet& Simulation::bolts() const { return system_->bolts; }
 const StepPlan& Simulation::plan() const { return system_->plan; }
 const EnergyLedger& Simulation::energy() const { return system_->audit.ledger(); }
@@ -92,6 +103,7 @@ void Simulation::begin_stage() {
   BlockSystem& s = *system_;
   s.clock.step = 0;
   s.clock.start = s.state.time;
+  excavate(s, *general_, *linear_);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();
   if (s.stage().paces_itself()) pace_.begin(s.model, s.stage(), s.contacts.can_change);
@@ -115,8 +127,8 @@ Status Simulation::step() {
     return Status::finished;
   }
   system_->passes_before_step = system_->costs.counters.open_close_iterations;
-  if (const Status ahead = step_free_field(); ahead != Status::ok) return ahead;
   BlockSystem& s = *system_;
+  if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
   const Status status = is_settling()
                             ? pace_.step(s.costs.counters, [this](double dt) { return stage_step().advance(dt); })
                             : advance(s.stage().dt, s.stage().max_step_reductions);
@@ -131,16 +143,6 @@ Status Simulation::step() {
   if (!in_range) message_ = general_->message();
   const Status end = is_over() ? end_stage() : Status::ok;
   return in_range ? end : Status::left_contact_range;
-}
-
-// The columns go first: what they do at the end of the step is then known.
-Status Simulation::step_free_field() {
-  BlockSystem& s = *system_;
-  if (!s.free_field) return Status::ok;
-  const double dt = s.stage().dt;
-  const Status status = s.free_field->advance_to(s.clock.start + static_cast<double>(s.clock.step + 1) * dt, dt);
-  if (status != Status::ok) message_ = "columns of the free field: " + s.free_field->message();
-  return status;
 }
 
 Status Simulation::advance(double dt, int reductions_left) {
@@ -174,7 +176,7 @@ Status Simulation::end_stage() {
   let_go_of_supports(s);
   if (ended.unlimited_strength) release_shear_of_contacts(s);
   s.drag = {};
-  s.held = make_held_unknowns(s.model);
+  s.held = make_held_unknowns(s.model, s.excavated.absent);
   ++s.clock.stage;
   if (!finished()) begin_stage();
   if (problem.empty()) return Status::ok;

@@ -60,6 +60,8 @@ class Simulation {
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
   // The columns beside free-field sides, stepped along; nullptr where there are none.
   [[nodiscard]] const Simulation* free_field_columns() const;
+  // Of every block whether it has been removed; empty while none has.
+  [[nodiscard]] const std::vector<bool>& absent() const;
   [[nodiscard]] const BoltSet& bolts() const;
   [[nodiscard]] const StepPlan& plan() const;
   [[nodiscard]] const EnergyLedger& energy() const;
@@ -100,7 +102,6 @@ class Simulation {
   [[nodiscard]] Step& stage_step();
   void begin_stage();
   [[nodiscard]] Status advance(double dt, int reductions_left);
-  [[nodiscard]] Status step_free_field();
   [[nodiscard]] bool is_over();
   [[nodiscard]] Status end_stage();
 

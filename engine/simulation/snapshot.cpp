@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "engine/core/error.h"
 #include "engine/simulation/archive.h"
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/excavation.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/linear_step.h"
@@ -58,8 +60,8 @@ std::vector<std::byte> Simulation::save() const {
   const double dt = system_->stage_in_force().dt;
   const Counters counts = counters();
   writer(kind, dt);
-  check_parts(*system_, follows_contacts(), writer);
   writer(system_->clock);
+  check_parts(*system_, follows_contacts(), writer);
   visit(*this, writer);
   for (const CounterField& field : counter_fields) writer(counts.*field.value);
   return writer.take();
@@ -73,8 +75,13 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   reader(saved_kind);
   if (saved_kind != kind) throw InputError("", "checkpoint", "of another version or kind", "one of this program");
   reader(dt);
-  check_parts(s, follows_contacts(), reader);
+  if (!s.excavated.absent.empty()) {
+    draw_again(s);
+    general_ = std::make_unique<GeneralStep>(s);
+  }
   reader(s.clock);
+  leave_out_absent(s, *general_);
+  check_parts(s, follows_contacts(), reader);
   check_place_in_run(s, dt);
   s.state = std::move(state);
   const Stage& stage = s.stage_in_force();

@@ -32,7 +32,8 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
   StepPlan plan;
   plan.free_field = !model.free_field_sides.empty();
   plan.loads = plan.free_field || !model.point_loads.empty() || !model.edge_loads.empty() ||
-               std::any_of(model.supports.begin(), model.supports.end(), leaves_force);
+               std::any_of(model.supports.begin(), model.supports.end(), leaves_force) ||
+               std::ranges::any_of(model.stages, [](const Stage& each) { return each.removal.relaxation.has_value(); });
   plan.gravity = !model.gravity.isZero();
   plan.supports = !model.supports.empty();
   plan.moving_supports = std::any_of(model.supports.begin(), model.supports.end(),

@@ -1,6 +1,7 @@
 #include "engine/view/run_results.h"
 
 #include <algorithm>
+#include <limits>
 #include <system_error>
 
 #include "engine/core/error.h"
@@ -78,6 +79,17 @@ std::vector<DrawnBolt> read_bolts(const std::filesystem::path& path, const std::
   return bolts;
 }
 
+// Of a block that has been removed.
+void add_nothing(const Drawing& drawing, std::size_t block, Frame& frame) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  frame.stress.emplace_back(Vec3::Constant(nothing));
+  frame.velocity.emplace_back(Vec2::Constant(nothing));
+  frame.moved.emplace_back(Vec2::Constant(nothing));
+  const std::uint32_t last = drawing.ring_begin[drawing.block_begin[block + 1]];
+  for (std::uint32_t i = drawing.ring_begin[drawing.block_begin[block]]; i < last; ++i)
+    frame.displacement[i].setConstant(nothing);
+}
+
 }  // namespace
 
 RunResults::RunResults(const std::filesystem::path& folder) : frames_(frames_in(folder)) {
@@ -102,7 +114,6 @@ void RunResults::read_outlines(const std::filesystem::path& path, const PolyData
   const std::size_t lines = first.lines.size();
   if (first.vertices.size() != 0 || block_of.empty()) refuse(path, "without blocks");
   points_in_file_ = first.points.size() / 3;
-  cells_in_file_ = block_of.size();
 
   const auto last = *std::ranges::max_element(block_of);
   std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(std::max(last, -1) + 1));
@@ -114,7 +125,7 @@ void RunResults::read_outlines(const std::filesystem::path& path, const PolyData
   drawing_.block_begin = {0};
   for (const auto& own : cells) {
     if (own.empty()) refuse(path, "damaged (a block is missing)");
-    cell_.push_back(own[0]);
+    cells_of_block_.push_back(own.size());
     drawing_.names.push_back(name_of[own[0]]);
     if (own[0] >= lines) add_ring(path, first, first.polygons.cell(own[0] - lines));
     for (const std::size_t cell : own) {
@@ -138,12 +149,26 @@ void RunResults::add_ring(const std::filesystem::path& path, const PolyData& fir
   drawing_.ring_begin.push_back(static_cast<std::uint32_t>(point_.size()));
 }
 
+// The first cell of each block, which has its values; none of a block that has been removed.
+std::vector<std::optional<std::size_t>> RunResults::cells_of_blocks(const std::filesystem::path& path,
+                                                                    const PolyData& data) const {
+  const auto& block_of = need_array<std::int32_t>(path, data.cell_data, "block", 1);
+  std::vector<std::optional<std::size_t>> first(drawing_.blocks());
+  std::vector<std::size_t> count(drawing_.blocks(), 0);
+  for (std::size_t cell = 0; cell < block_of.size(); ++cell) {
+    const auto block = static_cast<std::size_t>(block_of[cell]);
+    if (block_of[cell] < 0 || block >= first.size()) refuse(path, "of other blocks than the first frame");
+    if (count[block]++ == 0) first[block] = cell;
+  }
+  for (std::size_t block = 0; block < first.size(); ++block)
+    if (first[block] && count[block] != cells_of_block_[block]) refuse(path, "of other blocks than the first frame");
+  return first;
+}
+
 Frame RunResults::frame(std::size_t index) const {
   const std::filesystem::path& path = frames_.at(index).file;
   const PolyData data = read_vtp(path);
-  const std::size_t cells = data.lines.size() + data.polygons.size();
-  if (data.points.size() / 3 != points_in_file_ || cells != cells_in_file_)
-    refuse(path, "of other blocks than the first frame");
+  if (data.points.size() / 3 != points_in_file_) refuse(path, "of other blocks than the first frame");
   const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
   const auto& xx = need_array<double>(path, data.cell_data, "stress_xx [Pa]", 1);
   const auto& yy = need_array<double>(path, data.cell_data, "stress_yy [Pa]", 1);
@@ -153,10 +178,16 @@ Frame RunResults::frame(std::size_t index) const {
   Frame frame;
   frame.time = data.time;
   for (const std::size_t point : point_) frame.displacement.push_back(plane(displacement, point));
-  for (const std::size_t cell : cell_) {
-    frame.stress.emplace_back(xx[cell], yy[cell], xy[cell]);
-    frame.velocity.push_back(plane(velocity, cell));
-    frame.moved.push_back(plane(moved, cell));
+  const auto cells = cells_of_blocks(path, data);
+  for (std::size_t block = 0; block < cells.size(); ++block) {
+    if (cells[block]) {
+      const std::size_t cell = *cells[block];
+      frame.stress.emplace_back(xx[cell], yy[cell], xy[cell]);
+      frame.velocity.push_back(plane(velocity, cell));
+      frame.moved.push_back(plane(moved, cell));
+    } else {
+      add_nothing(drawing_, block, frame);
+    }
   }
   if (has_contacts()) frame.contacts = read_contacts(contacts_[index].file, drawing_.blocks());
   if (has_bolts()) frame.bolts = read_bolts(bolts_[index].file, bolt_offsets_);

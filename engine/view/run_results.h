@@ -1,8 +1,11 @@
 // What `dda run --frames` left in a folder, read back for pictures.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +49,7 @@ struct DrawnBolt {
   DrawnCondition condition = DrawnCondition::elastic;
 };
 
+// Blocks that have been removed have displacements, stresses and velocities that are no numbers.
 struct Frame {
   double time = 0;                 // s
   std::vector<Vec2> displacement;  // m, of every vertex of the Drawing
@@ -55,6 +59,8 @@ struct Frame {
   std::vector<DrawnContact> contacts;
   std::vector<DrawnBolt> bolts;  // the same links in every frame
 };
+
+inline bool is_present(const Frame& frame, std::size_t block) { return !std::isnan(frame.moved[block].x()); }
 
 class RunResults {
  public:
@@ -79,15 +85,17 @@ class RunResults {
   void read_outlines(const std::filesystem::path& path, const PolyData& first);
   void add_ring(const std::filesystem::path& path, const PolyData& first, std::span<const std::int64_t> points);
 
+  [[nodiscard]] std::vector<std::optional<std::size_t>> cells_of_blocks(const std::filesystem::path& path,
+                                                                        const PolyData& data) const;
+
   std::vector<SeriesEntry> frames_;
   std::vector<SeriesEntry> contacts_;
   std::vector<SeriesEntry> bolts_;
   std::vector<double> times_;
   Drawing drawing_;
-  std::vector<std::size_t> point_;  // in the file, of every vertex
-  std::vector<std::size_t> cell_;   // in the file, of every block: the first that has its values
+  std::vector<std::size_t> point_;           // in the file, of every vertex
+  std::vector<std::size_t> cells_of_block_;  // how many a block has in the file
   std::size_t points_in_file_ = 0;
-  std::size_t cells_in_file_ = 0;
   std::vector<std::int64_t> bolt_offsets_;  // in the file: where each line ends
 };
 

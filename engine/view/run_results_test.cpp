@@ -60,6 +60,26 @@ TEST_F(RunResultsTest, FramesAreTheStates) {
   }
 }
 
+TEST_F(RunResultsTest, RemovedBlocksAreNowhere) {
+  FrameWriter writer(model_, folder_.path() / "frames.pvd");
+  writer.write(state_at(model_, 0));
+  writer.write(state_at(model_, 1), {false, true, false});
+  const RunResults results(folder_.path());
+  ASSERT_EQ(results.times().size(), 2U);
+  for (std::size_t block = 0; block < 3; ++block) EXPECT_TRUE(is_present(results.frame(0), block));
+  const Frame frame = results.frame(1);
+  const State state = state_at(model_, 1);
+  const Drawing& drawing = results.drawing();
+  for (std::size_t block = 0; block < 3; ++block) {
+    EXPECT_EQ(is_present(frame, block), block != 1);
+    const Vec2& first = frame.displacement[drawing.ring_begin[drawing.block_begin[block]]];
+    EXPECT_EQ(first.allFinite(), block != 1);
+    if (block == 1) continue;
+    EXPECT_EQ(frame.stress[block], state.stress[block]);
+    EXPECT_LE((first - state.displacement[block].head<2>()).norm(), round_off);
+  }
+}
+
 TEST_F(RunResultsTest, ContactsAreThoseWritten) {
   const RunResults results(folder_.path());
   EXPECT_TRUE(results.has_contacts());

@@ -176,7 +176,8 @@ class Picture {
   void draw_blocks() {
     std::map<std::string, SvgPath> path_of_colour;
     for (std::size_t block = 0; block < drawing_.blocks(); ++block)
-      add_outline(block, path_of_colour[to_hex(colours_.colour(quantity_.value(frame_, block)))]);
+      if (is_present(frame_, block))
+        add_outline(block, path_of_colour[to_hex(colours_.colour(quantity_.value(frame_, block)))]);
     add("<g stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linejoin=\"round\">\n", ink,
         std::clamp(typical_ / 40, 0.25, 1.2));
     for (const auto& [colour, path] : path_of_colour) add("<path fill=\"{}\" d=\"{}\"/>\n", colour, path.text());

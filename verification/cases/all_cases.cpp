@@ -16,6 +16,7 @@
 #include "verification/cases/contact_oscillator_cases.h"
 #include "verification/cases/direction_cases.h"
 #include "verification/cases/energy_cases.h"
+#include "verification/cases/excavation_cases.h"
 #include "verification/cases/free_field_cases.h"
 #include "verification/cases/free_field_scene_cases.h"
 #include "verification/cases/incline_chart_cases.h"
@@ -80,6 +81,7 @@ constexpr std::array subjects{
     free_field_cases,          // 39
     free_field_scene_cases,    // 39
     opening_cases,             // 28, 31
+    excavation_cases,          // 28, 31, 41
     blast_cases,               // 29, 40, 41
     wall_cases,                // 8, 26
     direction_cases,           // 42

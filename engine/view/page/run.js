@@ -102,6 +102,12 @@ class Run {
     return decoded(codes[frame * this.blocks + block], ranges[frame]);
   }
 
+  // Blocks that have been removed are nowhere.
+  isPresent(frame, block) {
+    const [[first]] = this.ringsOf(block);
+    return this.x[(frame * this.reference.length) / 2 + first] !== NO_NUMBER;
+  }
+
   quantityIndex(id) {
     return this.quantities.findIndex((quantity) => quantity.id === id);
   }

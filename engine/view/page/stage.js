@@ -108,6 +108,7 @@ class Stage {
     const size = this.typicalBlock * this.camera.scale;
     context.strokeStyle = this.ink.outline;
     for (let block = 0; block < run.blocks; ++block) {
+      if (!run.isPresent(show.frame, block)) continue;
       const path = this.pathOf(block);
       const colour = this.colourOf(block);
       context.fillStyle = colour;
@@ -116,7 +117,7 @@ class Stage {
       context.strokeStyle = show.outlines ? this.ink.outline : colour; // its own colour closes the hairlines
       context.stroke(path);
     }
-    if (this.hovered < 0) return;
+    if (this.hovered < 0 || !run.isPresent(show.frame, this.hovered)) return;
     context.strokeStyle = this.ink.accent;
     context.lineWidth = 3;
     context.stroke(this.pathOf(this.hovered));
@@ -225,6 +226,7 @@ class Stage {
   // The block under a point of the canvas, or -1.
   blockAt(px, py) {
     for (let block = this.run.blocks - 1; block >= 0; --block) {
+      if (!this.run.isPresent(this.show.frame, block)) continue;
       this.context.setTransform(1, 0, 0, 1, 0, 0);
       if (this.context.isPointInPath(this.pathOf(block), px, py, "evenodd")) return block;
     }

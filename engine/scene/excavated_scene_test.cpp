@@ -1,0 +1,142 @@
+// Stages that remove blocks, and the stress that the ground has before.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "engine/scene/bad_scene_test_support.h"
+#include "engine/scene/scene.h"
+
+namespace dda {
+namespace {
+
+// Three rows of four blocks of 2 m x 1 m, the middle two of the second row in a group of their own.
+std::string scene_with(const std::string& more, const std::string& second_stage) {
+  return R"({
+  "dda": 1, "gravity": 10,
+  "materials": {"rock": {"density": 2500, "young": "20 GPa", "poisson": 0.25}},
+  "joints": {"default": {"bonded": true}},
+  "blocks": [{"grid": {"name": "floor", "columns": 4, "rows": 1, "block_width": 2, "block_height": 1}},
+             {"polygon": {"name": "left", "vertices": [[0, 1], [2, 1], [2, 2], [0, 2]], "initial_stress": {"xx": 7}}},
+             {"polygon": {"name": "a", "group": "hole", "vertices": [[2, 1], [4, 1], [4, 2], [2, 2]]}},
+             {"polygon": {"name": "b", "group": "hole", "vertices": [[4, 1], [6, 1], [6, 2], [4, 2]]}},
+             {"polygon": {"name": "right", "vertices": [[6, 1], [8, 1], [8, 2], [6, 2]]}}],
+  "fixed": ["floor"])" +
+         more + R"(,
+  "steps": [{"name": "settle", "integrator": "static"}, {"name": "motion", "dt": 1e-4, "duration": 1e-2)" +
+         second_stage + "}]}";
+}
+
+Model excavated(const std::string& removal) {
+  return parse_scene(scene_with("", R"(, "remove": )" + removal), "scene");
+}
+
+TEST(RemovalInScenes, NamesBlocksAndGroups) {
+  EXPECT_EQ(excavated(R"(["hole"])").stages[1].removal.blocks, (std::vector<int>{5, 6}));
+  EXPECT_EQ(excavated(R"(["right", "a", "hole"])").stages[1].removal.blocks, (std::vector<int>{5, 6, 7}));
+  EXPECT_FALSE(excavated(R"(["hole"])").stages[1].removal.relaxation);
+}
+
+TEST(RemovalInScenes, LetsGoOverATimeOrByATable) {
+  const Model over = excavated(R"({"blocks": ["hole"], "over": "4 ms"})");
+  ASSERT_TRUE(over.stages[1].removal.relaxation);
+  EXPECT_DOUBLE_EQ(evaluate(*over.stages[1].removal.relaxation, 1e-3), 0.75);
+  EXPECT_EQ(evaluate(*over.stages[1].removal.relaxation, 5e-3), 0);
+  const Model table = excavated(R"({"blocks": ["hole"], "table": [[0, 1], ["2 ms", 0.3]]})");
+  EXPECT_DOUBLE_EQ(evaluate(*table.stages[1].removal.relaxation, 1), 0.3);
+}
+
+void expect_sentence_for(const std::string& text, const std::vector<std::string>& parts) {
+  try {
+    parse_scene(text, "bad.json");
+    ADD_FAILURE() << "accepted: " << parts.front();
+  } catch (const InputError& error) {
+    expect_sentence(error.what(), {"bad.json: ", " is ", ", expected "});
+    expect_sentence(error.what(), parts);
+  }
+}
+
+TEST(RemovalInScenes, ThatCannotBeIsRefused) {
+  const auto refused = [](const std::string& removal, const std::vector<std::string>& parts) {
+    expect_sentence_for(scene_with("", R"(, "remove": )" + removal), parts);
+  };
+  refused(R"(["hale"])", {"steps[1].remove[0] is \"hale\"", "hole"});
+  refused(R"([])", {"steps[1].remove"});
+  refused(R"({"over": 1})", {"steps[1].remove", "blocks"});
+  refused(R"({"blocks": ["hole"], "over": 1, "table": [[0, 1]]})", {"steps[1].remove.table", "beside over"});
+  refused(R"({"blocks": ["hole"], "table": [[0, 0.5], [1, 0]]})", {"steps[1].remove.table", "1 at time 0"});
+  refused(R"(["floor"])", {"\"motion\" remove", "which is held"});
+  refused(R"(["hole"]}, {"dt": 1e-4, "duration": 1e-2, "remove": ["a"])",
+          {"steps[2].remove[0]", "no stage before removes"});
+  std::string first = scene_with("", "");
+  first.replace(first.find(R"("integrator": "static")"), 22, R"("integrator": "static", "remove": ["hole"])");
+  expect_sentence_for(first, {"steps[0].remove is given in the first stage"});
+  std::string timeless = scene_with("", R"(}, {"integrator": "static", "remove": {"blocks": ["hole"], "over": 1})");
+  expect_sentence_for(timeless, {"steps[2].remove.over", "take no time"});
+}
+
+TEST(RemovalInScenes, OfWhatIsActedOnIsRefused) {
+  const auto refused = [](const std::string& more, const std::string& part) {
+    expect_sentence_for(scene_with(more, R"(, "remove": ["hole"])"), {"\"motion\" remove is \"a\"", part});
+  };
+  refused(R"(, "loads": [{"point": [3, 2], "force": [0, -1]}])", "a load acts");
+  refused(R"(, "measurements": [{"quantity": "stress_xx", "block": "a", "name": "there"}])", "\"there\" is measured");
+  refused(R"(, "supports": [{"point": [3, 2]}])", "a support holds");
+  refused(R"(, "viscous_boundaries": [{"edge": {"from": [2.5, 2], "to": [3, 2]}}])", "viscous");
+}
+
+TEST(StressField, FillsBlocksThatStateNoStress) {
+  const Model model = parse_scene(
+      scene_with(R"(, "stress_field": {"xx": "-1 kPa", "surface": 3.5, "density": 2000, "k0": 0.5})", ""), "scene");
+  // Row centres lie 3 m and 2 m deep: 20 kPa/m upright and half of it level.
+  EXPECT_EQ(model.blocks[0].initial_stress, Vec3(-31e3, -60e3, 0));
+  EXPECT_EQ(model.blocks[5].initial_stress, Vec3(-21e3, -40e3, 0));
+  EXPECT_EQ(model.blocks[4].initial_stress, Vec3(7, 0, 0));
+}
+
+TEST(StressField, HasNoPressureAboveTheSurface) {
+  const Model model =
+      parse_scene(scene_with(R"(, "stress_field": {"surface": 1, "gradient": "1 kPa/m"})", ""), "scene");
+  EXPECT_EQ(model.blocks[0].initial_stress, Vec3(-500, -500, 0));
+  EXPECT_EQ(model.blocks[5].initial_stress, Vec3(0, 0, 0));
+}
+
+TEST(StressField, PushesOnEdges) {
+  const Model model = parse_scene(scene_with(R"(, "stress_field": {"xy": 5, "surface": 3, "gradient": 1000, "k0": 0.5},
+        "loads": [{"edge": "outside", "traction": "in-situ"}],
+        "viscous_boundaries": [{"edge": {"from": [8, 1], "to": [8, 2]}, "carries_initial_stress": true}])",
+                                             ""),
+                                  "scene");
+  for (const EdgeLoad& load : model.edge_loads) {
+    const Vec2 middle = (load.from + load.to) / 2;
+    const double depth = 3 - middle.y();
+    if (load.block == 4) continue;  // has a stress of its own
+    Vec2 expected = Vec2::Zero();
+    if (middle.y() == 2) expected = {5, -1000 * depth};
+    if (middle.x() == 8) expected = {-500 * depth, 5};
+    if (middle.x() == 0) expected = {500 * depth, -5};
+    if (middle.y() == 0) expected = {-5, 1000 * depth};
+    EXPECT_EQ(load.traction, expected);
+  }
+  EXPECT_EQ(model.edge_loads.size(), 4U + 4U + 4U + 1U);
+  const EdgeLoad& absorbed = model.edge_loads.back();
+  EXPECT_EQ(absorbed.traction, Vec2(-500 * 1.5, 5));
+}
+
+TEST(StressField, ThatSaysTooLittleOrTooMuchIsRefused) {
+  const auto refused = [](const std::string& field, const std::vector<std::string>& parts) {
+    expect_sentence_for(scene_with(R"(, "stress_field": )" + field, ""), parts);
+  };
+  refused(R"({})", {"stress_field"});
+  refused(R"({"k0": 1})", {"stress_field.k0 is 1", "without surface"});
+  refused(R"({"surface": 1})", {"stress_field is without gradient and density"});
+  refused(R"({"surface": 1, "density": 2, "gradient": 3})", {"stress_field.density is 2", "beside gradient"});
+  refused(R"({"surface": 1, "gradient": "3 Pa"})", {"stress_field.gradient is \"3 Pa\""});
+  std::string level = scene_with(R"(, "stress_field": {"surface": 1, "density": 2000})", "");
+  level.replace(level.find(R"("gravity": 10)"), 13, R"("gravity": 0)");
+  expect_sentence_for(level, {"stress_field.density", "gradient instead"});
+  expect_sentence_for(scene_with(R"(, "loads": [{"edge": "top", "traction": "insitu"}])", ""), {"loads[0].traction"});
+}
+
+}  // namespace
+}  // namespace dda

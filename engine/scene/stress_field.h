@@ -1,0 +1,38 @@
+// The stress in the ground before anything is done to it, as the section `stress_field` gives it: a part that is the
+// same everywhere, and one that grows with depth below a level surface.
+#pragma once
+
+#include <vector>
+
+#include "engine/model/model.h"
+#include "engine/scene/field.h"
+#include "engine/scene/ground_plan.h"
+
+namespace dda {
+
+class StressField {
+ public:
+  // `own_stress`: of each block whether it states its initial stress itself, which goes before the field.
+  StressField(const Field& scene, std::vector<bool> own_stress, const Model& model);
+
+  // Gives every block that states none the stress of the field at its centroid.
+  void fill(Model& model) const;
+
+  // What the surroundings exert on a stretch of a block, Pa: by the field in its middle, where its forces are then
+  // those of a field that grows linearly along it; by the block's own stress where it states one.
+  [[nodiscard]] Vec2 traction_on(const Stretch& stretch, const Model& model) const;
+
+ private:
+  [[nodiscard]] Vec3 at(const Vec2& point) const;
+  [[nodiscard]] bool states_own(int block) const { return own_stress_[static_cast<std::size_t>(block)]; }
+
+  std::vector<bool> own_stress_;
+  Vec3 constant_ = Vec3::Zero();  // Pa, tension positive
+  Vec3 slope_ = Vec3::Zero();     // Pa/m, over y
+  double surface_ = 0;            // m, y above which there is none of that part
+};
+
+// xx, yy and xy, as far as they are given.
+Vec3 read_stress(const Field& field);
+
+}  // namespace dda

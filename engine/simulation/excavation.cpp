@@ -1,0 +1,70 @@
+#include "engine/simulation/excavation.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "engine/simulation/block_system.h"
+#include "engine/simulation/general_step.h"
+#include "engine/simulation/held_blocks.h"
+#include "engine/simulation/linear_step.h"
+
+namespace dda {
+namespace {
+
+void lay_to_rest(int block, State& state) {
+  const auto i = static_cast<std::size_t>(block);
+  state.velocity[i].setZero();
+  state.acceleration[i].setZero();
+  state.stress[i].setZero();
+}
+
+// What the removed blocks exerted on the others is what internal forces lack without them.
+void keep_as_loads(const Eigen::VectorXd& internal_before, BlockSystem& s) {
+  Eigen::VectorXd exerted = s.forces.internal_old - internal_before;
+  s.held.clear(exerted);
+  const State geometry = s.geometry_moves() ? s.state : initial_state(s.model);
+  s.excavated.released.keep(s.clock.stage, s.clock.start, exerted, geometry.deformation);
+  s.loads_at(s.state.time, s.forces.load_old);
+}
+
+}  // namespace
+
+void draw_again(BlockSystem& s) {
+  s.excavated = {};
+  s.state = initial_state(s.model);
+  s.contacts = make_contacts(s.model);
+  s.terms = make_block_terms(s.model);
+  s.held = make_held_unknowns(s.model);
+  s.external = ExternalForces(s.model, s.state, s.waves);
+}
+
+void leave_out_absent(BlockSystem& s, GeneralStep& general) {
+  const std::vector<bool>& absent = s.excavated.absent = s.model.absent_in(s.clock.stage);
+  if (absent.empty()) return;
+  s.held = make_held_unknowns(s.model, absent);
+  s.external.leave_out(absent);
+  for (std::size_t i = 0; i < absent.size(); ++i)
+    if (absent[i]) s.terms.inertia[i].mass = 0;
+  general.leave_out(absent);
+}
+
+void excavate(BlockSystem& s, GeneralStep& general, LinearStep& linear) {
+  const Removal& removal = s.stage().removal;
+  if (removal.blocks.empty()) return;
+  ContactSet at_rest = s.contacts;  // what a linear stage keeps of them
+  if (s.plan.linear) linear.write_states();
+  if (s.plan.finite_kinematics) general.follow_geometry();
+  const StoredEnergy stored = s.stored_energy_now();
+  const Eigen::VectorXd internal_before = s.forces.internal_old;
+  leave_out_absent(s, general);
+  for (const int block : removal.blocks) lay_to_rest(block, s.state);
+  s.audit.blocks_removed(stored, s.stored_energy_now());
+  s.sum_internal_forces(s.forces.internal_old);
+  if (removal.relaxation) keep_as_loads(internal_before, s);
+  if (!s.plan.linear) return;
+  leave_out(s.excavated.absent, at_rest);
+  s.contacts = std::move(at_rest);
+}
+
+}  // namespace dda

@@ -1,0 +1,25 @@
+// Blocks that a stage takes away.
+//
+// An absent block is held where it was, without mass, weight, stress and contacts, so that steps know of nothing new:
+// the present blocks are what is left of the system. What it had stored, alone and in its contacts, leaves the ledger
+// as `removed`.
+#pragma once
+
+namespace dda {
+
+struct BlockSystem;
+class GeneralStep;
+class LinearStep;
+
+// Takes back what has been removed, to the first moment of a run. Contacts are then those of the drawing, as before a
+// GeneralStep begins to follow them.
+void draw_again(BlockSystem& system);
+
+// Takes the blocks that are absent in the stage under way out of a system of which they were a part until now.
+void leave_out_absent(BlockSystem& system, GeneralStep& general);
+
+// At the start of a stage: removes the blocks that it takes away. Where they are to let go slowly, what they exerted
+// on the others goes on as a load that fades.
+void excavate(BlockSystem& system, GeneralStep& general, LinearStep& linear);
+
+}  // namespace dda

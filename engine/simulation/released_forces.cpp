@@ -1,0 +1,45 @@
+#include "engine/simulation/released_forces.h"
+
+#include <Eigen/LU>
+
+namespace dda {
+namespace {
+
+// Sum of f r^T from forces on the unknowns, which do the work f . (displacement_rows(r) d).
+Mat2 lever_of(const Vec6& forces) {
+  Mat2 lever;
+  lever << forces(3), forces(5) - forces(2) / 2, forces(5) + forces(2) / 2, forces(4);
+  return lever;
+}
+
+Vec6 on_unknowns(const Vec2& force, const Mat2& lever) {
+  Vec6 forces;
+  forces << force, lever(1, 0) - lever(0, 1), lever(0, 0), lever(1, 1), (lever(0, 1) + lever(1, 0)) / 2;
+  return forces;
+}
+
+}  // namespace
+
+void ReleasedForces::keep(std::size_t stage, double start, const Eigen::VectorXd& forces,
+                          const std::vector<Mat2>& deformation) {
+  for (std::size_t i = 0; i < deformation.size(); ++i) {
+    const Vec6 own = forces.segment<6>(static_cast<Eigen::Index>(6 * i));
+    if (own.isZero(0)) continue;
+    const Mat2 drawn_lever = lever_of(own) * deformation[i].inverse().transpose();
+    loads_.push_back({stage, start, static_cast<int>(i), own.head<2>(), drawn_lever, own});
+  }
+}
+
+void ReleasedForces::update_geometry(const std::vector<Mat2>& deformation) {
+  for (Load& load : loads_)
+    load.now =
+        on_unknowns(load.force, load.drawn_lever * deformation[static_cast<std::size_t>(load.block)].transpose());
+}
+
+void ReleasedForces::add_loads_at(const Model& model, double time, Eigen::VectorXd& force) const {
+  for (const Load& load : loads_)
+    force.segment<6>(6 * load.block) +=
+        evaluate(*model.stages[load.stage].removal.relaxation, time - load.start) * load.now;
+}
+
+}  // namespace dda

@@ -1,0 +1,53 @@
+// What removed blocks exerted on the others, as loads that fade: the relaxation of an excavation.
+//
+// The forces on the six unknowns of a block are those of dead loads f at offsets r from its centroid. They are kept as
+// the sum of f and the sum of f r^T, which between them are the same six numbers and turn and stretch with the block:
+// r = F r0, with its deformation F.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "engine/core/types.h"
+#include "engine/model/model.h"
+
+namespace dda {
+
+class ReleasedForces {
+ public:
+  // From `start` (s), the start of `stage`, on `forces` (6 entries a block) act times the stage's relaxation; the
+  // deformation of each block is what it is then.
+  void keep(std::size_t stage, double start, const Eigen::VectorXd& forces, const std::vector<Mat2>& deformation);
+
+  // Moves the points of attack with their blocks (finite kinematics).
+  void update_geometry(const std::vector<Mat2>& deformation);
+
+  void add_loads_at(const Model& model, double time, Eigen::VectorXd& force) const;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [loads] = self;
+    archive(loads);
+  }
+
+ private:
+  struct Load {
+    std::size_t stage = 0;
+    double start = 0;  // s
+    int block = 0;
+    Vec2 force = Vec2::Zero();        // N
+    Mat2 drawn_lever = Mat2::Zero();  // N m, of offsets as drawn
+    Vec6 now = Vec6::Zero();          // on the unknowns
+
+    template <typename Self, typename Archive>
+    static void visit(Self& self, Archive& archive) {
+      auto& [stage, start, block, force, drawn_lever, now] = self;
+      archive(stage, start, block, force, drawn_lever, now);
+    }
+  };
+
+  std::vector<Load> loads_;
+};
+
+}  // namespace dda

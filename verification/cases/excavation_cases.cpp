@@ -1,0 +1,227 @@
+#include "verification/cases/excavation_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "verification/cases/bar_case.h"
+#include "verification/cases/cavity_mesh.h"
+#include "verification/cases/opening_mesh.h"
+#include "verification/exact/pressurised_cavity.h"
+#include "verification/exact/wave_speeds.h"
+#include "verification/harness/cavity.h"
+#include "verification/harness/recorded_run.h"
+
+namespace verify {
+namespace {
+
+constexpr double pressure = 10e6;  // Pa
+
+// A static stage in which the rock is whole and at rest, and one that removes the last block, the core.
+void remove_core(dda::Model& model, const dda::Integrator& integrator, double dt, double duration) {
+  set_stage(model, integrator, dt, duration);
+  dda::Stage whole = model.stages[0];
+  whole.name = "whole";
+  whole.integrator = dda::static_integrator();
+  whole.dt = whole.duration = 1e-2;
+  model.stages.insert(model.stages.begin(), whole);
+  model.stages[1].removal.blocks = {static_cast<int>(model.blocks.size()) - 1};
+  dda::finish_model(model);
+}
+
+// --- Kirsch ---
+
+Outcome kirsch_by_removal() {
+  Outcome outcome;
+  for (const double k0 : {0.5, 1.0, 2.0}) {
+    const FarStress far{-k0 * pressure, -pressure};
+    double coarser = 0;
+    for (const int sectors : {32, 64}) {
+      dda::Model model = filled(sectors, 6);
+      for (dda::Block& block : model.blocks) block.initial_stress = {far.xx, far.yy, 0};
+      hold_outside(model, far);
+      remove_core(model, dda::static_integrator(), 1, 1);
+      dda::Simulation simulation(model);
+      advance_to_end(simulation);
+      outcome.counters += simulation.counters();
+      const double error = mean_error(simulation, far);
+      outcome.assertions.push_back(
+          {fmt::format("stresses from 1.2 to 4 radii, k0 = {}, {} sectors (error: rms, of the larger far stress)", k0,
+                       sectors),
+           "MPa", error * far.size() / 1e6, 0, "Kirsch 1898", error, 0.012 * std::pow(16.0 / sectors, 2),
+           "measured with margin; falls as their square"});
+      if (sectors == 64) outcome.assertions.back().order = Order{order(coarser, error), 2, 0.2};
+      const double wall = wall_stress(simulation, static_cast<std::size_t>(sectors));
+      const double expected = 3 * far.yy - far.xx;
+      const double most = std::max(std::abs(expected), std::abs(3 * far.xx - far.yy));
+      outcome.assertions.push_back(
+          {fmt::format("hoop stress at the wall, k0 = {}, {} sectors (error: of the largest there)", k0, sectors),
+           "MPa", wall / 1e6, expected / 1e6, "3 s_yy - s_xx (Kirsch 1898)", (wall - expected) / most,
+           0.2 * std::pow(16.0 / sectors, 2), "measured with margin; falls as their square"});
+      coarser = error;
+    }
+  }
+  return outcome;
+}
+
+// --- Tractions that stay ---
+
+// Largest displacement of what stays, over p a/(2 G), while what the removed block exerted goes on at its full size.
+Outcome kept_tractions() {
+  Outcome outcome;
+  for (const dda::Integrator& integrator : {dda::static_integrator(), dda::trapezoidal_integrator()}) {
+    dda::Model model = filled(32, 5);
+    const dda::Vec3 stress(-0.5 * pressure, -pressure, 0.2 * pressure);
+    for (dda::Block& block : model.blocks) block.initial_stress = stress;
+    hold_outside(model, stress);
+    const double dt = integrator.is_static ? 1e-2 : 1e-4;  // nothing holds the ring but its inertia
+    remove_core(model, integrator, dt, 100 * dt);
+    model.stages[1].removal.relaxation = dda::PiecewiseLinear{{0, 1}, {1, 1}};
+    dda::Simulation simulation(model);
+    advance_to_end(simulation);
+    outcome.counters += simulation.counters();
+    double largest = 0;
+    for (const dda::Vec6& u : simulation.state().displacement) largest = std::max(largest, u.head<2>().norm());
+    const double let_go = pressure * (1 + cavity_poisson) / cavity_young;
+    outcome.assertions.push_back(
+        {fmt::format("largest displacement in 100 steps, {} (error: of p a/(2 G))", integrator.name), "m", largest, 0,
+         "the block removed is replaced by what it exerted", largest / let_go, 1e-10, "round-off"});
+  }
+  return outcome;
+}
+
+// --- A circle removed at once ---
+
+struct SuddenRock {
+  double poisson = 0;
+  double peak_hoop = 0;  // over p
+  double when = 0;       // c_p t/a
+  double overshoot = 0;  // of the displacement of the wall, over p a/(2 G)
+};
+
+// Published values; derived again by the finite differences of exact/pressurised_cavity, see its test.
+constexpr SuddenRock rocks[] = {{0.2, 2.227, 3.8, 0.182}, {0.25, 2.255, 4.1, 0.191}, {0.3, 2.292, 4.5, 0.204}};
+
+constexpr double outer_radius = 5;  // m; what comes back from there is at the wall after 8 a/c_p
+
+dda::Model hydrostatic(int sectors, double poisson) {
+  dda::Model model = filled(sectors, outer_radius);
+  model.materials[0].poisson = poisson;
+  for (dda::Block& block : model.blocks) block.initial_stress = {-pressure, -pressure, 0};
+  hold_outside(model, dda::Vec3(-pressure, -pressure, 0));
+  absorb_outside(model);
+  return model;
+}
+
+double p_speed(double poisson) { return exact::p_speed_plane_strain(cavity_young, poisson, cavity_density); }
+double shear_modulus(double poisson) { return cavity_young / (2 * (1 + poisson)); }
+
+// Of the wall on the x axis, in the dynamic stage: largest values, and when.
+struct Peaks {
+  double hoop = 0, hoop_time = 0;  // Pa, s
+  double displacement = 0;         // m, inwards
+};
+
+Peaks peaks_of(dda::Simulation& simulation, std::size_t sectors) {
+  const dda::Model& model = simulation.model();
+  const dda::Ring& ring = model.blocks[0].shape.outer;
+  const dda::Vec2 wall(std::ranges::min(ring, {}, &dda::Vec2::norm).x(), 0);
+  advance(simulation, 1);
+  const double start = simulation.state().time;
+  Peaks peaks;
+  while (!simulation.finished()) {
+    advance(simulation, 1);
+    const double hoop = -wall_stress(simulation, sectors);
+    if (hoop > peaks.hoop) peaks = {hoop, simulation.state().time - start, peaks.displacement};
+    peaks.displacement = std::max(peaks.displacement, -dda::point_displacement(model, simulation.state(), 0, wall).x());
+  }
+  return peaks;
+}
+
+void assert_peaks(const SuddenRock& rock, int sectors, double tolerance, Outcome& outcome) {
+  dda::Model model = hydrostatic(sectors, rock.poisson);
+  const double speed = p_speed(rock.poisson);
+  // Half of the time a wave takes through a block at the wall, and integration that takes what blocks do not carry.
+  remove_core(model, dda::generalized_alpha_integrator(0.5), std::numbers::pi / sectors / speed, 6 / speed);
+  dda::Simulation simulation(model);
+  const Peaks peaks = peaks_of(simulation, static_cast<std::size_t>(sectors));
+  outcome.counters += simulation.counters();
+  const std::string what = fmt::format("nu = {}, {} sectors", rock.poisson, sectors);
+  const double hoop = peaks.hoop / pressure;
+  outcome.assertions.push_back({"largest hoop stress at the wall over p, " + what, "-", hoop, rock.peak_hoop,
+                                "wave equation in the radius; 2 when removed slowly",
+                                relative_error(hoop, rock.peak_hoop), tolerance, "measured with margin"});
+  const double when = speed * peaks.hoop_time;
+  outcome.assertions.push_back({"its time over a/c_P, " + what, "-", when, rock.when, "wave equation in the radius",
+                                relative_error(when, rock.when), 5e-2, "the peak is flat, its time known to 0.05"});
+  const double still = pressure / (2 * shear_modulus(rock.poisson));
+  const double overshoot = peaks.displacement / still;
+  outcome.assertions.push_back({"largest displacement of the wall over p a/(2 G), " + what, "-", overshoot,
+                                1 + rock.overshoot, "wave equation in the radius",
+                                relative_error(overshoot, 1 + rock.overshoot), tolerance / 2, "measured with margin"});
+}
+
+// Where the energy went when all has come to rest, over pi a^2 p^2/(2 G), which endless rock radiates.
+void assert_energies(const SuddenRock& rock, int sectors, Outcome& outcome) {
+  dda::Model model = hydrostatic(sectors, rock.poisson);
+  const double speed = p_speed(rock.poisson);
+  remove_core(model, dda::generalized_alpha_integrator(0.5), std::numbers::pi / sectors / speed, 100 / speed);
+  dda::Simulation simulation(model);
+  advance_to_end(simulation);
+  outcome.counters += simulation.counters();
+  const dda::EnergyLedger& energy = simulation.energy();
+  const double unit = std::numbers::pi * pressure * pressure / (2 * shear_modulus(rock.poisson));
+  const std::string what = fmt::format("nu = {}, {} sectors", rock.poisson, sectors);
+  const auto add = [&](const std::string& name, double value, double expected, const std::string& source,
+                       double tolerance, const std::string& reason) {
+    outcome.assertions.push_back({name + " over pi a^2 p^2/(2 G), " + what, "-", value / unit, expected, source,
+                                  relative_error(value / unit, expected), tolerance, reason});
+  };
+  add("energy removed", energy.removed, 1 - 2 * rock.poisson, "strain energy of the rock in the circle", 1e-9,
+      "round-off: the polygon has the circle's area");
+  // The wall of a ring under a dead load outside goes further in than that of endless rock, by this factor; its
+  // tractions, let go at once, did half of their work.
+  const double share = 1 / (outer_radius * outer_radius);
+  const double further = (1 + (1 - 2 * rock.poisson) * share) / (1 - share);
+  const double radiated = energy.dashpot + energy.numerical;
+  add("energy radiated", radiated, further, "half of p times the area that the wall closes, ring of 5 a (Lame)", 1e-2,
+      "measured with margin");
+  add("energy released", radiated + energy.removed, further + 1 - 2 * rock.poisson,
+      "the sum; 2 (1 - nu) in endless rock", 1e-2, "measured with margin");
+  outcome.assertions.push_back({"kinetic energy at the end over that radiated, " + what, "-", energy.kinetic / unit, 0,
+                                "rest", energy.kinetic / unit, 1e-6, "the dashpots have taken it"});
+  outcome.assertions.push_back({"residual of the ledger, " + what, "-", energy.relative_residual(), 0,
+                                "0 (error absolute)", energy.relative_residual(), 1e-9, "round-off"});
+}
+
+Outcome sudden_removal() {
+  Outcome outcome;
+  for (const SuddenRock& rock : rocks) {
+    assert_peaks(rock, 64, 5e-3, outcome);
+    assert_energies(rock, 32, outcome);
+  }
+  return outcome;
+}
+
+Outcome fine_sudden_removal() {
+  Outcome outcome;
+  for (const SuddenRock& rock : rocks) assert_peaks(rock, 128, 2e-3, outcome);
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Case> excavation_cases() {
+  return {
+      {"kirsch-removed", "A circle removed under a biaxial field", {28}, CaseLabel::fast, kirsch_by_removal},
+      {"removed-tractions-kept", "A circle removed whose tractions stay", {31}, CaseLabel::fast, kept_tractions},
+      {"sudden-removal", "A circle removed at once under hydrostatic stress", {41}, CaseLabel::fast, sudden_removal},
+      {"sudden-removal-fine", "The same in a fine mesh", {41}, CaseLabel::slow, fine_sudden_removal}};
+}
+
+}  // namespace verify

@@ -67,14 +67,12 @@ json rock_of(int seed, bool left_out) {
           {"merge", {{"area", 0.02}, {"angle", "8 deg"}}}};
 }
 
-// Waves are not corrected for time steps: in slivers the corrected inertia can have no inverse.
 json motion_of(const Kind& kind) {
   return {{"name", "motion"},
           {"integrator", {{"generalized_alpha", 0.5}}},
           {"dt", 1e-4},
           {"duration", moving * 1e-4},
           {"kinematics", kind.kinematics},
-          {"correct_time_dispersion", false},
           {"solver", "cholesky"}};
 }
 

@@ -125,11 +125,11 @@ Model cubic_bar() {
   Model model = model_of(std::vector<Polygon>{});
   append_bar(model, {.length = 4, .height = 1, .block_length = 1});
   model.joints = {{.name = "bond", .law = InterfaceLaw::cubic, .bonded = true}};
-  model.stages = {{.name = "run",
-                   .dt = 1e-3,
-                   .duration = 1,
-                   .integrator = trapezoidal_integrator(),
-                   .kinematics = Kinematics::small}};
+  Stage& stage = model.stages.emplace_back();
+  stage.dt = 1e-3;
+  stage.duration = 1;
+  stage.integrator = trapezoidal_integrator();
+  stage.kinematics = Kinematics::small;
   finish_model(model);
   return model;
 }

@@ -178,13 +178,18 @@ bool GeneralStep::moves_further_than_seen() {
 // Forces act in the geometry that is foreseen for the moment to which the balance belongs; gaps are those of now. What
 // is foreseen may be wrong, so it counts as motion that the geometry has still to follow.
 void GeneralStep::follow_geometry() {
-  BlockSystem& s = system_;
-  const double ahead = s.coefficients.acts_at * s.coefficients.dt;
+  const double ahead = system_.coefficients.acts_at * system_.coefficients.dt;
   const double coming = largest_motion_within(system_, ahead);
-  if (std::max(moved_, coming) <= geometry_tolerance) return;
+  if (std::max(moved_, coming) > geometry_tolerance) place_geometry(coming > geometry_tolerance ? coming : 0);
+}
+
+void GeneralStep::follow_state() { place_geometry(0); }
+
+void GeneralStep::place_geometry(double coming) {
+  BlockSystem& s = system_;
   const PhaseTimer timer(s.costs.times.geometry);
-  const bool moves = coming > geometry_tolerance;
-  moved_ = moves ? coming : 0;
+  const bool moves = coming > 0;
+  moved_ = coming;
   const double most = moving_ ? most_turn : std::numeric_limits<double>::infinity();
   foresee(s.state, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, most, acting_);
   follow_blocks(s.model, acting_, s.plan.is_static, s.state, s.terms);

@@ -40,8 +40,8 @@ class GeneralStep : public Step {
   // Blocks that are absent, `absent` saying so of each, touch nothing from now on. What they were in the way of is
   // looked for in the next step.
   void leave_out(const std::vector<bool>& absent);
-  // Brings all to the geometry of the state, however little has moved.
-  void follow_geometry();
+  // Brings all to the geometry of the state, however little has moved, and foresees nothing.
+  void follow_state();
 
   // Contacts are looked for anew as blocks move.
   [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
@@ -67,6 +67,8 @@ class GeneralStep : public Step {
   void pose(double end);
   [[nodiscard]] Status solve_far_enough(double end);
   [[nodiscard]] bool moves_further_than_seen();
+  void follow_geometry();
+  void place_geometry(double coming);
   void follow_contacts();
   void form_rhs();
   void assemble_base();

@@ -12,11 +12,29 @@ namespace {
 
 const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
 
+double perimeter(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  return sum;
+}
+
+// A distance that, times the length of each side, sums to twice the area of the block.
+double mean_distance(const Block& block) {
+  double sides = perimeter(block.shape.outer);
+  for (const Ring& hole : block.shape.holes) sides += perimeter(hole);
+  return 2 * block.moments.area / sides;
+}
+
+// From the centroid of a block to the interface. Over the sides of a convex block it sums, times their lengths, to
+// twice the area; of other blocks to more, which would take more inertia than they have: there it is at most the mean.
+double distance_of(const Block& block, const Interface& interface) {
+  const double distance = std::abs(interface.normal.dot(interface.from - block.moments.centroid));
+  return is_convex(block.shape) ? distance : std::min(distance, mean_distance(block));
+}
+
 double width(const Model& model, const Interface& interface) {
-  const auto distance = [&](int block) {
-    return std::abs(interface.normal.dot(interface.from - block_of(model, block).moments.centroid));
-  };
-  return 2 * std::min(distance(interface.block_a), distance(interface.block_b));
+  return 2 * std::min(distance_of(block_of(model, interface.block_a), interface),
+                      distance_of(block_of(model, interface.block_b), interface));
 }
 
 // Rows (n, t, nt) of the strains (xx, yy, xy) in the axes of an interface.

@@ -7,7 +7,7 @@
 // Both are taken away, in all directions, by the energy
 //   V = -1/2 sum over interfaces of l d [e] Q [e],
 // [e]: jump of the strains normal, along, shear (n, t, nt) in the axes of the interface, l: its length, d: twice the
-// smaller distance of a centroid from it, and
+// smaller distance of a centroid from it (of blocks that are not convex at most 2 area/perimeter), and
 //   Q_nn = D/12, Q_nt = -G/12 (twice), Q_tt = s D/2 - D/12 - G/6, Q_shear = G/12
 // (but with s D/2 at most G/3, which matters above nu = 0.4 in plane strain).
 // It is the only such Q that depends on nothing but the interface. Errors of squares are then of fourth order; those of
@@ -34,8 +34,7 @@ namespace mesh {
 // the shortest waves would take more where D is far above G.
 inline constexpr double most_stabilisation = 1.0 / 3;
 
-// Of the mass l d rho between neighbours. Over the sides of a convex block l d sums up to at most four times its area,
-// so short waves would lose all of their inertia at 1/8.
+// Of the mass l d rho between neighbours. Over the sides of a block l d sums up to at most four times its area, so short waves would lose all of their inertia at 1/8.
 inline constexpr double most_correction = 0.08;
 inline constexpr double most_strain_correction = 0.9;  // of the inertia that can be taken from these strains alone
 

@@ -132,4 +132,9 @@ void EnergyAudit::velocities_damped(double factor) {
   ledger_.kinetic = left;
 }
 
+void EnergyAudit::has_settled() {
+  ledger_.damping += ledger_.numerical - numerical_before_;
+  ledger_.numerical = numerical_before_;
+}
+
 }  // namespace dda

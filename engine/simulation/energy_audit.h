@@ -96,17 +96,23 @@ class EnergyAudit {
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
 
+  // A stage begins; and what it lost to time integration was settling, as the velocities that static steps take out
+  // are. (Counted as numerical it would hide what later stages gain.)
+  void begin_stage() { numerical_before_ = ledger_.numerical; }
+  void has_settled();
+
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [ledger, replaced] = self;
-    archive(ledger, replaced);
+    auto& [ledger, replaced, numerical_before] = self;
+    archive(ledger, replaced, numerical_before);
   }
 
  private:
   EnergyLedger ledger_;
-  double replaced_ = 0;  // losses by interface_replaced in the step under way
+  double replaced_ = 0;          // losses by interface_replaced in the step under way
+  double numerical_before_ = 0;  // losses of the stages before
 };
 
 }  // namespace dda

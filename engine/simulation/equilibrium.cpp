@@ -13,31 +13,29 @@ namespace {
 
 constexpr std::size_t most_named = 3;
 
-// The largest unbalanced force of each block, as a share of the largest load.
-std::vector<double> shares_of(const BlockSystem& system, double in_situ_force) {
+// Unbalanced forces as shares of the largest load, those of held blocks zero.
+Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_force) {
   Eigen::VectorXd unbalanced = system.unbalanced_forces();
   system.held.clear(unbalanced);
   double scale = std::max(in_situ_force, system.forces.load_old.cwiseAbs().maxCoeff());
   if (system.plan.gravity) scale = std::max(scale, system.external.weight().cwiseAbs().maxCoeff());
-  std::vector<double> shares(system.model.blocks.size());
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    shares[i] = unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)).cwiseAbs().maxCoeff() / (scale > 0 ? scale : 1);
-  return shares;
+  if (scale > 0) unbalanced /= scale;
+  return unbalanced;
 }
 
 }  // namespace
 
 double out_of_balance(const BlockSystem& system, double in_situ_force) {
-  return std::ranges::max(shares_of(system, in_situ_force));
+  return unbalanced_shares(system, in_situ_force).cwiseAbs().maxCoeff();
 }
 
 std::vector<int> blocks_out_of_balance(const BlockSystem& system, double in_situ_force, double share) {
-  const std::vector<double> shares = shares_of(system, in_situ_force);
-  std::vector<int> blocks(shares.size());
+  const Eigen::VectorXd shares = unbalanced_shares(system, in_situ_force);
+  const auto largest = [&](int block) { return shares.segment<6>(6 * block).cwiseAbs().maxCoeff(); };
+  std::vector<int> blocks(system.model.blocks.size());
   std::iota(blocks.begin(), blocks.end(), 0);
-  std::erase_if(blocks, [&](int block) { return shares[static_cast<std::size_t>(block)] <= share; });
-  std::ranges::stable_sort(blocks, std::ranges::greater(),
-                           [&](int block) { return shares[static_cast<std::size_t>(block)]; });
+  std::erase_if(blocks, [&](int block) { return largest(block) <= share; });
+  std::ranges::stable_sort(blocks, std::ranges::greater(), largest);
   return blocks;
 }
 

@@ -37,13 +37,6 @@ bool contacts_move(const Model& model) {
                                   [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
 }
 
-// A stage that paces itself tries a shorter step rather than go on: what settles at all mostly does in fewer passes.
-int most_passes(const Stage& stage) {
-  constexpr int most_when_paced = 60;
-  const int most = stage.max_open_close_iterations;
-  return stage.paces_itself() ? std::min(most, most_when_paced) : most;
-}
-
 ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   const Integrator& integrator = stage.integrator;
   const double rate = integrator.is_static ? 0 : 1 / (dt * (1 - integrator.alpha_f));

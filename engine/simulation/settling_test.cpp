@@ -136,6 +136,27 @@ TEST(Settling, WallFindsItsOwnStepsToEquilibrium) {
   }
 }
 
+// What static steps take out is no loss of time integration, behind which a later stage could gain.
+TEST(Settling, WhatItTakesOutIsDamping) {
+  for (const double dt : {0.0, 1.0}) {
+    Model model = wall(4, 0.6);
+    Stage first = settling();
+    first.dt = dt;
+    first.duration = 100 * dt;
+    constexpr int steps = 20;
+    model.stages = {first, stage_of(generalized_alpha_integrator(0), 1e-3, steps, Kinematics::finite)};
+    Simulation simulation = simulation_of(std::move(model));
+    while (!std::isfinite(simulation.static_out_of_balance()[0])) ASSERT_EQ(simulation.step(), Status::ok);
+    EXPECT_EQ(simulation.energy().numerical, 0);
+    EXPECT_GT(simulation.energy().damping, 0.1 * simulation.energy().gravity_work);
+    const double settled = simulation.energy().damping;
+    run(simulation, steps);
+    EXPECT_EQ(simulation.energy().damping, settled);
+    EXPECT_LT(std::abs(simulation.energy().numerical), 1e-6 * settled);
+    EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+  }
+}
+
 TEST(Settling, LinearSceneFindsItsOwnStepsToEquilibrium) {
   Model model = bar_of(10, bond(InterfaceLaw::consistent));
   model.edge_loads = {{9, {10, 0}, {10, 0.8}, {1e6, 0}, Constant{}}};

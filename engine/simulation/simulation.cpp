@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -38,6 +39,14 @@ Status step_free_field(BlockSystem& s, std::string& message) {
   const Status status = s.free_field->advance_to(s.clock.start + static_cast<double>(s.clock.step + 1) * dt, dt);
   if (status != Status::ok) message = "columns of the free field: " + s.free_field->message();
   return status;
+}
+
+// What nothing held is free again. Returns it with the places where it was held.
+std::vector<UnbalancedBlock> let_go_of_loose_blocks(BlockSystem& s) {
+  std::vector<UnbalancedBlock> loose = placed(s, s.drag.loose());
+  s.drag = {};
+  if (!loose.empty()) s.held = make_held_unknowns(s.model, s.excavated.absent);
+  return loose;
 }
 
 }  // namespace
@@ -101,6 +110,7 @@ Step& Simulation::stage_step() {
 
 void Simulation::begin_stage() {
   BlockSystem& s = *system_;
+  s.audit.begin_stage();
   s.clock.step = 0;
   s.clock.start = s.state.time;
   excavate(s, *general_, *linear_);
@@ -171,12 +181,10 @@ Status Simulation::end_stage() {
   const Stage& ended = s.stage();
   if (s.plan.is_static) static_out_of_balance_[s.clock.stage] = out_of_balance();
   const std::string problem = s.plan.is_static ? equilibrium_problem(s, in_situ_force_) : "";
-  const std::vector<UnbalancedBlock> loose = placed(s, s.drag.loose());
-  loose_blocks_.insert(loose_blocks_.end(), loose.begin(), loose.end());
+  std::ranges::move(let_go_of_loose_blocks(s), std::back_inserter(loose_blocks_));
   let_go_of_supports(s);
   if (ended.unlimited_strength) release_shear_of_contacts(s);
-  s.drag = {};
-  s.held = make_held_unknowns(s.model, s.excavated.absent);
+  if (s.plan.is_static) s.audit.has_settled();
   ++s.clock.stage;
   if (!finished()) begin_stage();
   if (problem.empty()) return Status::ok;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step.h"
@@ -24,7 +25,19 @@ double most_turn_now(const BlockSystem& system) {
   return is_shortest ? most_turn_in_shortest_steps : most_turn;
 }
 
+std::string_view remedy_of_unsettled(const Stage& stage) {
+  if (stage.paces_itself()) return R"(no step is short enough; "strength": "unlimited" lets them stick)";
+  if (stage.integrator.is_static) return "leave out dt, and the stage finds its own steps";
+  return "take another dt or a static stage first";
+}
+
 }  // namespace
+
+int most_passes(const Stage& stage) {
+  constexpr int most_when_paced = 60;
+  const int most = stage.max_open_close_iterations;
+  return stage.paces_itself() ? std::min(most, most_when_paced) : most;
+}
 
 double largest_motion(const BlockSystem& system) {
   double largest = 0;
@@ -61,8 +74,9 @@ std::string unsettled_message(const StepSolution& solution, const BlockSystem& s
   const auto name = [&](int block) { return system.model.blocks[static_cast<std::size_t>(block)].name; };
   return fmt::format(
       "the open-close iteration did not settle in {} passes; blocks \"{}\" and \"{}\" still change most, by {:.2g} N: "
-      "take another dt or a static stage first",
-      system.stage().max_open_close_iterations, name(worst.block_a), name(worst.block_b), solution.restless_force);
+      "{}",
+      most_passes(system.stage()), name(worst.block_a), name(worst.block_b), solution.restless_force,
+      remedy_of_unsettled(system.stage()));
 }
 
 }  // namespace dda

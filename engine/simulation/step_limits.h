@@ -21,6 +21,10 @@ double largest_motion_within(const BlockSystem& system, double time);
 // Which block would turn or be strained too far for first-order gaps by system.increment; empty when none.
 std::string turn_problem(const BlockSystem& system);
 
+// In the open-close iteration. A stage that paces itself tries a shorter step rather than go on: what settles at all
+// mostly does in fewer passes.
+int most_passes(const Stage& stage);
+
 // Where an open-close iteration that did not settle still changes most.
 std::string unsettled_message(const StepSolution& solution, const BlockSystem& system);
 

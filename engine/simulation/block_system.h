@@ -32,13 +32,14 @@ class FreeField;
 // Where a run is in its stages.
 struct StageClock {
   std::size_t stage = 0;
-  std::int64_t step = 0;  // in the stage
-  double start = 0;       // s, of the stage
+  std::int64_t step = 0;                // in the stage
+  double start = 0;                     // s, of the stage
+  std::int64_t passes_before_step = 0;  // of the open-close iteration in the whole run, when the last step began
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [stage, step, start] = self;
-    archive(stage, step, start);
+    auto& [stage, step, start, passes_before_step] = self;
+    archive(stage, step, start, passes_before_step);
   }
 };
 
@@ -83,8 +84,6 @@ struct BlockSystem {
   Eigen::VectorXd increment;  // of the last step tried, 6 entries a block
   SettlingDrag drag;          // in static stages
 
-  std::int64_t passes_before_step = 0;  // of the open-close iteration, when the last step began
-
   [[nodiscard]] const Stage& stage() const { return model.stages[clock.stage]; }
   // The same; of a run that is over, its last one.
   [[nodiscard]] const Stage& stage_in_force() const;
@@ -105,12 +104,12 @@ struct BlockSystem {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [model, state, contacts, waves, supports, bolts, held, terms, damping, external, excavated, free_field, audit,
-           costs, clock, plan, coefficients, forces, increment, drag, passes_before_step] = self;
+           costs, clock, plan, coefficients, forces, increment, drag] = self;
     const bool moves = self.geometry_moves();
     if (moves || contacts.can_change || !bolts.empty()) archive(contacts);
     if (moves) archive(terms);
     archive.each(supports);
-    archive(bolts, external, excavated, audit, forces, increment, drag, passes_before_step, plan.chi, plan.solver);
+    archive(bolts, external, excavated, audit, forces, increment, drag, plan.chi, plan.solver);
     for (auto& [block, matrix] : damping) archive(matrix);
     if (free_field) archive(*free_field);
     // State and clock are saved beside this; all else follows from the model.

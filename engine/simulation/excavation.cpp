@@ -54,7 +54,7 @@ void excavate(BlockSystem& s, GeneralStep& general, LinearStep& linear) {
   if (removal.blocks.empty()) return;
   ContactSet at_rest = s.contacts;  // what a linear stage keeps of them
   if (s.plan.linear) linear.write_states();
-  if (s.plan.finite_kinematics) general.follow_state();
+  if (s.plan.finite_kinematics) general.place_geometry(0);
   const StoredEnergy stored = s.stored_energy_now();
   const Eigen::VectorXd internal_before = s.forces.internal_old;
   leave_out_absent(s, general);

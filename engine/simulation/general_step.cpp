@@ -56,6 +56,21 @@ Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, s
   return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
 }
 
+// Of the balance: loads, weight and momentum less what the blocks' stresses exert at the start.
+void form_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
+  const StepCoefficients& c = system.coefficients;
+  const State& state = system.state;
+  const BlockForces& forces = system.forces;
+  rhs = -forces.internal_old;
+  if (system.plan.loads) rhs += c.load_new * forces.load_new + c.load_old * forces.load_old;
+  if (system.plan.gravity) rhs += system.external.weight();
+  for (std::size_t i = 0; i < state.velocity.size(); ++i)
+    rhs.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
+        momentum(system.terms.inertia[i], c.mass_v * state.velocity[i] + c.mass_a * state.acceleration[i]);
+  if (feels_spin(system.plan)) add_centrifugal_forces(system.terms, rhs);
+  add_dashpot_and_support_rhs(system, rhs);
+}
+
 }  // namespace
 
 GeneralStep::GeneralStep(BlockSystem& system)
@@ -151,7 +166,7 @@ Status GeneralStep::solve_far_enough(double end) {
 void GeneralStep::pose(double end) {
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
-  form_rhs();
+  form_rhs(system_, rhs_);
   aim(system_.model, system_.state, end, system_.held);
 }
 
@@ -175,8 +190,6 @@ void GeneralStep::follow_geometry() {
   const double coming = largest_motion_within(system_, ahead);
   if (std::max(moved_, coming) > geometry_tolerance) place_geometry(coming > geometry_tolerance ? coming : 0);
 }
-
-void GeneralStep::follow_state() { place_geometry(0); }
 
 void GeneralStep::place_geometry(double coming) {
   BlockSystem& s = system_;
@@ -218,20 +231,6 @@ void GeneralStep::follow_contacts() {
     solver_.set_pattern(base_);
   }
   list_contacts();
-}
-
-void GeneralStep::form_rhs() {
-  const StepCoefficients& c = system_.coefficients;
-  const State& state = system_.state;
-  const BlockForces& forces = system_.forces;
-  rhs_ = -forces.internal_old;
-  if (system_.plan.loads) rhs_ += c.load_new * forces.load_new + c.load_old * forces.load_old;
-  if (system_.plan.gravity) rhs_ += system_.external.weight();
-  for (std::size_t i = 0; i < state.velocity.size(); ++i)
-    rhs_.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
-        momentum(system_.terms.inertia[i], c.mass_v * state.velocity[i] + c.mass_a * state.acceleration[i]);
-  if (feels_spin(system_.plan)) add_centrifugal_forces(system_.terms, rhs_);
-  add_dashpot_and_support_rhs(system_, rhs_);
 }
 
 void GeneralStep::assemble_base() {
@@ -293,7 +292,7 @@ bool GeneralStep::replace_broken_joints() {
   }
   if (!replaced) return false;
   system_.sum_internal_forces(system_.forces.internal_old);
-  form_rhs();
+  form_rhs(system_, rhs_);
   assemble_base();
   return true;
 }

@@ -40,8 +40,9 @@ class GeneralStep : public Step {
   // Blocks that are absent, `absent` saying so of each, touch nothing from now on. What they were in the way of is
   // looked for in the next step.
   void leave_out(const std::vector<bool>& absent);
-  // Brings all to the geometry of the state, however little has moved, and foresees nothing.
-  void follow_state();
+  // Brings all to the geometry of the state, or where blocks are `coming` to move (in their sizes) within the step, to
+  // what is foreseen.
+  void place_geometry(double coming);
 
   // Contacts are looked for anew as blocks move.
   [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
@@ -68,9 +69,7 @@ class GeneralStep : public Step {
   [[nodiscard]] Status solve_far_enough(double end);
   [[nodiscard]] bool moves_further_than_seen();
   void follow_geometry();
-  void place_geometry(double coming);
   void follow_contacts();
-  void form_rhs();
   void assemble_base();
   [[nodiscard]] StepProblem problem() const;
 

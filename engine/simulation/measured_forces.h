@@ -23,8 +23,8 @@ ForceAndMoment reaction(const Simulation& simulation, const Measurement& measure
 // The contacts on which one side of a measurement acts on the other: those between its `blocks` and `others` (drawn on
 // its line, where it has one), or across its line.
 struct Cut {
-  // Indices, where interfaces stay; where they are found anew as blocks move, or leave with blocks that are removed, they
-  // are picked out each time.
+  // Indices, where interfaces stay; where they are found anew as blocks move, or leave with blocks that are removed,
+  // they are picked out each time.
   std::optional<std::vector<std::size_t>> interfaces;
 };
 

@@ -136,7 +136,7 @@ Status Simulation::step() {
     message_ = "all stages are done";
     return Status::finished;
   }
-  system_->passes_before_step = system_->costs.counters.open_close_iterations;
+  system_->clock.passes_before_step = system_->costs.counters.open_close_iterations;
   BlockSystem& s = *system_;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
   const Status status = is_settling()

@@ -34,7 +34,8 @@ namespace mesh {
 // the shortest waves would take more where D is far above G.
 inline constexpr double most_stabilisation = 1.0 / 3;
 
-// Of the mass l d rho between neighbours. Over the sides of a block l d sums up to at most four times its area, so short waves would lose all of their inertia at 1/8.
+// Of the mass l d rho between neighbours. Over the sides of a block l d sums up to at most four times its area, so
+// short waves would lose all of their inertia at 1/8.
 inline constexpr double most_correction = 0.08;
 inline constexpr double most_strain_correction = 0.9;  // of the inertia that can be taken from these strains alone
 

@@ -83,11 +83,10 @@ Model dry_wall(int columns, int rows) {
   for (int column = 0; column < columns; ++column) {
     const double left = 2.0 * column;
     for (const double x : {left, left + 2}) {
-      PointSupport support;
+      PointSupport& support = model.supports.emplace_back();
       support.block = column;
       support.point = {x, 0};
       support.stiffness = 10 * rock().young;
-      model.supports.push_back(support);
     }
   }
   model.stages.push_back(stage_of(1e-3, Kinematics::finite, thesis_integrator()));

@@ -29,7 +29,8 @@ double mean_distance(const Block& block) {
 // twice the area; of other blocks to more, which would take more inertia than they have: there it is at most the mean.
 double distance_of(const Block& block, const Interface& interface) {
   const double distance = std::abs(interface.normal.dot(interface.from - block.moments.centroid));
-  return is_convex(block.shape) ? distance : std::min(distance, mean_distance(block));
+  const double mean = mean_distance(block);
+  return distance <= mean || is_convex(block.shape) ? distance : mean;
 }
 
 double width(const Model& model, const Interface& interface) {

@@ -25,17 +25,25 @@ double mean_distance(const Block& block) {
   return 2 * block.moments.area / sides;
 }
 
-// From the centroid of a block to the interface. Over the sides of a convex block it sums, times their lengths, to
-// twice the area; of other blocks to more, which would take more inertia than they have: there it is at most the mean.
 double distance_of(const Block& block, const Interface& interface) {
-  const double distance = std::abs(interface.normal.dot(interface.from - block.moments.centroid));
-  const double mean = mean_distance(block);
-  return distance <= mean || is_convex(block.shape) ? distance : mean;
+  return std::abs(interface.normal.dot(interface.from - block.moments.centroid));
 }
 
 double width(const Model& model, const Interface& interface) {
   return 2 * std::min(distance_of(block_of(model, interface.block_a), interface),
                       distance_of(block_of(model, interface.block_b), interface));
+}
+
+// Distances times lengths sum, over the sides of a convex block, to twice its area, and of other blocks to more, which
+// would take more inertia than they have: there a side counts with the mean distance at most.
+double width_of_inertia(const Model& model, const Interface& interface) {
+  double least = width(model, interface);
+  for (const int index : {interface.block_a, interface.block_b}) {
+    const Block& block = block_of(model, index);
+    const double mean = 2 * mean_distance(block);
+    if (least > mean && !is_convex(block.shape)) least = mean;
+  }
+  return least;
 }
 
 // Rows (n, t, nt) of the strains (xx, yy, xy) in the axes of an interface.
@@ -114,7 +122,7 @@ InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface)
 }
 
 InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt) {
-  const double mass = density(model, interface) * interface.length * width(model, interface);
+  const double mass = density(model, interface) * interface.length * width_of_inertia(model, interface);
   Mat6 inertia = Mat6::Zero();
   inertia.topLeftCorner<2, 2>() = -inertia_share(model, interface, period_error, dt) * mass * Mat2::Identity();
   return {inertia, inertia, -inertia};

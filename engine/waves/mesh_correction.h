@@ -7,7 +7,7 @@
 // Both are taken away, in all directions, by the energy
 //   V = -1/2 sum over interfaces of l d [e] Q [e],
 // [e]: jump of the strains normal, along, shear (n, t, nt) in the axes of the interface, l: its length, d: twice the
-// smaller distance of a centroid from it (of blocks that are not convex at most 2 area/perimeter), and
+// smaller distance of a centroid from it, and
 //   Q_nn = D/12, Q_nt = -G/12 (twice), Q_tt = s D/2 - D/12 - G/6, Q_shear = G/12
 // (but with s D/2 at most G/3, which matters above nu = 0.4 in plane strain).
 // It is the only such Q that depends on nothing but the interface. Errors of squares are then of fourth order; those of
@@ -16,6 +16,7 @@
 // Time steps whose oscillators run at omega^2 (1 - epsilon omega^2 dt^2) ask for M - epsilon dt^2 K in place of M. K of
 // a long wave is G |grad u|^2 + B (div u)^2, B = D - G: so between neighbours
 //   T = -1/2 sum of epsilon (G dt^2/d^2) rho l d |u_b' - u_a'|^2,    u at the centroids,
+// where d is at most 4 area/perimeter of blocks that are not convex,
 // and the inertia of each block's dilatation is lowered by epsilon B dt^2 times its area; in a chain, whose interfaces
 // have one normal n and whose waves are those of a bar, that of the strain e_nn by epsilon (Q_bar - G) dt^2 times it.
 // Both are bounded, which K is not: at their caps short waves keep a third of their inertia, and strains a tenth.

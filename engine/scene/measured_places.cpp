@@ -55,7 +55,7 @@ std::vector<Vec2> directions_to(const std::string& side) {
 }
 
 Segment read_line(const Field& field) {
-  const Segment line{field.at("from").vector(Dimension::length), field.at("to").vector(Dimension::length)};
+  Segment line{field.at("from").vector(Dimension::length), field.at("to").vector(Dimension::length)};
   if (line.start == line.end) field.fail("two different points");
   return line;
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <random>
 #include <string>
 
@@ -31,6 +32,10 @@ struct Kind {
   json joint;
   const char* kinematics;
 };
+
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << kind.name;
+}  // NOLINT(readability-identifier-naming): gtest's
 
 const Kind kinds[] = {
     {"bonded", {{"bonded", true}}, "small"},

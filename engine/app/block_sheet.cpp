@@ -40,15 +40,6 @@ void BlockSheet::append_block(const Polygon& shape, SvgPath& path) const {
   for (const Ring& hole : shape.holes) append_ring(hole, *this, path);
 }
 
-Box BlockSheet::box_around(const Model& model) {
-  Box box;
-  for (const Block& block : model.blocks) {
-    const Box own = bounding_box(block.shape);
-    box = expanded(expanded(box, own.lower), own.upper);
-  }
-  return box;
-}
-
 void BlockSheet::draw_blocks(const SvgPath& blocks, std::string_view fill) {
   if (!blocks.empty())
     add("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#c3cad1\" stroke-width=\"0.5\"/>\n", blocks.text(),

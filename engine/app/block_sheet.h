@@ -9,8 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/geometry/box.h"
-#include "engine/model/model.h"
+#include "engine/model/extent.h"
 #include "engine/view/svg_path.h"
 
 namespace dda {
@@ -19,7 +18,7 @@ class BlockSheet {
  public:
   // `blocks` (m) is the box around all that will be drawn.
   explicit BlockSheet(const Box& blocks);
-  explicit BlockSheet(const Model& model) : BlockSheet(box_around(model)) {}
+  explicit BlockSheet(const Model& model) : BlockSheet(bounding_box(model)) {}
 
   [[nodiscard]] double scale() const { return scale_; }  // px per m
   [[nodiscard]] Vec2 place_of(const Vec2& point) const;  // px, y downwards
@@ -43,7 +42,6 @@ class BlockSheet {
   [[nodiscard]] std::string text(double width_of_key) const;
 
  private:
-  [[nodiscard]] static Box box_around(const Model& model);
   void add_text_to_key(std::string_view text);
 
   Box box_;

@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "engine/core/error.h"
-#include "engine/geometry/box.h"
 #include "engine/model/check_parts.h"
+#include "engine/model/extent.h"
 #include "engine/model/model.h"
 #include "engine/model/step_choice.h"
 
@@ -12,15 +12,6 @@ namespace {
 
 // Coordinates carry a round-off of 1e-16 of the extent; those that were computed on the way a little more.
 constexpr double tolerance_of_extent = 1e-9;
-
-double extent(const Model& model) {
-  Box box;
-  for (const Block& block : model.blocks) {
-    const Box own = bounding_box(block.shape);
-    box = expanded(expanded(box, own.lower), own.upper);
-  }
-  return (box.upper - box.lower).norm();
-}
 
 void fill_geometry(Model& model) {
   for (Block& block : model.blocks) {

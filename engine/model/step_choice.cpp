@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/geometry/box.h"
+#include "engine/model/extent.h"
 
 namespace dda {
 namespace {
@@ -65,15 +65,6 @@ double typical(const std::vector<const Block*>& blocks, const Size& size) {
 
 double side_of(const Block& block) { return std::sqrt(block.moments.area); }
 
-double diagonal_of(const Model& model) {
-  Box box;
-  for (const Block& block : model.blocks) {
-    const Box own = bounding_box(block.shape);
-    box = expanded(expanded(box, own.lower), own.upper);
-  }
-  return (box.upper - box.lower).norm();
-}
-
 // Hz, of the fastest change of a history, taken for a quarter of a period; none of one that does not change.
 std::optional<double> highest_frequency(const TimeFunction& history) {
   if (const auto* sine = std::get_if<SineCycles>(&history)) return sine->frequency;
@@ -99,7 +90,7 @@ std::vector<const TimeFunction*> histories_of(const Model& model) {
 double dt_for_wave(const Model& model, const Integrator& integrator, double frequency) {
   double slowest = std::numeric_limits<double>::infinity();
   for (const Block& block : model.blocks) slowest = std::min(slowest, bar_speed(rock_of(model, block)));
-  const double periods = std::max(1.0, diagonal_of(model) * frequency / slowest);
+  const double periods = std::max(1.0, extent(model) * frequency / slowest);
   const auto is_good = [&](double theta) {
     const StepErrors errors = step_errors(integrator, theta);
     return std::max(std::abs(errors.speed), periods * std::abs(errors.amplitude)) <= wave_error;

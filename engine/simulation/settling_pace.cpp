@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/geometry/box.h"
+#include "engine/model/extent.h"
 
 namespace dda {
 namespace {
@@ -21,15 +21,12 @@ constexpr double shrinking = 8;
 constexpr std::int64_t easy = 30;
 
 double transit_time(const Model& model) {
-  Box box;
   double slowest = std::numeric_limits<double>::infinity();
   for (const Block& block : model.blocks) {
-    const Box own = bounding_box(block.shape);
-    box = expanded(expanded(box, own.lower), own.upper);
     const Material& rock = model.materials[static_cast<std::size_t>(block.material)];
     slowest = std::min(slowest, std::sqrt(rock.young / rock.density));
   }
-  return (box.upper - box.lower).norm() / slowest;
+  return extent(model) / slowest;
 }
 
 }  // namespace

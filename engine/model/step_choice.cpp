@@ -167,7 +167,8 @@ StepErrors step_errors(const Integrator& i, double theta) {
   step.row(1) = Eigen::RowVector3d(0, 1, 1 - i.gamma) + i.gamma * acceleration;
   const std::complex<double> exact = std::polar(1.0, theta);
   std::complex<double> nearest = 0;
-  for (const std::complex<double>& value : Eigen::EigenSolver<Eigen::Matrix3d>(step, false).eigenvalues())
+  const Eigen::EigenSolver<Eigen::Matrix3d> solver(step, false);  // a loop over a temporary's values would outlive it
+  for (const std::complex<double>& value : solver.eigenvalues())
     if (std::abs(value - exact) < std::abs(nearest - exact)) nearest = value;
   return {std::arg(nearest) / theta - 1, 1 - std::pow(std::abs(nearest), 2 * std::numbers::pi / theta)};
 }

@@ -33,9 +33,7 @@ InterfaceMatrices stiffness_of_rows(const InterfaceElement& element, const Vec4&
   return k;
 }
 
-}  // namespace
-
-InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface) {
+Vec2 current_normal(const State& state, const Interface& interface) {
   const auto a = static_cast<std::size_t>(interface.block_a);
   const auto b = static_cast<std::size_t>(interface.block_b);
   // Cofactors of the deformation turn and stretch normals; their sum gives the mean of the two edges.
@@ -46,13 +44,39 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
   };
   // A lone vertex presses on block a's edge: that edge alone has a direction.
   const Vec2 normal = interface.length > 0 ? turned(a) + turned(b) : turned(a);
+  return normal.normalized();
+}
+
+}  // namespace
+
+InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface) {
   return {moved(model, state, interface.block_a, interface.from),
           moved(model, state, interface.block_a, interface.to),
           moved(model, state, interface.block_b, interface.from),
           moved(model, state, interface.block_b, interface.to),
-          normal.normalized(),
+          current_normal(state, interface),
           current_centroid(model, state, interface.block_a),
           current_centroid(model, state, interface.block_b)};
+}
+
+InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface) {
+  InterfaceFrame frame = current_frame(model, state, interface);
+  frame.from_a = frame.from_b = (frame.from_a + frame.from_b) / 2;
+  frame.to_a = frame.to_b = (frame.to_a + frame.to_b) / 2;
+  return frame;
+}
+
+void measure_gap(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
+                 InterfaceState& own) {
+  if (element.law != InterfaceLaw::consistent) return;
+  const auto apart = [&](const Vec2& end) -> Vec2 {  // places would lose digits that displacements have
+    return point_displacement(model, state, interface.block_b, end) -
+           point_displacement(model, state, interface.block_a, end);
+  };
+  const Mat2 axes = local_axes(current_normal(state, interface));
+  const Vec2 first = axes * apart(interface.from);
+  const Vec2 last = axes * apart(interface.to);
+  own.gap << (first + last) / 2, (last - first) / 2;
 }
 
 Vec4 in_situ_force(const Model& model, const Interface& interface) {
@@ -135,9 +159,11 @@ Vec2 mean_traction(const Model& model, const Interface& interface, const Interfa
   return force / element.length;
 }
 
-void update_geometry(const Model& model, const State& state, ContactSet& contacts) {
-  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i)
-    set_geometry(model, current_frame(model, state, contacts.interfaces[i]), contacts.elements[i]);
+void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    measure_gap(model, state, contacts.interfaces[i], contacts.elements[i], contacts.states[i]);
+    set_geometry(model, acting_frame(model, acting, contacts.interfaces[i]), contacts.elements[i]);
+  }
 }
 
 void refresh_tractions(const State& state, ContactSet& contacts) {

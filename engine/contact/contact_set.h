@@ -50,8 +50,19 @@ void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
 // Where an interface is now: its ends follow their blocks, its normal turns with the mean of the two edges.
 InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface);
 
-// Moves the elements to the current geometry (finite kinematics).
-void update_geometry(const Model& model, const State& state, ContactSet& contacts);
+// The gap of a consistent interface follows from where its blocks are and not from the way there, or rock that was
+// deformed and is left alone would keep stresses. Increments along rows that turn would miss a share of it, the strain
+// of the blocks times the gap.
+void measure_gap(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
+                 InterfaceState& own);
+
+// The same for the forces of a stretch: they act on both blocks halfway between them, so that they have no moment
+// together, and a rotation of both blocks that leaves their gap as it is changes no row of it.
+InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface);
+
+// Finite kinematics: measures the gaps of consistent interfaces in `state`, and moves the elements to where forces act,
+// the geometry of `acting`.
+void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts);
 
 // Forces of interfaces that carry their blocks' stresses, anew after stresses or normals have turned.
 void refresh_tractions(const State& state, ContactSet& contacts);

@@ -75,7 +75,7 @@ TEST(UpdateGeometry, ElementsTurnWithTheBlocks) {
   const double angle = 0.7;
   const MovedPair moved(rotation(angle), Vec2(1, 2));
   ContactSet contacts = make_contacts(moved.model);
-  update_geometry(moved.model, moved.state, contacts);
+  update_geometry(moved.model, moved.state, moved.state, contacts);
   Model turned = moved.model;
   place(turned, angle, Vec2(1, 2));
   const ContactSet expected = make_contacts(turned);

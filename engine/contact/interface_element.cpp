@@ -11,9 +11,6 @@ namespace {
 
 const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
 
-// Rows (normal, tangent): the local components of a global vector.
-Mat2 local_axes(const Vec2& normal) { return (Mat2() << normal.x(), normal.y(), -normal.y(), normal.x()).finished(); }
-
 // Width of a block across an interface with this normal. The sum of length * width over the sides of any convex block
 // is about four times its area (six for a triangle), which is what bounds Nitsche's penalty from below.
 double width(const Model& model, int block, const Vec2& normal) {
@@ -120,6 +117,8 @@ Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side
 }
 
 }  // namespace
+
+Mat2 local_axes(const Vec2& normal) { return (Mat2() << normal.x(), normal.y(), -normal.y(), normal.x()).finished(); }
 
 InterfaceFrame reference_frame(const Model& model, const Interface& interface) {
   return {interface.from,

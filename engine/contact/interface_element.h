@@ -88,6 +88,9 @@ struct InterfaceFrame {
 // Frame in the reference geometry.
 InterfaceFrame reference_frame(const Model& model, const Interface& interface);
 
+// Rows (normal, tangent): the local components of a global vector.
+Mat2 local_axes(const Vec2& normal);
+
 // Stiffness (N/m) of the four rows under a law; see JointMaterial for the parameters.
 Vec4 interface_stiffness(const Model& model, const Interface& interface, InterfaceLaw law);
 

@@ -124,6 +124,7 @@ void EnergyAudit::blocks_removed(const StoredEnergy& before, const StoredEnergy&
 void EnergyAudit::support_moved(const SupportElement& before, const SupportElement& after) {
   const Vec2 mean_force = before.stiffness * (before.gap + after.gap) / 2;
   ledger_.external_work -= mean_force.dot(after.prescribed - before.prescribed);
+  ledger_.numerical -= mean_force.dot(before.foreseen);
 }
 
 void EnergyAudit::velocities_damped(double factor) {

@@ -72,7 +72,7 @@ class EnergyAudit {
   // Areas, inertia and gaps were measured anew in the geometry reached: what that changed counts as numerical.
   void geometry_followed(const StoredEnergy& stored);
 
-  // Work of a support's prescribed motion.
+  // Work of a support's prescribed motion, and of what was foreseen of its gap.
   void support_moved(const SupportElement& before, const SupportElement& after);
 
   // The motion of held blocks: work (J per m of thickness) of the forces that moved them, by their values at the start

@@ -201,8 +201,9 @@ TEST(Relaxation, KeepsBlocksThatHaveMovedWhereTheyAre) {
       change = std::max(change, (held.state().displacement[i] - there).norm());
       caused = std::max(caused, (without.state().displacement[i] - there).norm());
     }
-    // Geometry is followed when blocks are removed, and turned strains differ by their square.
-    EXPECT_LT(change, (kinematics == Kinematics::small ? 1e-10 : 1e-8) * caused);
+    // Geometry is followed when blocks are removed: turned strains and gaps measured anew both differ by their square,
+    // 1e-8.
+    EXPECT_LT(change, (kinematics == Kinematics::small ? 1e-10 : 2e-8) * caused);
   }
 }
 

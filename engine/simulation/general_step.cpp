@@ -188,7 +188,10 @@ bool GeneralStep::moves_further_than_seen() {
 void GeneralStep::follow_geometry() {
   const double ahead = system_.coefficients.acts_at * system_.coefficients.dt;
   const double coming = largest_motion_within(system_, ahead);
-  if (std::max(moved_, coming) > geometry_tolerance) place_geometry(coming > geometry_tolerance ? coming : 0);
+  if (std::max(moved_, coming) > geometry_tolerance)
+    place_geometry(coming > geometry_tolerance ? coming : 0);
+  else
+    foresee_nothing(system_.supports);
 }
 
 void GeneralStep::place_geometry(double coming) {
@@ -204,7 +207,8 @@ void GeneralStep::place_geometry(double coming) {
   if (moves && moving_ && s.coefficients.acts_at != 0.5)
     foresee_gaps(acting_.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
   update_geometry(s.model, acting_, s.supports);
-  for (std::size_t i = 0; i < s.supports.size(); ++i) measure_gap(s.model, s.state, i, s.supports[i]);
+  measure_gaps(s.model, s.state, s.supports);
+  foresee_gaps(s.model, s.state, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, s.supports);
   s.bolts.update_geometry(s.model, s.state, acting_);
   if (s.plan.viscous_edges) update_geometry(s.model, acting_, s.clock.stage, s.damping);
   if (s.plan.loads) {
@@ -222,7 +226,7 @@ void GeneralStep::place_geometry(double coming) {
 void GeneralStep::follow_contacts() {
   BlockSystem& s = system_;
   if (!moving_) {
-    update_geometry(s.model, acting_, s.contacts);
+    update_geometry(s.model, s.state, acting_, s.contacts);
     return;
   }
   ++s.costs.counters.contact_searches;
@@ -307,7 +311,7 @@ void GeneralStep::weaken(std::size_t i) {
   const double energy_before = interface_energy(element, s.contacts.states[i]);
   element = make_element(s.model, interface, InterfaceLaw::classical);
   const InterfaceFrame frame =
-      s.plan.finite_kinematics ? current_frame(s.model, s.state, interface) : reference_frame(s.model, interface);
+      s.plan.finite_kinematics ? acting_frame(s.model, s.state, interface) : reference_frame(s.model, interface);
   set_geometry(s.model, frame, element);
   s.contacts.states[i] = as_classical(s.contacts.states[i], element.stiffness);
   s.audit.interface_replaced(energy_before - interface_energy(element, s.contacts.states[i]));

@@ -15,11 +15,11 @@ void add_dashpot_and_support_rhs(const BlockSystem& system, Eigen::VectorXd& rhs
     const auto i = static_cast<std::size_t>(block);
     rhs.segment<6>(6 * block) -= matrix * (c.damping_v * state.velocity[i] + c.damping_a * state.acceleration[i]);
   }
-  if (!system.plan.moving_supports) return;
+  if (!system.plan.moving_supports && !system.plan.finite_kinematics) return;
   const double end = system.end_of_step(c.dt);
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     const SupportElement& support = system.supports[i];
-    const Vec2 motion = prescribed_displacement(system.model.supports[i], end) - support.prescribed;
+    const Vec2 motion = prescribed_displacement(system.model.supports[i], end) - support.prescribed - support.foreseen;
     rhs.segment<6>(6 * support.block) += c.stiffness * support.rows.transpose() * (support.stiffness * motion);
   }
 }
@@ -34,7 +34,7 @@ void accept_supports(BlockSystem& system) {
     } else {
       advance_gap(prescription, system.increment, system.state.time, support);
     }
-    if (system.plan.moving_supports) system.audit.support_moved(before, support);
+    if (system.plan.moving_supports || system.plan.finite_kinematics) system.audit.support_moved(before, support);
   }
 }
 

@@ -20,7 +20,7 @@ TEST(StaticStage, StartsFromRestWhateverCameBefore) {
     const double kinetic = simulation.energy().initial_kinetic;
     EXPECT_NEAR(moved, 0.05, 1e-12);
     run(simulation, 10);
-    EXPECT_EQ(simulation.state().displacement[0](0), moved);
+    EXPECT_DOUBLE_EQ(simulation.state().displacement[0](0), moved);  // gaps are measured to round-off
     EXPECT_NEAR(simulation.energy().damping, kinetic, 1e-12 * kinetic);
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-12);
   }

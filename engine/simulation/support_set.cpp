@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "engine/geometry/rotation.h"
+
 namespace dda {
 
 namespace {
@@ -10,6 +12,21 @@ Mat2 stiffness_of(const PointSupport& support) {
   if (!support.direction.isZero(0)) return support.stiffness * support.direction * support.direction.transpose();
   const Vec2 held(support.holds_x ? 1 : 0, support.holds_y ? 1 : 0);
   return support.stiffness * Mat2(held.asDiagonal());
+}
+
+// Where these increments of its block take a point that lies at `offset` from the centroid, and what the rows of the
+// block turned by `ahead` (rad) make of them instead; m.
+Vec2 missed_by_rows(const Vec6& increments, double ahead, const Vec2& offset) {
+  const Vec2 turned = rotation(ahead) * offset;
+  return increments.head<2>() + deformation_increment(increments, ahead) * offset - offset -
+         displacement_rows(turned) * increments;
+}
+
+Vec2 measured_gap(const Model& model, const State& state, std::size_t index, const SupportElement& support) {
+  const PointSupport& prescription = model.supports[index];
+  const Vec2 gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed;
+  if (!prescription.partner) return gap;
+  return gap - point_displacement(model, state, support.block, *prescription.partner);
 }
 
 }  // namespace
@@ -41,15 +58,38 @@ void update_geometry(const Model& model, const State& state, std::vector<Support
 }
 
 void measure_gap(const Model& model, const State& state, std::size_t index, SupportElement& support) {
-  const PointSupport& prescription = model.supports[index];
-  support.prescribed = prescribed_displacement(prescription, state.time);
-  support.gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed;
-  if (prescription.partner) support.gap -= point_displacement(model, state, support.block, *prescription.partner);
+  support.prescribed = prescribed_displacement(model.supports[index], state.time);
+  support.gap = measured_gap(model, state, index, support);
+}
+
+void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports) {
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    if (!model.supports[i].partner) measure_gap(model, state, i, supports[i]);
+}
+
+void foresee_gaps(const Model& model, const State& state, double dt, double acts_at,
+                  std::vector<SupportElement>& supports) {
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const int block = supports[i].block;
+    const Vec6 increments = dt * state.velocity[static_cast<std::size_t>(block)];
+    const Vec2 centroid = current_centroid(model, state, block);
+    const auto missed = [&](const Vec2& point) {
+      return missed_by_rows(increments, acts_at * increments(2),
+                            current_position(model, state, block, point) - centroid);
+    };
+    supports[i].foreseen = missed(model.supports[i].point);
+    if (const auto& partner = model.supports[i].partner)
+      supports[i].foreseen += measured_gap(model, state, i, supports[i]) - supports[i].gap - missed(*partner);
+  }
+}
+
+void foresee_nothing(std::vector<SupportElement>& supports) {
+  for (SupportElement& support : supports) support.foreseen.setZero();
 }
 
 void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support) {
   const Vec2 prescribed = prescribed_displacement(prescription, time);
-  support.gap += support.rows * d.segment<6>(6 * support.block) - (prescribed - support.prescribed);
+  support.gap += support.rows * d.segment<6>(6 * support.block) + support.foreseen - (prescribed - support.prescribed);
   support.prescribed = prescribed;
 }
 

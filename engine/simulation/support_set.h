@@ -16,11 +16,12 @@ struct SupportElement {
   Mat2 stiffness;                  // N/m
   Vec2 gap = Vec2::Zero();         // m, held point minus its prescribed place
   Vec2 prescribed = Vec2::Zero();  // m, displacement asked for at the time of `gap`
+  Vec2 foreseen = Vec2::Zero();    // m, by which the step under way changes the gap beyond what the rows make of it
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [block, offset, rows, stiffness, gap, prescribed] = self;
-    archive(offset, rows, stiffness, gap, prescribed);
+    auto& [block, offset, rows, stiffness, gap, prescribed, foreseen] = self;
+    archive(offset, rows, stiffness, gap, prescribed, foreseen);
   }
 };
 
@@ -34,6 +35,17 @@ void update_geometry(const Model& model, const State& state, std::vector<Support
 
 // Gap of support `index` at the state's time.
 void measure_gap(const Model& model, const State& state, std::size_t index, SupportElement& support);
+
+// The same of all but ties between two points of a block: their way would be lost in the points' own, and forces that
+// jump as gaps are measured anew are not what the ground beside a tie is to feel. Their increments and what was
+// foreseen of them is all they go by.
+void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports);
+
+// Foresees what the rows, which are those of the share `acts_at` of a step of `dt` (s), miss of the gaps' change in it:
+// second order in the turns and strains of the step, times stiff springs a large force. See ADR 30.
+void foresee_gaps(const Model& model, const State& state, double dt, double acts_at,
+                  std::vector<SupportElement>& supports);
+void foresee_nothing(std::vector<SupportElement>& supports);
 
 // Follows a held point by the increments `d` of all blocks to `time`, along the directions of the step's start.
 void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support);

@@ -59,8 +59,9 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
           current_centroid(model, state, interface.block_b)};
 }
 
-InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface) {
+InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface, InterfaceLaw law) {
   InterfaceFrame frame = current_frame(model, state, interface);
+  if (law != InterfaceLaw::consistent) return frame;
   frame.from_a = frame.from_b = (frame.from_a + frame.from_b) / 2;
   frame.to_a = frame.to_b = (frame.to_a + frame.to_b) / 2;
   return frame;
@@ -162,7 +163,8 @@ Vec2 mean_traction(const Model& model, const Interface& interface, const Interfa
 void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     measure_gap(model, state, contacts.interfaces[i], contacts.elements[i], contacts.states[i]);
-    set_geometry(model, acting_frame(model, acting, contacts.interfaces[i]), contacts.elements[i]);
+    InterfaceElement& element = contacts.elements[i];
+    set_geometry(model, acting_frame(model, acting, contacts.interfaces[i], element.law), element);
   }
 }
 

@@ -286,7 +286,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
     bonded.emplace_back(std::min(interface.block_a, interface.block_b), std::max(interface.block_a, interface.block_b));
     const InterfaceFrame frame = current_frame(model, state, interface);
     measure_gap(model, state, interface, contacts.elements[i], contacts.states[i]);
-    set_geometry(model, acting_frame(model, acting, interface), contacts.elements[i]);
+    set_geometry(model, acting_frame(model, acting, interface, contacts.elements[i].law), contacts.elements[i]);
     for (const auto& [on_a, on_b] : {std::pair{frame.from_a, frame.from_b}, {frame.to_a, frame.to_b}})
       joints.push_back({interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)});
   }

@@ -311,7 +311,7 @@ void GeneralStep::weaken(std::size_t i) {
   const double energy_before = interface_energy(element, s.contacts.states[i]);
   element = make_element(s.model, interface, InterfaceLaw::classical);
   const InterfaceFrame frame =
-      s.plan.finite_kinematics ? acting_frame(s.model, s.state, interface) : reference_frame(s.model, interface);
+      s.plan.finite_kinematics ? current_frame(s.model, s.state, interface) : reference_frame(s.model, interface);
   set_geometry(s.model, frame, element);
   s.contacts.states[i] = as_classical(s.contacts.states[i], element.stiffness);
   s.audit.interface_replaced(energy_before - interface_energy(element, s.contacts.states[i]));

@@ -134,7 +134,8 @@ void GeneralStep::list_contacts() {
   }
 }
 
-Status GeneralStep::advance(double dt) {
+Status GeneralStep::advance(double dt, bool can_be_cut) {
+  can_be_cut_ = can_be_cut;
   if (dt != system_.coefficients.dt) set_step_size(dt);
   if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
   const Status status = solve_far_enough(system_.end_of_step(dt));
@@ -259,7 +260,8 @@ StepProblem GeneralStep::problem() const {
           .bolts = s.bolts.links(),
           .held = s.held,
           .dilates = s.plan.dilation,
-          .max_passes = most_passes(s.stage())};
+          .max_passes = most_passes(s.stage()),
+          .to_the_end = !can_be_cut_};
 }
 
 Status GeneralStep::solve() {

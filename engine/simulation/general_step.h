@@ -28,7 +28,7 @@ class GeneralStep : public Step {
 
   void set_up(BlockMatrix pattern) override;
   void begin() override;
-  [[nodiscard]] Status advance(double dt) override;
+  [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
   void hand_over() override { solver_.end(); }
   void take_over() override {}
   [[nodiscard]] StoredEnergy stored_energy() const override { return system_.stored_energy_now(); }
@@ -54,7 +54,7 @@ class GeneralStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, solver, moving, range, moved, acting, deepest, changing, bonded, base, base_version, base_is_current,
-           rule, rhs, message] = self;
+           rule, rhs, can_be_cut, message] = self;
     if (moving) archive(*moving);
     archive(solver, deepest);
     if (system.geometry_moves()) archive(range, moved);
@@ -95,6 +95,7 @@ class GeneralStep : public Step {
   bool base_is_current_ = false;
   ContactRule rule_;
   Eigen::VectorXd rhs_;
+  bool can_be_cut_ = false;  // the step under way, should its contacts not settle quickly
   std::string message_;
 };
 

@@ -27,7 +27,7 @@ class LinearStep : public Step {
 
   void set_up(BlockMatrix pattern) override;
   void begin() override;
-  [[nodiscard]] Status advance(double dt) override;
+  [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
   void hand_over() override;
   void take_over() override;
   // Writes the states of the contacts as they are now, which hand_over() does too.

@@ -29,16 +29,21 @@ double transit_time(const Model& model) {
   return extent(model) / slowest;
 }
 
+// Contacts that cannot slide make the step a convex problem.
+bool is_convex(const Stage& stage, bool contacts_can_change) {
+  return stage.unlimited_strength || !contacts_can_change;
+}
+
 }  // namespace
 
 double first_step(const Model& model, const Stage& stage, bool contacts_can_change) {
   if (!stage.paces_itself()) return stage.dt;
-  const bool is_convex = stage.unlimited_strength || !contacts_can_change;
-  return (is_convex ? longest : first_with_friction) * transit_time(model);
+  return (is_convex(stage, contacts_can_change) ? longest : first_with_friction) * transit_time(model);
 }
 
 void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change) {
   transit_ = transit_time(model);
+  is_convex_ = is_convex(stage, contacts_can_change);
   dt_ = first_step(model, stage, contacts_can_change);
 }
 

@@ -43,16 +43,19 @@ class SettlingPace {
   // One did not; false when there is no shorter one to try.
   [[nodiscard]] bool shorten();
   [[nodiscard]] bool is_shortest() const;
+  // A step that does not settle quickly is rather to be shortened.
+  [[nodiscard]] bool can_be_cut() const { return !is_convex_ && !is_shortest(); }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [transit, dt] = self;
-    archive(transit, dt);
+    auto& [transit, dt, is_convex] = self;
+    archive(transit, dt, is_convex);
   }
 
  private:
-  double transit_ = 0;  // s
-  double dt_ = 0;       // s
+  double transit_ = 0;      // s
+  double dt_ = 0;           // s
+  bool is_convex_ = false;  // steps settle at any length, whatever it takes
 };
 
 }  // namespace dda

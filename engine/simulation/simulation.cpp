@@ -139,9 +139,10 @@ Status Simulation::step() {
   system_->clock.passes_before_step = system_->costs.counters.open_close_iterations;
   BlockSystem& s = *system_;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
-  const Status status = is_settling()
-                            ? pace_.step(s.costs.counters, [this](double dt) { return stage_step().advance(dt); })
-                            : advance(s.stage().dt, s.stage().max_step_reductions);
+  const Status status =
+      is_settling()
+          ? pace_.step(s.costs.counters, [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); })
+          : advance(s.stage().dt, s.stage().max_step_reductions);
   if (status != Status::ok) {
     message_ = stage_step().message();
     return status;
@@ -156,7 +157,13 @@ Status Simulation::step() {
 }
 
 Status Simulation::advance(double dt, int reductions_left) {
-  const Status status = stage_step().advance(dt);
+  // Halves settle in a few passes where the whole step would take hundreds of the sure ones; but where quick passes
+  // settle at no length, these must not be taken in each of 64 parts.
+  constexpr int cuts_before_sure_passes = 4;
+  const Stage& stage = system_->stage();
+  const int cuts = stage.max_step_reductions - reductions_left;
+  const bool can_be_cut = !stage.integrator.is_static && reductions_left > 0 && cuts < cuts_before_sure_passes;
+  const Status status = stage_step().advance(dt, can_be_cut);
   if (status != Status::not_converged || reductions_left == 0) return status;
   const Status first_half = advance(dt / 2, reductions_left - 1);
   return first_half == Status::ok ? advance(dt / 2, reductions_left - 1) : first_half;

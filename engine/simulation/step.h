@@ -23,7 +23,7 @@ class Step {
   // The first moment of that stage: what follows from the state there.
   virtual void begin() = 0;
   // Advances the system by dt; anything but ok leaves it as it was, and message() says why.
-  [[nodiscard]] virtual Status advance(double dt) = 0;
+  [[nodiscard]] virtual Status advance(double dt, bool can_be_cut) = 0;
   // Between stages: a step of the other kind goes on, or has gone before.
   virtual void hand_over() = 0;
   virtual void take_over() = 0;

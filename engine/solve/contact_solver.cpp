@@ -82,6 +82,10 @@ Status ContactSolver::settle() {
 Status ContactSolver::settle_contacts() {
   if (friction_.has_something_to_settle(at_)) {
     if (friction_.find_balance(at_)) return Status::ok;
+    if (!at_.problem->to_the_end) {
+      solution_.failure = Failure::unsettled;
+      return Status::not_converged;
+    }
     convex_.restart(at_);
   }
   const Status status = convex_.settle(at_);

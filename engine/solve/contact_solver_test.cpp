@@ -215,6 +215,21 @@ TEST(ContactSolver, SaysWhichContactDoesNotSettle) {
   EXPECT_GT(solved.solution.restless_force, 0);
 }
 
+// Quick passes give up, and the sure ones find the answer unless the step is rather to be shortened.
+TEST(ContactSolver, TakesTheSurePassesOnlyWhereItMustGoToTheEnd) {
+  HandMadeProblem made = block_on_floor({100, -100});
+  made.max_passes = 1;
+  made.add_contact(0, 1, Vec2(-0.5, 0), Vec2(-0.5, -0.5), 0.5);
+  made.states[1].gap(0) = 0.01;
+  const Solved to_the_end(made);
+  made.to_the_end = false;
+  const Solved quickly(made);
+  EXPECT_EQ(quickly.solution.status, Status::not_converged);
+  EXPECT_EQ(quickly.solution.failure, Failure::unsettled);
+  EXPECT_EQ(quickly.costs.counters.open_close_iterations, 1);
+  EXPECT_EQ(to_the_end.costs.counters.open_close_iterations, 2);
+}
+
 TEST(ContactSolver, SaysWhenTheMatrixIsSingular) {
   HandMadeProblem made = block_on_floor({0, 50});
   made.base.diagonal(1).setZero();

@@ -65,7 +65,8 @@ struct HandMadeProblem {
             .bolts = links,
             .held = held,
             .dilates = false,
-            .max_passes = max_passes};
+            .max_passes = max_passes,
+            .to_the_end = to_the_end};
   }
 
   static constexpr double normal_spring = 400;
@@ -83,6 +84,7 @@ struct HandMadeProblem {
   ContactRule rule;
   double factor = 1;
   int max_passes = 200;
+  bool to_the_end = true;
   std::uint64_t version = 1;
 };
 

@@ -33,8 +33,9 @@ struct StepProblem {
   ChangingContacts contacts;
   std::span<const LinkElement> bolts;
   const HeldUnknowns& held;
-  bool dilates;    // some contact opens as it slides
-  int max_passes;  // of the open-close iteration
+  bool dilates;            // some contact opens as it slides
+  int max_passes;          // of the open-close iteration
+  bool to_the_end = true;  // where quick passes do not settle take the sure ones; else the step is to be shortened
 };
 
 }  // namespace dda

@@ -43,7 +43,7 @@ void update_geometry(const Model& model, const State& state, std::vector<Support
 void measure_gap(const Model& model, const State& state, std::size_t index, SupportElement& support) {
   const PointSupport& prescription = model.supports[index];
   support.prescribed = prescribed_displacement(prescription, state.time);
-  support.gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed;
+  support.gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed - support.rest;
   if (prescription.partner) support.gap -= point_displacement(model, state, support.block, *prescription.partner);
 }
 

@@ -16,11 +16,12 @@ struct SupportElement {
   Mat2 stiffness;                  // N/m
   Vec2 gap = Vec2::Zero();         // m, held point minus its prescribed place
   Vec2 prescribed = Vec2::Zero();  // m, displacement asked for at the time of `gap`
+  Vec2 rest = Vec2::Zero();        // m, displacement that the held point had when the spring was put in
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [block, offset, rows, stiffness, gap, prescribed] = self;
-    archive(offset, rows, stiffness, gap, prescribed);
+    auto& [block, offset, rows, stiffness, gap, prescribed, rest] = self;
+    archive(offset, rows, stiffness, gap, prescribed, rest);
   }
 };
 

@@ -97,6 +97,23 @@ TEST_F(Branch, HasItsOwnFrames) {
   EXPECT_FALSE(exists("branch/frames/000006.vtp"));
 }
 
+// The first frame of such a branch has no outline of the block.
+TEST_F(Branch, IsShownWithoutBlocksThatWereRemovedBefore) {
+  ASSERT_EQ(run(bricks({settle}), "settled").code, 0);
+  json without = bricks({settle, shake});
+  without["steps"][1]["remove"] = {"high"};
+  without.erase("measurements");
+  ASSERT_EQ(run(without, "branch", {"--from", path("settled"), "--frames", "4"}).code, 0);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"view", path("branch")},
+        {"report", path("branch")},
+        {"view", path("branch"), "--svg", "last", "--crosses", "--out", path("last.svg")}}) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  }
+  EXPECT_FALSE(contains(text("last.svg"), "nan"));
+}
+
 TEST_F(Branch, RefusesWhatMustNotDiffer) {
   ASSERT_EQ(run(bricks({settle, shake}), "first").code, 0);
   const json scene = bricks({settle, shake, rest});

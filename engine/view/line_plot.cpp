@@ -17,11 +17,17 @@ namespace {
 
 constexpr double width = 640, height = 260;  // px
 constexpr double left = 78, right = 12, top = 34, bottom = 44;
-constexpr double line_of_key = 18;  // px
-constexpr double decades = 12;      // of a logarithmic plot, below its largest value
-constexpr double headroom = 0.05;   // of the range, above and below
+constexpr double line_of_key = 18, above_key = 8;  // px
+constexpr double decades = 12;                     // of a logarithmic plot, below its largest value
+constexpr double headroom = 0.05;                  // of the range, above and below
 constexpr std::array<std::string_view, 8> colours = {"#1f5fa8", "#c4471d", "#2e8540", "#8a4fa3",
                                                      "#b8860b", "#0f8b8d", "#d1497f", "#5b6570"};
+
+// Lines beyond the colours are dashed.
+std::string stroke_of(std::size_t line) {
+  return fmt::format("stroke=\"{}\"{}", colours[line % colours.size()],
+                     line < colours.size() ? "" : " stroke-dasharray=\"6 4\"");
+}
 
 struct Axis {
   double low = 0, high = 1;  // as drawn: of a logarithmic plot the powers of ten
@@ -91,7 +97,7 @@ void append_value_axis(const LinePlot& plot, const Axis& axis, std::string& svg)
 }
 
 void append_line(const LinePlot& plot, const PlottedLine& line, const Axis& time, const Axis& value,
-                 std::string_view colour, std::string& svg) {
+                 std::string_view stroke, std::string& svg) {
   SvgPath path;
   bool drawing = false;
   for (std::size_t i = 0; i < line.values.size(); ++i) {
@@ -108,17 +114,16 @@ void append_line(const LinePlot& plot, const PlottedLine& line, const Axis& time
     }
     drawing = true;
   }
-  svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"/>\n",
-                     path.text(), colour);
+  svg += fmt::format("<path d=\"{}\" fill=\"none\" {} stroke-width=\"1.6\" stroke-linejoin=\"round\"/>\n", path.text(),
+                     stroke);
 }
 
 void append_key(const LinePlot& plot, double foot, std::string& svg) {
   if (plot.lines.size() < 2) return;
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {
     const double x = left + static_cast<double>(i % 4) * (width - left - right) / 4;
-    const double y = foot + bottom + line_of_key * static_cast<double>(i / 4);
-    svg += fmt::format("<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"2.5\"/>", x, y - 4,
-                       colours[i % colours.size()]);
+    const double y = foot + bottom + above_key + line_of_key * static_cast<double>(i / 4);
+    svg += fmt::format("<path d=\"M{:.1f} {:.1f}h18\" {} stroke-width=\"2.5\"/>", x, y - 4, stroke_of(i));
     append_text(x + 24, y, "start", plot.lines[i].name, svg);
   }
 }
@@ -131,7 +136,7 @@ std::string svg_plot(const LinePlot& plot) {
   std::string svg = fmt::format(
       "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" "
       "font-family=\"'Source Sans 3', 'Segoe UI', Arial, sans-serif\" font-size=\"13\" fill=\"#1a2129\">\n",
-      width, height + rows * line_of_key);
+      width, height + (rows > 0 ? above_key + rows * line_of_key : 0));
   Axis time{plot.times.empty() ? 0 : plot.times.front(), plot.times.empty() ? 1 : plot.times.back(), left,
             width - right};
   if (!(time.high > time.low)) time.high = time.low + 1;
@@ -141,8 +146,7 @@ std::string svg_plot(const LinePlot& plot) {
   value.to = top;
   append_time_axis(time, foot, svg);
   append_value_axis(plot, value, svg);
-  for (std::size_t i = 0; i < plot.lines.size(); ++i)
-    append_line(plot, plot.lines[i], time, value, colours[i % colours.size()], svg);
+  for (std::size_t i = 0; i < plot.lines.size(); ++i) append_line(plot, plot.lines[i], time, value, stroke_of(i), svg);
   append_key(plot, foot, svg);
   return svg + "</svg>\n";
 }

@@ -30,7 +30,7 @@ TEST_F(Report, SaysWhatCameOfARun) {
   for (const char* part : {"gained_energy", "friction_angle 30 deg", "Energy and work", "released", "The last frame",
                            "factorizations", "supports</td><td>1", "results</title>"})
     EXPECT_TRUE(contains(page, part)) << part;
-  for (const char* outside : {"<script", "src=", "href=", "@import", "url("})
+  for (const char* outside : {"<script", "src=", "href=\"h", "@import", "url(h"})
     EXPECT_FALSE(contains(page, outside)) << outside;
   for (const char* pair : {"section", "table", "tr", "svg", "ul"})
     EXPECT_EQ(count(page, std::string("<") + pair + ">") + count(page, std::string("<") + pair + " "),
@@ -44,7 +44,7 @@ TEST_F(Report, DrawsTheSceneOfARunWithoutFrames) {
   ASSERT_EQ(call({"run", path("scene.json"), "--out", path("results"), "--quiet"}).code, 0);
   ASSERT_EQ(call({"report", path("results"), "--out", path("page.html")}).code, 0);
   EXPECT_TRUE(contains(text("page.html"), "The blocks as drawn"));
-  EXPECT_TRUE(contains(text("page.html"), "stress (MPa)") || contains(text("page.html"), "stress (kPa)"));
+  EXPECT_TRUE(contains(text("page.html"), "stress, traction_normal ("));
 }
 
 TEST_F(Report, RefusesWhatIsNoRun) {

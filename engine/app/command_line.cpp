@@ -12,9 +12,11 @@
 #include <string>
 
 #include "engine/app/advise_command.h"
+#include "engine/app/command_details.h"
 #include "engine/app/cut_command.h"
 #include "engine/app/fos_command.h"
 #include "engine/app/keyblocks_command.h"
+#include "engine/app/report_command.h"
 #include "engine/app/run_command.h"
 #include "engine/app/scene_report.h"
 #include "engine/app/view_command.h"
@@ -27,77 +29,6 @@ namespace {
 
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
-
-constexpr auto program_details =
-    "Examples:\n"
-    "  dda check bar.json                    say what would be run, and how accurate it will be\n"
-    "  dda advise bar.json                   why, at what cost, and how coarse it may be\n"
-    "  dda cut tunnel.json --out blocks      cut its rock into blocks: a scene of polygons, figures, a picture\n"
-    "  dda cut plan.dxf --out blocks         the same from a drawing\n"
-    "  dda keyblocks slope.json              which blocks can come out, and what holds them\n"
-    "  dda fos slope.json                    by how much its joints are stronger than they need be\n"
-    "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
-    "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
-    "  dda run --help                        more on a command\n\n"
-    "Exit codes: 0 done, 1 a result could not be written, 2 bad input, 3 the run ended before its time,\n"
-    "128 + signal the run was stopped (130 after Ctrl-C).\n";
-
-constexpr auto check_details =
-    "Prints blocks, contacts, what acts, sizes, the terms and phases of every stage with its solver, and the errors "
-    "to\n"
-    "expect of waves: in speed by interfaces, block size and time step, and in amplitude.\n\n"
-    "Examples:\n"
-    "  dda check bar.json\n"
-    "  dda check bar.json --frequency 250Hz\n";
-
-constexpr auto advise_details =
-    "Predicts from closed forms, without running the scene, what blocks, interfaces and time steps will do to its "
-    "load\n"
-    "on the way, or to a steady wave of --frequency: errors of speed and amplitude by wave, direction and cause; "
-    "solver\n"
-    "and cost; the largest dt and blocks that keep the error of --error.\n\n"
-    "Examples:\n"
-    "  dda advise bar.json\n"
-    "  dda advise bar.json --distance 50m --error 0.5%\n"
-    "  dda advise wall.json --frequency 250Hz --json > advice.json\n";
-
-constexpr auto run_details =
-    "DIR gets histories.csv (the measurements), summary.json (status, counters, energy), checkpoint.bin (for "
-    "--resume)\n"
-    "and, when asked for, frames.pvd with frames/ for ParaView. What an earlier run left in DIR is taken "
-    "away,\nother files are left alone; a DIR to which another run writes is refused.\n"
-    "Ctrl-C stops after the current step.\n\n"
-    "Examples:\n"
-    "  dda run bar.json --out results\n"
-    "  dda run wall.json --out results --frames 100                     then open results/frames.pvd in ParaView\n"
-    "  dda run wall.json --out results --frame-interval 5ms --every 10\n"
-    "  dda run wall.json --out results --frames 100 --resume            go on where this run stopped\n";
-
-constexpr auto view_details =
-    "The page needs nothing but a browser: blocks, stresses, contact forces and measurements, played through time.\n"
-    "With --svg, one frame becomes a picture for a document.\n\n"
-    "Quantities: mean_stress, stress_1, stress_2 (principal, the first the larger), max_shear, stress_xx, stress_yy,\n"
-    "stress_xy, speed, displacement.\n\n"
-    "Examples:\n"
-    "  dda run arch.json --out results --frames 200 && dda view results     then open results/view.html\n"
-    "  dda view results --svg last --out arch.svg --quantity stress_2\n"
-    "  dda view results --svg 40 --out arch.svg --forces contacts --window -6,-1,6,6\n";
-
-constexpr auto cut_details =
-    "DIR gets scene.json, with all blocks and joints of the rock written out, which runs as the given scene does;\n"
-    "cut.json, with figures and all that was cleaned; and cut.svg, a picture. check and run cut by themselves.\n"
-    "A drawing has its lines on layers boundary, rock, tunnel, ... (docs/drawings.md); its scene.json has assumptions "
-    "for\n"
-    "what no drawing says.\n\n"
-    "Examples:\n"
-    "  dda cut tunnel.json --out blocks                                 then open blocks/cut.svg\n"
-    "  dda cut plan.dxf --out blocks --export blocks.dxf\n"
-    "  dda cut arch.dxf --out blocks --layer \"bed joints=rock\" --layer notes=ignored\n";
-
-constexpr auto schema_details =
-    "Name the file in \"$schema\" of a scene, and editors complete keys and underline mistakes.\n\n"
-    "Example:\n"
-    "  dda schema > scene.schema.json\n";
 
 // In SI units. Far beyond what is of use, and near enough that what is computed from it, such as the size of a block
 // for a wavelength, stays a sensible number.
@@ -163,6 +94,7 @@ struct Arguments {
   RunOptions run;
   CutRequest cut;
   ViewOptions view;
+  ReportOptions report;
   KeyBlocksRequest key_blocks;
   FosRequest fos;
 };
@@ -213,6 +145,10 @@ void add_run(CLI::App& app, Arguments& arguments) {
   run->add_option("--checkpoint-interval", arguments.checkpoint_interval,
                   "time on the clock between checkpoints; default 10s")
       ->type_name("TIME");
+  run->add_option("--from", arguments.run.from,
+                  "begin where a run of the same blocks was at the end of a stage, its last by default")
+      ->type_name("DIR[:STAGE]")
+      ->check(a_name);
   run->add_flag("--resume", arguments.run.resume, "go on from DIR/checkpoint.bin, to the last bit as if never stopped");
   run->add_flag("--quiet", arguments.run.quiet, "no progress bar, and nothing on standard output");
 }
@@ -244,6 +180,14 @@ void add_view(CLI::App& app, Arguments& arguments) {
       ->type_name("LEFT,BOTTOM,RIGHT,TOP")
       ->delimiter(',')
       ->needs(svg);
+}
+
+void add_report(CLI::App& app, ReportOptions& options) {
+  CLI::App* report = app.add_subcommand("report", "Write what came of a run on one page")->footer(report_details);
+  report->add_option("folder", options.folder, "what dda run wrote")->required()->type_name("DIR")->check(a_name);
+  report->add_option("--out", options.file, "the file to write; default DIR/report.html")
+      ->type_name("FILE")
+      ->check(a_name);
 }
 
 void add_cut(CLI::App& app, Arguments& arguments) {
@@ -311,7 +255,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
   if (unknown_command)
     return "the command is \"" + std::string(argv[1]) +
-           "\", expected check, advise, cut, keyblocks, fos, run, view or schema";
+           "\", expected check, advise, cut, keyblocks, fos, run, view, report or schema";
   return error.what();
 }
 
@@ -343,6 +287,10 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
     view_run(arguments.view, out);
     return 0;
   }
+  if (app.got_subcommand("report")) {
+    report_run(arguments.report, out);
+    return 0;
+  }
   out << scene_schema();
   return 0;
 }
@@ -363,6 +311,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   add_fos(app, arguments.fos);
   add_run(app, arguments);
   add_view(app, arguments);
+  add_report(app, arguments.report);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);
   try {
     app.parse(argc, argv);

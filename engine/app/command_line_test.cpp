@@ -35,7 +35,7 @@ TEST_F(CommandLine, MistakesInTheCommandItself) {
   write("scene.json", bar_scene(3, 10));
   expect_refusal({}, "subcommand is required");
   expect_refusal({"solve", "scene.json"},
-                 "the command is \"solve\", expected check, advise, cut, keyblocks, fos, run, view or schema");
+                 "the command is \"solve\", expected check, advise, cut, keyblocks, fos, run, view, report or schema");
   expect_refusal({"run", path("scene.json")}, "--out is required");
   expect_refusal({"run", path("scene.json"), "--out", ""}, "--out: is empty, expected a name");
   expect_refusal({"check", ""}, "is empty, expected a name");
@@ -125,7 +125,7 @@ TEST_F(CommandLine, RunWritesItsResults) {
   EXPECT_EQ(summary["counters"]["factorizations"], 1);
   EXPECT_EQ(summary["histories"][0]["rows"], 11);
   EXPECT_LT(std::abs(summary["energy"]["residual_relative"].get<double>()), 1e-10);
-  EXPECT_EQ(summary["outputs"].size(), 6U);
+  EXPECT_EQ(summary["outputs"].size(), 7U);
   for (const auto& output : summary["outputs"]) EXPECT_TRUE(exists("out/" + output.get<std::string>()));
 }
 

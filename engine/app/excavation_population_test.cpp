@@ -13,6 +13,7 @@
 #include <string>
 
 #include "engine/contact/contact_set.h"
+#include "engine/model/energy_release.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
@@ -163,6 +164,27 @@ bool starts_in_balance(int seed, const Kind& kind) {
          1e-9;
 }
 
+// Salamon's two forms agree over the run and in every stage, and those of the stages add up.
+void expect_both_forms_of_release(const Simulation& simulation) {
+  const EnergyRelease whole = energy_release(simulation.energy());
+  EXPECT_LT(std::abs(whole.relative_difference()), 1e-9);
+  EXPECT_GT(whole.removed, 0);
+  double by_work = 0;
+  double by_fate = 0;
+  const EnergyLedger* before = nullptr;
+  const double scale = simulation.energy().scale();
+  for (const EnergyLedger& end : energy_at_ends_of_stages(simulation)) {
+    const EnergyRelease stage = before == nullptr ? energy_release(end) : energy_release(*before, end);
+    EXPECT_LT(std::abs(stage.by_work() - stage.by_fate()), 1e-9 * scale);
+    by_work += stage.by_work();
+    by_fate += stage.by_fate();
+    before = &end;
+  }
+  if (!simulation.finished()) return;
+  EXPECT_NEAR(by_work, whole.by_work(), 1e-12 * scale);
+  EXPECT_NEAR(by_fate, whole.by_fate(), 1e-12 * scale);
+}
+
 class ExcavatedRock : public testing::TestWithParam<Kind> {
  protected:
   template <typename Body>
@@ -208,6 +230,7 @@ TEST_P(ExcavatedRock, MovesAsIfTheOpeningHadAlwaysBeenThere) {
     EXPECT_GT(largest_motion(never), 1e-5);
     EXPECT_LT(std::abs(removed.energy().relative_residual()), 1e-9);
     EXPECT_GT(removed.energy().removed, 0);
+    expect_both_forms_of_release(removed);
   });
   EXPECT_LE(parted, 2);  // seen: two of 104, one of them in its last step
 }
@@ -239,6 +262,7 @@ TEST_P(ExcavatedRock, BalancesItsEnergyAndGoesOnToTheBitWhenItLetsGoSlowly) {
       EXPECT_EQ(second.state().displacement[i], whole.state().displacement[i]);
     EXPECT_LT(std::abs(whole.energy().relative_residual()), 1e-9);
     EXPECT_LT(whole.energy().external_work, 0);  // what held the rock was drawn back
+    expect_both_forms_of_release(whole);
   });
 }
 

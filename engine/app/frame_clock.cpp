@@ -50,10 +50,10 @@ void FrameClock::taken(double time) {
   next_ = static_cast<std::int64_t>(moving_time(time) / interval_ + round_off) + 1;
 }
 
-double moving_time(const Model& model) {
+double moving_time(const Model& model, std::size_t first) {
   double sum = 0;
-  for (const Stage& stage : model.stages)
-    if (!stands_still(model, stage)) sum += stage.duration;
+  for (std::size_t i = first; i < model.stages.size(); ++i)
+    if (!stands_still(model, model.stages[i])) sum += model.stages[i].duration;
   return sum;
 }
 

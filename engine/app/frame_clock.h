@@ -1,6 +1,7 @@
 // When the frames of a run are due.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -35,7 +36,7 @@ class FrameClock {
 // The stages of a scene, and which of them have no time in which blocks move.
 [[nodiscard]] std::vector<StageSpan> stage_spans(const Model& model);
 
-// The time over which frames are spread, s.
-[[nodiscard]] double moving_time(const Model& model);
+// The time over which frames are spread, s, of the stages from `first` on.
+[[nodiscard]] double moving_time(const Model& model, std::size_t first = 0);
 
 }  // namespace dda

@@ -68,7 +68,7 @@ class Program : public FolderTest {
       files->erase("summary.json");
       files->erase("checkpoint.bin");
     }
-    EXPECT_EQ(whole.size(), 2U + 2 * (1U + 6U));
+    EXPECT_EQ(whole.size(), 3U + 2 * (1U + 6U));
     ASSERT_EQ(whole.size(), pieces.size());
     for (const auto& [name, content] : whole) EXPECT_TRUE(pieces[name] == content) << name << " differs";
   }

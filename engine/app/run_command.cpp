@@ -14,6 +14,7 @@
 
 #include "engine/advice/remarks.h"
 #include "engine/advice/unseen_loads.h"
+#include "engine/app/branch_origin.h"
 #include "engine/app/energy_verdict.h"
 #include "engine/app/frame_clock.h"
 #include "engine/app/run_files.h"
@@ -25,6 +26,7 @@
 #include "engine/record/progress.h"
 #include "engine/record/run_folder.h"
 #include "engine/scene/scene.h"
+#include "engine/simulation/branch.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/simulation.h"
 
@@ -51,6 +53,7 @@ class Run {
       : options_(options),
         scene_text_(scene_text(options.scene)),
         simulation_(parse_scene(scene_text_, options.scene.string(), options.scene.parent_path())),
+        begun_from_(begin_from_origin()),
         probes_(checked_probes()),
         lock_(checked_folder()),
         resumed_(position_to_resume()) {
@@ -61,6 +64,10 @@ class Run {
     const StopSignal stop_signal;
     prepare_folder();
     RunFiles files(simulation_, probes_, file_options(), resumed_);
+    const auto keep_end_of_stage = [&] {
+      if (!simulation_.finished()) files.write_end_of_stage(stages_done(simulation_) - 1);
+    };
+    call_between_stages(keep_end_of_stage, simulation_);
     if (!options_.quiet) announce(out);
     Status status = step_to_the_end(files);
     const EnergyVerdict verdict = judge_energy(simulation_);
@@ -75,6 +82,22 @@ class Run {
   }
 
  private:
+  // How many stages were done before this run.
+  std::size_t begin_from_origin() {
+    if (!options_.from) return 0;
+    if (options_.resume) return stages_before(options_.folder);
+    const BranchOrigin origin = parse_origin(*options_.from);
+    if (std::filesystem::exists(options_.folder) && std::filesystem::equivalent(origin.folder, options_.folder))
+      throw InputError("", "--out", options_.folder.string(), "another folder than --from");
+    const Simulation settled = load_origin(origin, options_.scene.parent_path());
+    try {
+      begin_from(settled, simulation_);
+    } catch (const InputError& error) {
+      throw error.in_file(options_.scene.string());
+    }
+    return stages_done(settled);
+  }
+
   [[nodiscard]] Probes checked_probes() const {
     try {
       return Probes(simulation_);
@@ -102,7 +125,7 @@ class Run {
     return load_run(options_.folder / checkpoint_name, simulation_);
   }
 
-  [[nodiscard]] nlohmann::json request() const { return run_request(options_, scene_text_); }
+  [[nodiscard]] nlohmann::json request() const { return run_request(options_, scene_text_, begun_from_); }
 
   // What `dda view` shows comes from one run: what is older goes first, and the summary of a part of this run too.
   void prepare_folder() const {
@@ -116,7 +139,7 @@ class Run {
 
   [[nodiscard]] FileOptions file_options() const {
     FileOptions files{options_.folder, options_.rows_every, options_.frame_interval, options_.checkpoint_interval};
-    const double moving = moving_time(simulation_.model());
+    const double moving = moving_time(simulation_.model(), begun_from_);
     if (options_.frames) files.frame_interval = (moving > 0 ? moving : 1.0) / static_cast<double>(*options_.frames);
     return files;
   }
@@ -129,6 +152,8 @@ class Run {
                        simulation_.contacts().interfaces.size(), simulation_.steps_in_all_stages(),
                        paces_itself ? " and those of static stages that find their own" : "",
                        resumed_ ? fmt::format(", resumed after {}", simulation_.state().step) : "");
+    if (options_.from && !resumed_)
+      out << fmt::format("goes on from {} at {:.6g} s\n", *options_.from, simulation_.state().time);
     if (simulation_.finished()) out << "the run is over, there is nothing left to step\n";
     out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; "));
     for (const std::string& remark : remarks_) out << fmt::format("remark: {}\n", remark);
@@ -208,10 +233,13 @@ class Run {
     summary.status = status;
     summary.message = message;
     summary.title = simulation_.model().title;
+    summary.from = options_.from.value_or("");
     summary.time_s = simulation_.state().time;
     summary.steps = simulation_.state().step;
     summary.counters = simulation_.counters();
     summary.energy = simulation_.energy();
+    for (const EnergyLedger& energy : energy_at_ends_of_stages(simulation_))
+      summary.energy_at_end.emplace_back(simulation_.model().stages[summary.energy_at_end.size()].name, energy);
     summary.cpu_s = cpu_seconds();
     summary.wall_s = wall_seconds() - began_;
     summary.phases = phases_;
@@ -259,6 +287,7 @@ class Run {
   const RunOptions& options_;
   std::string scene_text_;
   Simulation simulation_;
+  std::size_t begun_from_;  // stages
   Probes probes_;
   FolderLock lock_;
   std::optional<RunPosition> resumed_;

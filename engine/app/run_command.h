@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
+#include <string>
 
 namespace dda {
 
@@ -15,6 +16,7 @@ struct RunOptions {
   std::optional<double> frame_interval;  // s
   std::int64_t rows_every = 1;           // steps
   double checkpoint_interval = 10;       // s, of the wall clock
+  std::optional<std::string> from;       // DIR or DIR:STAGE of a run of the same blocks to go on from
   bool resume = false;
   bool quiet = false;
 };

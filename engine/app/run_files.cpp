@@ -1,5 +1,8 @@
 #include "engine/app/run_files.h"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +18,42 @@ std::vector<Column> columns_of(const Model& model) {
     for (const HistoryFacts& history : histories_of(measurement.quantity))
       columns.push_back({measurement.name + std::string(history.suffix), std::string(history.unit)});
   return columns;
+}
+
+// Of energies.csv. Its rows are for looking at: a thousand of them show all there is to see.
+constexpr std::int64_t most_energy_rows = 1000;
+
+struct EnergyColumn {
+  const char* name;
+  double EnergyLedger::*value;
+};
+constexpr EnergyColumn energy_columns[] = {{"kinetic", &EnergyLedger::kinetic},
+                                           {"strain", &EnergyLedger::strain},
+                                           {"contact", &EnergyLedger::contact},
+                                           {"bolts", &EnergyLedger::bolts},
+                                           {"external_work", &EnergyLedger::external_work},
+                                           {"gravity_work", &EnergyLedger::gravity_work},
+                                           {"friction", &EnergyLedger::friction},
+                                           {"plastic", &EnergyLedger::plastic},
+                                           {"radiated", &EnergyLedger::radiated},
+                                           {"dashpot", &EnergyLedger::dashpot},
+                                           {"damping", &EnergyLedger::damping},
+                                           {"numerical", &EnergyLedger::numerical},
+                                           {"removed", &EnergyLedger::removed}};
+constexpr std::size_t energy_values = std::size(energy_columns) + 2;
+
+std::vector<Column> columns_of_energies() {
+  std::vector<Column> columns;
+  for (const EnergyColumn& column : energy_columns) columns.push_back({column.name, "J/m"});
+  columns.push_back({"residual", "J/m"});
+  columns.push_back({"largest", "J/m"});
+  return columns;
+}
+
+std::unique_ptr<HistoryWriter> open_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
+                                         std::optional<std::int64_t> rows) {
+  if (rows) return std::make_unique<HistoryWriter>(path, columns, *rows);
+  return std::make_unique<HistoryWriter>(path, columns);
 }
 
 std::vector<ContactPoint> contact_points_of(const Simulation& simulation) {
@@ -53,12 +92,18 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
       options_(std::move(options)),
       columns_(columns_of(simulation.model())),
       values_(columns_.size()),
+      energies_every_(std::max(options_.rows_every, simulation.steps_in_all_stages() / most_energy_rows)),
       settles_(simulation.is_settling()) {
   std::filesystem::create_directories(options_.folder);
-  const auto histories = in_folder(histories_name);
-  histories_ = resumed ? std::make_unique<HistoryWriter>(histories, columns_, resumed->history_rows)
-                       : std::make_unique<HistoryWriter>(histories, columns_);
-  if (resumed) frame_times_ = resumed->frame_times;
+  const auto rows = [&](std::int64_t RunPosition::*count) {
+    return resumed ? std::optional((*resumed).*count) : std::nullopt;
+  };
+  histories_ = open_rows(in_folder(histories_name), columns_, rows(&RunPosition::history_rows));
+  energies_ = open_rows(in_folder(energies_name), columns_of_energies(), rows(&RunPosition::energy_rows));
+  if (resumed) {
+    frame_times_ = resumed->frame_times;
+    energy_time_ = resumed->energy_time;
+  }
   if (options_.frame_interval) {
     frames_ = std::make_unique<FrameWriter>(simulation.model(), in_folder(frames_name));
     frames_->go_on_after(frame_times_);
@@ -70,6 +115,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
   }
   if (!resumed) {
     sample();
+    sample_energies();
     write_frame_when_due();
   }
   write_checkpoint();
@@ -83,7 +129,9 @@ void RunFiles::open_bolt_frames() {
 // A stage that paces itself has a row and a frame of its end alone.
 void RunFiles::after_step() {
   if (!simulation_.is_settling()) {
-    if (settles_ || simulation_.state().step % options_.rows_every == 0) sample();
+    const std::int64_t step = simulation_.state().step;
+    if (settles_ || step % options_.rows_every == 0) sample();
+    if (settles_ || step % energies_every_ == 0) sample_energies();
     write_frame_when_due();
   }
   settles_ = simulation_.is_settling();
@@ -95,6 +143,18 @@ void RunFiles::sample() {
   probes_.sample(simulation_, values_);
   histories_->append(simulation_.state().time, values_);
 }
+
+void RunFiles::sample_energies() {
+  const EnergyLedger& energy = simulation_.energy();
+  std::array<double, energy_values> values{};
+  for (std::size_t i = 0; i < std::size(energy_columns); ++i) values[i] = energy.*energy_columns[i].value;
+  values[energy_values - 2] = energy.residual();
+  values[energy_values - 1] = energy.scale();
+  energy_time_ = simulation_.state().time;
+  energies_->append(energy_time_, values);
+}
+
+RunPosition RunFiles::position() const { return {histories_->rows(), frame_times_, energies_->rows(), energy_time_}; }
 
 void RunFiles::write_frame_when_due() {
   if (!frame_clock_ || !frame_clock_->is_due(simulation_.state().time)) return;
@@ -117,16 +177,26 @@ void RunFiles::write_last_state() {
 
 void RunFiles::write_checkpoint() {
   histories_->flush();
-  save_run(in_folder(checkpoint_name), simulation_, {histories_->rows(), frame_times_});
+  energies_->flush();
+  save_run(in_folder(checkpoint_name), simulation_, position());
   last_checkpoint_ = std::chrono::steady_clock::now();
 }
 
+void RunFiles::write_end_of_stage(std::size_t stage) {
+  save_run(in_folder(stage_file_name(stage).c_str()), simulation_, position());
+}
+
 void RunFiles::close(RunSummary summary) {
+  if (energy_time_ != simulation_.state().time) sample_energies();
   histories_->close();
-  summary.histories = {{histories_name, histories_->rows(), columns_}};
-  summary.outputs = {histories_name, checkpoint_name, summary_name, request_name};
+  energies_->close();
+  summary.histories = {{histories_name, histories_->rows(), columns_},
+                       {energies_name, energies_->rows(), columns_of_energies()}};
+  summary.outputs = {histories_name, energies_name, checkpoint_name, summary_name, request_name};
   if (frames_) summary.outputs.insert(summary.outputs.end(), {frames_name, contacts_name});
   if (bolt_frames_) summary.outputs.emplace_back(bolts_name);
+  for (std::size_t i = 0; i < simulation_.model().stages.size(); ++i)
+    if (std::filesystem::exists(in_folder(stage_file_name(i).c_str()))) summary.outputs.push_back(stage_file_name(i));
   write_summary(in_folder(summary_name), summary);
 }
 

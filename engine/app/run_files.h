@@ -1,5 +1,5 @@
-// The files of a run: histories.csv, frames.pvd with frames/, contacts.pvd with contacts/, where there are bolts
-// bolts.pvd with bolts/, checkpoint.bin, summary.json.
+// The files of a run: histories.csv, energies.csv, frames.pvd with frames/, contacts.pvd with contacts/, where there
+// are bolts bolts.pvd with bolts/, checkpoint.bin, summary.json.
 #pragma once
 
 #include <chrono>
@@ -47,12 +47,17 @@ class RunFiles {
   // Rows reach the disk before the checkpoint that counts them.
   void write_checkpoint();
 
+  // The state between a stage, counted from 0, and the next, for other runs to begin from.
+  void write_end_of_stage(std::size_t stage);
+
   // Completes histories.csv, and adds what lies in the folder to the summary before writing it.
   void close(RunSummary summary);
 
  private:
   void open_bolt_frames();
   void sample();
+  void sample_energies();
+  [[nodiscard]] RunPosition position() const;
   void write_frame_when_due();
   void write_frame();
   [[nodiscard]] std::filesystem::path in_folder(const char* name) const { return options_.folder / name; }
@@ -63,6 +68,9 @@ class RunFiles {
   std::vector<Column> columns_;
   std::vector<double> values_;
   std::unique_ptr<HistoryWriter> histories_;
+  std::unique_ptr<HistoryWriter> energies_;
+  std::int64_t energies_every_;  // steps
+  double energy_time_ = 0;       // s, of the last row
   std::unique_ptr<FrameWriter> frames_;
   std::unique_ptr<ContactFrameWriter> contact_frames_;
   std::unique_ptr<BoltFrameWriter> bolt_frames_;

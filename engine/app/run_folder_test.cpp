@@ -46,8 +46,8 @@ TEST_F(RunFolder, HoldsNothingOfAnEarlierRun) {
   for (const auto& [name, content] : files_below("results")) names.push_back(name);
   EXPECT_EQ(names,
             (std::vector<std::string>{"checkpoint.bin", "contacts.pvd", "contacts/000000.vtp", "contacts/000001.vtp",
-                                      "frames.pvd", "frames/000000.vtp", "frames/000001.vtp", "histories.csv",
-                                      "notes.txt", "run.json", "summary.json"}));
+                                      "energies.csv", "frames.pvd", "frames/000000.vtp", "frames/000001.vtp",
+                                      "histories.csv", "notes.txt", "run.json", "summary.json"}));
   ASSERT_EQ(call(run()).code, 0);
   EXPECT_FALSE(exists("results/frames.pvd"));
 }

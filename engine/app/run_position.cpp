@@ -12,10 +12,12 @@
 namespace dda {
 namespace {
 
-// Before the snapshot: the number of rows, the number of frames, and their times.
+// Before the snapshot: the number of rows, the number of frames, and the times of frames.
 struct Sizes {
   std::int64_t rows;
   std::int64_t frames;
+  std::int64_t energy_rows;
+  double energy_time;
 };
 
 std::size_t frame_bytes(const Sizes& sizes) { return static_cast<std::size_t>(sizes.frames) * sizeof(double); }
@@ -23,7 +25,8 @@ std::size_t frame_bytes(const Sizes& sizes) { return static_cast<std::size_t>(si
 }  // namespace
 
 void save_run(const std::filesystem::path& path, const Simulation& simulation, const RunPosition& position) {
-  const Sizes sizes{position.history_rows, static_cast<std::int64_t>(position.frame_times.size())};
+  const Sizes sizes{position.history_rows, static_cast<std::int64_t>(position.frame_times.size()), position.energy_rows,
+                    position.energy_time};
   const std::vector<std::byte> snapshot = save(simulation);
   std::vector<std::byte> bytes;
   bytes.reserve(sizeof sizes + frame_bytes(sizes) + snapshot.size());
@@ -45,7 +48,8 @@ RunPosition load_run(const std::filesystem::path& path, Simulation& simulation) 
   std::memcpy(&sizes, bytes.data(), sizeof sizes);
   bytes = bytes.subspan(sizeof sizes);
   refuse_if(sizes.frames < 0 || bytes.size() / sizeof(double) < static_cast<std::size_t>(sizes.frames));
-  RunPosition position{sizes.rows, std::vector<double>(static_cast<std::size_t>(sizes.frames))};
+  RunPosition position{sizes.rows, std::vector<double>(static_cast<std::size_t>(sizes.frames)), sizes.energy_rows,
+                       sizes.energy_time};
   if (sizes.frames > 0) std::memcpy(position.frame_times.data(), bytes.data(), frame_bytes(sizes));
   try {
     restore(simulation, std::move(checkpoint.state), bytes.subspan(frame_bytes(sizes)));

@@ -12,6 +12,8 @@ namespace dda {
 struct RunPosition {
   std::int64_t history_rows = 0;
   std::vector<double> frame_times;  // s
+  std::int64_t energy_rows = 0;
+  double energy_time = 0;  // s, of the last of them
 };
 
 // std::runtime_error naming path and reason when it cannot be written.

@@ -18,6 +18,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr auto for_resume = "what dda run writes; begin anew without --resume";
+
 struct Difference {
   std::string field;
   std::string then;
@@ -56,11 +58,14 @@ std::optional<Difference> first_difference(const Json& then, const Json& now, co
   return Difference{field, shown_value(then), shown_value(now)};
 }
 
-Json request_in(const std::filesystem::path& folder) {
+}  // namespace
+
+std::string this_program() { return "dda " DDA_VERSION; }
+
+Json read_request(const std::filesystem::path& folder, const std::string& expected) {
   const std::filesystem::path path = folder / request_name;
   const auto refuse = [&](const std::string& value) {
-    throw InputError(path.string(), "what the run was asked for", value,
-                     "what dda run writes; begin anew without --resume");
+    throw InputError(path.string(), "what the run was asked for", value, expected);
   };
   Json request;
   try {
@@ -73,16 +78,20 @@ Json request_in(const std::filesystem::path& folder) {
   return request;
 }
 
-}  // namespace
-
-Json run_request(const RunOptions& options, std::string_view scene_text) {
+Json run_request(const RunOptions& options, std::string_view scene_text, std::size_t stages_done) {
   const auto given = [](const auto& value) { return value ? Json(*value) : Json("not given"); };
-  return {{"program", "dda " DDA_VERSION},
+  return {{"program", this_program()},
           {"options",
            {{"--every", options.rows_every},
             {"--frames", given(options.frames)},
-            {"--frame-interval", given(options.frame_interval)}}},
+            {"--frame-interval", given(options.frame_interval)},
+            {"--from", given(options.from)}}},
+          {"stages_before", stages_done},
           {"scene", parse_json(scene_text)}};
+}
+
+std::size_t stages_before(const std::filesystem::path& folder) {
+  return read_request(folder, for_resume).value("stages_before", std::size_t{0});
 }
 
 void write_request(const std::filesystem::path& folder, const Json& request) {
@@ -90,7 +99,7 @@ void write_request(const std::filesystem::path& folder, const Json& request) {
 }
 
 void expect_same_request(const RunOptions& options, const Json& request) {
-  const Json then = request_in(options.folder);
+  const Json then = read_request(options.folder, for_resume);
   const auto compare = [&](const std::string& file, const Json& before, const Json& now, const std::string& field) {
     if (const auto difference = first_difference(before, now, field))
       throw InputError(file, difference->field, difference->now,

@@ -18,7 +18,7 @@ inline void leave_stopped_run(const std::string& scene, const std::string& folde
   RunOptions options;
   options.frame_interval = frame_interval;
   std::filesystem::create_directory(folder);
-  write_request(folder, run_request(options, scene_text(scene)));
+  write_request(folder, run_request(options, scene_text(scene), 0));
   Simulation simulation(read_scene(scene));
   const Probes probes(simulation);
   RunFiles files(simulation, probes, {folder, 1, frame_interval}, std::nullopt);

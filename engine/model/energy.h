@@ -18,7 +18,8 @@ struct EnergyLedger {
   double gravity_work = 0;
   double friction = 0;   // dissipated by sliding
   double plastic = 0;    // dissipated by bolts that yield or break
-  double dashpot = 0;    // radiated through viscous edges
+  double radiated = 0;   // taken up by viscous edges
+  double dashpot = 0;    // taken up by the dashpots of contacts
   double damping = 0;    // taken out by velocity_factor and damping_rate
   double numerical = 0;  // dissipated by the time integrator
   double removed = 0;    // what removed blocks and the joints to them had stored
@@ -32,9 +33,9 @@ struct EnergyLedger {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping, numerical,
-           removed, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest] = self;
-    archive(kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping,
+    auto& [kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, radiated, dashpot, damping,
+           numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest] = self;
+    archive(kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, radiated, dashpot, damping,
             numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest);
   }
 
@@ -42,7 +43,8 @@ struct EnergyLedger {
   [[nodiscard]] double residual() const {
     const double stored =
         (kinetic - initial_kinetic) + (strain - initial_strain) + (contact - initial_contact) + (bolts - initial_bolts);
-    return external_work + gravity_work - stored - friction - plastic - dashpot - damping - numerical - removed;
+    return external_work + gravity_work - stored - friction - plastic - radiated - dashpot - damping - numerical -
+           removed;
   }
 
   // The largest magnitude that any of the terms has had in the run, what a residual is compared with. (At a moment all
@@ -50,8 +52,8 @@ struct EnergyLedger {
   [[nodiscard]] double scale() const {
     double most = largest;
     for (const double term :
-         {kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, dashpot, damping, numerical,
-          removed, initial_kinetic, initial_strain, initial_contact, initial_bolts}) {
+         {kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, radiated, dashpot, damping,
+          numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts}) {
       most = std::max(most, std::abs(term));
     }
     return most;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/model/energy_release.h"
 #include "engine/record/atomic_file.h"
 
 namespace dda {
@@ -29,12 +30,42 @@ Json to_json(const EnergyLedger& energy) {
           {"gravity_work", energy.gravity_work},
           {"friction", energy.friction},
           {"plastic", energy.plastic},
+          {"radiated", energy.radiated},
           {"dashpot", energy.dashpot},
           {"damping", energy.damping},
           {"numerical", energy.numerical},
           {"removed", energy.removed},
           {"residual", energy.residual()},
           {"residual_relative", energy.relative_residual()}};
+}
+
+// In both of Salamon's forms, see model/energy_release.h.
+Json to_json(const EnergyRelease& release) {
+  return {{"unit", "J per m of thickness"},
+          {"W", release.work},
+          {"Uc", release.strain},
+          {"Ub", release.potential},
+          {"Wj", release.joints},
+          {"Wp", release.plastic},
+          {"Uk", release.kinetic},
+          {"Wk", release.damping},
+          {"Wv", release.radiated},
+          {"Um", release.removed},
+          {"released_by_work", release.by_work()},
+          {"released_by_fate", release.by_fate()},
+          {"difference_relative", release.relative_difference()}};
+}
+
+Json released_in_stages(const RunSummary& summary) {
+  Json stages = Json::array();
+  const EnergyLedger* before = nullptr;
+  for (const auto& [name, energy] : summary.energy_at_end) {
+    Json entry = {{"stage", name}};
+    entry.update(to_json(before == nullptr ? energy_release(energy) : energy_release(*before, energy)));
+    stages.push_back(entry);
+    before = &energy;
+  }
+  return stages;
 }
 
 Json to_json(const HistoryFile& history) {
@@ -55,6 +86,7 @@ Json to_json(const RunSummary& summary) {
   Json json = {{"status", to_string(summary.status)},
                {"message", summary.message},
                {"title", summary.title},
+               {"from", summary.from.empty() ? Json(nullptr) : Json(summary.from)},
                {"time_s", summary.time_s},
                {"steps", summary.steps},
                {"blocks", summary.blocks},
@@ -80,6 +112,8 @@ Json to_json(const RunSummary& summary) {
     json["loose_blocks"].push_back({{"stage", stage}, {"block", block}, {"place_m", {place.first, place.second}}});
   json["counters"] = to_json(summary.counters);
   json["energy"] = to_json(summary.energy);
+  json["energy_released"] = to_json(energy_release(summary.energy));
+  json["energy_released"]["stages"] = released_in_stages(summary);
   json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);
   json["remarks"] = summary.remarks;
   json["histories"] = Json::array();

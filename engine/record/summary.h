@@ -51,10 +51,12 @@ struct RunSummary {
   Status status = Status::ok;
   std::string message;  // one sentence when status is not ok
   std::string title;
+  std::string from;   // the run that this one went on from, empty where it began by itself
   double time_s = 0;  // reached by the simulation
   std::int64_t steps = 0;
   Counters counters;
   EnergyLedger energy;
+  std::vector<std::pair<std::string, EnergyLedger>> energy_at_end;  // of stages that are over, by name
   double cpu_s = 0;
   double wall_s = 0;
   std::vector<std::pair<std::string, double>> phases;  // name and seconds, in the order of the run

@@ -26,23 +26,24 @@ EnergyLedger balanced_ledger() {
   energy.bolts = 78;  // +41
   energy.friction = 17;
   energy.plastic = 43;
-  energy.dashpot = 19;
+  energy.radiated = 19;
+  energy.dashpot = 53;
   energy.damping = 23;
   energy.numerical = 29;
   energy.gravity_work = 31;
   energy.removed = 47;
-  energy.external_work = 219;  // 7 + 11 + 13 + 41 + 17 + 43 + 19 + 23 + 29 + 47 - 31
+  energy.external_work = 272;  // 7 + 11 + 13 + 41 + 17 + 43 + 19 + 53 + 23 + 29 + 47 - 31
   return energy;
 }
 
 TEST(EnergyLedger, ResidualIsWhatTheTermsDoNotExplain) {
   EnergyLedger energy = balanced_ledger();
   EXPECT_EQ(energy.residual(), 0);
-  EXPECT_EQ(energy.scale(), 219);
+  EXPECT_EQ(energy.scale(), 272);
   energy.gravity_work -= 200;
   EXPECT_EQ(energy.residual(), -200);
-  EXPECT_EQ(energy.scale(), 219);
-  EXPECT_EQ(energy.relative_residual(), -200.0 / 219);
+  EXPECT_EQ(energy.scale(), 272);
+  EXPECT_EQ(energy.relative_residual(), -200.0 / 272);
 }
 
 // A load that came and went leaves small terms behind: what was wrong on the way counts by what there was.
@@ -68,10 +69,13 @@ TEST(Summary, HoldsEverything) {
   summary.status = Status::stopped;
   summary.message = "stopped by the user";
   summary.title = "bar";
+  summary.from = "settled:gravity";
   summary.time_s = 0.1;
   summary.steps = 12;
   summary.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   summary.energy = balanced_ledger();
+  summary.energy_at_end = {{"gravity", balanced_ledger()}, {"quake", balanced_ledger()}};
+  summary.energy_at_end[1].second.radiated += 100;
   summary.cpu_s = 1.5;
   summary.wall_s = 2.5;
   summary.phases = {{"solve", 1.25}, {"assembly", 0.25}};
@@ -88,7 +92,7 @@ TEST(Summary, HoldsEverything) {
 
   const json read = json::parse(summary_json(summary));
   const json expected = json::parse(R"({
-    "status": "stopped", "message": "stopped by the user", "title": "bar", "time_s": 0.1, "steps": 12,
+    "status": "stopped", "message": "stopped by the user", "title": "bar", "from": "settled:gravity", "time_s": 0.1, "steps": 12,
     "blocks": 200, "contacts": 199, "solver": "cholesky", "cpu_s": 1.5, "wall_s": 2.5,
     "phases": {"solve": 1.25, "assembly": 0.25},
     "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true, "dt_s": 0, "dt_reason": ""},
@@ -100,9 +104,18 @@ TEST(Summary, HoldsEverything) {
       "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "contact_searches": 9,
       "contact_state_changes": 10},
     "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0, "bolts": 78.0,
-      "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "initial_bolts": 37.0, "external_work": 219.0,
-      "gravity_work": 31.0, "friction": 17.0, "plastic": 43.0, "dashpot": 19.0, "damping": 23.0, "numerical": 29.0,
+      "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "initial_bolts": 37.0, "external_work": 272.0,
+      "gravity_work": 31.0, "friction": 17.0, "plastic": 43.0, "radiated": 19.0, "dashpot": 53.0, "damping": 23.0, "numerical": 29.0,
       "removed": 47.0, "residual": 0.0, "residual_relative": 0.0},
+    "energy_released": {"unit": "J per m of thickness", "W": 272.0, "Uc": 65.0, "Ub": -31.0, "Wj": 17.0, "Wp": 43.0,
+      "Uk": 7.0, "Wk": 105.0, "Wv": 19.0, "Um": 47.0, "released_by_work": 178.0, "released_by_fate": 178.0,
+      "difference_relative": 0.0, "stages": [
+      {"stage": "gravity", "unit": "J per m of thickness", "W": 272.0, "Uc": 65.0, "Ub": -31.0, "Wj": 17.0, "Wp": 43.0,
+       "Uk": 7.0, "Wk": 105.0, "Wv": 19.0, "Um": 47.0, "released_by_work": 178.0, "released_by_fate": 178.0,
+       "difference_relative": 0.0},
+      {"stage": "quake", "unit": "J per m of thickness", "W": 0.0, "Uc": 0.0, "Ub": 0.0, "Wj": 0.0, "Wp": 0.0,
+       "Uk": 0.0, "Wk": 0.0, "Wv": 100.0, "Um": 0.0, "released_by_work": 0.0, "released_by_fate": 100.0,
+       "difference_relative": -1.0}]},
     "deepest_penetration": {"depth_m": 1e-3, "of_smaller_block": 0.02, "blocks": ["a", "b"], "time_s": 0.05},
     "remarks": ["gravity points upwards"],
     "histories": [{"file": "histories.csv", "rows": 13,

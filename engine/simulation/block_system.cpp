@@ -29,9 +29,7 @@ BlockSystem::BlockSystem(Model finished_model)
 
 BlockSystem::~BlockSystem() = default;
 
-const Stage& BlockSystem::stage_in_force() const {
-  return model.stages[std::min(clock.stage, model.stages.size() - 1)];
-}
+const Stage& BlockSystem::stage_in_force() const { return model.stages[clock.in_force()]; }
 
 double BlockSystem::end_of_stage() const {
   const Stage& now = stage();
@@ -43,7 +41,7 @@ double BlockSystem::end_of_step(double dt) const {
 }
 
 bool BlockSystem::geometry_moves() const {
-  const auto begun = model.stages.begin() + static_cast<std::ptrdiff_t>(std::min(clock.stage + 1, model.stages.size()));
+  const auto begun = model.stages.begin() + static_cast<std::ptrdiff_t>(clock.in_force() + 1);
   return std::any_of(model.stages.begin(), begun,
                      [](const Stage& each) { return each.kinematics == Kinematics::finite; });
 }

@@ -32,15 +32,19 @@ class FreeField;
 // Where a run is in its stages.
 struct StageClock {
   std::size_t stage = 0;
+  bool begun = false;                   // else the run is between the stage before and this one, or over
   std::int64_t step = 0;                // in the stage
   double start = 0;                     // s, of the stage
   std::int64_t passes_before_step = 0;  // of the open-close iteration in the whole run, when the last step began
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [stage, step, start, passes_before_step] = self;
-    archive(stage, step, start, passes_before_step);
+    auto& [stage, begun, step, start, passes_before_step] = self;
+    archive(stage, begun, step, start, passes_before_step);
   }
+
+  // The stage under way; between stages, and after the last, the one that ended.
+  [[nodiscard]] std::size_t in_force() const { return begun || stage == 0 ? stage : stage - 1; }
 };
 
 // Forces on the blocks' unknowns, 6 entries a block, without weight. `old`: at the state's time; `now`: at the end of
@@ -85,7 +89,7 @@ struct BlockSystem {
   SettlingDrag drag;          // in static stages
 
   [[nodiscard]] const Stage& stage() const { return model.stages[clock.stage]; }
-  // The same; of a run that is over, its last one.
+  // The same; between stages, and after the last, the one that ended.
   [[nodiscard]] const Stage& stage_in_force() const;
   [[nodiscard]] double end_of_stage() const;
   // s, for which loads and prescribed motions of a step of `dt` from now are meant.

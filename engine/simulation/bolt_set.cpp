@@ -36,17 +36,19 @@ Vec2 direction_in(const Model& model, const State& state, const Bolt& bolt, cons
   return (drawn.point_b - drawn.point_a + change_of_span(model, state, drawn)).normalized();
 }
 
-// Gaps from where the anchors are.
-void measure(const Model& model, const State& state, const Bolt& bolt, const BoltLink& drawn, LinkElement& link) {
+// By how much the anchors have parted since they were drawn, along the bolt and, where it is grouted, across it.
+Vec2 parting(const Model& model, const State& state, const Bolt& bolt, const BoltLink& drawn) {
   const Vec2 span = drawn.point_b - drawn.point_a;
   const Vec2 change = change_of_span(model, state, drawn);
-  Vec2 total(lengthening(span, change), 0);
-  if (bolt.grouted) {
-    const Vec2 along = direction_in(model, state, bolt, drawn);
-    const Vec2 across(-along.y(), along.x());
-    total = Vec2(along.dot(span + change) - bolt.direction.dot(span), across.dot(span + change));
-  }
-  link.state.gap = total + Vec2(link.pretension_gap, 0) - link.state.plastic;
+  if (!bolt.grouted) return {lengthening(span, change), 0};
+  const Vec2 along = direction_in(model, state, bolt, drawn);
+  const Vec2 across(-along.y(), along.x());
+  return {along.dot(span + change) - bolt.direction.dot(span), across.dot(span + change)};
+}
+
+// Gaps from where the anchors are.
+void measure(const Model& model, const State& state, const Bolt& bolt, const BoltLink& drawn, LinkElement& link) {
+  link.state.gap = parting(model, state, bolt, drawn) - link.start + Vec2(link.pretension_gap, 0) - link.state.plastic;
   link.state.force = answer_of(link.law, link.state.gap, link.state.ruptured).force;
 }
 
@@ -57,6 +59,31 @@ void place(const Model& model, const State& acting, const Bolt& bolt, const Bolt
   };
   link.rows = bolt_rows(direction_in(model, acting, bolt, drawn), arm(drawn.block_a, drawn.point_a),
                         arm(drawn.block_b, drawn.point_b));
+}
+
+// In small kinematics `acting` is the drawing and gaps are summed up from steps, so that nothing is measured again.
+void put_in(const Model& model, const State& state, const State& acting, const Bolt& bolt, const BoltLink& drawn,
+            LinkElement& link) {
+  link.state = {};
+  link.start = parting(model, state, bolt, drawn);
+  place(model, acting, bolt, drawn, link);
+  measure(model, state, bolt, drawn, link);
+}
+
+void take_over(const LinkElement& before, LinkElement& link) {
+  link.start = before.start;
+  link.rows = before.rows;
+  link.state = before.state;
+}
+
+bool is_same_link(const BoltLink& a, const BoltLink& b) {
+  return a.block_a == b.block_a && a.block_b == b.block_b && a.point_a == b.point_a && a.point_b == b.point_b &&
+         a.axial_stiffness == b.axial_stiffness && a.shear_stiffness == b.shear_stiffness;
+}
+
+bool is_same_bolt(const Bolt& a, const Bolt& b) {
+  return a.grouted == b.grouted && a.direction == b.direction && a.pretension == b.pretension &&
+         std::ranges::equal(a.links, b.links, is_same_link);
 }
 
 }  // namespace
@@ -97,6 +124,25 @@ void BoltSet::update_geometry(const Model& model, const State& state, const Stat
       place(model, acting, bolt, drawn, link);
       measure(model, state, bolt, drawn, link);
     }
+}
+
+void BoltSet::go_on_from(const Model& before_model, const BoltSet& before, const Model& model, const State& state,
+                         const State& acting) {
+  for (std::size_t i = 0; i < model.bolts.size(); ++i) {
+    const Bolt& bolt = model.bolts[i];
+    const auto same = std::ranges::find_if(before_model.bolts, [&](const Bolt& b) { return is_same_bolt(b, bolt); });
+    const bool is_new = same == before_model.bolts.end();
+    const std::size_t first =
+        is_new ? 0 : before.first_link_[static_cast<std::size_t>(same - before_model.bolts.begin())];
+    for (std::size_t j = 0; j < bolt.links.size(); ++j) {
+      LinkElement& link = links_[first_link_[i] + j];
+      if (is_new) {
+        put_in(model, state, acting, bolt, bolt.links[j], link);
+      } else {
+        take_over(before.links_[first + j], link);
+      }
+    }
+  }
 }
 
 void BoltSet::add_force(Eigen::VectorXd& force) const {

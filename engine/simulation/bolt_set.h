@@ -37,6 +37,11 @@ class BoltSet {
   // (finite kinematics).
   void update_geometry(const Model& model, const State& state, const State& acting);
 
+  // Bolts that the model `before_model` has as well go on as they are in `before`, with the strengths they have now;
+  // the others are put in where the blocks are.
+  void go_on_from(const Model& before_model, const BoltSet& before, const Model& model, const State& state,
+                  const State& acting);
+
   // Adds the internal forces of the states.
   void add_force(Eigen::VectorXd& force) const;
 

@@ -59,7 +59,7 @@ void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDampi
     const Vec6 own = of_block(d, i);
     const Vec6 weighted =
         step.damping * own + step.damping_v * state.velocity[i] + step.damping_a * state.acceleration[i];
-    ledger_.dashpot += own.dot(c * weighted);
+    ledger_.radiated += own.dot(c * weighted);
   }
 }
 

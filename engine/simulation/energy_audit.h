@@ -90,6 +90,13 @@ class EnergyAudit {
     ledger_.contact -= energy;
   }
 
+  // Supports and bolts were put in and taken away, by which the stored energies grew: whoever does it works.
+  void supports_exchanged(double contact, double bolts) {
+    ledger_.contact += contact;
+    ledger_.bolts += bolts;
+    ledger_.external_work += contact + bolts;
+  }
+
   // Blocks were removed, by which the stored energies fell.
   void blocks_removed(const StoredEnergy& before, const StoredEnergy& after);
 

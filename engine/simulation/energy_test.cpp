@@ -163,11 +163,11 @@ TEST(EnergyLedger, ColumnsFollowTheirCause) {
   EXPECT_GT(plain.external_work, 0);
   EXPECT_NEAR(plain.numerical, 0, 1e-11 * plain.scale());
   EXPECT_EQ(plain.gravity_work, 0);
-  EXPECT_EQ(plain.dashpot, 0);
+  EXPECT_EQ(plain.radiated, 0);
   EXPECT_EQ(plain.damping, 0);
   EXPECT_EQ(plain.friction, 0);
   EXPECT_GT(ledger(thesis_integrator(), [](Model&) {}).numerical, 0.01 * plain.scale());
-  EXPECT_GT(ledger(lossless, absorb).dashpot, 0.01 * plain.scale());
+  EXPECT_GT(ledger(lossless, absorb).radiated, 0.01 * plain.scale());
   EXPECT_GT(ledger(lossless, damp_per_step).damping, 0.01 * plain.scale());
   EXPECT_GT(ledger(lossless, damp_per_time).damping, 0.01 * plain.scale());
   const EnergyLedger fallen = ledger(lossless, add_weight);
@@ -227,7 +227,7 @@ TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
       const Eigen::VectorXd d =
           Mat6(step.mass * mass + step.damping * acting + step.stiffness * stiffness).llt().solve(rhs);
       const double work = inertia_work(step, terms, state, d);
-      audit.dashpots_worked(step, told, state, d);
+      audit.radiateds_worked(step, told, state, d);
       advance_blocks(step, terms, d, state);
       deform_blocks(Kinematics::small, d, terms, state);
       Eigen::VectorXd new_force = none;
@@ -237,9 +237,9 @@ TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
       old_force = new_force;
     }
     const EnergyLedger& ledger = audit.ledger();
-    ASSERT_GT(ledger.dashpot, 0.05 * ledger.initial_kinetic);
+    ASSERT_GT(ledger.radiated, 0.05 * ledger.initial_kinetic);
     // The ledger misses that share of the dashpot's work, and nothing else.
-    EXPECT_NEAR(ledger.residual(), error * ledger.dashpot, 1e-12 * ledger.scale());
+    EXPECT_NEAR(ledger.residual(), error * ledger.radiated, 1e-12 * ledger.scale());
   }
 }
 

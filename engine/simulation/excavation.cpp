@@ -40,7 +40,7 @@ void draw_again(BlockSystem& s) {
 }
 
 void leave_out_absent(BlockSystem& s, GeneralStep& general) {
-  const std::vector<bool>& absent = s.excavated.absent = s.model.absent_in(s.clock.stage);
+  const std::vector<bool>& absent = s.excavated.absent = s.model.absent_in(s.clock.in_force());
   if (absent.empty()) return;
   s.held = make_held_unknowns(s.model, absent);
   s.external.leave_out(absent);

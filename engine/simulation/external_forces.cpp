@@ -65,6 +65,12 @@ void ExternalForces::keep_reaction(std::size_t support, const Vec2& offset, cons
   }
 }
 
+Vec2 ExternalForces::reaction(std::size_t support) const {
+  for (const Reaction& reaction : reactions_)
+    if (reaction.support == support) return reaction.force;
+  return Vec2::Zero();
+}
+
 void ExternalForces::leave_out(const std::vector<bool>& absent) {
   if (weight_.size() == 0) return;
   for (std::size_t i = 0; i < absent.size(); ++i)

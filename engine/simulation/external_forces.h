@@ -22,6 +22,9 @@ class ExternalForces {
   // From now on `force` (N) acts at the point of this support of the model, which lies at `offset` from the centroid.
   void keep_reaction(std::size_t support, const Vec2& offset, const Vec2& force);
 
+  // The force that it has left behind, zero where it has not.
+  [[nodiscard]] Vec2 reaction(std::size_t support) const;
+
   // Blocks that are absent, `absent` saying so of each, weigh nothing from now on. (No load acts on them.)
   void leave_out(const std::vector<bool>& absent);
 

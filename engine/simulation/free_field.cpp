@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/branch.h"
 #include "engine/terms/viscous_boundary.h"
 
 namespace dda {
@@ -34,6 +35,13 @@ FreeField::FreeField(const Model& model, const State& state, FreeFieldColumns&& 
                 });
   read_columns();
   update_geometry(model, state, 0);
+}
+
+void FreeField::go_on_from(const FreeField& before) {
+  contacts_ = before.contacts_;
+  time_old_ = before.time_old_;
+  time_ = before.time_;
+  dda::go_on_from(before.columns_, columns_);
 }
 
 void FreeField::read_columns() {

@@ -42,6 +42,9 @@ class FreeField {
 
   [[nodiscard]] const Simulation& columns() const { return columns_; }
 
+  // Brings the columns, which have not stepped, to where those of a run that is over are, see branch.h.
+  void go_on_from(const FreeField& before);
+
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [contacts, columns, time_old, time] = self;

@@ -30,7 +30,6 @@ class GeneralStep : public Step {
   void begin() override;
   [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
   void hand_over() override { solver_.end(); }
-  void take_over() override {}
   [[nodiscard]] StoredEnergy stored_energy() const override { return system_.stored_energy_now(); }
   [[nodiscard]] const std::string& message() const override { return message_; }
 
@@ -43,6 +42,9 @@ class GeneralStep : public Step {
   // Brings all to the geometry of the state, or where blocks are `coming` to move (in their sizes) within the step, to
   // what is foreseen.
   void place_geometry(double coming);
+
+  // Where the blocks were when their geometry was last followed.
+  [[nodiscard]] const State& acting() const { return acting_; }
 
   // Contacts are looked for anew as blocks move.
   [[nodiscard]] bool follows_contacts() const { return moving_.has_value(); }
@@ -57,7 +59,7 @@ class GeneralStep : public Step {
            rule, rhs, can_be_cut, message] = self;
     if (moving) archive(*moving);
     archive(solver, deepest);
-    if (system.geometry_moves()) archive(range, moved);
+    if (system.geometry_moves()) archive(range, moved, acting.displacement, acting.deformation);
     // The others follow from the system, or begin with every step.
   }
 

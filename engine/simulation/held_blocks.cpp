@@ -69,6 +69,10 @@ void hold_still(int block, std::size_t blocks, HeldUnknowns& held) {
   held.increments.emplace_back(Vec6::Zero());
 }
 
+Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double time) {
+  return motion_of(model, held, time).displacement;
+}
+
 void aim(const Model& model, const State& state, double time, HeldUnknowns& held) {
   for (std::size_t i = 0; i < model.held_blocks.size(); ++i) {
     held.increments[i] =

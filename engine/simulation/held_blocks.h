@@ -22,6 +22,9 @@ void hold_still(int block, std::size_t blocks, HeldUnknowns& held);
 // The increments that bring the model's held blocks from `state` to where they are to be at `time`.
 void aim(const Model& model, const State& state, double time, HeldUnknowns& held);
 
+// Displacement of the unknowns of a held block at `time`.
+Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double time);
+
 // True when the blocks are at `time` where they are now.
 bool held_blocks_stand_still_until(const Model& model, const State& state, double time);
 

@@ -72,6 +72,7 @@ TEST(Paths, LinearAndGeneralGiveTheSameHistories) {
         EXPECT_NEAR(a.contact, b.contact, scale);
         EXPECT_NEAR(a.external_work, b.external_work, scale);
         EXPECT_NEAR(a.gravity_work, b.gravity_work, scale);
+        EXPECT_NEAR(a.radiated, b.radiated, scale);
         EXPECT_NEAR(a.dashpot, b.dashpot, scale);
         EXPECT_NEAR(a.damping, b.damping, scale);
         EXPECT_NEAR(a.numerical, b.numerical, scale);

@@ -38,20 +38,21 @@ void accept_supports(BlockSystem& system) {
   }
 }
 
+void let_go_of_support(std::size_t index, BlockSystem& system) {
+  SupportElement& support = system.supports[index];
+  const Vec2 force = -support.stiffness * support.gap;
+  const Vec6 on_block = support.rows.transpose() * force;
+  system.audit.support_let_go(support_energy(support));
+  support.stiffness.setZero();
+  system.forces.internal_old.segment<6>(6 * support.block) += on_block;
+  if (!leaves_force(system.model.supports[index])) return;
+  system.external.keep_reaction(index, support.offset, force);
+  system.forces.load_old.segment<6>(6 * support.block) += on_block;
+}
+
 void let_go_of_supports(BlockSystem& system) {
-  for (std::size_t i = 0; i < system.supports.size(); ++i) {
-    const PointSupport& prescription = system.model.supports[i];
-    if (prescription.last_stage != static_cast<int>(system.clock.stage)) continue;
-    SupportElement& support = system.supports[i];
-    const Vec2 force = -support.stiffness * support.gap;
-    const Vec6 on_block = support.rows.transpose() * force;
-    system.audit.support_let_go(support_energy(support));
-    support.stiffness.setZero();
-    system.forces.internal_old.segment<6>(6 * support.block) += on_block;
-    if (!leaves_force(prescription)) continue;
-    system.external.keep_reaction(i, support.offset, force);
-    system.forces.load_old.segment<6>(6 * support.block) += on_block;
-  }
+  for (std::size_t i = 0; i < system.supports.size(); ++i)
+    if (system.model.supports[i].last_stage == static_cast<int>(system.clock.stage)) let_go_of_support(i, system);
 }
 
 void begin_viscous_edges(BlockSystem& system) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 #include "engine/simulation/block_system.h"
 
@@ -16,6 +17,8 @@ void accept_supports(BlockSystem& system);
 
 // Supports that end with this stage leave their force behind, so that what they held stays at rest, or take it along.
 void let_go_of_supports(BlockSystem& system);
+// The same of one of them, whatever its stage.
+void let_go_of_support(std::size_t index, BlockSystem& system);
 
 // Dashpots that begin to act with this stage.
 void begin_viscous_edges(BlockSystem& system);

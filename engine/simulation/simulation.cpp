@@ -54,6 +54,7 @@ std::vector<UnbalancedBlock> let_go_of_loose_blocks(BlockSystem& s) {
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
   BlockSystem& s = *system_;
   static_out_of_balance_.assign(s.model.stages.size(), std::numeric_limits<double>::quiet_NaN());
+  energy_at_end_.resize(s.model.stages.size());
   for (const InterfaceState& state : s.contacts.states)
     in_situ_force_ = std::max(in_situ_force_, state.force.cwiseAbs().maxCoeff());
   general_ = std::make_unique<GeneralStep>(s);
@@ -111,6 +112,7 @@ Step& Simulation::stage_step() {
 void Simulation::begin_stage() {
   BlockSystem& s = *system_;
   s.audit.begin_stage();
+  s.clock.begun = true;
   s.clock.step = 0;
   s.clock.start = s.state.time;
   excavate(s, *general_, *linear_);
@@ -136,8 +138,9 @@ Status Simulation::step() {
     message_ = "all stages are done";
     return Status::finished;
   }
-  system_->clock.passes_before_step = system_->costs.counters.open_close_iterations;
   BlockSystem& s = *system_;
+  if (!s.clock.begun) begin_stage();  // of a run that was restored between two stages
+  s.clock.passes_before_step = s.costs.counters.open_close_iterations;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
   const Status status =
       is_settling()
@@ -192,7 +195,10 @@ Status Simulation::end_stage() {
   let_go_of_supports(s);
   if (ended.unlimited_strength) release_shear_of_contacts(s);
   if (s.plan.is_static) s.audit.has_settled();
+  energy_at_end_[s.clock.stage] = s.audit.ledger();
   ++s.clock.stage;
+  s.clock.begun = false;
+  if (between_stages_ && problem.empty()) between_stages_();
   if (!finished()) begin_stage();
   if (problem.empty()) return Status::ok;
   message_ = problem;
@@ -200,5 +206,15 @@ Status Simulation::end_stage() {
 }
 
 double Simulation::out_of_balance() const { return dda::out_of_balance(*system_, in_situ_force_); }
+
+std::size_t stages_done(const Simulation& simulation) { return simulation.system().clock.stage; }
+
+std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation) {
+  return std::span(simulation.energy_at_end_).first(stages_done(simulation));
+}
+
+void call_between_stages(std::function<void()> act, Simulation& simulation) {
+  simulation.between_stages_ = std::move(act);
+}
 
 }  // namespace dda

@@ -9,9 +9,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -95,6 +97,10 @@ class Simulation {
   [[nodiscard]] std::vector<std::byte> save() const;
   void restore(State state, std::span<const std::byte> snapshot);
 
+  friend void call_between_stages(std::function<void()> act, Simulation& simulation);
+  friend std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
+  friend void go_on_from(const Simulation& settled, Simulation& fresh);  // see branch.h
+
  private:
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive);
@@ -111,8 +117,20 @@ class Simulation {
   std::string message_;
   SettlingPace pace_;                          // of a stage that paces itself
   std::vector<double> static_out_of_balance_;  // one a stage
+  std::vector<EnergyLedger> energy_at_end_;    // one a stage
   std::vector<UnbalancedBlock> loose_blocks_;
   double in_situ_force_ = 0;  // N per m of thickness, the largest on an interface
+  std::function<void()> between_stages_;
 };
+
+// How many stages are over.
+std::size_t stages_done(const Simulation& simulation);
+
+// What energy() was at the end of each of them.
+std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
+
+// Acts between two stages, and after the last one: what ends with the stage has ended, and nothing of the next has
+// begun. After a stage that should have come to equilibrium and has not it does not.
+void call_between_stages(std::function<void()> act, Simulation& simulation);
 
 }  // namespace dda

@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3131'4e53'4144'44ULL;  // "DDASN11", read as a little-endian number
+constexpr std::uint64_t kind = 0x3231'4e53'4144'44ULL;  // "DDASN12", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>
@@ -34,14 +34,14 @@ void check_parts(const BlockSystem& s, bool follows_contacts, AnyArchive& archiv
 // The stage under way must be that of the saved run, and must not be over.
 void check_place_in_run(const BlockSystem& s, double saved_dt) {
   const std::size_t stages = s.model.stages.size();
-  if (s.clock.stage > stages)
+  if (s.clock.in_force() >= stages)
     throw InputError("", "checkpoint", fmt::format("of stage {}", s.clock.stage + 1),
                      fmt::format("one of the {} stages of this scene", stages));
   const Stage& stage = s.stage_in_force();
   if (saved_dt != stage.dt)
     throw InputError("", "checkpoint", fmt::format("of steps of {} s", saved_dt),
                      fmt::format("the {} s of stage \"{}\"", stage.dt, stage.name));
-  if (s.clock.stage < stages && !stage.paces_itself() && s.clock.step >= stage.steps())
+  if (s.clock.begun && !stage.paces_itself() && s.clock.step >= stage.steps())
     throw InputError("", "checkpoint", fmt::format("at step {} of a stage", s.clock.step),
                      fmt::format("less than the {} steps of stage \"{}\"", stage.steps(), stage.name));
 }
@@ -50,9 +50,11 @@ void check_place_in_run(const BlockSystem& s, double saved_dt) {
 
 template <typename Self, typename Archive>
 void Simulation::visit(Self& self, Archive& archive) {
-  auto& [system, general, linear, message, pace, static_out_of_balance, loose_blocks, in_situ_force] = self;
+  auto& [system, general, linear, message, pace, static_out_of_balance, energy_at_end, loose_blocks, in_situ_force,
+         between_stages] = self;
   archive(*system, *general, *linear, pace, loose_blocks);
-  archive.each(static_out_of_balance);  // the message is of the last step; in-situ forces are the drawing's
+  archive.each(static_out_of_balance);
+  archive.each(energy_at_end);  // the message is of the last step; in-situ forces are the drawing's
 }
 
 std::vector<std::byte> Simulation::save() const {

@@ -174,11 +174,11 @@ TEST(ViscousEdge, ActsFromItsFirstStageOn) {
     Simulation simulation = simulation_of(std::move(model));
     run(simulation, 100);
     EXPECT_NEAR(simulation.state().velocity[0](1), 1, 1e-12);
-    EXPECT_EQ(simulation.energy().dashpot, 0);
+    EXPECT_EQ(simulation.energy().radiated, 0);
     run(simulation, 100);
     const double decay = 1e4 / simulation.model().mass_of(0);  // 1/s
     EXPECT_NEAR(simulation.state().velocity[0](1), std::exp(-decay * 0.01), 1e-2 * decay * 0.01);
-    EXPECT_GT(simulation.energy().dashpot, 0);
+    EXPECT_GT(simulation.energy().radiated, 0);
   }
 }
 

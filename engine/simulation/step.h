@@ -26,7 +26,7 @@ class Step {
   [[nodiscard]] virtual Status advance(double dt, bool can_be_cut) = 0;
   // Between stages: a step of the other kind goes on, or has gone before.
   virtual void hand_over() = 0;
-  virtual void take_over() = 0;
+  virtual void take_over() {}
 
   [[nodiscard]] virtual StoredEnergy stored_energy() const = 0;
   [[nodiscard]] virtual const std::string& message() const = 0;

@@ -17,11 +17,12 @@ struct SupportElement {
   Vec2 gap = Vec2::Zero();         // m, held point minus its prescribed place
   Vec2 prescribed = Vec2::Zero();  // m, displacement asked for at the time of `gap`
   Vec2 foreseen = Vec2::Zero();    // m, by which the step under way changes the gap beyond what the rows make of it
+  Vec2 rest = Vec2::Zero();        // m, displacement that the held point had when the spring was put in
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [block, offset, rows, stiffness, gap, prescribed, foreseen] = self;
-    archive(offset, rows, stiffness, gap, prescribed, foreseen);
+    auto& [block, offset, rows, stiffness, gap, prescribed, foreseen, rest] = self;
+    archive(offset, rows, stiffness, gap, prescribed, foreseen, rest);
   }
 };
 

@@ -33,6 +33,7 @@ struct LinkElement {
   BoltLaw law;
   double rupture_elongation = 0;
   double pretension_gap = 0;  // m
+  Vec2 start = Vec2::Zero();  // m, by how much the anchors had parted when it was put in
   BoltRows rows;
   LinkState state;
 
@@ -41,8 +42,8 @@ struct LinkElement {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [block_a, block_b, law, rupture_elongation, pretension_gap, rows, state] = self;
-    archive(rows.a, rows.b, state);  // the others are the model's
+    auto& [block_a, block_b, law, rupture_elongation, pretension_gap, start, rows, state] = self;
+    archive(start, rows.a, rows.b, state);  // the others are the model's
   }
 };
 

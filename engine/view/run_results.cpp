@@ -123,11 +123,10 @@ void RunResults::read_outlines(const std::filesystem::path& path, const PolyData
   }
   drawing_.ring_begin = {0};
   drawing_.block_begin = {0};
-  for (const auto& own : cells) {
-    if (own.empty()) refuse(path, "damaged (a block is missing)");
+  for (const auto& own : cells) {  // none of a block that was removed before the run began
     cells_of_block_.push_back(own.size());
-    drawing_.names.push_back(name_of[own[0]]);
-    if (own[0] >= lines) add_ring(path, first, first.polygons.cell(own[0] - lines));
+    drawing_.names.push_back(own.empty() ? "" : name_of[own[0]]);
+    if (!own.empty() && own[0] >= lines) add_ring(path, first, first.polygons.cell(own[0] - lines));
     for (const std::size_t cell : own) {
       if (cell >= lines) break;
       const auto closed = first.lines.cell(cell);

@@ -14,9 +14,11 @@ import subprocess
 import sys
 import tempfile
 import time
+from fnmatch import fnmatch
 from pathlib import Path
 
-NOT_COMPARED = {"summary.json", "checkpoint.bin"}  # run times; counters of the factorizations that resuming needs
+# Run times; checkpoints and ends of stages, with counters of the factorizations that resuming needs.
+NOT_COMPARED = ("summary.json", "*.bin")
 
 
 def start(dda, scene, out, resume):
@@ -48,7 +50,8 @@ def kill_once(dda, scene, out, seconds, dice):
 
 def files_in(folder):
     paths = {str(path.relative_to(folder)): path for path in folder.rglob("*") if path.is_file()}
-    return {name: path.read_bytes() for name, path in paths.items() if name not in NOT_COMPARED}
+    compared = {name: path for name, path in paths.items() if not any(fnmatch(name, each) for each in NOT_COMPARED)}
+    return {name: path.read_bytes() for name, path in compared.items()}
 
 
 def differences(whole, pieces):

@@ -1,0 +1,25 @@
+#include "engine/app/report_command.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "engine/app/report_page.h"
+#include "engine/core/error.h"
+#include "engine/record/atomic_file.h"
+#include "engine/record/run_folder.h"
+
+namespace dda {
+
+void report_run(const ReportOptions& options, std::ostream& out) {
+  const std::filesystem::path file = options.file.empty() ? options.folder / report_name : options.file;
+  if (file.extension() != ".html" && file.extension() != ".htm")
+    throw InputError("", "--out", file.string(), "a name that ends in .html or .htm, which is what is written");
+  if (const std::string kind = why_unwritable(file); !kind.empty())
+    throw InputError("", "--out", file.string() + ", which is " + kind, "a file, or a name that is free");
+  const std::string page = report_page(options.folder);
+  write_file(file, page);
+  out << fmt::format("{}: {:.2g} MB\n", file.string(), static_cast<double>(page.size()) / 1e6);
+}
+
+}  // namespace dda

@@ -1,0 +1,27 @@
+// What the page of `dda report` says in tables.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace dda {
+
+using Json = nlohmann::ordered_json;
+
+// "<h2>title</h2>" and what follows it, nothing where that is empty.
+std::string section(std::string_view title, const std::string& content);
+
+// What was run: sizes, materials, joints and stages. `request`: run.json.
+std::string scene_tables(const Json& summary, const Json& request);
+
+// Energies released, over the run and stage by stage.
+std::string release_table(const Json& summary);
+
+// Message, loose blocks, deepest penetration and remarks.
+std::string warning_list(const Json& summary);
+
+// Counters and seconds.
+std::string cost_tables(const Json& summary);
+
+}  // namespace dda

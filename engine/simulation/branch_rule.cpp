@@ -1,0 +1,185 @@
+#include "engine/simulation/branch_rule.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/contact/contact_set.h"
+#include "engine/core/error.h"
+
+namespace dda {
+namespace {
+
+[[noreturn]] void refuse(const std::string& field, const std::string& value, const std::string& there) {
+  throw InputError("", field, value, there + ", as in the run to go on from");
+}
+
+void expect(bool same, const std::string& field, const char* what) {
+  if (!same) refuse(field, std::string("of another ") + what, std::string("the same ") + what);
+}
+
+template <typename Value>
+void expect_equal(const Value& then, const Value& now, const std::string& field) {
+  if (then != now) refuse(field, fmt::format("{}", now), fmt::format("{}", then));
+}
+
+void expect_equal(bool then, bool now, const std::string& field) {
+  if (then != now) refuse(field, now ? "true" : "false", then ? "true" : "false");
+}
+
+void check(const Block& then, const Block& now) {
+  const std::string field = fmt::format("block \"{}\"", now.name);
+  expect(then.shape.outer == now.shape.outer && then.shape.holes == now.shape.holes, field, "outline");
+  expect(then.material == now.material, field, "material");
+  expect(then.initial_stress == now.initial_stress, field, "stress at the start");
+  expect(then.initial_velocity == now.initial_velocity && then.initial_spin == now.initial_spin &&
+             then.initial_strain_rate == now.initial_strain_rate,
+         field, "motion at the start");
+}
+
+// What is unpacked in these functions and not compared may differ.
+void check(const Material& then, const Material& now) {
+  const auto& [name, density, young, poisson, plane] = now;
+  const std::string field = "materials." + name;
+  expect_equal(then.density, density, field + ".density");
+  expect_equal(then.young, young, field + ".young");
+  expect_equal(then.poisson, poisson, field + ".poisson");
+  expect(then.plane == plane, field, "plane");
+}
+
+void check(const JointMaterial& then, const JointMaterial& now) {
+  const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, residual_friction_angle,
+               residual_cohesion, dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal,
+               normal_stiffness, shear_stiffness, automatic_stiffness, contact_damping, penalty, stabilisation] = now;
+  const std::string field = "joints." + name;
+  expect(then.law == law, field + ".law", "kind");
+  expect_equal(then.bonded, bonded, field + ".bonded");
+  expect_equal(then.automatic_stiffness, automatic_stiffness, field + ".normal_stiffness \"auto\"");
+  expect_equal(then.normal_spring, normal_spring, field + ".normal_spring");
+  expect_equal(then.spring_over_young, spring_over_young, field + ".spring_over_young");
+  expect_equal(then.shear_to_normal, shear_to_normal, field + ".shear_to_normal");
+  expect_equal(then.normal_stiffness, normal_stiffness, field + ".normal_stiffness");
+  expect_equal(then.shear_stiffness, shear_stiffness, field + ".shear_stiffness");
+  expect_equal(then.contact_damping, contact_damping, field + ".contact_damping");
+  expect_equal(then.penalty, penalty, field + ".penalty");
+  expect_equal(then.stabilisation, stabilisation, field + ".stabilisation");
+  if (is_dry(then) != is_dry(now))
+    refuse(field, is_dry(now) ? "without cohesion and tensile strength" : "with cohesion or tensile strength",
+           is_dry(then) ? "none" : "some");
+}
+
+bool are_same(const Integrator& a, const Integrator& b) {
+  return a.beta == b.beta && a.gamma == b.gamma && a.alpha_m == b.alpha_m && a.alpha_f == b.alpha_f &&
+         a.is_static == b.is_static && a.conserves_contact_energy == b.conserves_contact_energy;
+}
+
+bool are_same(const std::optional<TimeFunction>& a, const std::optional<TimeFunction>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  const auto* table_a = std::get_if<PiecewiseLinear>(&*a);
+  const auto* table_b = std::get_if<PiecewiseLinear>(&*b);
+  return table_a != nullptr && table_b != nullptr && table_a->times == table_b->times &&
+         table_a->values == table_b->values;
+}
+
+void check(const Stage& then, const Stage& now, const std::string& field) {
+  const auto& [name, dt, duration, automatic_dt, dt_reason, integrator, kinematics, solver, velocity_factor,
+               damping_rate, strain_inertia, correct_block_dispersion, correct_time_dispersion, lateral_inertia,
+               equilibrium, unlimited_strength, removal, max_open_close_iterations, max_step_reductions] = now;
+  expect_equal(then.name, name, field + ".name");
+  expect_equal(then.dt, dt, field + ".dt");
+  expect_equal(then.duration, duration, field + ".duration");
+  expect(are_same(then.integrator, integrator), field + ".integrator", "kind");
+  expect(then.kinematics == kinematics, field + ".kinematics", "kind");
+  expect(then.solver == solver, field + ".solver", "kind");
+  expect_equal(then.velocity_factor, velocity_factor, field + ".velocity_factor");
+  expect_equal(then.damping_rate, damping_rate, field + ".damping_rate");
+  expect_equal(then.strain_inertia, strain_inertia, field + ".strain_inertia");
+  expect_equal(then.correct_block_dispersion, correct_block_dispersion, field + ".correct_block_dispersion");
+  expect_equal(then.correct_time_dispersion, correct_time_dispersion, field + ".correct_time_dispersion");
+  expect_equal(then.lateral_inertia, lateral_inertia, field + ".lateral_inertia");
+  expect_equal(then.equilibrium, equilibrium, field + ".equilibrium");
+  expect(then.unlimited_strength == unlimited_strength, field + ".strength", "kind");
+  expect(then.removal.blocks == removal.blocks, field + ".remove", "list of blocks");
+  expect(are_same(then.removal.relaxation, removal.relaxation), field + ".remove", "course");
+  expect_equal(then.max_open_close_iterations, max_open_close_iterations, field + ".max_open_close_iterations");
+  expect_equal(then.max_step_reductions, max_step_reductions, field + ".max_step_reductions");
+}
+
+void check_stages(const Model& then, const Model& now, std::size_t stages) {
+  for (std::size_t i = 0; i < stages; ++i) {
+    const std::string field = fmt::format("steps[{}]", i);
+    if (i >= now.stages.size()) refuse(field, "missing", fmt::format("stage \"{}\"", then.stages[i].name));
+    check(then.stages[i], now.stages[i], field);
+  }
+  if (now.stages.size() == stages)
+    throw InputError("", fmt::format("steps[{}]", stages), "missing", "a stage to go on with");
+}
+
+template <typename Item>
+void check_all(const std::vector<Item>& then, const std::vector<Item>& now, const char* field) {
+  expect_equal(then.size(), now.size(), fmt::format("the number of {}", field));
+  for (std::size_t i = 0; i < now.size(); ++i) check(then[i], now[i]);
+}
+
+bool are_same(const ViscousEdge& a, const ViscousEdge& b) {
+  return a.block == b.block && a.from == b.from && a.to == b.to && a.normal_impedance == b.normal_impedance &&
+         a.shear_impedance == b.shear_impedance && a.first_stage == b.first_stage;
+}
+
+void check_free_field(const Model& then, const Model& now) {
+  const auto same_side = [](const FreeFieldSide& a, const FreeFieldSide& b) {
+    return a.outward == b.outward && a.viscous_edges == b.viscous_edges;
+  };
+  expect(std::ranges::equal(then.free_field_sides, now.free_field_sides, same_side), "viscous_boundaries",
+         "list of free-field sides");
+  if (!now.free_field_sides.empty())
+    expect(have_same_viscous_edges(then, now), "viscous_boundaries", "list beside free-field sides");
+}
+
+// Automatic stiffness depends on loads and time steps, and what a cubic joint is on all joints and stages.
+void check_contacts(const Model& then, const Model& now) {
+  const ContactSet before = make_contacts(then);
+  const ContactSet after = make_contacts(now);
+  for (std::size_t i = 0; i < std::min(before.elements.size(), after.elements.size()); ++i) {
+    const InterfaceElement& a = before.elements[i];
+    const InterfaceElement& b = after.elements[i];
+    if (a.law == b.law && a.stiffness == b.stiffness && a.dashpot == b.dashpot) continue;
+    throw InputError(
+        "",
+        fmt::format("the joint of blocks \"{}\" and \"{}\"", now.blocks[static_cast<std::size_t>(b.block_a)].name,
+                    now.blocks[static_cast<std::size_t>(b.block_b)].name),
+        "of another law or stiffness",
+        "what it is in the run to go on from; automatic stiffness depends on loads and time steps, and "
+        "cubic joints on all stages, removals and bolts: give the law, or the stiffness, in both scenes");
+  }
+  expect(before.can_change == after.can_change, "steps or joints", "kind: in one of them joints can open");
+}
+
+}  // namespace
+
+bool have_same_viscous_edges(const Model& a, const Model& b) {
+  return std::ranges::equal(a.viscous_edges, b.viscous_edges,
+                            [](const ViscousEdge& one, const ViscousEdge& other) { return are_same(one, other); });
+}
+
+void expect_same_past(const Model& settled, const Model& branch, std::size_t stages) {
+  check_all(settled.blocks, branch.blocks, "blocks");
+  check_all(settled.materials, branch.materials, "materials");
+  check_all(settled.joints, branch.joints, "joints");
+  expect(settled.joint_of_block_pair == branch.joint_of_block_pair, "joint_pairs", "list");
+  const auto same_line = [](const JointLine& a, const JointLine& b) {
+    return a.from == b.from && a.to == b.to && a.joint == b.joint;
+  };
+  expect(std::ranges::equal(settled.joint_lines, branch.joint_lines, same_line), "joint_lines", "list");
+  const auto same_block = [](const HeldBlock& a, const HeldBlock& b) { return a.block == b.block; };
+  expect(std::ranges::equal(settled.held_blocks, branch.held_blocks, same_block), "fixed or supports",
+         "list of held blocks");
+  check_stages(settled, branch, stages);
+  check_free_field(settled, branch);
+  check_contacts(settled, branch);
+}
+
+}  // namespace dda

@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3131'4e53'4144'44ULL;  // "DDASN11", read as a little-endian number
+constexpr std::uint64_t kind = 0x3231'4e53'4144'44ULL;  // "DDASN12", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>

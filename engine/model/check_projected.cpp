@@ -34,7 +34,7 @@ void check_stages_of(const Item& item, const Model& model) {
 
 void check_projected_joints(const Model& model) {
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    if (model.joints[i].law != InterfaceLaw::projected) continue;
+    if (model.joints[i].law != InterfaceLaw::projected || model.joints[i].bonded) continue;  // never opens: linear
     const Item item("joints", i, model.joints[i].name);
     check_law(item, model.joints[i]);
     check_stages_of(item, model);

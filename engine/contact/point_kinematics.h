@@ -17,11 +17,9 @@ class PointKinematics {
 
   // Of an element without stress rows.
   explicit PointKinematics(const InterfaceElement& element)
-      : normal_(element.rows_b.block<1, 2>(0, 0).transpose()), ends_(ends_of(element)) {
-    if (element.law == InterfaceLaw::projected) {
-      rows_ = &element;
-      return;
-    }
+      : normal_(element.rows_b.block<1, 2>(0, 0).transpose()),
+        ends_(ends_of(element)),
+        rows_(element.law == InterfaceLaw::projected ? &element : nullptr) {
     for (int end = 0; end < ends_; ++end) {
       arm_a_[index(end)] = -arm(element.rows_a, end);
       arm_b_[index(end)] = arm(element.rows_b, end);

@@ -57,6 +57,7 @@ const char* to_text(InterfaceLaw law) {
     case InterfaceLaw::classical: return "classical";
     case InterfaceLaw::consistent: return "consistent";
     case InterfaceLaw::cubic: return "cubic";
+    case InterfaceLaw::projected: return "projected";
   }
   return "";
 }
@@ -126,6 +127,19 @@ void add_stiffness(const Model& model, Text& text) {
               model.joints[i].name, survey.softest / 1e9, survey.stiffest / 1e9,
               model.joints[i].automatic_stiffness ? ", chosen" : "", 100 * survey.worst.compliance,
               survey.worst.penetration, model.expected_pressure / 1e6);
+  }
+}
+
+// The projected law finds its penalty by itself: what it came to.
+void add_penalties(const Model& model, const ContactSet& contacts, Text& text) {
+  const std::vector<std::optional<PenaltySurvey>> joints = survey_penalties(model, contacts);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (!joints[i]) continue;
+    text.line(
+        "penalty", "\"{}\": {:.3g} to {:.3g} times plane modulus over width, contacts of {:.3g} to {:.3g} GPa/m{}",
+        model.joints[i].name, joints[i]->least, joints[i]->most, joints[i]->softest / 1e9, joints[i]->stiffest / 1e9,
+        model.joints[i].normal_stiffness > 0 ? ", the joint's own compliance included"
+                                             : "; adds no compliance while closed");
   }
 }
 
@@ -245,6 +259,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   add_blocks(model, text);
   add_contacts(model, contacts, text);
   add_stiffness(model, text);
+  add_penalties(model, contacts, text);
   add_what_acts(model, text);
   if (const Simulation* columns = simulation.free_field_columns()) add_free_field(model, *columns, text);
   add_size(model, contacts, matrix, text);

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/projected_law.h"
 
 namespace dda {
 namespace {
@@ -34,6 +35,26 @@ std::vector<std::optional<JointSurvey>> survey_joints(const Model& model) {
     const auto joint = static_cast<std::size_t>(interface.joint);
     const bool springs = drawn.elements[i].law == InterfaceLaw::classical || (finite && is_dry(model.joints[joint]));
     if (springs && interface.length > 0) add(model, interface, joints[joint]);
+  }
+  return joints;
+}
+
+std::vector<std::optional<PenaltySurvey>> survey_penalties(const Model& model, const ContactSet& contacts) {
+  std::vector<std::optional<PenaltySurvey>> joints(model.joints.size());
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    if (contacts.elements[i].law != InterfaceLaw::projected) continue;
+    const Interface& interface = contacts.interfaces[i];
+    const double per_area = 2 * contacts.elements[i].stiffness(0) / interface.length;
+    std::optional<PenaltySurvey>& survey = joints[static_cast<std::size_t>(interface.joint)];
+    for (const int block : {interface.block_a, interface.block_b}) {
+      if (model.is_held(block)) continue;
+      const double penalty = projected_penalty(model, block);
+      if (!survey) survey = PenaltySurvey{penalty, penalty, per_area, per_area};
+      survey->least = std::min(survey->least, penalty);
+      survey->most = std::max(survey->most, penalty);
+      survey->softest = std::min(survey->softest, per_area);
+      survey->stiffest = std::max(survey->stiffest, per_area);
+    }
   }
   return joints;
 }

@@ -19,10 +19,11 @@ ContactPiece piece_between(ContactPiece from, ContactPiece to, double slide) {
   return slide < 0 ? ContactPiece::slides_back : ContactPiece::slides_forth;
 }
 
-// Without dashpots, and with the friction that sliding ends have: what lay_on makes of a sliding end.
+// Without dashpots, ends that press each for itself, and with the friction that sliding ends have: what lay_on makes of
+// a sliding end.
 bool has_linear_pieces(const InterfaceSprings& springs, const InterfaceTrial& trial) {
-  return !trial.rule.sticks && !trial.rule.conserves_energy && springs.dashpot.isZero(0) && trial.hardening[0] == 0 &&
-         trial.hardening[1] == 0;
+  return springs.law == InterfaceLaw::classical && !trial.rule.sticks && !trial.rule.conserves_energy &&
+         springs.dashpot.isZero(0) && trial.hardening[0] == 0 && trial.hardening[1] == 0;
 }
 
 // Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to

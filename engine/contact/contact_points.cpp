@@ -20,6 +20,9 @@ EndForces end_forces(const Model& model, const Interface& interface, const Inter
                      const InterfaceState& state) {
   switch (element.law) {
     case InterfaceLaw::classical: break;
+    case InterfaceLaw::projected:  // the forces at the ends that have the same sum and moment as those at the points
+      return shared(state.force.head<2>() + state.force.tail<2>(),
+                    element.lever * (state.force.tail<2>() - state.force.head<2>()));
     case InterfaceLaw::consistent: return shared(state.force.head<2>(), state.force.tail<2>());
     case InterfaceLaw::cubic:
       return shared(element.length * mean_traction(model, interface, element, state), Vec2(state.force(3), 0));

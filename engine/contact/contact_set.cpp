@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/contact/cubic_law.h"
+#include "engine/contact/projected_law.h"
 
 namespace dda {
 namespace {
@@ -14,8 +15,21 @@ Vec2 moved(const Model& model, const State& state, int block, const Vec2& refere
   return current_position(model, state, block, reference);
 }
 
-InterfaceLaw usable_law(InterfaceLaw wanted, const Interface& interface, bool can_be_cubic) {
+// Adds the stiffness of either normal force by the gap of the other.
+void couple_normals(const InterfaceElement& element, double coupling, InterfaceMatrices& k) {
+  const auto mixed = [&](const Mat46& left, const Mat46& right) -> Mat6 {
+    return coupling * (left.row(0).transpose() * right.row(2) + left.row(2).transpose() * right.row(0));
+  };
+  k.aa += mixed(element.rows_a, element.rows_a);
+  k.bb += mixed(element.rows_b, element.rows_b);
+  k.ba += mixed(element.rows_b, element.rows_a);
+}
+
+InterfaceLaw usable_law(const Model& model, const Interface& interface, bool can_be_cubic) {
+  const InterfaceLaw wanted = model.joints[static_cast<std::size_t>(interface.joint)].law;
   if (interface.length == 0) return InterfaceLaw::classical;
+  const bool both_held = model.is_held(interface.block_a) && model.is_held(interface.block_b);
+  if (wanted == InterfaceLaw::projected && both_held) return InterfaceLaw::classical;
   return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
 }
 
@@ -31,6 +45,18 @@ InterfaceMatrices stiffness_of_rows(const InterfaceElement& element, const Vec4&
   k.bb.noalias() = weighted_b * b;
   k.ba.noalias() = weighted_b * a;
   return k;
+}
+
+std::vector<Mat3> outline_compliance_of(const Model& model, const ContactSet& contacts) {
+  std::vector<Mat3> sums;
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    if (contacts.elements[i].law != InterfaceLaw::projected) continue;
+    if (sums.empty()) sums.assign(model.blocks.size(), Mat3::Zero());
+    const Interface& interface = contacts.interfaces[i];
+    for (const int block : {interface.block_a, interface.block_b})
+      sums[static_cast<std::size_t>(block)] += traction_compliance(model, interface, block);
+  }
+  return sums;
 }
 
 Vec2 current_normal(const State& state, const Interface& interface) {
@@ -103,8 +129,7 @@ ContactSet make_contacts(const Model& model) {
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
-    InterfaceElement element =
-        make_element(model, interface, usable_law(joint.law, interface, cubic_allowed && cubic[i]));
+    InterfaceElement element = make_element(model, interface, usable_law(model, interface, cubic_allowed && cubic[i]));
     set_geometry(model, reference_frame(model, interface), element);
     const Vec3& stress_a = model.blocks[static_cast<std::size_t>(interface.block_a)].initial_stress;
     const Vec3& stress_b = model.blocks[static_cast<std::size_t>(interface.block_b)].initial_stress;
@@ -117,9 +142,27 @@ ContactSet make_contacts(const Model& model) {
       for (Eigen::Index row = 0; row < 4; ++row)
         contacts.states[i].gap(row) = elastic_gap(contacts.states[i].force(row), element.stiffness(row), 0);
     }
+    if (element.law == InterfaceLaw::projected && !joint.bonded && is_dry(joint))
+      contacts.states[i].broken = {true, true};
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
+  contacts.outline_compliance = outline_compliance_of(model, contacts);
   return contacts;
+}
+
+Mat3 outline_stiffness(const ContactSet& contacts, std::size_t block, const Mat3& elasticity) {
+  return elasticity * contacts.outline_compliance[block] * elasticity;
+}
+
+Vec3 outline_force(const ContactSet& contacts, std::size_t block, const Mat3& elasticity, const Vec3& stress) {
+  return elasticity * (contacts.outline_compliance[block] * stress);
+}
+
+double outline_energy(const ContactSet& contacts, const std::vector<Vec3>& stress) {
+  double energy = 0;
+  for (std::size_t i = 0; i < contacts.outline_compliance.size(); ++i)
+    energy += stress[i].dot(contacts.outline_compliance[i] * stress[i]) / 2;
+  return energy;
 }
 
 void leave_out(const std::vector<bool>& absent, ContactSet& contacts) {
@@ -151,7 +194,7 @@ Vec2 mean_traction(const Model& model, const Interface& interface, const Interfa
                    const InterfaceState& state) {
   if (element.length == 0) return Vec2::Zero();
   Vec2 force = state.force.head<2>();
-  if (element.law == InterfaceLaw::classical) force += state.force.tail<2>();
+  if (!has_stress_rows(element)) force += state.force.tail<2>();
   if (element.law == InterfaceLaw::cubic) {
     const double unit = side_free_modulus(model.material_of(interface.block_a)) * element.length /
                         cubic_half_distance(model, interface);
@@ -211,9 +254,10 @@ Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {
   return gap;
 }
 
-InterfaceMatrices stiffness_of(const InterfaceElement& element, const Vec4& mask) {
+InterfaceMatrices stiffness_of(const InterfaceElement& element, const Vec4& mask, double coupling) {
   InterfaceMatrices k =
       is_lone_vertex(element) ? stiffness_of_rows<2>(element, mask) : stiffness_of_rows<4>(element, mask);
+  if (coupling != 0) couple_normals(element, coupling, k);
   if (!has_stress_rows(element)) return k;
   const Eigen::Matrix<double, 6, 3> a = element.rows_a.transpose() * element.strain_rows_a;
   const Eigen::Matrix<double, 6, 3> b = element.rows_b.transpose() * element.strain_rows_b;

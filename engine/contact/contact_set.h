@@ -18,10 +18,12 @@ struct ContactSet {
   std::vector<EndStrength> strengths;
   std::vector<InterfaceState> states;
   bool can_change = false;  // some joint can open, slide or break
+  // What projected stretches take off each block (traction_compliance), m3/N per m of thickness; empty without any.
+  std::vector<Mat3> outline_compliance;
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [interfaces, elements, strengths, states, can_change] = self;
+    auto& [interfaces, elements, strengths, states, can_change, outline_compliance] = self;
     archive(interfaces, elements, strengths, states);  // the others are the drawing's
   }
 };
@@ -78,8 +80,14 @@ void add_interface_force(const InterfaceElement& element, const Vec4& interface_
 // The change of the gaps by the displacement increments `d` (6 entries a block).
 Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d);
 
-// Stiffness of an interface whose rows with mask 0 carry no stiffness.
-InterfaceMatrices stiffness_of(const InterfaceElement& element, const Vec4& mask);
+// Stiffness of an interface whose rows with mask 0 carry no stiffness; `coupling` as in InterfaceTrial.
+InterfaceMatrices stiffness_of(const InterfaceElement& element, const Vec4& mask, double coupling = 0);
+
+// The part of a block's stiffness by strain, force by stress and strain energy that projected joints have taken over,
+// to be taken off what the block has by itself.
+Mat3 outline_stiffness(const ContactSet& contacts, std::size_t block, const Mat3& elasticity);
+Vec3 outline_force(const ContactSet& contacts, std::size_t block, const Mat3& elasticity, const Vec3& stress);
+double outline_energy(const ContactSet& contacts, const std::vector<Vec3>& stress);
 
 // Elastic energy of the interface, J per m of thickness.
 double interface_energy(const InterfaceElement& element, const InterfaceState& state);

@@ -5,6 +5,7 @@
 
 #include "engine/contact/cubic_law.h"
 #include "engine/contact/joint_stiffness.h"
+#include "engine/contact/projected_law.h"
 
 namespace dda {
 namespace {
@@ -69,25 +70,13 @@ Vec4 cubic_stiffness(const Model& model, const Interface& interface) {
           cubic::bending_stiffness * unit};
 }
 
-// axes * displacement_rows(offset), written out: finite kinematics need it for every interface at every step.
-Mat26 local_rows(const Mat2& axes, const Vec2& offset) {
-  const double x = offset.x();
-  const double y = offset.y();
-  Mat26 rows;
-  for (int i = 0; i < 2; ++i) {
-    const double ax = axes(i, 0);
-    const double ay = axes(i, 1);
-    rows.row(i) << ax, ay, ay * x - ax * y, ax * x, ay * y, (ax * y + ay * x) / 2;
-  }
-  return rows;
-}
-
 Mat46 rows_of(const Mat2& axes, const Vec2& from, const Vec2& to, const Vec2& centroid, InterfaceLaw law) {
   const Mat26 first = local_rows(axes, from - centroid);
   const Mat26 last = local_rows(axes, to - centroid);
   Mat46 rows;
   switch (law) {
-    case InterfaceLaw::classical: rows << first, last; break;
+    case InterfaceLaw::classical:
+    case InterfaceLaw::projected: rows << first, last; break;
     case InterfaceLaw::consistent: rows << (first + last) / 2, (last - first) / 2; break;
     case InterfaceLaw::cubic:
       rows << (first + last) / 2, ((from + to) / 2 - centroid).norm() * strain_along(axes.row(0)).transpose(),
@@ -120,6 +109,19 @@ Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side
 
 Mat2 local_axes(const Vec2& normal) { return (Mat2() << normal.x(), normal.y(), -normal.y(), normal.x()).finished(); }
 
+// axes * displacement_rows(offset), written out: finite kinematics need it for every interface at every step.
+Mat26 local_rows(const Mat2& axes, const Vec2& offset) {
+  const double x = offset.x();
+  const double y = offset.y();
+  Mat26 rows;
+  for (int i = 0; i < 2; ++i) {
+    const double ax = axes(i, 0);
+    const double ay = axes(i, 1);
+    rows.row(i) << ax, ay, ay * x - ax * y, ax * x, ay * y, (ax * y + ay * x) / 2;
+  }
+  return rows;
+}
+
 InterfaceFrame reference_frame(const Model& model, const Interface& interface) {
   return {interface.from,
           interface.to,
@@ -134,6 +136,7 @@ Vec4 interface_stiffness(const Model& model, const Interface& interface, Interfa
   switch (law) {
     case InterfaceLaw::classical: return classical_stiffness(model, interface);
     case InterfaceLaw::consistent: return consistent_stiffness(model, interface);
+    case InterfaceLaw::projected: return projected_stiffness(model, interface);
     case InterfaceLaw::cubic: break;
   }
   return cubic_stiffness(model, interface);
@@ -146,6 +149,7 @@ InterfaceElement make_element(const Model& model, const Interface& interface, In
   element.law = law;
   element.length = interface.length;
   element.stiffness = interface_stiffness(model, interface, law);
+  if (law == InterfaceLaw::projected) element.lever = projected_lever(model, interface);
   const double damping = model.joints[static_cast<std::size_t>(interface.joint)].contact_damping;
   if (damping > 0 && law == InterfaceLaw::classical) {
     const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));
@@ -155,6 +159,10 @@ InterfaceElement make_element(const Model& model, const Interface& interface, In
 }
 
 void set_geometry(const Model& model, const InterfaceFrame& frame, InterfaceElement& element) {
+  if (element.law == InterfaceLaw::projected) {
+    set_projected_rows(model, frame, element);
+    return;
+  }
   const Mat2 axes = local_axes(frame.normal);
   element.rows_a = -rows_of(axes, frame.from_a, frame.to_a, frame.centroid_a, element.law);
   element.rows_b = rows_of(axes, frame.from_b, frame.to_b, frame.centroid_b, element.law);

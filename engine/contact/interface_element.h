@@ -1,4 +1,4 @@
-// The linear kinematics and stiffness of one interface, in one form for both laws.
+// The linear kinematics and stiffness of one interface, in one form for all laws.
 //
 // An interface sees four gaps g (block b minus block a; normal: opening positive; tangent: counter-clockwise from the
 // normal), rows of g = rows_a d_a + rows_b d_b:
@@ -6,9 +6,11 @@
 //   consistent: 0, 1 = the same at the middle;            2, 3 = half of (to - from)          (Nitsche at mid-edge)
 //   cubic:      0, 1 = the same at the middle;            2 = jump of the normal strain times half the centroids'
 //               distance; 3 = half of (to - from) of the normal gap                           (see cubic_law.h)
+//   projected:  as classical, at two points nearer the middle, and each gap with what the stresses of both blocks
+//               make of it                                                                    (see projected_law.h)
 // and four conjugate forces (N per m of thickness, tension positive)
 //   f = stiffness * g + stress_rows_a sigma_a + stress_rows_b sigma_b
-// where the stress rows are zero in the classical law, and give length * {sigma} n, the mean of both blocks' tractions,
+// where stress rows are none in the classical and projected law, and give length * {sigma} n, the mean of tractions,
 // on rows 0 and 1 of the others. All follow from the potential 1/2 g K g + g . (stress rows), which makes them
 // symmetric: the blocks' strains carry the extra forces strain_rows^T g, strain_rows = stress_rows * elasticity.
 #pragma once
@@ -30,13 +32,14 @@ using Mat43 = Eigen::Matrix<double, 4, 3>;
 struct InterfaceSprings {
   InterfaceLaw law = InterfaceLaw::classical;
   double length = 0;
+  double lever = 1;             // of the two points of a projected stretch: their distance over its length
   Vec4 stiffness;               // N/m per m of thickness, of each row while it is closed and stuck
   Vec4 dashpot = Vec4::Zero();  // N s/m per m of thickness, of each row while it is closed and stuck
 
   template <typename Self, typename Archive>
   static void visit_springs(Self& self, Archive& archive) {
-    auto& [law, length, stiffness, dashpot] = self;
-    archive(law, length, stiffness, dashpot);
+    auto& [law, length, lever, stiffness, dashpot] = self;
+    archive(law, length, lever, stiffness, dashpot);
   }
 };
 
@@ -44,8 +47,8 @@ struct InterfaceElement : InterfaceSprings {
   int block_a = 0;
   int block_b = 0;
   Mat46 rows_a, rows_b;
-  Mat43 stress_rows_a, stress_rows_b;  // m; not set in the classical law
-  Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set in the classical law
+  Mat43 stress_rows_a, stress_rows_b;  // m; not set where there are none
+  Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set where there are none
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive);
@@ -55,7 +58,9 @@ struct InterfaceElement : InterfaceSprings {
 inline bool is_lone_vertex(const InterfaceSprings& springs) { return springs.length == 0; }
 inline int ends_of(const InterfaceSprings& springs) { return is_lone_vertex(springs) ? 1 : 2; }
 
-inline bool has_stress_rows(const InterfaceSprings& springs) { return springs.law != InterfaceLaw::classical; }
+inline bool has_stress_rows(const InterfaceSprings& springs) {
+  return springs.law == InterfaceLaw::consistent || springs.law == InterfaceLaw::cubic;
+}
 
 template <typename Self, typename Archive>
 void InterfaceElement::visit(Self& self, Archive& archive) {
@@ -84,6 +89,12 @@ struct InterfaceFrame {
   Vec2 normal;
   Vec2 centroid_a, centroid_b;
 };
+
+// Rows (normal, tangent): the local components of a global vector.
+Mat2 local_axes(const Vec2& normal);
+
+// Local components of the displacement that the unknowns of a block make at `offset` from its centroid.
+Mat26 local_rows(const Mat2& axes, const Vec2& offset);
 
 // Frame in the reference geometry.
 InterfaceFrame reference_frame(const Model& model, const Interface& interface);

@@ -28,6 +28,11 @@ bool exceeds(const EndStrength& strength, double normal_force, double shear_forc
          std::abs(shear_force) > strength.cohesion - strength.friction * normal_force;
 }
 
+std::array<bool, 2> ends_beyond_strength(const EndStrength& strength, const Vec4& force) {
+  return {exceeds(strength, (force(0) - force(2)) / 2, force(1) / 2),
+          exceeds(strength, (force(0) + force(2)) / 2, force(1) / 2)};
+}
+
 Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b) {
   Vec4 force = element.stiffness.cwiseProduct(gap);
   if (has_stress_rows(element)) force += element.stress_rows_a * stress_a + element.stress_rows_b * stress_b;

@@ -86,6 +86,11 @@ EndStrength unbonded_strength(const JointMaterial& joint, double length);
 
 bool exceeds(const EndStrength& strength, double normal_force, double shear_force);
 
+// Which ends of an interface with stress rows are loaded beyond the strength of their joint, each with its share of the
+// normal force and of the moment, and half the shear force. When one is, it breaks, and the interface must go on as a
+// classical one.
+std::array<bool, 2> ends_beyond_strength(const EndStrength& strength, const Vec4& force);
+
 // The gap at which a spring carries `force`; `unloaded` where it has no stiffness.
 inline double elastic_gap(double force, double stiffness, double unloaded) {
   return stiffness > 0 ? force / stiffness : unloaded;

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <limits>
 
+#include "engine/contact/no_tension_bed.h"
+#include "engine/contact/projected_law.h"
+
 namespace dda {
 namespace {
 
@@ -92,12 +95,19 @@ Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::
 
 Eigen::Index normal_row(int end) { return 2 * end; }
 
-double capacity_of(const EndStrength& strength, const InterfaceTrial& trial, int end) {
+// As a whole, though an end may gape.
+bool presses_together(const InterfaceSprings& springs, const InterfaceTrial& trial) {
+  return press_together(springs, trial.broken) && (trial.force(0) < 0 || trial.force(2) < 0);
+}
+
+Vec2 normal_gaps(const InterfaceTrial& trial) { return {trial.normal_gap(0), trial.normal_gap(1)}; }
+
+double capacity_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end) {
   const Eigen::Index n = normal_row(end);
   if (trial.rule.sticks) return trial.start(n) <= trial.rule.touching ? std::numeric_limits<double>::infinity() : 0;
   const bool residual = trial.residual[static_cast<std::size_t>(end)];
   if (trial.rule.conserves_energy) return 2 * strength.capacity((trial.force(n) + trial.before(n)) / 2, residual);
-  return strength.capacity(trial.force(n), residual);
+  return strength.capacity(pressing_force(springs, trial.force, end), residual);
 }
 
 void respond_normal(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
@@ -105,6 +115,23 @@ void respond_normal(const InterfaceSprings& springs, int end, InterfaceTrial& tr
   const Answer answer = press(trial.rule, row_of(springs, trial, n), trial.normal_gap(end));
   trial.force(n) = answer.force;
   trial.active(n) = answer.slope;
+}
+
+void press_on_bed(const InterfaceSprings& springs, InterfaceTrial& trial) {
+  const BedAnswer bed = press_bed(springs.stiffness(0), springs.lever, normal_gaps(trial));
+  for (const int end : {0, 1}) {
+    trial.force(normal_row(end)) = bed.force(end);
+    trial.active(normal_row(end)) = bed.slope(end) / springs.stiffness(0);
+  }
+  trial.coupling = bed.coupling;
+}
+
+void respond_normals(const InterfaceSprings& springs, InterfaceTrial& trial) {
+  if (press_together(springs, trial.broken)) {
+    press_on_bed(springs, trial);
+    return;
+  }
+  for (int end = 0; end < ends_of(springs); ++end) respond_normal(springs, end, trial);
 }
 
 void respond_tangent(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
@@ -116,22 +143,21 @@ void respond_tangent(const InterfaceSprings& springs, int end, InterfaceTrial& t
 
 // Contacts that just touch stick, unless the step turns out to open them: what they would carry then would be lost at
 // its end, and each step would find the same forces out of balance again.
-void let_go_of_opening(InterfaceTrial& trial) {
+void let_go_of_opening(const InterfaceSprings& springs, InterfaceTrial& trial) {
+  if (presses_together(springs, trial)) return;
   for (int end = 0; end < 2; ++end)
     if (trial.start(normal_row(end)) > 0 && trial.normal_gap(end) > 0) trial.rule.touching = -1;
 }
 
-void follow_pressure(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
-  for (int end = 0; end < ends_of(springs); ++end) {
-    respond_normal(springs, end, trial);
-    trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
-    respond_tangent(springs, end, trial);
-  }
-}
-
 void set_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end)
-    trial.capacity[static_cast<std::size_t>(end)] = capacity_of(strength, trial, end);
+    trial.capacity[static_cast<std::size_t>(end)] = capacity_of(springs, strength, trial, end);
+}
+
+void follow_pressure(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  respond_normals(springs, trial);
+  set_capacity(springs, strength, trial);
+  for (int end = 0; end < ends_of(springs); ++end) respond_tangent(springs, end, trial);
 }
 
 bool slides(const InterfaceTrial& trial, int end) {
@@ -222,10 +248,8 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
 }
 
 void respond(const InterfaceSprings& springs, InterfaceTrial& trial) {
-  for (int end = 0; end < ends_of(springs); ++end) {
-    respond_normal(springs, end, trial);
-    respond_tangent(springs, end, trial);
-  }
+  respond_normals(springs, trial);
+  for (int end = 0; end < ends_of(springs); ++end) respond_tangent(springs, end, trial);
 }
 
 void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
@@ -236,17 +260,22 @@ void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& 
 }
 
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
-  if (trial.rule.sticks) let_go_of_opening(trial);
+  if (trial.rule.sticks) let_go_of_opening(springs, trial);
   follow_pressure(springs, strength, trial);
 }
 
 double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial, double t) {
   double along = 0;
+  const bool on_bed = press_together(springs, trial.broken);
+  if (on_bed) {
+    const Vec2 turn(trial.direction(0), trial.direction(2));
+    along = turn.dot(press_bed(springs.stiffness(0), springs.lever, normal_gaps(trial) + t * turn).force);
+  }
   for (int end = 0; end < ends_of(springs); ++end) {
     const Eigen::Index n = normal_row(end);
     const double gap = trial.normal_gap(end) + t * trial.direction(n);
     const double slide = trial.gap(n + 1) + t * trial.direction(n + 1);
-    along += trial.direction(n) * press(trial.rule, row_of(springs, trial, n), gap).force;
+    if (!on_bed) along += trial.direction(n) * press(trial.rule, row_of(springs, trial, n), gap).force;
     along += trial.direction(n + 1) *
              shear(row_of(springs, trial, n + 1), slide, trial, static_cast<std::size_t>(end)).force;
   }
@@ -255,7 +284,7 @@ double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial,
 
 double update_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   const Vec4 before = trial.force;
-  if (trial.rule.sticks) let_go_of_opening(trial);
+  if (trial.rule.sticks) let_go_of_opening(springs, trial);
   set_capacity(springs, strength, trial);
   respond(springs, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();
@@ -281,13 +310,14 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
   return (trial.force - before).cwiseAbs().maxCoeff();
 }
 
-bool break_ends(const EndStrength& strength, InterfaceTrial& trial) {
+bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) return false;
   bool broke = false;
   for (int end = 0; end < 2; ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
     if (!trial.broken[e] && exceeds(strength, trial.force(n), trial.force(n + 1))) trial.broken[e] = broke = true;
+    if (springs.law == InterfaceLaw::projected && broke) trial.broken = {true, true};
     if (trial.broken[e] && !trial.residual[e] && has_failed(strength, trial, end)) trial.residual[e] = broke = true;
   }
   return broke;
@@ -313,7 +343,7 @@ bool release_shear(const InterfaceSprings& springs, const EndStrength& strength,
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
-    const double capacity = strength.capacity(state.force(n), state.residual[e]);
+    const double capacity = strength.capacity(pressing_force(springs, state.force, end), state.residual[e]);
     if (!state.broken[e] || std::abs(state.force(n + 1)) <= capacity) continue;
     state.force(n + 1) = std::copysign(capacity, state.force(n + 1));
     const double left = elastic_gap(state.force(n + 1), springs.stiffness(n + 1), state.gap(n + 1));
@@ -325,6 +355,13 @@ bool release_shear(const InterfaceSprings& springs, const EndStrength& strength,
   return released;
 }
 
+// The ends of a projected stretch that gape, while the rest presses. They carry no shear, as it has no capacity.
+void note_open_ends(const InterfaceSprings& springs, const InterfaceTrial& trial, InterfaceState& state) {
+  const OpenEnds open = open_ends(springs.lever, normal_gaps(trial));
+  if (open.first) state.status[0] = ContactStatus::open;
+  if (open.second) state.status[1] = ContactStatus::open;
+}
+
 InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceState& start, const InterfaceTrial& trial) {
   InterfaceState state = start;
   state.gap = trial.gap;
@@ -332,13 +369,15 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
   state.broken = trial.broken;
   state.residual = trial.residual;
   if (has_stress_rows(springs)) return state;
+  const bool on_bed = press_together(springs, trial.broken);
+  const bool presses = presses_together(springs, trial);
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
     state.gap(n) = trial.normal_gap(end);
     state.dilation[e] += trial.dilation[e];
-    if (trial.broken[e]) state.force(n) = springs.stiffness(n) * pressed(state.gap(n));
-    if (trial.broken[e] && state.gap(n) >= 0) {
+    if (trial.broken[e] && !on_bed) state.force(n) = springs.stiffness(n) * pressed(state.gap(n));
+    if (on_bed ? !presses : trial.broken[e] && state.gap(n) >= 0) {
       state.status[e] = ContactStatus::open;
       state.force.segment<2>(n).setZero();
       state.gap(n + 1) = 0;  // a joint that closes again starts without shear
@@ -354,12 +393,8 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
     state.gap(n + 1) = elastic_gap(state.force(n + 1), springs.stiffness(n + 1), trial.gap(n + 1));
     state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
   }
+  if (presses) note_open_ends(springs, trial, state);
   return state;
-}
-
-std::array<bool, 2> ends_beyond_strength(const EndStrength& strength, const Vec4& force) {
-  return {exceeds(strength, (force(0) - force(2)) / 2, force(1) / 2),
-          exceeds(strength, (force(0) + force(2)) / 2, force(1) / 2)};
 }
 
 }  // namespace dda

@@ -39,13 +39,15 @@ struct ContactRule {
 //   shear while closed  k g1 + C (g1 - g0), at most the capacity. Conserving: the mean of this and the shear of the
 //                       start is at most the friction of the mean normal force, so that slip, which goes the way of
 //                       the mean, always takes energy; the spring itself keeps no more than that friction.
-// Each is a non-decreasing function of g1, so every one has a convex potential.
+// Each is a non-decreasing function of g1, so every one has a convex potential. The normal springs of broken projected
+// stretches press together (no_tension_bed.h), and have one too.
 struct InterfaceTrial {
   Vec4 start = Vec4::Zero();             // m, gap at the start of the step
   Vec4 gap = Vec4::Zero();               // m, at the displacements reached so far; tangential without earlier slip
   Vec4 direction = Vec4::Zero();         // m, its change along the full Newton step
   Vec4 force = Vec4::Zero();             // N per m of thickness, at `gap`, what the balance of the step sees
   Vec4 active = Vec4::Ones();            // d force/d gap over the stiffness: 0 for open or sliding rows, mostly 1 else
+  double coupling = 0;                   // N/m per m of thickness, of either normal force by the gap of the other end
   Vec4 before = Vec4::Zero();            // N per m of thickness, of the start, where the balance takes means with it
   std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end; with `before`
   std::array<bool, 2> broken{false, false};
@@ -68,11 +70,21 @@ inline bool is_whole(const InterfaceSprings& springs, const InterfaceTrial& tria
   return has_stress_rows(springs) || (!trial.broken[0] && !trial.broken[1]);
 }
 
+// The change of the forces by the rows active in `trial` when gaps change.
+inline Vec4 force_change(const InterfaceSprings& springs, const Vec4& active, double coupling, const Vec4& gap_change) {
+  Vec4 change = active.cwiseProduct(springs.stiffness).cwiseProduct(gap_change);
+  if (coupling != 0) {
+    change(0) += coupling * gap_change(2);
+    change(2) += coupling * gap_change(0);
+  }
+  return change;
+}
+
 // Starts a step: gaps, capacities and broken ends of its first moment.
 InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& start,
                            const ContactRule& rule = {});
 
-// Force and active rows at the trial's gap. Classical elements only; the others are linear and never ask.
+// Force and active rows at the trial's gap. Not for elements with stress rows, which are linear and never ask.
 void respond(const InterfaceSprings& springs, InterfaceTrial& trial);
 
 // Work rate direction . force at a share `t` of the Newton step.
@@ -92,8 +104,8 @@ double update_capacity(const InterfaceSprings& springs, const EndStrength& stren
 double update_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Breaks ends that are beyond their strength, and leaves dry ends that slide their residual friction; returns whether
-// there was one. Each end does both once.
-bool break_ends(const EndStrength& strength, InterfaceTrial& trial);
+// there was one. Each end does both once. A projected stretch breaks as a whole.
+bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // The part of a trial's force that comes from dashpots.
 Vec4 dashpot_force(const InterfaceSprings& springs, const InterfaceTrial& trial);
@@ -104,10 +116,5 @@ bool release_shear(const InterfaceSprings& springs, const EndStrength& strength,
 
 // The state that a converged trial leaves: forces of the springs alone.
 InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceState& start, const InterfaceTrial& trial);
-
-// Which ends of an interface with stress rows are loaded beyond the strength of their joint, each with its share of the
-// normal force and of the moment, and half the shear force. When one is, it breaks, and the interface must go on as a
-// classical one.
-std::array<bool, 2> ends_beyond_strength(const EndStrength& strength, const Vec4& force);
 
 }  // namespace dda

@@ -25,7 +25,7 @@ inline void settle(const InterfaceElement& element, const EndStrength& strength,
       update_capacity(element, strength, trial);
       update_dilation(element, strength, trial);
     }
-  } while (break_ends(strength, trial));
+  } while (break_ends(element, strength, trial));
 }
 
 // One step that takes the end `from` to the given gaps while `to` is pressed.

@@ -1,5 +1,6 @@
 // The gap rows of a classical interface in a few numbers: they follow from its normal and from where its ends lie as
-// seen from either centroid. For loops over many contacts that would be busy fetching rows.
+// seen from either centroid. For loops over many contacts that would be busy fetching rows. Of projected stretches, for
+// gaps also follow stresses, it is the rows themselves; the element must then live, in place, as long as this.
 #pragma once
 
 #include <array>
@@ -16,7 +17,9 @@ class PointKinematics {
 
   // Of an element without stress rows.
   explicit PointKinematics(const InterfaceElement& element)
-      : normal_(element.rows_b.block<1, 2>(0, 0).transpose()), ends_(ends_of(element)) {
+      : normal_(element.rows_b.block<1, 2>(0, 0).transpose()),
+        ends_(ends_of(element)),
+        rows_(element.law == InterfaceLaw::projected ? &element : nullptr) {
     for (int end = 0; end < ends_; ++end) {
       arm_a_[index(end)] = -arm(element.rows_a, end);
       arm_b_[index(end)] = arm(element.rows_b, end);
@@ -26,6 +29,7 @@ class PointKinematics {
   // Gaps that increments of blocks a and b make; zero where there is no second end.
   template <typename Six>
   [[nodiscard]] Vec4 gap(const Six& of_a, const Six& of_b) const {
+    if (rows_ != nullptr) return rows_->rows_a * of_a + rows_->rows_b * of_b;
     Vec4 gap = Vec4::Zero();
     for (int end = 0; end < ends_; ++end) {
       const Vec2 apart = moved(arm_b_[index(end)], of_b) - moved(arm_a_[index(end)], of_a);
@@ -51,6 +55,11 @@ class PointKinematics {
   // Adds what interface forces do to either block, as add_interface_force.
   template <typename Six>
   void add_force(const Vec4& force, Six on_a, Six on_b) const {
+    if (rows_ != nullptr) {
+      on_a += rows_->rows_a.transpose() * force;
+      on_b += rows_->rows_b.transpose() * force;
+      return;
+    }
     for (int end = 0; end < ends_; ++end) {
       const double across = force(2 * end);
       const double along = force(2 * end + 1);
@@ -91,6 +100,7 @@ class PointKinematics {
   Vec2 normal_ = Vec2::Zero();  // unit, from block a into block b
   std::array<Vec2, 2> arm_a_, arm_b_;
   int ends_ = 0;
+  const InterfaceElement* rows_ = nullptr;
 };
 
 }  // namespace dda

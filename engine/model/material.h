@@ -31,6 +31,7 @@ enum class InterfaceLaw {
   classical,   // Shi's vertex-edge springs, one at each end of a touching stretch
   consistent,  // Nitsche's method at mid-edge with end stabilisation, for bonded and locked edges
   cubic,       // consistent, plus cubic reconstruction along chains of bonded blocks; elsewhere the same as consistent
+  projected,   // as consistent while a joint is closed and sticks, and it can slide, open, and open in part
 };
 
 // Strength and stiffness of a joint. Stresses positive in tension; strengths are positive numbers.

@@ -24,6 +24,17 @@ Integrator energy_conserving_integrator() {
   return midpoint;
 }
 
+Integrator with_contacts(const Integrator& integrator) {
+  const auto is_scheme_of = [&](const Integrator& other) {
+    return integrator.beta == other.beta && integrator.gamma == other.gamma && integrator.alpha_m == other.alpha_m &&
+           integrator.alpha_f == other.alpha_f;
+  };
+  Integrator conserving = energy_conserving_integrator();
+  if (!is_scheme_of(trapezoidal_integrator()) && !is_scheme_of(conserving)) return integrator;
+  conserving.name = integrator.name;
+  return conserving;
+}
+
 Integrator static_integrator() { return {"static", 0.5, 1.0, 0, 0, true}; }
 
 std::int64_t Stage::steps() const { return paces_itself() ? 0 : std::llround(duration / dt); }

@@ -32,6 +32,11 @@ Integrator generalized_alpha_integrator(double rho_inf);  // Chung & Hulbert 199
 Integrator energy_conserving_integrator();
 Integrator static_integrator();  // Eq. 5 with velocities zeroed
 
+// What an integrator is where contacts open, close and slide. The trapezoidal rule moves as the midpoint rule does but
+// carries the accelerations of earlier contact forces on: it becomes that rule, and as both damp nothing, contacts
+// conserve energy. Integrators that damp stay what they are (ADR 30).
+Integrator with_contacts(const Integrator& integrator);
+
 enum class Kinematics {
   small,   // geometry stays as drawn: matrices are built once (waves in bonded rock)
   finite,  // blocks move and rotate, geometry follows

@@ -48,10 +48,11 @@ void refuse(const Field& owner, const char* key, const std::string& reason) {
   if (const auto field = owner.find(key)) field->fail("to be left out " + reason);
 }
 
-// Only springs give way by a given stiffness while a joint is closed.
+// Joints of these laws alone give way by a given stiffness while they are closed.
 void take_springs_for(const Field& stiffness, const Field& owner, JointMaterial& joint) {
   if (!owner.has("law")) joint.law = InterfaceLaw::classical;
-  if (joint.law != InterfaceLaw::classical) stiffness.fail("\"auto\", or to be left out unless law is \"classical\"");
+  if (joint.law != InterfaceLaw::classical && joint.law != InterfaceLaw::projected)
+    stiffness.fail("\"auto\", or to be left out unless law is \"classical\" or \"projected\"");
 }
 
 void read_stiffness(const Field& field, JointMaterial& joint) {
@@ -126,9 +127,21 @@ void read_dilation(const Field& field, JointMaterial& joint) {
                                       [](const Field& f) { return f.positive(Dimension::length); });
 }
 
+// The law chooses its penalty by itself.
+void check_projected_law(const Field& field, const JointMaterial& joint) {
+  if (joint.law != InterfaceLaw::projected) return;
+  for (const char* key : {"penalty", "stabilisation", "normal_spring", "spring_over_young", "contact_damping"})
+    refuse(field, key, "with the projected law");
+  if (!field.has("normal_stiffness")) refuse(field, "shear_to_normal", "with the projected law");
+  if (joint.bonded) field.at("bonded").fail("false, or to be left out: bonded joints have the consistent law");
+  if (joint.automatic_stiffness) field.at("normal_stiffness").fail("in Pa/m, or to be left out with the projected law");
+  if (joint.dilation_angle > 0) field.at("dilation_angle").fail("0, or to be left out: the projected law has none yet");
+}
+
 InterfaceLaw read_law(const Field& field) {
   using enum InterfaceLaw;
-  return std::vector{consistent, cubic, classical}.at(field.choice({"consistent", "cubic", "classical"}));
+  const std::vector laws = {consistent, cubic, classical, projected};
+  return laws.at(field.choice({"consistent", "cubic", "classical", "projected"}));
 }
 
 JointMaterial read_joint(const std::string& name, const Field& field, const Scheme& scheme) {
@@ -141,6 +154,7 @@ JointMaterial read_joint(const std::string& name, const Field& field, const Sche
   read_stiffness(field, joint);
   read_springs(field, joint);
   read_consistent_law(field, joint);
+  check_projected_law(field, joint);
   return joint;
 }
 

@@ -57,6 +57,8 @@ void BlockSystem::sum_internal_forces(Eigen::VectorXd& force) const {
     auto own = force.segment<6>(static_cast<Eigen::Index>(6 * i));
     own.head<3>().setZero();
     own.tail<3>() = stress_force(terms.area[i], state.stress[i]);
+    if (!contacts.outline_compliance.empty())
+      own.tail<3>() -= outline_force(contacts, i, terms.elasticity[i], state.stress[i]);
   }
   add_contact_force(contacts, force);
   waves.add_end_forces(model, state.stress, force);

@@ -45,7 +45,7 @@ TEST(Uplift, AtTheMomentThatTipsTheBlock) {
 }
 
 TEST(Sliding, AtTheFrictionAngle) {
-  for (const InterfaceLaw law : {InterfaceLaw::classical, InterfaceLaw::consistent}) {
+  for (const InterfaceLaw law : {InterfaceLaw::classical, InterfaceLaw::consistent, InterfaceLaw::projected}) {
     for (const double share : {0.79, 0.81}) {
       Model model = block_on_floor(law, stage_of(static_integrator(), 0.1, 40));
       model.point_loads = {{1, {0.5, 0}, {share * weight, 0}, PiecewiseLinear{{1, 3}, {0, 1}}}};

@@ -30,7 +30,7 @@ StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const Co
   double contact = support_energy(supports);
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
     contact += interface_energy(contacts.elements[i], contacts.states[i]);
-  return {kinetic_energy(terms, state), strain_energy(terms, state), contact};
+  return {kinetic_energy(terms, state), strain_energy(terms, state), contact - outline_energy(contacts, state.stress)};
 }
 
 double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const State& state,

@@ -71,6 +71,12 @@ void form_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
   add_dashpot_and_support_rhs(system, rhs);
 }
 
+// Of a stretch of the projected law, at one end at least.
+bool gapes(const InterfaceElement& element, const InterfaceState& state) {
+  if (element.law != InterfaceLaw::projected) return false;
+  return state.status[0] == ContactStatus::open || state.status[1] == ContactStatus::open;
+}
+
 }  // namespace
 
 GeneralStep::GeneralStep(BlockSystem& system)
@@ -374,7 +380,8 @@ void GeneralStep::accept_contacts() {
     const bool drops = trials[k].force != after.force;
     if (drops && !s.held.empty())  // the rest of their work is in audit_held_blocks
       s.audit.held_blocks_moved_against(weight * s.held.gap_increment(element).dot(dropped));
-    if (before.status != after.status || before.slip != after.slip || drops || gaps_are_foreseen)
+    const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
+    if (before.status != after.status || before.slip != after.slip || drops || gaps_are_foreseen || bends)
       s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
                                 weight * dashpot_force(element, trials[k]));
     s.contacts.states[i] = after;

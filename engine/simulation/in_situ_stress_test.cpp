@@ -50,6 +50,11 @@ TEST(InSituStress, OfDryBlocksStays) {
         expect_stays(stressed_wall(joint_with(law, false, 0.6), oblique, pattern, kinematics));
 }
 
+TEST(InSituStress, OfDryBlocksWithProjectedJointsStays) {
+  for (const Pattern pattern : {Pattern::stack, Pattern::running_bond})
+    expect_stays(stressed_wall(joint_with(InterfaceLaw::projected, false, 0.6), oblique, pattern, Kinematics::small));
+}
+
 TEST(InSituStress, OfBondedBlocksStays) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite})
     for (const Vec3& stress : {oblique, Vec3(-oblique)})  // pulls too

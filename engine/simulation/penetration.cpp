@@ -7,6 +7,7 @@
 namespace dda {
 
 double penetration_depth(const InterfaceElement& element, const Vec4& gap) {
+  if (element.law == InterfaceLaw::projected) return 0;  // its gaps are tractions over a stiffness
   if (has_stress_rows(element)) return std::abs(gap(2)) - gap(0);
   return element.length > 0 ? -std::min(gap(0), gap(2)) : -gap(0);
 }

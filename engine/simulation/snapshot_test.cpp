@@ -115,6 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"classical", [] { return shaken_stack(InterfaceLaw::classical, Kinematics::small); }, true},
                     Case{"consistent", [] { return shaken_stack(InterfaceLaw::consistent, Kinematics::small); }, true},
                     Case{"finite", [] { return shaken_stack(InterfaceLaw::consistent, Kinematics::finite); }, true},
+                    Case{"projected", [] { return shaken_stack(InterfaceLaw::projected, Kinematics::small); }, true},
                     Case{"in_situ", stressed_stack, true},
                     Case{"finite_pcg",
                          [] { return with_pcg(shaken_stack(InterfaceLaw::classical, Kinematics::finite)); }, true},

@@ -2,17 +2,6 @@
 
 namespace dda {
 
-Integrator with_contacts(const Integrator& integrator) {
-  const auto is_scheme_of = [&](const Integrator& other) {
-    return integrator.beta == other.beta && integrator.gamma == other.gamma && integrator.alpha_m == other.alpha_m &&
-           integrator.alpha_f == other.alpha_f;
-  };
-  Integrator conserving = energy_conserving_integrator();
-  if (!is_scheme_of(trapezoidal_integrator()) && !is_scheme_of(conserving)) return integrator;
-  conserving.name = integrator.name;
-  return conserving;
-}
-
 StepCoefficients step_coefficients(const Integrator& integrator, double dt) {
   const double beta = integrator.beta;
   const double gamma = integrator.gamma;

@@ -22,11 +22,6 @@ struct StepCoefficients {
   double acts_at = 0;                  // moment in the step, as a share of it, to which that acceleration belongs
 };
 
-// What an integrator is where contacts open, close and slide. The trapezoidal rule moves as the midpoint rule does but
-// carries the accelerations of earlier contact forces on: it becomes that rule, and as both damp nothing, contacts
-// conserve energy. Integrators that damp stay what they are (ADR 30).
-Integrator with_contacts(const Integrator& integrator);
-
 StepCoefficients step_coefficients(const Integrator& integrator, double dt);
 
 }  // namespace dda

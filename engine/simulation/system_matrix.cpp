@@ -12,18 +12,22 @@
 namespace dda {
 namespace {
 
-void add_blocks(const StepCoefficients& step, const BlockTerms& terms, BlockMatrix& matrix) {
+void add_blocks(const StepCoefficients& step, const BlockTerms& terms, const ContactSet& contacts,
+                BlockMatrix& matrix) {
   for (std::size_t i = 0; i < terms.inertia.size(); ++i) {
     auto diagonal = matrix.diagonal(static_cast<int>(i));
     diagonal += step.mass * mass_matrix(terms.inertia[i]);
     diagonal.bottomRightCorner<3, 3>() += step.stiffness * strain_stiffness(terms.area[i], terms.elasticity[i]);
+    if (!contacts.outline_compliance.empty())
+      diagonal.bottomRightCorner<3, 3>() -= step.stiffness * outline_stiffness(contacts, i, terms.elasticity[i]);
   }
 }
 
 void add_all_but_contacts(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
-                          const std::vector<SupportElement>& supports, BlockMatrix& matrix) {
+                          const std::vector<SupportElement>& supports, const ContactSet& contacts,
+                          BlockMatrix& matrix) {
   matrix.set_zero();
-  add_blocks(step, terms, matrix);
+  add_blocks(step, terms, contacts, matrix);
   for (const auto& [block, c] : damping) matrix.diagonal(block) += step.damping * c;
   for (const SupportElement& support : supports)
     matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.rows, support.stiffness);
@@ -53,17 +57,17 @@ BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pair
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
               const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
               BlockMatrix& matrix) {
-  add_all_but_contacts(step, terms, damping, supports, matrix);
+  add_all_but_contacts(step, terms, damping, supports, contacts, matrix);
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    add_contact(step.stiffness, contacts.elements[i], active[i], true, true, matrix);
+    add_contact(step.stiffness, contacts.elements[i], {active[i], 0}, true, true, matrix);
 }
 
 void assemble_base_matrix(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
                           const std::vector<SupportElement>& supports, const ContactSet& contacts,
                           std::span<const int> bonded, BlockMatrix& matrix) {
-  add_all_but_contacts(step, terms, damping, supports, matrix);
+  add_all_but_contacts(step, terms, damping, supports, contacts, matrix);
   for (const int i : bonded)
-    add_contact(step.stiffness, contacts.elements[static_cast<std::size_t>(i)], Vec4::Ones(), true, true, matrix);
+    add_contact(step.stiffness, contacts.elements[static_cast<std::size_t>(i)], {}, true, true, matrix);
 }
 
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {
@@ -71,7 +75,7 @@ double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, dou
   for (const InterfaceElement& element : contacts.elements) {
     const double mass = least_mass(terms, element.block_a, element.block_b);
     const double normal_stiffness =
-        element.law == InterfaceLaw::classical ? element.stiffness(0) + element.stiffness(2) : element.stiffness(0);
+        !has_stress_rows(element) ? element.stiffness(0) + element.stiffness(2) : element.stiffness(0);
     largest = std::max(largest, normal_stiffness * dt * dt / mass);
   }
   return largest;

@@ -8,7 +8,7 @@
 namespace dda {
 namespace {
 
-const Vec4 no_rows = Vec4::Constant(-1);  // differs from all that can be active
+const ContactRows no_rows{Vec4::Constant(-1), 0};  // differs from all that can be active
 
 }  // namespace
 
@@ -47,8 +47,9 @@ std::int64_t InterfaceTrials::take_up_rows() {
 }
 
 bool InterfaceTrials::take_up_rows(std::size_t k) {
-  if (matrix_rows_[k] == trials_[k].active) return false;
-  matrix_rows_[k] = trials_[k].active;
+  const ContactRows rows{trials_[k].active, trials_[k].coupling};
+  if (matrix_rows_[k] == rows) return false;
+  matrix_rows_[k] = rows;
   return true;
 }
 
@@ -66,7 +67,7 @@ void InterfaceTrials::add_rhs(double factor, Eigen::VectorXd& rhs) const {
 Vec4 InterfaceTrials::constant_force(std::size_t k, const InterfaceSprings& springs) const {
   const InterfaceTrial& trial = trials_[k];
   const Vec4 reached = trial.gap - trial.start;  // dilation has moved the force, not the gap
-  return trial.force - matrix_rows_[k].cwiseProduct(springs.stiffness).cwiseProduct(reached) - state(k).force;
+  return trial.force - force_in_matrix(k, springs, reached) - state(k).force;
 }
 
 void InterfaceTrials::aim(const Eigen::VectorXd& newton_step) {
@@ -80,7 +81,7 @@ double InterfaceTrials::mismatch() const {
     InterfaceTrial after = trials_[k];
     after.gap += after.direction;
     respond(element(k), after);
-    const Vec4 expected = trials_[k].active.cwiseProduct(element(k).stiffness).cwiseProduct(trials_[k].direction);
+    const Vec4 expected = force_change(element(k), trials_[k].active, trials_[k].coupling, trials_[k].direction);
     mismatch = std::max(mismatch, (after.force - trials_[k].force - expected).cwiseAbs().maxCoeff());
   }
   return mismatch;
@@ -95,7 +96,7 @@ double InterfaceTrials::largest_force() const {
 void InterfaceTrials::take_out(double factor, LineSlope& line) const {
   for (std::size_t k = 0; k < trials_.size(); ++k) {
     const InterfaceTrial& trial = trials_[k];
-    const Vec4 along = element(k).stiffness.cwiseProduct(trial.active).cwiseProduct(trial.direction);
+    const Vec4 along = force_change(element(k), trial.active, trial.coupling, trial.direction);
     line.curvature -= factor * along.dot(trial.direction);
     line.at_start -= factor * (along.dot(trial.gap - state(k).gap) + trial.direction.dot(state(k).force));
   }
@@ -133,7 +134,7 @@ double InterfaceTrials::follow_dilations() {
 
 void InterfaceTrials::break_ends_beyond_strength(std::vector<int>& broken) {
   for (std::size_t k = 0; k < trials_.size(); ++k) {
-    if (!break_ends(strength(k), trials_[k])) continue;
+    if (!break_ends(element(k), strength(k), trials_[k])) continue;
     update_capacity(element(k), strength(k), trials_[k]);
     broken.push_back(contacts_.places[k]);
   }

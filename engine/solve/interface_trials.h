@@ -13,6 +13,7 @@
 #include "engine/contact/interface_state.h"
 #include "engine/contact/open_close.h"
 #include "engine/linear/block_matrix.h"
+#include "engine/solve/contact_rows.h"
 #include "engine/solve/line_search.h"
 
 namespace dda {
@@ -51,7 +52,7 @@ class InterfaceTrials {
   [[nodiscard]] bool is_whole(std::size_t k) const { return !trials_[k].broken[0] && !trials_[k].broken[1]; }
 
   // The active rows whose stiffness the matrix holds; taken up from the trials. Returns how many contacts changed.
-  [[nodiscard]] const Vec4& matrix_rows(std::size_t k) const { return matrix_rows_[k]; }
+  [[nodiscard]] const ContactRows& matrix_rows(std::size_t k) const { return matrix_rows_[k]; }
   std::int64_t take_up_rows();
   [[nodiscard]] bool take_up_rows(std::size_t k);
   void add_stiffness(double factor, BlockMatrix& matrix) const;
@@ -60,6 +61,10 @@ class InterfaceTrials {
   // the unknowns goes to the right, beside the forces of the start.
   void add_rhs(double factor, Eigen::VectorXd& rhs) const;
   [[nodiscard]] Vec4 constant_force(std::size_t k, const InterfaceSprings& springs) const;
+  // What the matrix makes of a change of the gaps.
+  [[nodiscard]] Vec4 force_in_matrix(std::size_t k, const InterfaceSprings& springs, const Vec4& gap_change) const {
+    return force_change(springs, matrix_rows_[k].active, matrix_rows_[k].coupling, gap_change);
+  }
 
   void aim(const Eigen::VectorXd& newton_step);
   // Largest difference between a force after the whole Newton step and what the rows active now make of it. (Rows
@@ -93,7 +98,7 @@ class InterfaceTrials {
 
   ChangingContacts contacts_;
   std::vector<InterfaceTrial> trials_;
-  std::vector<Vec4> matrix_rows_;
+  std::vector<ContactRows> matrix_rows_;
 };
 
 }  // namespace dda

@@ -37,7 +37,7 @@ Status FrictionPasses::amend_matrix(Iterate& at, bool& changed) const {
   changed = false;
   for (const std::size_t k : taken_) {
     const std::size_t i = live_[k].trial;
-    const Vec4 before = at.contacts.matrix_rows(i);
+    const ContactRows before = at.contacts.matrix_rows(i);
     if (!at.contacts.take_up_rows(i)) continue;
     at.matrix.amend(at.problem->factor, at.contacts.element(i), at.contacts.matrix_rows(i) - before, at.problem->held);
     ++at.costs.counters.contact_state_changes;
@@ -94,8 +94,7 @@ void FrictionPasses::add_neighbours(const Iterate& at) {
 void FrictionPasses::follow_residual(const Iterate& at, const LiveContact& contact, const Vec4& moved,
                                      const Vec4& force_before) {
   const InterfaceTrial& trial = at.contacts[contact.trial];
-  const Vec4 expected =
-      at.contacts.matrix_rows(contact.trial).cwiseProduct(contact.springs.stiffness).cwiseProduct(moved);
+  const Vec4 expected = at.contacts.force_in_matrix(contact.trial, contact.springs, moved);
   const Vec4 beyond = trial.force - force_before - expected;
   largest_force_ = std::max(largest_force_, trial.force.cwiseAbs().maxCoeff());
   if (!beyond.isZero(0)) add_force(contact, -at.problem->factor * beyond, residual_);

@@ -6,10 +6,10 @@
 
 namespace dda {
 
-void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
+void add_contact(double factor, const InterfaceElement& element, const ContactRows& rows, bool in_a, bool in_b,
                  BlockMatrix& matrix) {
-  if (mask.isZero(0)) return;  // open
-  const InterfaceMatrices k = stiffness_of(element, mask);
+  if (rows.active.isZero(0)) return;  // open
+  const InterfaceMatrices k = stiffness_of(element, rows.active, rows.coupling);
   if (in_a) matrix.diagonal(element.block_a) += factor * k.aa;
   if (in_b) matrix.diagonal(element.block_b) += factor * k.bb;
   if (in_a && in_b) matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
@@ -54,8 +54,9 @@ Status StepMatrix::factorize(const BlockPart& part) {
   return solver_->factorize(*matrix_, part);
 }
 
-void StepMatrix::amend(double factor, const InterfaceElement& element, const Vec4& mask, const HeldUnknowns& held) {
-  add_contact(factor, element, mask, !held.holds(element.block_a), !held.holds(element.block_b), *matrix_);
+void StepMatrix::amend(double factor, const InterfaceElement& element, const ContactRows& rows,
+                       const HeldUnknowns& held) {
+  add_contact(factor, element, rows, !held.holds(element.block_a), !held.holds(element.block_b), *matrix_);
   ++amendments_;
   is_amended_ = true;
 }

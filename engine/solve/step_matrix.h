@@ -16,6 +16,7 @@
 #include "engine/linear/block_part.h"
 #include "engine/linear/solver.h"
 #include "engine/linear/solver_choice.h"
+#include "engine/solve/contact_rows.h"
 #include "engine/solve/costs.h"
 #include "engine/solve/held_unknowns.h"
 
@@ -24,8 +25,8 @@ namespace dda {
 // Why a step has no solution.
 enum class Failure { none, unsettled, singular_matrix, linear_solver, not_finite };
 
-// Adds `mask` times the stiffness of the rows of one interface, in those of its blocks that take part.
-void add_contact(double factor, const InterfaceElement& element, const Vec4& mask, bool in_a, bool in_b,
+// Adds the stiffness of these rows of one interface, in those of its blocks that take part.
+void add_contact(double factor, const InterfaceElement& element, const ContactRows& rows, bool in_a, bool in_b,
                  BlockMatrix& matrix);
 
 class StepMatrix {
@@ -63,8 +64,8 @@ class StepMatrix {
   [[nodiscard]] Status factorize();
   [[nodiscard]] Status factorize(const BlockPart& part);
 
-  // Adds `mask` times the stiffness of a contact. Not where held blocks move: what was taken out would change too.
-  void amend(double factor, const InterfaceElement& element, const Vec4& mask, const HeldUnknowns& held);
+  // Adds the stiffness of rows of a contact. Not where held blocks move: what was taken out would change too.
+  void amend(double factor, const InterfaceElement& element, const ContactRows& rows, const HeldUnknowns& held);
 
   // Solves for the increments x; uses up `rhs`.
   [[nodiscard]] Status solve(const HeldUnknowns& held, Eigen::VectorXd& rhs, Eigen::VectorXd& x);

@@ -27,6 +27,7 @@
 #include "verification/cases/oblique_incidence_cases.h"
 #include "verification/cases/opening_cases.h"
 #include "verification/cases/p_bar_cases.h"
+#include "verification/cases/projected_joint_cases.h"
 #include "verification/cases/rigid_motion_cases.h"
 #include "verification/cases/rocking_cases.h"
 #include "verification/cases/roof_cases.h"
@@ -66,6 +67,7 @@ constexpr std::array subjects{
     arch_cases,                // 21
     joint_strength_cases,      // 23
     statics_cases,             // 24-26
+    projected_joint_cases,     // 9, 16, 24, 42
     cantilever_cases,          // 27
     incompressible_cases,      // 27
     lame_mode_cases,           // 30

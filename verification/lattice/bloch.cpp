@@ -62,6 +62,13 @@ CellMatrices cell_matrices(const PeriodicMesh& mesh, const dda::Material& rock, 
     add_block(block, dda::mass_matrix(inertia), blocks, cell.mass);
   }
   const dda::ContactSet contacts = dda::make_contacts(cell.model);
+  for (int block = middle_cell * blocks; block < (middle_cell + 1) * blocks; ++block) {
+    if (contacts.outline_compliance.empty()) continue;
+    dda::Mat6 taken = dda::Mat6::Zero();
+    taken.bottomRightCorner<3, 3>() =
+        dda::outline_stiffness(contacts, static_cast<std::size_t>(block), dda::elasticity_matrix(rock));
+    add_block(block, -taken, blocks, cell.stiffness[middle_cell]);
+  }
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const dda::InterfaceElement& element = contacts.elements[i];
     add_sides(element, dda::stiffness_of(element, dda::Vec4::Ones()), blocks, cell);

@@ -1,0 +1,137 @@
+#include "engine/contact/projected_law.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/contact/cubic_law.h"
+
+namespace dda {
+namespace {
+
+using Mat23 = Eigen::Matrix<double, 2, 3>;
+
+const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
+
+// Traction on a plane by the stress (xx, yy, xy).
+Mat23 traction_rows(const Vec2& n) { return (Mat23() << n.x(), 0, n.y(), 0, n.y(), n.x()).finished(); }
+
+double width(const Model& model, int block, const Vec2& normal) {
+  return extent_along(block_of(model, block).shape.outer, normal);
+}
+
+// w/(2 D) R^T R of the header in terms of stress, m/Pa for each m of outline: what a penalty of 1 takes.
+Mat3 unit_compliance(const Model& model, int block, const Vec2& normal) {
+  const double modulus = elasticity_matrix(model.material_of(block))(0, 0);
+  return width(model, block, normal) / (2 * modulus) * traction_rows(normal).transpose() * traction_rows(normal);
+}
+
+void add_ring(const Model& model, int block, const Ring& ring, Mat3& sum) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 along = ring[(i + 1) % ring.size()] - ring[i];
+    if (along.isZero(0)) continue;
+    const Vec2 unit = along.normalized();
+    sum += along.norm() * unit_compliance(model, block, {unit.y(), -unit.x()});
+  }
+}
+
+// 1/(2 gamma), m/Pa: the gap that a traction of the block makes.
+double gap_by_traction(const Model& model, int block, const Vec2& normal) {
+  if (model.is_held(block)) return 0;
+  const double modulus = elasticity_matrix(model.material_of(block))(0, 0);
+  return width(model, block, normal) / (2 * projected_penalty(model, block) * modulus);
+}
+
+double gap_by_traction(const Model& model, const Interface& interface) {
+  return gap_by_traction(model, interface.block_a, interface.normal) +
+         gap_by_traction(model, interface.block_b, interface.normal);
+}
+
+// m/Pa, of half of the block as a column.
+double column_compliance(const Model& model, int block, const Vec2& normal) {
+  if (model.is_held(block)) return 0;
+  return width(model, block, normal) / (2 * side_free_modulus(model.material_of(block)));
+}
+
+// m/Pa, of the joint's own material: normal, shear.
+Vec2 joint_compliance(const Model& model, const Interface& interface) {
+  const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
+  if (joint.normal_stiffness == 0) return Vec2::Zero();
+  const double shear =
+      joint.shear_stiffness > 0 ? joint.shear_stiffness : joint.shear_to_normal * joint.normal_stiffness;
+  return {1 / joint.normal_stiffness, 1 / shear};
+}
+
+// The frame with its ends moved to the two points of the law.
+InterfaceFrame shortened(InterfaceFrame frame, double lever) {
+  const auto shorten = [lever](Vec2& from, Vec2& to) {
+    const Vec2 middle = (from + to) / 2;
+    const Vec2 half = lever * (to - from) / 2;
+    from = middle - half;
+    to = middle + half;
+  };
+  shorten(frame.from_a, frame.to_a);
+  shorten(frame.from_b, frame.to_b);
+  return frame;
+}
+
+// Rows of the gap by the stress in a block's strains, m.
+Mat23 shift_rows(const Model& model, int block, const Vec2& normal) {
+  return gap_by_traction(model, block, normal) * local_axes(normal) * traction_rows(normal) *
+         elasticity_matrix(model.material_of(block));
+}
+
+}  // namespace
+
+double largest_traction_share(const Model& model, int block) {
+  const Block& shape = block_of(model, block);
+  Mat3 sum = Mat3::Zero();
+  add_ring(model, block, shape.shape.outer, sum);
+  for (const Ring& hole : shape.shape.holes) add_ring(model, block, hole, sum);
+  const Mat3 elasticity = elasticity_matrix(model.material_of(block));
+  const Mat3 left = elasticity * sum * elasticity;
+  const Mat3 right = shape.moments.area * elasticity;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> shares(left, right, Eigen::EigenvaluesOnly);
+  return shares.eigenvalues().maxCoeff();
+}
+
+double projected_penalty(const Model& model, int block) {
+  return std::max(least_penalty, penalty_margin * largest_traction_share(model, block));
+}
+
+Vec4 projected_stiffness(const Model& model, const Interface& interface) {
+  const Vec2 compliance = Vec2::Constant(gap_by_traction(model, interface)) + joint_compliance(model, interface);
+  const Vec2 stiffness = (interface.length / 2 * compliance.cwiseInverse());
+  return {stiffness(0), stiffness(1), stiffness(0), stiffness(1)};
+}
+
+// bed = 3 lever^2 is the share of the gap's compliance in that of the bed: the turn of the two points, stiffness
+// K lever^2, is then that of the bed, K bed/3.
+double projected_lever(const Model& model, const Interface& interface) {
+  const double own = joint_compliance(model, interface)(0);
+  const double gap = gap_by_traction(model, interface) + own;
+  const double bed = column_compliance(model, interface.block_a, interface.normal) +
+                     column_compliance(model, interface.block_b, interface.normal) + own;
+  return std::sqrt(gap / bed / 3);
+}
+
+void set_projected_rows(const Model& model, const InterfaceFrame& frame, InterfaceElement& element) {
+  const InterfaceFrame points = shortened(frame, element.lever);
+  const Mat2 axes = local_axes(frame.normal);
+  element.rows_a << -local_rows(axes, points.from_a - frame.centroid_a),
+      -local_rows(axes, points.to_a - frame.centroid_a);
+  element.rows_b << local_rows(axes, points.from_b - frame.centroid_b),
+      local_rows(axes, points.to_b - frame.centroid_b);
+  const Mat23 shift_a = shift_rows(model, element.block_a, frame.normal);
+  const Mat23 shift_b = shift_rows(model, element.block_b, frame.normal);
+  element.rows_a.rightCols<3>() += (Mat43() << shift_a, shift_a).finished();
+  element.rows_b.rightCols<3>() += (Mat43() << shift_b, shift_b).finished();
+}
+
+Mat3 traction_compliance(const Model& model, const Interface& interface, int block) {
+  if (model.is_held(block)) return Mat3::Zero();
+  return interface.length / projected_penalty(model, block) * unit_compliance(model, block, interface.normal);
+}
+
+}  // namespace dda

@@ -1,0 +1,70 @@
+// The projected law: a joint that carries traction as a bonded one while it is closed and sticks, and that opens and
+// slides by that traction (after Chouly, Hild & Renard 2015, theta = 1, penalised against each block's own traction).
+//
+//   V = W + sum over stretches of l max over the traction T of
+//         [ T . g - |T - t_a|^2/(4 gamma_a) - |T - t_b|^2/(4 gamma_b) - T . C T/2 ],   t = sigma n
+//
+// W: strain energy of the blocks, g: gap, C: compliance of the joint itself, where it has one. The maximum is that of a
+// spring with a shifted gap,
+//
+//   g' = g + t_a/(2 gamma_a) + t_b/(2 gamma_b),   T = k g',   1/k = 1/(2 gamma_a) + 1/(2 gamma_b) + C
+//
+// less -l/(4 gamma) |t|^2 for either block, which is a constant of the block (ContactSet::outline_compliance). Opening,
+// friction and strength bound T, so they judge the traction that the joint carries. Stresses are total ones, in-situ
+// stress included. A held block knows of no stress: only the other's counts.
+//
+// gamma = penalty D/w: D the plane modulus, w the width of the block across the joint. The sum is convex when the
+// penalty of each block is above the largest eigenvalue of (sum over its outline of l w/(2 D) R^T R) x = lambda A D x,
+// R giving its traction by its strains: 1 + nu for rectangles in plane stress, 1.8 to 2 in nearly incompressible plane
+// strain, up to 3 for triangles. Lengths of stretches drop out, so blocks may meet along slivers.
+//
+// Blocks of uniform strain do not bend. A closed stretch therefore acts at two points at -lever and +lever of half its
+// length from the middle, where the stiffness of its turn is that of two half columns; opened in part it answers as a
+// column without tension (no_tension_bed.h).
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "engine/contact/interface_element.h"
+#include "engine/model/model.h"
+
+namespace dda {
+
+// Not below what makes a free bar of equal blocks correct to fourth order (ADR 24).
+inline constexpr double least_penalty = 3;
+
+// penalty = max(least_penalty, penalty_margin lambda)
+inline constexpr double penalty_margin = 2;
+
+// The eigenvalue lambda above, over the whole outline: no stretch has more.
+double largest_traction_share(const Model& model, int block);
+
+// The penalty of a block, without units.
+double projected_penalty(const Model& model, int block);
+
+// Of a stretch: stiffness of the four rows, N/m per m of thickness, and the lever of its points.
+Vec4 projected_stiffness(const Model& model, const Interface& interface);
+double projected_lever(const Model& model, const Interface& interface);
+
+// Fills the rows of an element of this law.
+void set_projected_rows(const Model& model, const InterfaceFrame& frame, InterfaceElement& element);
+
+// Broken stretches of this law press as a whole, and not end by end.
+inline bool press_together(const InterfaceSprings& springs, const std::array<bool, 2>& broken) {
+  return springs.law == InterfaceLaw::projected && broken[0] && broken[1];
+}
+
+// The normal force by which the friction of an end goes, by the forces of the four rows. Where a projected stretch is
+// open beyond one of its points, the other has more than all of the force and this one pulls: that one then has what
+// there is of both, this one nothing.
+inline double pressing_force(const InterfaceSprings& springs, const Vec4& force, int end) {
+  const double own = force(2 * end);
+  if (springs.law != InterfaceLaw::projected) return own;
+  return std::min(0.0, own + std::max(0.0, force(2 - 2 * end)));
+}
+
+// What a stretch takes off a block: energy -s . Q s/2 for its stress s (Pa), Q in m3/N per m of thickness.
+Mat3 traction_compliance(const Model& model, const Interface& interface, int block);
+
+}  // namespace dda

@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
+
+namespace dda::model_checks {
+namespace {
+
+void check_law(const Item& item, const JointMaterial& joint) {
+  if (joint.contact_damping > 0) item.fail("law", "projected, with contact damping", "no contact damping");
+  if (joint.dilation_angle > 0) item.fail("law", "projected, with dilation", "a joint that does not dilate");
+  if (joint.normal_stiffness > 0 && joint.shear_stiffness == 0 && joint.shear_to_normal == 0)
+    item.fail("shear stiffness", "0", "a positive number with the projected law");
+}
+
+// What contacts of a linear geometry, made once, cannot follow yet.
+void check_stages_of(const Item& item, const Model& model) {
+  for (const Stage& stage : model.stages) {
+    if (stage.kinematics == Kinematics::finite)
+      item.fail("law", fmt::format("projected, with finite kinematics in stage \"{}\"", stage.name),
+                "stages of small kinematics, or the classical law");
+    if (with_contacts(stage.integrator).conserves_contact_energy)
+      item.fail("law", fmt::format("projected, with an integrator that damps nothing in stage \"{}\"", stage.name),
+                "one that damps, or the classical law");
+  }
+  if (model.removes_blocks()) item.fail("law", "projected, where blocks are removed", "the classical law");
+  if (!model.free_field_sides.empty()) item.fail("law", "projected, beside free-field sides", "the classical law");
+}
+
+}  // namespace
+
+void check_projected_joints(const Model& model) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    if (model.joints[i].law != InterfaceLaw::projected || model.joints[i].bonded) continue;  // never opens: linear
+    const Item item("joints", i, model.joints[i].name);
+    check_law(item, model.joints[i]);
+    check_stages_of(item, model);
+  }
+}
+
+}  // namespace dda::model_checks

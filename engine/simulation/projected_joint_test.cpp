@@ -1,0 +1,162 @@
+// Dry joints under the projected law, in motion: they stick as joined rock does, open, close and slide, and the ledger
+// knows of all of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/simulation/simulation_models.h"
+
+namespace dda {
+namespace {
+
+JointMaterial dry(double friction) {
+  JointMaterial joint;
+  joint.law = InterfaceLaw::projected;
+  joint.friction_angle = std::atan(friction);
+  return joint;
+}
+
+std::vector<Integrator> damping_integrators() {
+  return {thesis_integrator(), hht_integrator(0.1), generalized_alpha_integrator(0.8), generalized_alpha_integrator(0)};
+}
+
+// A wall in running bond on a floor that is shaken so hard that bricks slide and lift off.
+Model shaken_wall(const Integrator& integrator) {
+  Model model = grid_of(4, dry(0.5), Pattern::running_bond);
+  model.blocks.push_back(rectangle("floor", -1, -1, 6, 1));
+  HeldBlock floor;
+  floor.block = static_cast<int>(model.blocks.size()) - 1;
+  floor.amplitude = {3e-4, 4e-4};
+  floor.history = SineCycles{40, 2, 0};
+  model.held_blocks = {floor};
+  model.gravity = {0, -10};
+  model.stages = {stage_of(integrator, 2e-4, 400)};
+  return model;
+}
+
+struct Seen {
+  bool open = false, in_part = false, sliding = false;
+};
+
+void look(const Simulation& simulation, Seen& seen) {
+  for (const InterfaceState& state : simulation.contacts().states) {
+    const bool first = state.status[0] == ContactStatus::open;
+    const bool second = state.status[1] == ContactStatus::open;
+    seen.open = seen.open || (first && second);
+    seen.in_part = seen.in_part || (first != second);
+    seen.sliding = seen.sliding || state.status[0] == ContactStatus::sliding;
+  }
+}
+
+TEST(ProjectedJoint, LedgerBalancesWhileJointsOpenCloseAndSlide) {
+  for (const Integrator& integrator : damping_integrators()) {
+    Simulation simulation = simulation_of(shaken_wall(integrator));
+    Seen seen;
+    double worst = 0;
+    for (int i = 0; i < 400; ++i) {
+      ASSERT_EQ(simulation.step(), Status::ok) << integrator.name << ", step " << i << ": " << simulation.message();
+      look(simulation, seen);
+      worst = std::max(worst, std::abs(simulation.energy().relative_residual()));
+    }
+    EXPECT_TRUE(seen.open && seen.in_part && seen.sliding) << integrator.name;
+    EXPECT_LT(worst, 1e-9) << integrator.name;
+    EXPECT_GT(simulation.energy().friction, 0) << integrator.name;
+    EXPECT_GT(simulation.energy().numerical, -1e-3 * simulation.energy().scale()) << integrator.name;
+  }
+}
+
+// Forces of joints on the blocks of the whole sum up to nothing, whatever is open.
+TEST(ProjectedJoint, ActsAsMuchOnEitherBlock) {
+  Simulation simulation = simulation_of(shaken_wall(generalized_alpha_integrator(0)));
+  run(simulation, 150);
+  for (const InterfaceElement& element : simulation.contacts().elements) {
+    EXPECT_LT((element.rows_a.leftCols<2>() + element.rows_b.leftCols<2>()).norm(), 1e-12);
+    EXPECT_NEAR(element.rows_a(0, 0) * element.rows_a(0, 0) + element.rows_a(0, 1) * element.rows_a(0, 1), 1, 1e-12);
+  }
+}
+
+// Rock under pressure far below slip: a dry joint is one that is too strong to give way.
+TEST(ProjectedJoint, SticksAsABondedOneDoes) {
+  const auto pressed = [](const JointMaterial& joint) {
+    Model model = grid_of(4, joint, Pattern::running_bond);
+    for (Block& block : model.blocks) block.initial_stress = {-1e6, -1e6, 0};
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+      if (model.blocks[i].shape.outer[0].y() == 0) model.held_blocks.emplace_back().block = static_cast<int>(i);
+    model.point_loads = {{10, {1.5, 1.75}, {1e3, 2e3}, SineCycles{50, 1, 0}}};
+    model.stages = {stage_of(generalized_alpha_integrator(0.8), 2e-4, 100)};
+    for (const Block& block : model.blocks) {
+      const Vec2 low = block.shape.outer[0];
+      const Vec2 high = block.shape.outer[2];
+      const int index = static_cast<int>(&block - model.blocks.data());
+      if (low.x() == 0) model.edge_loads.push_back({index, {0, high.y()}, {0, low.y()}, {1e6, 0}, Constant{}});
+      if (high.x() == 4) model.edge_loads.push_back({index, {4, low.y()}, {4, high.y()}, {-1e6, 0}, Constant{}});
+      if (high.y() > 2.75) model.edge_loads.push_back({index, high, {low.x(), high.y()}, {0, -1e6}, Constant{}});
+    }
+    return model;
+  };
+  Simulation loose = simulation_of(pressed(dry(0.8)));
+  Simulation firm = simulation_of(pressed(strong(InterfaceLaw::projected)));
+  run(loose, 100);
+  run(firm, 100);
+  double largest = 0;
+  double difference = 0;
+  for (std::size_t i = 0; i < loose.state().velocity.size(); ++i) {
+    largest = std::max(largest, firm.state().velocity[i].norm());
+    difference = std::max(difference, (loose.state().velocity[i] - firm.state().velocity[i]).norm());
+  }
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(difference, 1e-9 * largest);
+}
+
+// Two steps of sliding: the acceleration of a block that gravity pulls along its floor.
+TEST(ProjectedJoint, SlidesWithWhatFrictionLeaves) {
+  Model model;
+  model.materials = {rock()};
+  model.joints = {dry(0.3)};
+  model.blocks = {rectangle("floor", -2, -1, 8, 1), rectangle("low", 0, 0, 2, 0.5),
+                  rectangle("high", 0.7, 0.5, 2, 0.5)};
+  model.held_blocks.resize(1);
+  model.gravity = {0, -10};
+  model.stages = {stage_of(static_integrator(), 1, 30)};
+  model.stages.push_back(stage_of(generalized_alpha_integrator(0), 1e-3, 400));
+  model.stages[1].name = "slide";
+  for (const int block : {1, 2})  // through their centroids: sideways gravity of half of g from then on
+    model.point_loads.push_back({block,
+                                 {block == 1 ? 1.0 : 1.7, block == 1 ? 0.25 : 0.75},
+                                 {2600 * 5, 0},
+                                 PiecewiseLinear{{30, 30.1}, {0, 1}}});
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 30 + 200);
+  const double before = simulation.state().velocity[1](0) + simulation.state().velocity[2](0);
+  run(simulation, 200);
+  const double after = simulation.state().velocity[1](0) + simulation.state().velocity[2](0);
+  EXPECT_NEAR((after - before) / (2 * 0.2), 10 * (0.5 - 0.3), 1e-5 * 10);
+}
+
+TEST(ProjectedJoint, IsRefusedWhereItIsNotAvailable) {
+  const auto refusal = [](const auto& change) -> std::string {
+    Model model = shaken_wall(generalized_alpha_integrator(0.8));
+    change(model);
+    try {
+      finish_model(model);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal([](Model&) {}), "");
+  const auto expect_refused = [&](const auto& change, const std::string& reason) {
+    EXPECT_NE(refusal(change).find(reason), std::string::npos) << reason << ": " << refusal(change);
+  };
+  expect_refused([](Model& m) { m.stages[0].kinematics = Kinematics::finite; }, "finite kinematics");
+  expect_refused([](Model& m) { m.stages[0].integrator = trapezoidal_integrator(); }, "damps nothing");
+  expect_refused([](Model& m) { m.stages[0].integrator = energy_conserving_integrator(); }, "damps nothing");
+  expect_refused([](Model& m) { m.joints[0].contact_damping = 0.1; }, "contact damping");
+  expect_refused([](Model& m) { m.joints[0].dilation_angle = 0.1; }, "dilation");
+}
+
+}  // namespace
+}  // namespace dda

@@ -51,7 +51,7 @@ class Offset {
 
   // The place that `place` of the outline has moved to.
   [[nodiscard]] Vec2 at(const OutlinePlace& place, double distance) const {
-    const Vec2 from = ring_[place.edge] + distance * ways_[place.edge];
+    Vec2 from = ring_[place.edge] + distance * ways_[place.edge];
     if (place.share == 0) return from;
     const std::size_t next = (place.edge + 1) % ring_.size();
     return (1 - place.share) * from + place.share * (ring_[next] + distance * ways_[next]);

@@ -153,8 +153,8 @@ class DcReader {
     }
     std::ranges::sort(shares);
     constexpr double one_place = 1e-9;  // of the line: two joints that cross there
-    const auto same = std::ranges::unique(shares, [](double a, double b) { return b - a < one_place; });
-    shares.erase(same.begin(), same.end());
+    const auto is_same = [](double a, double b) { return b - a < one_place; };
+    shares.erase(std::unique(shares.begin(), shares.end(), is_same), shares.end());
     if (shares.empty()) shares.push_back(0);
     for (const double share : shares) pencil_.add(DrawnPoint{"fix point", numbers_.here(), point_at(fixed, share)});
   }

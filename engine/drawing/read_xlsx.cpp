@@ -163,7 +163,7 @@ class XlsxReader {
   [[nodiscard]] std::string text_of(const pugi::xml_node& cell) const {
     const std::string type = attribute(cell, "t");
     if (type == "inlineStr") return text_in(first_child(cell, "is"));
-    const std::string value = first_child(cell, "v").text().get();
+    std::string value = first_child(cell, "v").text().get();
     if (type != "s") return value;
     const auto number = number_in<std::size_t>(value);
     if (!number || *number >= texts_.size())

@@ -192,7 +192,8 @@ void add_report(CLI::App& app, ReportOptions& options) {
 
 void add_cut(CLI::App& app, Arguments& arguments) {
   CLI::App* cut = app.add_subcommand("cut", "Cut the rock of a scene or a drawing into blocks")->footer(cut_details);
-  cut->add_option("scene", arguments.scene, "scene file (JSON) with rock, or a drawing (.dxf, .csv, .geojson)")
+  cut->add_option("scene", arguments.scene,
+                  "scene file (JSON) with rock, or a drawing (.dxf, .csv, .xlsx, .geojson, .dc)")
       ->required()
       ->type_name("SCENE.json|DRAWING")
       ->check(a_name);
@@ -200,7 +201,7 @@ void add_cut(CLI::App& app, Arguments& arguments) {
       ->required()
       ->type_name("DIR")
       ->check(a_name);
-  cut->add_option("--export", arguments.cut.exported, "the blocks as a drawing, too: .dxf or .geojson")
+  cut->add_option("--export", arguments.cut.exported, "the blocks as a drawing, too: .dxf, .geojson or .dc")
       ->type_name("FILE")
       ->check(a_name);
   cut->add_option("--layer", arguments.cut.layers, "what a layer of a drawing is, e.g. \"bed joints=rock\"; any number")

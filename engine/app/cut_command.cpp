@@ -31,7 +31,7 @@ void check_outputs(const CutRequest& request) {
     throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
   if (request.exported.empty()) return;
   if (!is_block_format(request.exported))
-    throw InputError("", "--export", request.exported.string(), "a name that ends in .dxf or .geojson");
+    throw InputError("", "--export", request.exported.string(), "a name that ends in .dxf, .geojson or .dc");
   const std::filesystem::path holder = std::filesystem::absolute(request.exported).parent_path();
   if (!std::filesystem::is_directory(holder))
     throw InputError("", "--export", request.exported.string(), "a name in a folder that exists");

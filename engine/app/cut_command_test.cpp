@@ -59,7 +59,7 @@ TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
   expect_refusal({"cut", path("plan.csv"), "--out", path("plan.csv")},
                  "--out is " + path("plan.csv") + ", which is a file");
   expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--export", path("blocks.pdf")},
-                 "blocks.pdf, expected a name that ends in .dxf or .geojson");
+                 "blocks.pdf, expected a name that ends in .dxf, .geojson or .dc");
   expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--export", path("missing/blocks.dxf")},
                  "missing/blocks.dxf, expected a name in a folder that exists");
 }

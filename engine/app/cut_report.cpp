@@ -59,6 +59,13 @@ json statistics_entry(const CutEntry& entry) {
           {"rqd_upright", statistics.rqd_upright}};
 }
 
+json fill_entry(const CutFill& fill) {
+  return {{"fill", fill.origin},
+          {"blocks", fill.blocks},
+          {"cells", fill.sites},
+          {"short_edges_closed", fill.short_edges_closed}};
+}
+
 std::string cleaned_text(const CutScene& scene) {
   std::map<Cleaning, int> counts;
   for (const CutEntry& entry : scene.entries) {
@@ -84,10 +91,12 @@ CutFigures figures_of(const CutScene& scene, double seconds) {
 std::string report_json(const CutScene& scene, const CutFigures& figures) {
   json cleaned = json::array();
   json statistics = json::array();
+  json fills = json::array();
   json points = json::array();
   json remarks = json::array();
   for (const CutEntry& entry : scene.entries) {
     statistics.push_back(statistics_entry(entry));
+    for (const CutFill& fill : entry.cut.fills) fills.push_back(fill_entry(fill));
     for (const PlanPoint& point : entry.rock.plan.points) points.push_back(point_entry(point));
     for (const std::string& remark : entry.rock.remarks) remarks.push_back(remark);
     for (const Cleaned& each : entry.cut.cleaned) cleaned.push_back(entry_of(each));
@@ -107,6 +116,7 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
                        {"tolerance", scene.entries.front().cut.tolerance},
                        {"seconds", figures.seconds},
                        {"statistics", statistics},
+                       {"fills", fills},
                        {"points", points},
                        {"remarks", remarks},
                        {"cleaned", cleaned}};
@@ -118,6 +128,10 @@ std::string report_text(const CutScene& scene, const CutFigures& figures) {
                                  figures.area, figures.lines, figures.seconds);
   text += fmt::format("smallest block {:.3g} m2, sharpest corner {:.3g} deg, largest aspect {:.3g}\n",
                       figures.smallest_area, degrees * figures.smallest_angle, figures.largest_aspect);
+  for (const CutEntry& entry : scene.entries) {
+    for (const CutFill& fill : entry.cut.fills)
+      text += fmt::format("{}: {} cells in {} blocks between joints\n", fill.origin, fill.sites, fill.blocks);
+  }
   text += cleaned_text(scene);
   for (const CutEntry& entry : scene.entries) {
     for (const std::string& remark : entry.rock.remarks) text += fmt::format("remark: {}\n", remark);

@@ -33,6 +33,9 @@ void check_plan(const RockPlan& plan) {
   check_polygon({plan.boundary, plan.holes}, plan.boundary_origin + " with its holes");
   for (const PlanOpening& opening : plan.openings) check_polygon({opening.outline, {}}, opening.origin);
   for (const PlanRegion& region : plan.regions) check_polygon({region.outline, {}}, region.origin);
+  for (const PlanFill& fill : plan.fills) {
+    if (!fill.region.empty()) check_polygon({fill.region, {}}, fill.origin + ".region");
+  }
   for (const PlanLine& line : plan.lines) check_line(line);
 }
 

@@ -10,18 +10,6 @@
 namespace dda {
 namespace {
 
-class Lots {
- public:
-  explicit Lots(unsigned seed) : random_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  Vec2 point(double low, double high) { return {between(low, high), between(low, high)}; }
-  std::mt19937_64& bits() { return random_; }
-
- private:
-  std::mt19937_64 random_;
-};
-
 RockPlan random_plan(Lots& lots, int lines) {
   RockPlan plan = square_plan();
   for (int i = 0; i < lines; ++i) add_line(plan, {lots.point(-2, 12), lots.point(-2, 12)});
@@ -39,46 +27,6 @@ RockPlan degenerate_plan(Lots& lots, int lines) {
   };
   for (int i = 0; i < lines; ++i) add_line(plan, {point(), point()});
   return plan;
-}
-
-void expect_no_overlap(const CutRock& rock, double tolerance) {
-  std::vector<Box> boxes;
-  for (const CutBlock& block : rock.blocks) boxes.push_back(bounding_box(block.shape));
-  for (const auto& [a, b] : overlapping_pairs(boxes)) {
-    EXPECT_FALSE(interiors_overlap(rock.blocks[static_cast<std::size_t>(a)].shape,
-                                   rock.blocks[static_cast<std::size_t>(b)].shape, tolerance));
-  }
-}
-
-// Connected parts of what the corners and edges make, by walking over them.
-std::size_t parts_of(const Topology& topology) {
-  std::map<Place, std::vector<Place>> neighbours;
-  for (const auto& [edge, times] : topology.edges) {
-    neighbours[edge.first].push_back(edge.second);
-    neighbours[edge.second].push_back(edge.first);
-  }
-  std::set<Place> seen;
-  std::size_t parts = 0;
-  for (const Place& start : topology.corners) {
-    if (!seen.insert(start).second) continue;
-    ++parts;
-    std::vector<Place> to_do{start};
-    while (!to_do.empty()) {
-      const Place at = to_do.back();
-      to_do.pop_back();
-      for (const Place& next : neighbours[at]) {
-        if (seen.insert(next).second) to_do.push_back(next);
-      }
-    }
-  }
-  return parts;
-}
-
-// corners - edges + faces = 1 + parts, the outside being a face.
-void expect_euler(const CutRock& rock) {
-  const Topology topology = topology_of(rock);
-  const std::size_t edges = topology.shared + topology.single;
-  EXPECT_EQ(topology.corners.size() + rock.blocks.size() + 1, edges + 1 + parts_of(topology));
 }
 
 void expect_same(const std::vector<Signature>& a, const std::vector<Signature>& b, double tolerance) {

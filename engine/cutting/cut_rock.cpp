@@ -11,6 +11,7 @@
 
 #include "engine/core/error.h"
 #include "engine/cutting/check_plan.h"
+#include "engine/cutting/fill_rock.h"
 #include "engine/cutting/finish_blocks.h"
 #include "engine/cutting/line_report.h"
 #include "engine/cutting/materials.h"
@@ -59,6 +60,14 @@ void part_where_touching(Arrangement& arrangement, const FaceGroups& groups, con
     outlines = trace_outlines(arrangement, groups);
 }
 
+CutRock cut_filled(const RockPlan& plan, const CutOptions& options) {
+  FilledPlan filled = with_cells(plan, options);
+  CutRock rock = cut_rock(filled.plan, options);
+  rock.fills = std::move(filled.fills);
+  append(rock.cleaned, std::move(filled.cleaned));
+  return rock;
+}
+
 }  // namespace
 
 std::string_view to_string(Cleaning cleaning) {
@@ -83,6 +92,7 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
     if (options.progress) options.progress(what);
   };
   check_plan(plan);
+  if (!plan.fills.empty()) return cut_filled(plan, options);
   CutRock rock;
   PlanPieces pieces = pieces_of(plan, options.tolerance);
   rock.tolerance = pieces.tolerance;

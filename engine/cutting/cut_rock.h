@@ -41,7 +41,7 @@ enum class Cleaning {
   sliver_dropped,       // one without neighbour was left out
   small_block_merged,   // asked for by least_area
   sharp_block_merged,   // asked for by least_angle
-  short_edge_closed,    // two corners nearer than the tolerance became one
+  short_edge_closed,    // two corners nearer than the tolerance, or than a fill allows, became one
   touching_parted,      // the outline of a block touched itself in a point
 };
 std::string_view to_string(Cleaning cleaning);
@@ -54,10 +54,19 @@ struct Cleaned {
   std::string origin;  // of the line, as the plan has it
 };
 
+// What a fill came to.
+struct CutFill {
+  std::string origin;
+  std::size_t blocks = 0;  // between joints, that were filled
+  std::size_t sites = 0;   // of cells
+  std::size_t short_edges_closed = 0;
+};
+
 struct CutRock {
   std::vector<CutBlock> blocks;  // from left to right
   std::vector<CutJoint> joints;
   std::vector<Cleaned> cleaned;
+  std::vector<CutFill> fills;
   double tolerance = 0;      // m, that was used
   double boundary_area = 0;  // m2: boundary less holes, from the plan
   double left_out_area = 0;  // m2, of it in openings that are left out

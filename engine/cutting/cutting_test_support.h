@@ -15,6 +15,7 @@
 
 #include "engine/cutting/cut_rock.h"
 #include "engine/geometry/box.h"
+#include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
 #include "engine/geometry/segment.h"
 
@@ -132,6 +133,58 @@ inline std::vector<Signature> signatures_of(const CutRock& rock) {
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+class Lots {
+ public:
+  explicit Lots(unsigned seed) : random_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  Vec2 point(double low, double high) { return {between(low, high), between(low, high)}; }
+  std::mt19937_64& bits() { return random_; }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+inline void expect_no_overlap(const CutRock& rock, double tolerance) {
+  std::vector<Box> boxes;
+  for (const CutBlock& block : rock.blocks) boxes.push_back(bounding_box(block.shape));
+  for (const auto& [a, b] : overlapping_pairs(boxes)) {
+    EXPECT_FALSE(interiors_overlap(rock.blocks[static_cast<std::size_t>(a)].shape,
+                                   rock.blocks[static_cast<std::size_t>(b)].shape, tolerance));
+  }
+}
+
+// Connected parts of what the corners and edges make, by walking over them.
+inline std::size_t parts_of(const Topology& topology) {
+  std::map<Place, std::vector<Place>> neighbours;
+  for (const auto& [edge, times] : topology.edges) {
+    neighbours[edge.first].push_back(edge.second);
+    neighbours[edge.second].push_back(edge.first);
+  }
+  std::set<Place> seen;
+  std::size_t parts = 0;
+  for (const Place& start : topology.corners) {
+    if (!seen.insert(start).second) continue;
+    ++parts;
+    std::vector<Place> to_do{start};
+    while (!to_do.empty()) {
+      const Place at = to_do.back();
+      to_do.pop_back();
+      for (const Place& next : neighbours[at]) {
+        if (seen.insert(next).second) to_do.push_back(next);
+      }
+    }
+  }
+  return parts;
+}
+
+// corners - edges + faces = 1 + parts, the outside being a face, and `empty` those that are left out.
+inline void expect_euler(const CutRock& rock, std::size_t empty = 0) {
+  const Topology topology = topology_of(rock);
+  const std::size_t edges = topology.shared + topology.single;
+  EXPECT_EQ(topology.corners.size() + rock.blocks.size() + empty + 1, edges + 1 + parts_of(topology));
 }
 
 }  // namespace dda

@@ -267,7 +267,8 @@ void fill_joints(const std::vector<Contact>& contacts, const Places& places, con
     while (last + 1 < contacts.size() && goes_on(contacts[last], contacts[last + 1])) ++last;
     const Vec2& from = places.position(contacts[first].from);
     const Vec2& to = places.position(contacts[last].to);
-    if (from == to) continue;
+    if ((to - from).norm() <= round_off * rock.tolerance)
+      continue;  // one place, computed twice: no blocks touch along it
     rock.joints.push_back({from, to, joint_of(pieces.sources[at(contacts[first].straight)], plan)});
   }
 }

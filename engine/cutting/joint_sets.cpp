@@ -9,7 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/geometry/box.h"
-#include "engine/geometry/segment.h"
+#include "engine/geometry/segment_crossing.h"
 
 namespace dda {
 namespace {
@@ -19,24 +19,11 @@ struct Trace {
   std::size_t set = 0;
 };
 
-// Where a line crosses another segment, as a share of its own length; nothing when it does not.
-std::optional<double> share_at_crossing(const Segment& line, const Segment& other) {
-  const Vec2 along = line.end - line.start;
-  const Vec2 across = other.end - other.start;
-  const double whole = cross(along, across);
-  if (whole == 0) return std::nullopt;
-  const Vec2 between = other.start - line.start;
-  const double share = cross(between, across) / whole;
-  const double other_share = cross(between, along) / whole;
-  if (share <= 0 || share >= 1 || other_share < 0 || other_share > 1) return std::nullopt;
-  return share;
-}
-
 std::vector<Segment> parts_inside(const Segment& segment, const Ring& region) {
   if (region.empty()) return {segment};
   std::vector<double> shares{0, 1};
   for (std::size_t i = 0; i < region.size(); ++i) {
-    if (const auto share = share_at_crossing(segment, {region[i], region[(i + 1) % region.size()]}))
+    if (const auto share = share_at_inner_crossing(segment, {region[i], region[(i + 1) % region.size()]}))
       shares.push_back(*share);
   }
   std::sort(shares.begin(), shares.end());
@@ -144,7 +131,7 @@ Segment ended(const Segment& trace, const std::vector<Trace>& earlier, const std
   for (const Trace& other : earlier) {
     if (std::find(sets.begin(), sets.end(), other.set) == sets.end()) continue;
     if (!overlap(box, expanded(expanded(Box{}, other.segment.start), other.segment.end))) continue;
-    const auto share = share_at_crossing(trace, other.segment);
+    const auto share = share_at_inner_crossing(trace, other.segment);
     if (!share) continue;
     if (*share < 0.5)
       from = std::max(from, *share);

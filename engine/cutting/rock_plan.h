@@ -3,6 +3,7 @@
 // other, stick out of the boundary or end inside the rock, and rings may turn either way.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,20 @@ struct PlanRegion {
   std::string origin;
 };
 
+// Cells, the polygons of a Voronoi diagram, that fill blocks between joints.
+struct PlanFill {
+  double size = 0;            // m, the side of a square as large as a cell
+  std::vector<Ring> fine_at;  // outlines at which cells have the size `finest`, growing by `growth` per m from there
+  double finest = 0;          // m
+  double growth = 0;
+  int relax = 0;          // how often sites move to the centroids of their cells
+  double short_edge = 0;  // of the size of a cell: shorter edges are closed
+  Ring region;            // blocks inside are filled, and it cuts; empty: all blocks
+  std::uint64_t seed = 1;
+  std::string joint;  // along the walls of cells, which only cut
+  std::string origin;
+};
+
 // A place that a drawing marks: a fixed point, a load point, a measuring point, a hole point, a blast.
 struct PlanPoint {
   Vec2 at = Vec2::Zero();
@@ -58,6 +73,7 @@ struct RockPlan {
   std::vector<PlanLine> lines;
   std::vector<PlanOpening> openings;
   std::vector<PlanRegion> regions;
+  std::vector<PlanFill> fills;
   std::vector<PlanPoint> points;
   std::vector<PlanMark> marks;
 };

@@ -33,6 +33,8 @@ struct DrawnPoint {
 struct LineDrawing {
   std::string name;  // of the file, for messages
   std::string unit;  // of its coordinates: "mm"; empty where the file does not say, and metres were taken
+  // No layer has the boundary: the rock is what the lines enclose, as for dc of the original DDA.
+  bool encloses = false;
   std::vector<DrawnLine> lines;
   std::vector<DrawnPoint> points;
   std::map<std::string, int> passed_over;  // how many there were of each kind that is no line or point: "TEXT"

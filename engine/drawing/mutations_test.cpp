@@ -4,6 +4,7 @@
 #include "engine/cutting/cut_rock.h"
 #include "engine/drawing/drawing_test_support.h"
 #include "engine/drawing/read_formats.h"
+#include "engine/drawing/xlsx_test_support.h"
 
 namespace dda {
 namespace {
@@ -83,6 +84,33 @@ TEST(Mutations, OfCsv) {
       read_mutations("layer,x1,y1,x2,y2,x,y\numriss,0,0,4,0,,\numriss,4,0,0,4,,\numriss,0,4,0,0,,\nrock,0,1,4,1,,\n"
                      "fix point,,,,,1,1\n",
                      0, read_csv_drawing, 4000));
+}
+
+// First bytes of the archive, where checksums catch those of its files; then the XML of a sheet.
+TEST(Mutations, OfXlsx) {
+  const Tally tally = read_mutations(text_of_fixture("tables.xlsx"), 0, read_xlsx, 4000);
+  EXPECT_GT(tally.refused, 50);
+  const auto read_sheet = [](std::string_view rows, const std::string& name, double metres) {
+    return read_xlsx(workbook(std::string(rows)), name, metres);
+  };
+  const auto row = [](const std::string& layer, const std::string& numbers) {
+    std::string cells = "<row r=\"1\"><c r=\"A1\" t=\"str\"><v>" + layer + "</v></c>";
+    for (const char number : numbers) cells += std::string("<c><v>") + number + "</v></c>";
+    return cells + "</row>";
+  };
+  const std::string header =
+      "<row><c t=\"inlineStr\"><is><t>layer</t></is></c><c t=\"str\"><v>x1</v></c><c t=\"str\"><v>y1</v></c>"
+      "<c t=\"str\"><v>x2</v></c><c t=\"str\"><v>y2</v></c></row>";
+  expect_both(read_mutations(
+      header + row("umriss", "0040") + row("umriss", "4004") + row("umriss", "0400") + row("rock", "0141"), 0,
+      read_sheet, 4000));
+}
+
+TEST(Mutations, OfDc) {
+  expect_both(
+      read_mutations("0.001\n6 0\n1\n0\n2\n1\n1\n0\n0 0 4 0 1\n4 0 4 4 1\n4 4 0 4 1\n0 4 0 0 1\n-0.5 2 4.5 2 2\n"
+                     "2 -0.5 2 4.5 3\n0 1 4 1 2\n1 0.5 3 0.5\n1 3 1 3\n3.5 1\n0.5 0.5\n",
+                     0, read_dc, 10000));
 }
 
 TEST(Mutations, OfGeoJson) {

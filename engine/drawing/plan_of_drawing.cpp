@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/enclosed_rock.h"
 #include "engine/drawing/join_lines.h"
 #include "engine/drawing/straighten.h"
 #include "engine/geometry/box.h"
@@ -55,10 +56,23 @@ double distance_to(const Ring& ring, const Vec2& point) {
   return least;
 }
 
+// In a drawing whose lines enclose the rock they are joints whatever the name of their layer, unless the table says
+// else.
+std::map<std::string, LayerUse> table_for(const LineDrawing& drawing, const DrawingOptions& options) {
+  std::map<std::string, LayerUse> table;
+  if (drawing.encloses) {
+    for (const DrawnLine& line : drawing.lines) table[bare_layer(line.layer)].role = LayerRole::rock;
+  }
+  for (const auto& [layer, use] : options.layers) table[bare_layer(layer)] = use;
+  return table;
+}
+
 class Planner {
  public:
   Planner(const LineDrawing& drawing, const DrawingOptions& options)
-      : reach_(options.reach > 0 ? options.reach : reach_over_diagonal * diagonal(drawing)), layers_(options.layers) {
+      : reach_(options.reach > 0 ? options.reach : reach_over_diagonal * diagonal(drawing)),
+        encloses_(drawing.encloses ? drawing.name : ""),
+        layers_(table_for(drawing, options)) {
     sort_lines(drawing, straightened(drawing, options.chords, reach_));
     for (const DrawnPoint& point : drawing.points) sort_point(point);
   }
@@ -67,6 +81,7 @@ class Planner {
     add_boundary();
     add_joints();
     for (const LayerRole role : {LayerRole::tunnel, LayerRole::removable_hole, LayerRole::blast}) add_openings(role);
+    if (!encloses_.empty()) enclose_rock(encloses_, reach_, plan_);
     add_points();
     add_marks();
     return std::move(plan_);
@@ -103,18 +118,27 @@ class Planner {
     return lines_where([role](const RoleLine& line) { return line.use->role == role; });
   }
 
+  // Where all lines are shorter than what counts as one place, nothing would be left, in silence.
+  void expect_rings(const Joined& joined, const std::string& origin) const {
+    if (joined.gap || !joined.rings.empty()) return;
+    throw InputError("", origin, fmt::format("smaller than {:.4g} m, within which ends belong together", reach_),
+                     "a larger outline, a tolerance, or no line far away from it");
+  }
+
   [[noreturn]] static void refuse(const Gap& gap) { throw InputError("", gap.origin, gap.value, gap.expected); }
 
   // Where absorbing lines are part of the outline, and not drawn along it, both together close it.
   void add_boundary() {
     std::vector<OpenLine> lines = lines_of(LayerRole::boundary);
     if (lines.empty()) return;
+    const std::string origin = lines.front().origin;
     Joined joined = join_lines(lines, reach_);
     if (const auto gap = joined.gap) {
       for (OpenLine& line : lines_of(LayerRole::absorbing_boundary)) lines.push_back(std::move(line));
       joined = join_lines(std::move(lines), reach_);
       if (joined.gap) refuse(*gap);
     }
+    expect_rings(joined, origin);
     const auto area = [](const JoinedRing& ring) { return std::abs(signed_area(ring.ring)); };
     std::ranges::stable_sort(joined.rings, std::greater<>(), area);
     plan_.boundary = joined.rings.front().ring;
@@ -149,6 +173,7 @@ class Planner {
     for (const auto& [layer, use] : layers) {
       const auto own = lines_where([&name = layer](const RoleLine& line) { return line.layer == name; });
       Joined joined = join_lines(own, reach_);
+      expect_rings(joined, own.front().origin);
       if (joined.gap && role != LayerRole::blast) refuse(*joined.gap);
       if (joined.gap) {
         for (const OpenLine& line : own) add_line(line, *use);
@@ -201,6 +226,7 @@ class Planner {
   }
 
   double reach_;
+  std::string encloses_;  // name of a drawing whose lines enclose the rock; empty: a layer has the boundary
   Layers layers_;
   std::vector<RoleLine> lines_;
   std::vector<RolePoint> points_;

@@ -17,7 +17,8 @@ struct Format {
   std::string_view extension;
   Reader read;
 };
-constexpr std::array<Format, 3> formats{{{".dxf", read_dxf}, {".csv", read_csv_drawing}, {".geojson", read_geojson}}};
+constexpr std::array<Format, 6> formats{
+    {{".dxf", read_dxf}, {".csv", read_csv_drawing}, {".geojson", read_geojson}, {".dc", read_dc}, {".geo", read_dc}}};
 
 const Format* format_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -34,7 +35,8 @@ bool is_drawing(const std::filesystem::path& file) { return format_of(file) != n
 LineDrawing read_drawing(const std::filesystem::path& file, const std::string& name, double metres) {
   const Format* format = format_of(file);
   if (format == nullptr)
-    throw InputError("", "the drawing", "\"" + readable(name) + "\"", "a .dxf, .csv or .geojson file");
+    throw InputError("", "the drawing", "\"" + readable(name) + "\"",
+                     "a .dxf, .csv, .xlsx, .geojson, .dc or .geo file");
   std::string text;
   try {
     text = read_file(file, most_input_bytes);

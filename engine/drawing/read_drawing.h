@@ -7,7 +7,7 @@
 
 namespace dda {
 
-// Whether the name of the file says that it holds a drawing: .dxf, .csv, .geojson.
+// Whether the name of the file says that it holds a drawing: .dxf, .csv, .xlsx, .geojson, .dc, .geo.
 bool is_drawing(const std::filesystem::path& file);
 
 // Reads a drawing in the format its name says. `name` stands for it in messages; `metres` is a unit of its coordinates,

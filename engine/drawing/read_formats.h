@@ -11,6 +11,10 @@ namespace dda {
 
 LineDrawing read_dxf(std::string_view text, const std::string& name, double metres);
 LineDrawing read_csv_drawing(std::string_view text, const std::string& name, double metres);
+LineDrawing read_xlsx(std::string_view text, const std::string& name, double metres);
 LineDrawing read_geojson(std::string_view text, const std::string& name, double metres);
+
+// The lines that dl writes and dc cuts in the original DDA.
+LineDrawing read_dc(std::string_view text, const std::string& name, double metres);
 
 }  // namespace dda

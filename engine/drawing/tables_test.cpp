@@ -44,6 +44,22 @@ TEST(ReadCsv, WhatIsWrongIsSaidInOneSentence) {
   for (const auto& each : all) expect_refused([&] { read_csv_drawing(each.first, "plan.csv", 0); }, each.second);
 }
 
+// Found by a mutated file: a joint that ends far away made all lines of the boundary one place, and none was left.
+TEST(ReadCsv, ALineFarAwayDoesNotLetOutlinesVanish) {
+  const std::string header = "layer,x1,y1,x2,y2\n";
+  const auto triangle = [](const std::string& layer) {
+    return layer + ",0,0,4,0\n" + layer + ",4,0,0,4\n" + layer + ",0,4,0,0\n";
+  };
+  const auto plan = [](const std::string& text) {
+    return [text] { plan_of(read_csv_drawing(text, "plan.csv", 0), {}); };
+  };
+  expect_refused(plan(header + triangle("boundary") + "rock,0,1,1e12,1\n"),
+                 "plan.csv line 2 (layer boundary) is smaller than 1e+06 m, within which ends belong together");
+  expect_refused(
+      plan(header + triangle("tunnel") + "boundary,0,1,1e12,1\nboundary,1e12,1,1e12,1e12\nboundary,1e12,1e12,0,1\n"),
+      "plan.csv line 2 (layer tunnel) is smaller than");
+}
+
 TEST(ReadGeoJson, LinesPolygonsAndPoints) {
   expect_triangle_with_joint(read_geojson(R"({"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"layer": "boundary"},

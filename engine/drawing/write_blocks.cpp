@@ -1,5 +1,7 @@
 #include "engine/drawing/write_blocks.h"
 
+#include "engine/drawing/dc_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -151,7 +153,7 @@ struct Format {
   std::string_view extension;
   Writer write;
 };
-constexpr std::array<Format, 2> formats{{{".dxf", dxf_text}, {".geojson", geojson_text}}};
+constexpr std::array<Format, 3> formats{{{".dxf", dxf_text}, {".geojson", geojson_text}, {".dc", dc_text}}};
 
 const Format* format_of(const std::filesystem::path& file) {
   const auto* const found = std::ranges::find(formats, std::string_view(file.extension().string()), &Format::extension);

@@ -158,6 +158,14 @@ JointMaterial read_joint(const std::string& name, const Field& field, const Sche
   return joint;
 }
 
+void add_rings(const Field& rock, std::vector<Field>& users) {
+  const auto openings = rock.find("openings");
+  if (!openings) return;
+  for (const Field& opening : openings->items()) {
+    if (const auto rings = opening.find("rings")) users.push_back(*rings);
+  }
+}
+
 // Everything in a scene that names a joint in a key "joint".
 std::vector<Field> joint_users(const Field& scene) {
   std::vector<Field> users;
@@ -171,7 +179,8 @@ std::vector<Field> joint_users(const Field& scene) {
   for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
     const auto rock = entry.find("rock");
     if (!rock) continue;
-    for (const char* key : {"lines", "joint_sets", "openings"}) add_entries(*rock, key);
+    for (const char* key : {"lines", "joint_sets", "openings", "fill"}) add_entries(*rock, key);
+    add_rings(*rock, users);
     if (const auto drawing = rock->find("drawing"))
       std::ranges::copy(layer_entries(*drawing), std::back_inserter(users));
   }

@@ -10,6 +10,7 @@
 #include "engine/scene/block_group.h"
 #include "engine/scene/places.h"
 #include "engine/scene/read_drawn_plan.h"
+#include "engine/scene/read_fills.h"
 #include "engine/scene/read_joint_sets.h"
 #include "engine/scene/read_openings.h"
 
@@ -32,12 +33,15 @@ PlanRegion read_region(const Field& field, const Model& model) {
   return {read_ring(outline), model.materials[static_cast<std::size_t>(material)].name, outline.path()};
 }
 
+int seed_of(const Field& rock) {
+  return value_or(rock, "seed", 1, [](const Field& f) { return f.whole_number(); });
+}
+
 void read_sets(const Field& field, const Model& model, RockPlan& plan) {
   const auto sets = field.find("joint_sets");
   if (!sets) return;
-  const int seed = value_or(field, "seed", 1, [](const Field& f) { return f.whole_number(); });
   const std::vector<JointSet> read = read_joint_sets(*sets, model);
-  for (PlanLine& trace : traces_of(read, plan.boundary, static_cast<std::uint64_t>(seed)))
+  for (PlanLine& trace : traces_of(read, plan.boundary, static_cast<std::uint64_t>(seed_of(field))))
     plan.lines.push_back(std::move(trace));
 }
 
@@ -64,11 +68,16 @@ void read_plan(const Field& field, const Model& model, RockPlan& plan) {
     for (const Field& line : lines->items()) plan.lines.push_back(read_line(line, model));
   }
   if (const auto openings = field.find("openings")) {
-    for (const Field& opening : openings->items()) plan.openings.push_back(read_opening(opening, model));
+    for (const Field& opening : openings->items()) {
+      plan.openings.push_back(read_opening(opening, model));
+      for (PlanLine& line : read_rings(opening, plan.openings.back().outline, model))
+        plan.lines.push_back(std::move(line));
+    }
   }
   if (const auto regions = field.find("regions")) {
     for (const Field& region : regions->items()) plan.regions.push_back(read_region(region, model));
   }
+  read_fills(field, seed_of(field), model, plan);
 }
 
 CutOptions read_options(const Field& field) {

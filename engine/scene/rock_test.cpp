@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/temporary_folder.h"
+#include "engine/cutting/opening_shapes.h"
 #include "engine/scene/cut_scene.h"
 #include "engine/scene/scene.h"
 
@@ -80,6 +81,41 @@ TEST(Rock, AJointWithoutAnyContactLeavesTheSceneThatIsWrittenOut) {
   EXPECT_EQ(parse_scene(cut.text, "cut.json").blocks.size(), 1U);
 }
 
+const std::string filled = R"({"boundary": [[0, 0], [20, 0], [20, 20], [0, 20]],
+ "openings": [{"name": "tunnel", "circle": {"centre": [10, 10], "radius": 2}, "left_out": true,
+               "rings": {"count": 2, "thickness": "0.4 m", "cuts": 16, "joint": "bedding"}}],
+ "fill": [{"voronoi": {"size": "2 m", "graded": {"opening": "tunnel", "size": "0.5 m"}}, "joint": "bedding"}]})";
+
+// Joints that end where a wall, an opening and a line meet have no length but that of round-off.
+TEST(Rock, AFilledSceneThatIsWrittenOutGivesTheSame) {
+  const TemporaryFolder folder;
+  for (const char* seed : {"1", "2", "3"}) {
+    std::string rock = filled;
+    rock.insert(
+        1, std::string(R"("seed": )") + seed + R"(, "lines": [{"points": [[-1, 9], [21, 12]], "joint": "default"}], )");
+    const std::string text = scene_with(rock);
+    std::ofstream(folder / "scene.json") << text;
+    expect_same(parse_scene(text, "rock.json"),
+                parse_scene(cut_scene(folder / "scene.json", folder / "out").text, "cut.json"));
+  }
+}
+
+TEST(Rock, FillsAndRingsCutAndHaveTheirJoint) {
+  const Model model = parse_scene(scene_with(filled), "rock.json");
+  // 2 rings of 16 blocks; beyond them the integral of 1/size^2, with size = 0.5 + 0.2 (r - 2) up to 2 at r = 9.5 and
+  // the corners of the square in cells of 4 m2, is 187. The outline of rounded blocks makes a few more or less.
+  EXPECT_NEAR(static_cast<double>(model.blocks.size()), 32 + 187, 0.05 * 187);
+  double area = 0;
+  for (const Block& block : model.blocks) area += block.moments.area;
+  const double tunnel = area_moments({circle({10, 10}, 2, 0.02), {}}).area;
+  EXPECT_NEAR(area, 400 - tunnel, 1e-10);
+  for (const JointLine& line : model.joint_lines)
+    EXPECT_EQ(model.joints[static_cast<std::size_t>(line.joint)].name, "bedding");
+  std::string other = filled;
+  other.replace(other.find("\"size\": \"2 m\""), 13, "\"seed\": 5, \"size\": \"2 m\"");
+  EXPECT_NE(parse_scene(scene_with(other), "rock.json").blocks[0].moments.area, model.blocks[0].moments.area);
+}
+
 struct Refused {
   std::string rock;
   std::string sentence;
@@ -88,6 +124,16 @@ struct Refused {
 TEST(Rock, WrongRockIsRefusedInOneSentence) {
   const std::string square = R"("boundary": [[0, 0], [10, 0], [10, 10], [0, 10]])";
   const auto set = [&](const std::string& keys) { return "{" + square + R"(, "joint_sets": [{)" + keys + "}]}"; };
+  const auto fill = [&](const std::string& keys) {
+    return "{" + square +
+           R"(, "openings": [{"name": "t", "circle": {"centre": [5, 5], "radius": 1}}], "fill": [{"joint": "bedding", "voronoi": {)" +
+           keys + "}}]}";
+  };
+  const auto rings = [&](const std::string& keys) {
+    return "{" + square +
+           R"(, "openings": [{"name": "t", "polygon": [[1, 1], [9, 1], [9, 9], [6, 9], [6, 2], [5, 2], [5, 9], [1, 9]], "rings": {"joint": "bedding", )" +
+           keys + "}}]}";
+  };
   const std::vector<Refused> all{
       {R"({"boundary": [[0, 0], [10, 10], [10, 0], [0, 10]]})",
        "blocks.rock.boundary is self-intersecting: edge 0 of the outer ring crosses or touches edge 2, expected a "
@@ -115,6 +161,18 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
        "blocks.rock.openings[0] is without a shape"},
       {"{" + square + R"(, "openings": [{"name": "t", "horseshoe": {"width": 4, "height": 6}, "joint": "bedding"}]})",
        "blocks.rock.openings[0].horseshoe.height is 6, expected 0.5 to 1.36 of the width"},
+      {fill(R"("size": "1 um")"), "blocks.rock.fill[0] is more than 100000 cells in one block, expected a larger size"},
+      {fill(R"("size": 0)"), "blocks.rock.fill[0].voronoi.size is 0, expected a number above 0"},
+      {fill(R"("relax": 3)"), "blocks.rock.fill[0].voronoi.size is missing"},
+      {fill(R"("size": 1, "short_edge": 0.5)"), "blocks.rock.fill[0].voronoi.short_edge is 0.5, expected"},
+      {fill(R"("size": 1, "graded": {"opening": "tunnel", "size": 0.1})"),
+       "blocks.rock.fill[0].voronoi.graded.opening is \"tunnel\", expected the name of an opening of this rock"},
+      {fill(R"("size": 1, "graded": {"size": 2})"),
+       "blocks.rock.fill[0].voronoi.graded.size is 2, expected at most the size of cells elsewhere"},
+      {fill(R"("size": 1, "graded": {"size": 0.2, "growth": 3})"),
+       "blocks.rock.fill[0].voronoi.graded.growth is 3, expected at most 1"},
+      {rings(R"("count": 2, "thickness": 0.4)"),
+       "blocks.rock.openings[0].rings is 0.8 m away from the outline self-intersecting"},
   };
   for (const Refused& each : all) {
     try {
@@ -161,7 +219,7 @@ TEST(RockOfADrawing, WhatDoesNotFitIsRefusedInOneSentence) {
   const std::vector<Wrong> all{
       {"", R"({"drawing": "plan.dxf"})", "rock.json: plan.dxf is missing, expected a drawing"},
       {"", R"({"drawing": "plan.pdf"})",
-       "rock.json: the drawing is \"plan.pdf\", expected a .dxf, .csv or .geojson file"},
+       "rock.json: the drawing is \"plan.pdf\", expected a .dxf, .csv, .xlsx, .geojson, .dc or .geo file"},
       {"", R"({"joint_sets": []})", "rock.json: blocks.rock.boundary is missing, expected it, or a drawing"},
       {square_with_joint, R"({"drawing": "plan.csv"})",
        "rock.json: plan.csv line 2 is on the unknown layer \"Umriss\""},

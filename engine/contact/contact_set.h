@@ -58,9 +58,9 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
 void measure_gap(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
                  InterfaceState& own);
 
-// The same for the forces of a stretch. Those of consistent joints act on both blocks halfway between them, so that they
-// have no moment together, and a rotation of both blocks that leaves their gap as it is changes no row of it. Springs
-// act on each block where they are tied to it.
+// The same for the forces of a stretch. Those of consistent joints act on both blocks halfway between them, so that
+// they have no moment together, and a rotation of both blocks that leaves their gap as it is changes no row of it.
+// Springs act on each block where they are tied to it.
 InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface, InterfaceLaw law);
 
 // Finite kinematics: measures the gaps of consistent interfaces in `state`, and moves the elements to where forces act,

@@ -99,9 +99,6 @@ Mat26 local_rows(const Mat2& axes, const Vec2& offset);
 // Frame in the reference geometry.
 InterfaceFrame reference_frame(const Model& model, const Interface& interface);
 
-// Rows (normal, tangent): the local components of a global vector.
-Mat2 local_axes(const Vec2& normal);
-
 // Stiffness (N/m) of the four rows under a law; see JointMaterial for the parameters.
 Vec4 interface_stiffness(const Model& model, const Interface& interface, InterfaceLaw law);
 

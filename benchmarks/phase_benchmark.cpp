@@ -80,7 +80,7 @@ void contact_pass(benchmark::State& state, const Model& model) {
       trial[i].gap = contacts.states[i].gap + gap_increment(element, d);
       respond(element, trial[i]);
       gave_way |= update_capacity(element, contacts.strengths[i], trial[i]) > 0;
-      gave_way |= break_ends(contacts.strengths[i], trial[i]);
+      gave_way |= break_ends(element, contacts.strengths[i], trial[i]);
     }
     benchmark::ClobberMemory();
   }

@@ -67,7 +67,7 @@ double potential(const Model& model, const Vec12& q, double joint_stiffness) {
   const Vec2 along(-n.y(), n.x());
   std::array<double, 2> gammas{};
   double bed = 0;  // compliance
-  for (const std::size_t block : {0, 1}) {
+  for (const std::size_t block : {std::size_t{0}, std::size_t{1}}) {
     const Mat3 d = elasticity_matrix(model.materials[block]);
     const double width = extent_along(model.blocks[block].shape.outer, n);
     gammas[block] = projected_penalty(model, static_cast<int>(block)) * d(0, 0) / width;
@@ -93,7 +93,7 @@ Mat12 stiffness_matrix(const Model& model, const ContactSet& contacts) {
   const InterfaceMatrices k = stiffness_of(contacts.elements[0], Vec4::Ones());
   Mat12 matrix;
   matrix << k.aa, k.ba.transpose(), k.ba, k.bb;
-  for (const std::size_t block : {0, 1}) {
+  for (const std::size_t block : {std::size_t{0}, std::size_t{1}}) {
     const auto strains = static_cast<Eigen::Index>(6 * block + 3);
     matrix.block<3, 3>(strains, strains) -=
         outline_stiffness(contacts, block, elasticity_matrix(model.materials[block]));
@@ -105,7 +105,7 @@ Vec12 force(const Model& model, const ContactSet& contacts, const Vec12& q) {
   const Vec4 gap = gap_increment(contacts.elements[0], q);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(12);
   add_interface_force(contacts.elements[0], elastic_force(contacts.elements[0], gap, {}, {}), gap, sum);
-  for (const std::size_t block : {0, 1}) {
+  for (const std::size_t block : {std::size_t{0}, std::size_t{1}}) {
     const auto strains = static_cast<Eigen::Index>(6 * block + 3);
     const Mat3 d = elasticity_matrix(model.materials[block]);
     sum.segment<3>(strains) -= outline_force(contacts, block, d, d * q.segment<3>(strains));

@@ -227,7 +227,7 @@ TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
       const Eigen::VectorXd d =
           Mat6(step.mass * mass + step.damping * acting + step.stiffness * stiffness).llt().solve(rhs);
       const double work = inertia_work(step, terms, state, d);
-      audit.radiateds_worked(step, told, state, d);
+      audit.dashpots_worked(step, told, state, d);
       advance_blocks(step, terms, d, state);
       deform_blocks(Kinematics::small, d, terms, state);
       Eigen::VectorXd new_force = none;

@@ -192,7 +192,7 @@ TEST(ContactSolver, AnEndThatBreaksIsAnEvent) {
 TEST(ContactSolver, ABondedInterfaceIsAdmitted) {
   HandMadeProblem made = block_on_floor({0, 50});
   made.places.clear();
-  add_contact(1, made.elements[0], Vec4(1, 1, 0, 0), true, true, made.base);
+  add_contact(1, made.elements[0], {Vec4(1, 1, 0, 0), 0}, true, true, made.base);
   Solved solved(made);
   EXPECT_NEAR(solved.moved(1).y(), 50 / (inertia + kn), tolerance);
   HandMadeProblem after = block_on_floor({0, 50});

@@ -276,6 +276,7 @@ Status GeneralStep::solve() {
   while (solution.status == Status::ok) {
     const bool replaced = replace_broken_joints();
     if (!replaced && !solution.something_broke()) return Status::ok;
+    can_be_cut_ = false;  // what broke did so in this step, and a shorter one would not know of it
     solver_.go_on(problem());
   }
   message_ = solution.failure == Failure::unsettled ? unsettled_message(solution, system_) : sentence(solution.failure);

@@ -50,7 +50,7 @@ std::filesystem::path file_of(std::size_t stage, const Model& model, const std::
     expect_done(folder);
     return folder / checkpoint_name;
   }
-  const std::filesystem::path file = folder / stage_file_name(stage);
+  std::filesystem::path file = folder / stage_file_name(stage);
   if (!std::filesystem::exists(file))
     throw InputError("", "--from",
                      fmt::format("stage \"{}\", of which {} has no end", model.stages[stage].name, folder.string()),

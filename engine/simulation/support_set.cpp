@@ -24,10 +24,9 @@ Vec2 missed_by_rows(const Vec6& increments, double ahead, const Vec2& offset) {
 
 Vec2 measured_gap(const Model& model, const State& state, std::size_t index, const SupportElement& support) {
   const PointSupport& prescription = model.supports[index];
-  const Vec2 gap =
-      point_displacement(model, state, support.block, prescription.point) - support.prescribed - support.rest;
-  if (!prescription.partner) return gap;
-  return gap - point_displacement(model, state, support.block, *prescription.partner);
+  Vec2 gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed - support.rest;
+  if (prescription.partner) gap -= point_displacement(model, state, support.block, *prescription.partner);
+  return gap;
 }
 
 }  // namespace

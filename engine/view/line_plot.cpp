@@ -122,7 +122,8 @@ void append_key(const LinePlot& plot, double foot, std::string& svg) {
   if (plot.lines.size() < 2) return;
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {
     const double x = left + static_cast<double>(i % 4) * (width - left - right) / 4;
-    const double y = foot + bottom + above_key + line_of_key * static_cast<double>(i / 4);
+    const std::size_t row = i / 4;
+    const double y = foot + bottom + above_key + line_of_key * static_cast<double>(row);
     svg += fmt::format("<path d=\"M{:.1f} {:.1f}h18\" {} stroke-width=\"2.5\"/>", x, y - 4, stroke_of(i));
     append_text(x + 24, y, "start", plot.lines[i].name, svg);
   }

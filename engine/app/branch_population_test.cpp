@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/counters.h"
+#include "engine/app/memory_test_support.h"
 #include "engine/core/error.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
@@ -116,17 +116,6 @@ json whole_scene(const std::string& kind, int seed, const json& settled) {
 }
 
 Model model_of(const json& scene) { return parse_scene(scene.dump(), "scene"); }
-
-// All that a checkpoint holds but its counters, which stand at its end.
-std::vector<std::byte> memory_of(const Simulation& simulation) {
-  std::vector<std::byte> bytes = save(simulation);
-  bytes.resize(bytes.size() - sizeof(Counters));
-  visit_memory(simulation.state(), [&](const void* memory, std::size_t count) {
-    const auto* first = static_cast<const std::byte*>(memory);
-    bytes.insert(bytes.end(), first, first + count);
-  });
-  return bytes;
-}
 
 void run_to_end_of_stage(Simulation& simulation, std::size_t stages) {
   while (stages_done(simulation) < stages) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/memory_test_support.h"
 #include "engine/core/counters.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/probes.h"
@@ -50,18 +51,6 @@ std::vector<double> measured(const Probes& probes, const Simulation& simulation)
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
-
-// All that a checkpoint holds but its counters, which stand at its end: the resumed run has analyzed and factored its
-// matrix once more.
-std::vector<std::byte> memory_of(const Simulation& simulation) {
-  std::vector<std::byte> bytes = save(simulation);
-  bytes.resize(bytes.size() - sizeof(Counters));
-  visit_memory(simulation.state(), [&](const void* memory, std::size_t count) {
-    const auto* first = static_cast<const std::byte*>(memory);
-    bytes.insert(bytes.end(), first, first + count);
-  });
-  return bytes;
 }
 
 void expect_same_counters(const Counters& whole, const Counters& resumed) {

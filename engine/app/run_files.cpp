@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "engine/model/quantity_names.h"
+#include "engine/record/energy_terms.h"
 #include "engine/record/run_folder.h"
 
 namespace dda {
@@ -23,28 +23,12 @@ std::vector<Column> columns_of(const Model& model) {
 // Of energies.csv. Its rows are for looking at: a thousand of them show all there is to see.
 constexpr std::int64_t most_energy_rows = 1000;
 
-struct EnergyColumn {
-  const char* name;
-  double EnergyLedger::*value;
-};
-constexpr EnergyColumn energy_columns[] = {{"kinetic", &EnergyLedger::kinetic},
-                                           {"strain", &EnergyLedger::strain},
-                                           {"contact", &EnergyLedger::contact},
-                                           {"bolts", &EnergyLedger::bolts},
-                                           {"external_work", &EnergyLedger::external_work},
-                                           {"gravity_work", &EnergyLedger::gravity_work},
-                                           {"friction", &EnergyLedger::friction},
-                                           {"plastic", &EnergyLedger::plastic},
-                                           {"radiated", &EnergyLedger::radiated},
-                                           {"dashpot", &EnergyLedger::dashpot},
-                                           {"damping", &EnergyLedger::damping},
-                                           {"numerical", &EnergyLedger::numerical},
-                                           {"removed", &EnergyLedger::removed}};
-constexpr std::size_t energy_values = std::size(energy_columns) + 2;
+constexpr std::size_t energy_values = stored_terms.size() + flow_terms.size() + 2;
 
 std::vector<Column> columns_of_energies() {
   std::vector<Column> columns;
-  for (const EnergyColumn& column : energy_columns) columns.push_back({column.name, "J/m"});
+  for (const StoredTerm& term : stored_terms) columns.push_back({term.name, "J/m"});
+  for (const FlowTerm& term : flow_terms) columns.push_back({term.name, "J/m"});
   columns.push_back({"residual", "J/m"});
   columns.push_back({"largest", "J/m"});
   return columns;
@@ -147,9 +131,11 @@ void RunFiles::sample() {
 void RunFiles::sample_energies() {
   const EnergyLedger& energy = simulation_.energy();
   std::array<double, energy_values> values{};
-  for (std::size_t i = 0; i < std::size(energy_columns); ++i) values[i] = energy.*energy_columns[i].value;
-  values[energy_values - 2] = energy.residual();
-  values[energy_values - 1] = energy.scale();
+  auto* next = values.data();
+  for (const StoredTerm& term : stored_terms) *next++ = energy.*term.now;
+  for (const FlowTerm& term : flow_terms) *next++ = energy.*term.sum;
+  *next++ = energy.residual();
+  *next = energy.scale();
   energy_time_ = simulation_.state().time;
   energies_->append(energy_time_, values);
 }

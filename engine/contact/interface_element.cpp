@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/contact/block_across.h"
 #include "engine/contact/cubic_law.h"
 #include "engine/contact/joint_stiffness.h"
 #include "engine/contact/projected_law.h"
 
 namespace dda {
 namespace {
-
-const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
-
-// Width of a block across an interface with this normal. The sum of length * width over the sides of any convex block
-// is about four times its area (six for a triangle), which is what bounds Nitsche's penalty from below.
-double width(const Model& model, int block, const Vec2& normal) {
-  return extent_along(block_of(model, block).shape.outer, normal);
-}
 
 Vec4 classical_stiffness(const Model& model, const Interface& interface) {
   const Springs springs = springs_of(model, interface);
@@ -36,8 +29,6 @@ double stiffer(const Model& model, const Interface& interface, double (*modulus)
   return std::max(modulus(model.material_of(interface.block_a)), modulus(model.material_of(interface.block_b)));
 }
 
-double plane_modulus(const Material& material) { return elasticity_matrix(material)(0, 0); }
-
 // What the rows need that do not resist a change of volume, Pa: the plane modulus, but no more than four times the
 // shear modulus, which it exceeds in plane strain beyond nu = 1/3. Pressure does not shear a joint, so its stiffness
 // has no place in the tangential rows; and the difference of the normal gaps at the ends, held with the stiffness of
@@ -51,8 +42,8 @@ double isochoric_modulus(const Material& material) {
 // Beside a held block all of the other's stress acts on the gap and not half of it, which asks for twice the penalty.
 Vec4 consistent_stiffness(const Model& model, const Interface& interface) {
   const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
-  const double across =
-      std::min(width(model, interface.block_a, interface.normal), width(model, interface.block_b, interface.normal));
+  const double across = std::min(width_across(model, interface.block_a, interface.normal),
+                                 width_across(model, interface.block_b, interface.normal));
   const double share = std::max(stress_share(model, interface.block_a, interface.block_b),
                                 stress_share(model, interface.block_b, interface.block_a));
   const double unit = 2 * share * interface.length / across;
@@ -94,9 +85,7 @@ Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side
                   const Material& material) {
   Mat43 rows = Mat43::Zero();
   const Vec2 n = axes.row(0);
-  Eigen::Matrix<double, 2, 3> traction;
-  traction << n.x(), 0, n.y(), 0, n.y(), n.x();
-  rows.topRows<2>() = share * length * axes * traction;
+  rows.topRows<2>() = share * length * axes * traction_rows(n);
   if (law == InterfaceLaw::consistent) return rows;
   const Vec2 side_direction = axes.row(1);
   const Eigen::RowVector3d axial = normal_stress_row(n) - side_free_ratio(material) * normal_stress_row(side_direction);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/block_across.h"
+
 namespace dda {
 namespace {
-
-const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
 
 double softer_young(const Model& model, const Interface& interface) {
   return std::min(model.material_of(interface.block_a).young, model.material_of(interface.block_b).young);
@@ -54,7 +54,7 @@ Springs springs_of(const Model& model, const Interface& interface) {
 
 StiffnessErrors stiffness_errors(const Model& model, const Interface& interface) {
   const auto half_block = [&](int block) {
-    return extent_along(block_of(model, block).shape.outer, interface.normal) / (2 * model.material_of(block).young);
+    return width_across(model, block, interface.normal) / (2 * model.material_of(block).young);
   };
   const double per_area = 2 * springs_of(model, interface).normal / interface.length;
   const double smaller =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/block_across.h"
 #include "engine/contact/cubic_law.h"
 
 namespace dda {
@@ -12,19 +13,10 @@ namespace {
 
 using Mat23 = Eigen::Matrix<double, 2, 3>;
 
-const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
-
-// Traction on a plane by the stress (xx, yy, xy).
-Mat23 traction_rows(const Vec2& n) { return (Mat23() << n.x(), 0, n.y(), 0, n.y(), n.x()).finished(); }
-
-double width(const Model& model, int block, const Vec2& normal) {
-  return extent_along(block_of(model, block).shape.outer, normal);
-}
-
 // w/(2 D) R^T R of the header in terms of stress, m/Pa for each m of outline: what a penalty of 1 takes.
 Mat3 unit_compliance(const Model& model, int block, const Vec2& normal) {
-  const double modulus = elasticity_matrix(model.material_of(block))(0, 0);
-  return width(model, block, normal) / (2 * modulus) * traction_rows(normal).transpose() * traction_rows(normal);
+  const double modulus = plane_modulus(model.material_of(block));
+  return width_across(model, block, normal) / (2 * modulus) * traction_rows(normal).transpose() * traction_rows(normal);
 }
 
 void add_ring(const Model& model, int block, const Ring& ring, Mat3& sum) {
@@ -39,8 +31,8 @@ void add_ring(const Model& model, int block, const Ring& ring, Mat3& sum) {
 // 1/(2 gamma), m/Pa: the gap that a traction of the block makes.
 double gap_by_traction(const Model& model, int block, const Vec2& normal) {
   if (model.is_held(block)) return 0;
-  const double modulus = elasticity_matrix(model.material_of(block))(0, 0);
-  return width(model, block, normal) / (2 * projected_penalty(model, block) * modulus);
+  const double modulus = plane_modulus(model.material_of(block));
+  return width_across(model, block, normal) / (2 * projected_penalty(model, block) * modulus);
 }
 
 double gap_by_traction(const Model& model, const Interface& interface) {
@@ -51,7 +43,7 @@ double gap_by_traction(const Model& model, const Interface& interface) {
 // m/Pa, of half of the block as a column.
 double column_compliance(const Model& model, int block, const Vec2& normal) {
   if (model.is_held(block)) return 0;
-  return width(model, block, normal) / (2 * side_free_modulus(model.material_of(block)));
+  return width_across(model, block, normal) / (2 * side_free_modulus(model.material_of(block)));
 }
 
 // m/Pa, of the joint's own material: normal, shear.

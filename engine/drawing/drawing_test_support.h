@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
@@ -23,6 +25,16 @@ inline DrawingOptions shapes_options() {
   options.layers["Stollen"].role = LayerRole::tunnel;
   options.layers["FUGEN"] = {LayerRole::rock, "bedding", false};
   return options;
+}
+
+// What the tables of the tests mean, whatever program wrote them.
+inline void expect_triangle_with_joint(const LineDrawing& drawing) {
+  const RockPlan plan = plan_of(drawing, {});
+  EXPECT_EQ(std::abs(signed_area(plan.boundary)), 8);
+  ASSERT_EQ(plan.lines.size(), 1U);
+  EXPECT_EQ(plan.lines[0].points, (std::vector<Vec2>{{0, 1.5}, {4, 1.5}}));
+  ASSERT_EQ(plan.points.size(), 1U);
+  EXPECT_EQ(plan.points[0].at, Vec2(0.5, 0.25));
 }
 
 template <typename Action>

@@ -8,15 +8,6 @@
 namespace dda {
 namespace {
 
-void expect_triangle_with_joint(const LineDrawing& drawing) {
-  const RockPlan plan = plan_of(drawing, {});
-  EXPECT_EQ(std::abs(signed_area(plan.boundary)), 8);
-  ASSERT_EQ(plan.lines.size(), 1U);
-  EXPECT_EQ(plan.lines[0].points, (std::vector<Vec2>{{0, 1.5}, {4, 1.5}}));
-  ASSERT_EQ(plan.points.size(), 1U);
-  EXPECT_EQ(plan.points[0].at, Vec2(0.5, 0.25));
-}
-
 TEST(ReadCsv, LinesAndPointsOfTheThesis) {
   expect_triangle_with_joint(
       read_csv_drawing("\xEF\xBB\xBFLayer,x1,y1,x2,y2,x,y\r\nboundary,0,0,4,0,,\r\nBoundary,4,0,0,4,,\r\n"

@@ -1,9 +1,11 @@
 #include "engine/record/summary.h"
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "engine/model/energy_release.h"
 #include "engine/record/atomic_file.h"
+#include "engine/record/energy_terms.h"
 
 namespace dda {
 namespace {
@@ -17,26 +19,13 @@ Json to_json(const Counters& counters) {
 }
 
 Json to_json(const EnergyLedger& energy) {
-  return {{"unit", "J per m of thickness"},
-          {"kinetic", energy.kinetic},
-          {"strain", energy.strain},
-          {"contact", energy.contact},
-          {"bolts", energy.bolts},
-          {"initial_kinetic", energy.initial_kinetic},
-          {"initial_strain", energy.initial_strain},
-          {"initial_contact", energy.initial_contact},
-          {"initial_bolts", energy.initial_bolts},
-          {"external_work", energy.external_work},
-          {"gravity_work", energy.gravity_work},
-          {"friction", energy.friction},
-          {"plastic", energy.plastic},
-          {"radiated", energy.radiated},
-          {"dashpot", energy.dashpot},
-          {"damping", energy.damping},
-          {"numerical", energy.numerical},
-          {"removed", energy.removed},
-          {"residual", energy.residual()},
-          {"residual_relative", energy.relative_residual()}};
+  Json json = {{"unit", "J per m of thickness"}};
+  for (const StoredTerm& term : stored_terms) json[term.name] = energy.*term.now;
+  for (const StoredTerm& term : stored_terms) json[std::string("initial_") + term.name] = energy.*term.initial;
+  for (const FlowTerm& term : flow_terms) json[term.name] = energy.*term.sum;
+  json["residual"] = energy.residual();
+  json["residual_relative"] = energy.relative_residual();
+  return json;
 }
 
 // In both of Salamon's forms, see model/energy_release.h.

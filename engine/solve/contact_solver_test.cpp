@@ -203,12 +203,17 @@ TEST(ContactSolver, ABondedInterfaceIsAdmitted) {
   EXPECT_NEAR(solved.moved(1).y(), 50 / inertia, tolerance);
 }
 
-TEST(ContactSolver, SaysWhichContactDoesNotSettle) {
+// A block on two corners of which one has still to come down, which takes a second pass that is not allowed.
+HandMadeProblem cut_short() {
   HandMadeProblem made = block_on_floor({100, -100});
   made.max_passes = 1;
   made.add_contact(0, 1, Vec2(-0.5, 0), Vec2(-0.5, -0.5), 0.5);
   made.states[1].gap(0) = 0.01;
-  const Solved solved(made);
+  return made;
+}
+
+TEST(ContactSolver, SaysWhichContactDoesNotSettle) {
+  const Solved solved(cut_short());
   EXPECT_EQ(solved.solution.status, Status::not_converged);
   EXPECT_EQ(solved.solution.failure, Failure::unsettled);
   EXPECT_GE(solved.solution.restless_contact, 0);
@@ -217,10 +222,7 @@ TEST(ContactSolver, SaysWhichContactDoesNotSettle) {
 
 // Quick passes give up, and the sure ones find the answer unless the step is rather to be shortened.
 TEST(ContactSolver, TakesTheSurePassesOnlyWhereItMustGoToTheEnd) {
-  HandMadeProblem made = block_on_floor({100, -100});
-  made.max_passes = 1;
-  made.add_contact(0, 1, Vec2(-0.5, 0), Vec2(-0.5, -0.5), 0.5);
-  made.states[1].gap(0) = 0.01;
+  HandMadeProblem made = cut_short();
   const Solved to_the_end(made);
   made.to_the_end = false;
   const Solved quickly(made);

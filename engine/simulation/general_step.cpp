@@ -215,7 +215,7 @@ void GeneralStep::place_geometry(double coming) {
     foresee_gaps(acting_.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
   update_geometry(s.model, acting_, s.supports);
   measure_gaps(s.model, s.state, s.supports);
-  foresee_gaps(s.model, s.state, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, s.supports);
+  foresee_gaps(s.model, s.state, acting_.velocity, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, s.supports);
   s.bolts.update_geometry(s.model, s.state, acting_);
   if (s.plan.viscous_edges) update_geometry(s.model, acting_, s.clock.stage, s.damping);
   if (s.plan.loads) {

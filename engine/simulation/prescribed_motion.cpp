@@ -7,6 +7,12 @@
 #include "engine/simulation/held_blocks.h"
 
 namespace dda {
+namespace {
+
+// Supports have a part in a step beyond what its matrix makes of them: prescribed motion, or what is foreseen.
+bool supports_drive(const StepPlan& plan) { return plan.moving_supports || plan.finite_kinematics; }
+
+}  // namespace
 
 void add_dashpot_and_support_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
   const StepCoefficients& c = system.coefficients;
@@ -15,7 +21,7 @@ void add_dashpot_and_support_rhs(const BlockSystem& system, Eigen::VectorXd& rhs
     const auto i = static_cast<std::size_t>(block);
     rhs.segment<6>(6 * block) -= matrix * (c.damping_v * state.velocity[i] + c.damping_a * state.acceleration[i]);
   }
-  if (!system.plan.moving_supports && !system.plan.finite_kinematics) return;
+  if (!supports_drive(system.plan)) return;
   const double end = system.end_of_step(c.dt);
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     const SupportElement& support = system.supports[i];
@@ -34,7 +40,7 @@ void accept_supports(BlockSystem& system) {
     } else {
       advance_gap(prescription, system.increment, system.state.time, support);
     }
-    if (system.plan.moving_supports || system.plan.finite_kinematics) system.audit.support_moved(before, support);
+    if (supports_drive(system.plan)) system.audit.support_moved(before, support);
   }
 }
 

@@ -67,11 +67,13 @@ void measure_gaps(const Model& model, const State& state, std::vector<SupportEle
     if (!model.supports[i].partner) measure_gap(model, state, i, supports[i]);
 }
 
-void foresee_gaps(const Model& model, const State& state, double dt, double acts_at,
+void foresee_gaps(const Model& model, const State& state, const std::vector<Vec6>& believed, double dt, double acts_at,
                   std::vector<SupportElement>& supports) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const int block = supports[i].block;
-    const Vec6 increments = dt * state.velocity[static_cast<std::size_t>(block)];
+    const auto b = static_cast<std::size_t>(block);
+    Vec6 increments = Vec6::Zero();
+    if (!believed[b].isZero(0)) increments = dt * state.velocity[b];
     const Vec2 centroid = current_centroid(model, state, block);
     const auto missed = [&](const Vec2& point) {
       return missed_by_rows(increments, acts_at * increments(2),

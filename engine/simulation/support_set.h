@@ -43,8 +43,9 @@ void measure_gap(const Model& model, const State& state, std::size_t index, Supp
 void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports);
 
 // Foresees what the rows, which are those of the share `acts_at` of a step of `dt` (s), miss of the gaps' change in it:
-// second order in the turns and strains of the step, times stiff springs a large force. See ADR 30.
-void foresee_gaps(const Model& model, const State& state, double dt, double acts_at,
+// second order in the turns and strains of the step, times stiff springs a large force. See ADR 30. `believed`: the
+// velocities with which the rows were placed, zero of blocks that are not believed to move so.
+void foresee_gaps(const Model& model, const State& state, const std::vector<Vec6>& believed, double dt, double acts_at,
                   std::vector<SupportElement>& supports);
 void foresee_nothing(std::vector<SupportElement>& supports);
 

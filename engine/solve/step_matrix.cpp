@@ -8,7 +8,7 @@ namespace dda {
 
 void add_contact(double factor, const InterfaceElement& element, const ContactRows& rows, bool in_a, bool in_b,
                  BlockMatrix& matrix) {
-  if (rows.active.isZero(0)) return;  // open
+  if (rows.active.isZero(0) && rows.coupling == 0) return;  // open, or nothing to amend
   const InterfaceMatrices k = stiffness_of(element, rows.active, rows.coupling);
   if (in_a) matrix.diagonal(element.block_a) += factor * k.aa;
   if (in_b) matrix.diagonal(element.block_b) += factor * k.bb;

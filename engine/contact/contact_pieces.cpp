@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/projected_law.h"
+
 namespace dda {
 namespace {
 
@@ -50,6 +52,14 @@ void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStreng
   trial.active(n + 1) = 0;
 }
 
+// Of both normal forces (rows) by both normal gaps (columns), N/m per m of thickness.
+Mat2 normal_slopes(const InterfaceSprings& springs, const InterfaceTrial& trial) {
+  Mat2 slopes = Mat2::Constant(trial.coupling);
+  slopes(0, 0) = trial.active(0) * springs.stiffness(0);
+  slopes(1, 1) = trial.active(2) * springs.stiffness(2);
+  return slopes;
+}
+
 // By how much forces differ at an end.
 double difference(const InterfaceTrial& one, const InterfaceTrial& other, int end) {
   return (one.force - other.force).segment<2>(2 * end).cwiseAbs().maxCoeff();
@@ -63,7 +73,7 @@ ContactPieces pieces_of(const InterfaceTrial& trial) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;
     if (!trial.broken[e]) continue;
-    if (trial.active(n) == 0) {
+    if (trial.active(n) == 0 || trial.capacity[e] == 0) {
       pieces[e] = ContactPiece::open;
     } else if (trial.active(n + 1) < 1) {
       pieces[e] = std::signbit(trial.force(n + 1) + trial.before(n + 1)) ? ContactPiece::slides_back
@@ -106,15 +116,16 @@ bool keep_to_bordering_pieces(const InterfaceSprings& springs, const EndStrength
   return kept;
 }
 
-Vec4 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
+Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                          const ContactPieces& pieces) {
-  Vec4 slopes = Vec4::Zero();
+  Mat2 slopes = Mat2::Zero();
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;
     if (!slides(pieces[e]) || trial.rule.sticks || trial.active(n + 1) != 0) continue;
     const double friction = strength.friction_now(trial.residual[e]);
-    slopes(n + 1) = -direction_of(pieces[e]) * friction * trial.active(n) * springs.stiffness(n);
+    const Vec2 pressing = pressing_slope(springs, trial.force, normal_slopes(springs, trial), end);
+    slopes.row(end) = -direction_of(pieces[e]) * friction * pressing.transpose();
   }
   return slopes;
 }

@@ -3,7 +3,8 @@
 //
 // An end is open, sticks or slides to one of two sides, and is linear in its gaps while it does. In the order
 //   slides back - sticks - slides forth, with open bordering on both ends of the row
-// the answer is continuous from each piece to the next.
+// the answer is continuous from each piece to the next. An end without capacity, be it that it has no friction or that a
+// projected stretch gapes there, slides freely: it counts as open, and does not stick on the way from one side to the other.
 #pragma once
 
 #include <array>
@@ -32,9 +33,9 @@ struct PieceRule {
 bool keep_to_bordering_pieces(const InterfaceSprings& springs, const EndStrength& strength, const PieceRule& rule,
                               InterfaceTrial& trial, ContactPieces& pieces);
 
-// Slopes of the shear forces (rows 1 and 3) over the normal gaps of the same ends that capacities make where ends slide
-// (N/m per m of thickness); 0 elsewhere.
-Vec4 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
+// Slopes of the shear forces of both ends (rows) over their normal gaps (columns) that capacities make where ends slide
+// (N/m per m of thickness); 0 elsewhere. Ends that press each for itself leave the other's gap out.
+Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                          const ContactPieces& pieces);
 
 }  // namespace dda

@@ -11,6 +11,13 @@ namespace {
 
 const EndStrength dry{0, 0, 0.5};
 
+InterfaceElement projected_element() {
+  InterfaceElement element = classical_element();
+  element.law = InterfaceLaw::projected;
+  element.lever = 0.4;
+  return element;
+}
+
 // A dry end at these gaps (normal and shear springs 100 and 40 N/m), the other end pressed.
 InterfaceTrial trial_at(double normal_gap, double shear_gap, const EndStrength& strength = dry) {
   InterfaceTrial trial = start_trial(classical_element(), strength, start_with(true));
@@ -147,12 +154,38 @@ TEST(ShearByNormalGap, IsTheDerivativeOfTheAnswer) {
   for (const double shear_gap : {-0.3, 0.01, 0.3}) {
     for (const double normal_gap : {-0.05, 0.05}) {
       InterfaceTrial trial = trial_at(normal_gap, shear_gap);
-      const Vec4 slopes = shear_by_normal_gap(classical_element(), dry, trial, pieces_of(trial));
+      const Mat2 slopes = shear_by_normal_gap(classical_element(), dry, trial, pieces_of(trial));
       const double more = trial_at(normal_gap + difference, shear_gap).force(1);
       const double less = trial_at(normal_gap - difference, shear_gap).force(1);
       // The answer is piecewise linear: round-off of 2 N over the difference.
-      EXPECT_NEAR(slopes(1), (more - less) / (2 * difference), 1e-8) << normal_gap << " " << shear_gap;
-      EXPECT_EQ(slopes(0), 0);
+      EXPECT_NEAR(slopes(0, 0), (more - less) / (2 * difference), 1e-8) << normal_gap << " " << shear_gap;
+      EXPECT_EQ(slopes(0, 1), 0);
+    }
+  }
+}
+
+// A stretch of the projected law at these normal gaps, both ends slid far.
+InterfaceTrial projected_at(const Vec2& normal_gaps) {
+  InterfaceTrial trial = start_trial(projected_element(), dry, start_with(true));
+  trial.broken = {true, true};
+  trial.gap << normal_gaps(0), 50, normal_gaps(1), -50;
+  respond_with_friction(projected_element(), dry, trial);
+  return trial;
+}
+
+// Closed, gaping by either end a little and nearly all the way, and open: what one end presses follows both gaps.
+TEST(ShearByNormalGap, OfAGapingStretchIsTheDerivativeByBothGaps) {
+  constexpr double difference = 1e-6;
+  for (const Vec2& gaps : {Vec2(-0.1, -0.2), Vec2(-0.1, 0.02), Vec2(0.05, -0.1), Vec2(0.2, -0.1), Vec2(0.2, 0.1)}) {
+    const InterfaceTrial trial = projected_at(gaps);
+    const Mat2 slopes = shear_by_normal_gap(projected_element(), dry, trial, pieces_of(trial));
+    for (int column = 0; column < 2; ++column) {
+      const Vec2 change = difference * Vec2::Unit(column);
+      const Vec4 by = (projected_at(gaps + change).force - projected_at(gaps - change).force) / (2 * difference);
+      // The bed's second derivative over its stiffness is at most some tens per metre: (1e-6)^2 of that, and round-off
+      // of 50 N over the difference.
+      EXPECT_NEAR(slopes(0, column), by(1), 1e-7) << gaps.transpose() << " column " << column;
+      EXPECT_NEAR(slopes(1, column), by(3), 1e-7) << gaps.transpose() << " column " << column;
     }
   }
 }

@@ -64,6 +64,14 @@ inline double pressing_force(const InterfaceSprings& springs, const Vec4& force,
   return std::min(0.0, own + std::max(0.0, force(2 - 2 * end)));
 }
 
+// How that force follows the normal gaps of both points (N/m per m of thickness), by how the normal forces of the
+// points (rows of `by_gaps`) do.
+inline Vec2 pressing_slope(const InterfaceSprings& springs, const Vec4& force, const Mat2& by_gaps, int end) {
+  if (springs.law != InterfaceLaw::projected) return by_gaps.row(end);
+  if (pressing_force(springs, force, end) == 0) return Vec2::Zero();
+  return force(2 - 2 * end) > 0 ? Vec2(by_gaps.colwise().sum()) : Vec2(by_gaps.row(end));
+}
+
 // What a stretch takes off a block: energy -s . Q s/2 for its stress s (Pa), Q in m3/N per m of thickness.
 Mat3 traction_compliance(const Model& model, const Interface& interface, int block);
 

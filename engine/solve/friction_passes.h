@@ -48,7 +48,7 @@ class FrictionPasses {
   // How friction ties the shear forces of sliding ends to their normal gaps.
   struct Coupling {
     const LiveContact* contact;
-    Vec4 shear_by_gap;  // N/m per m of thickness: rows 1 and 3 by the gaps of rows 0 and 2
+    Mat2 shear_by_gap;  // N/m per m of thickness: rows 1 and 3 by the gaps of rows 0 and 2
   };
 
   static constexpr int basis = 40;  // of GMRES

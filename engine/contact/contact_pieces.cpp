@@ -73,7 +73,8 @@ ContactPieces pieces_of(const InterfaceTrial& trial) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;
     if (!trial.broken[e]) continue;
-    if (trial.active(n) == 0 || trial.capacity[e] == 0) {
+    const bool has_no_shear = trial.capacity[e] == 0 && trial.active(n + 1) == 0;
+    if (trial.active(n) == 0 || has_no_shear) {
       pieces[e] = ContactPiece::open;
     } else if (trial.active(n + 1) < 1) {
       pieces[e] = std::signbit(trial.force(n + 1) + trial.before(n + 1)) ? ContactPiece::slides_back

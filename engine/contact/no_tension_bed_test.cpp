@@ -111,6 +111,14 @@ TEST(NoTensionBed, OpensWhenTheForceLeavesTheMiddleThird) {
   }
 }
 
+TEST(NoTensionBed, StandsWhereItJustTouches) {
+  const BedAnswer touch = press_bed(100, 0.4, Vec2::Zero());
+  EXPECT_TRUE(touch.force.isZero(0));
+  EXPECT_EQ(touch.slope, Vec2::Constant(100));
+  EXPECT_FALSE(open_ends(0.4, Vec2::Zero()).first);
+  EXPECT_TRUE(open_ends(0.4, Vec2::Constant(1e-300)).first);
+}
+
 // Neighbouring pieces meet without a jump of force or slope, but for the first touch.
 TEST(NoTensionBed, ClosedPieceIsTwoSpringsOfTheirOwn) {
   const Vec2 gaps = gaps_at(0.32, -1, 0.9);

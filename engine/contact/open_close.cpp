@@ -221,6 +221,14 @@ void keep_sliding(const InterfaceSprings& springs, const InterfaceState& start, 
   }
 }
 
+// A stretch on a bed that just touches has no capacity yet, and has one as soon as it presses: the first pass takes it
+// to stick, or blocks that are stacked without force would fly off sideways in it.
+void stick_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial) {
+  if (!press_together(springs, trial.broken) || trial.active(0) == 0 || trial.force(0) != 0 || trial.force(2) != 0)
+    return;
+  for (int end = 0; end < ends_of(springs); ++end) respond_as_stuck(springs, end, trial);
+}
+
 // A broken bond has failed, whichever way; a dry end when it slides, if that makes a difference.
 bool has_failed(const EndStrength& strength, const InterfaceTrial& trial, int end) {
   return !strength.is_dry() || (strength.friction_drop > 0 && slides(trial, end));
@@ -244,6 +252,7 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   if (strength.dilation > 0 && !rule.sticks) expect_full_stiffness(springs, strength, trial);
   follow_pressure(springs, strength, trial);  // at the gap that the step begins with, what is foreseen included
   keep_sliding(springs, start, trial);
+  stick_where_touching(springs, trial);
   return trial;
 }
 

@@ -34,13 +34,9 @@ constexpr double near_balance = 1e-3;
 constexpr int free_passes = 4;
 
 // A step is solved for to this share of what is out of balance, or as far as the end of the iteration needs: all the
-// way when the pass before changed no piece. (1e-1 takes four times as many passes, 1e-2 a quarter more.) Where the
-// pass before came much nearer to the balance, Newton's method is about to, and the share is that of the pass before
-// squared (Eisenstat & Walker 1996, choice 2): an eighth of the passes of shaken walls is saved so.
+// way when the pass before changed no piece. (1e-1 takes four times as many passes, 1e-2 a quarter more.)
 constexpr double step_tolerance = 1e-3;
 constexpr double last_step_margin = 0.1;
-
-double tolerance_after(double gained) { return std::min(step_tolerance, gained * gained); }
 
 constexpr int most_iterations = 400;
 
@@ -99,19 +95,16 @@ bool FrictionPasses::find_balance(Iterate& at) {
   form_residual(at);
   double best = imbalance_;
   int best_pass = 0;
-  double work = 0;    // since then, in passes over all blocks
-  double gained = 1;  // by the pass before, as a share of what was out of balance
+  double work = 0;  // since then, in passes over all blocks
   for (int pass = 0; !is_balanced(at); ++pass) {
     if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > patience) return false;
     if (pass > 0 && prepare_pass(at, changed) != Status::ok) return false;
     ++at.costs.counters.open_close_iterations;
     const double enough = last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
-    const double before = imbalance_;
-    if (solve_newton_step(at, changed ? std::max(enough, tolerance_after(gained)) : enough) != Status::ok) return false;
+    if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) return false;
     if (goes_in_circles(pass - best_pass)) step_ /= 2;
     take_newton_step(at, pass >= free_passes);
     work += work_of_pass(at);
-    gained = imbalance_ / before;
     if (imbalance_ >= best) continue;
     best = imbalance_;
     best_pass = pass;

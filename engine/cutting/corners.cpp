@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+
+#include "engine/geometry/segment.h"
 
 namespace dda {
 
@@ -25,9 +28,23 @@ Corners::Corners(const Arrangement& arrangement, const FaceGroups& groups, const
   };
   for (int node = 0; node < arrangement.nodes(); ++node) {
     const auto& [one, other, third] = borders[at(node)];
-    superfluous_[at(node)] = other >= 0 && third < 0 && !arrangement.is_parted(node) && share_straight(one, other) &&
-                             (on_boundary(node) || joint(one) == joint(other));
+    if (other < 0 || third >= 0 || arrangement.is_parted(node)) continue;
+    const auto straight = common_straight(one, other);
+    if (!straight) continue;
+    superfluous_[at(node)] = on_boundary(node) ? is_bound(pieces, *straight, plan) || is_in_line(node, one, other)
+                                               : joint(one) == joint(other);
   }
+}
+
+// Beside openings that are left out, whose outlines may turn a little where they were led through a node.
+bool Corners::is_in_line(int node, int edge_a, int edge_b) const {
+  constexpr double few_ulps = 16 * std::numeric_limits<double>::epsilon();
+  const auto other_end = [&](int edge) {
+    const int origin = arrangement_.origin(2 * edge);
+    return arrangement_.position(origin == node ? arrangement_.target(2 * edge) : origin);
+  };
+  const Vec2& place = arrangement_.position(node);
+  return distance({other_end(edge_a), other_end(edge_b)}, place) <= few_ulps * place.cwiseAbs().maxCoeff();
 }
 
 void Corners::note(std::array<int, 3>& edges, int edge) {
@@ -35,21 +52,22 @@ void Corners::note(std::array<int, 3>& edges, int edge) {
   if (free != edges.end()) *free = edge;
 }
 
-bool Corners::share_straight(int edge_a, int edge_b) const {
+std::optional<int> Corners::common_straight(int edge_a, int edge_b) const {
   const auto a = arrangement_.straights(edge_a);
   const auto b = arrangement_.straights(edge_b);
-  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+  const auto found = std::find_first_of(a.begin(), a.end(), b.begin(), b.end());
+  return found == a.end() ? std::nullopt : std::optional(*found);
 }
 
 bool Corners::is_boundary_corner(int node) const {
   const auto& [one, other, third] = boundary_edges_[at(node)];
-  return one >= 0 && (other < 0 || third >= 0 || !share_straight(one, other));
+  return one >= 0 && (other < 0 || third >= 0 || !common_straight(one, other));
 }
 
 bool Corners::on_same_boundary(int a, int b) const {
   for (const int one : boundary_edges_[at(a)]) {
     for (const int other : boundary_edges_[at(b)]) {
-      if (one >= 0 && other >= 0 && share_straight(one, other)) return true;
+      if (one >= 0 && other >= 0 && common_straight(one, other)) return true;
     }
   }
   return false;

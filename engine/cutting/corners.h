@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/cutting/face_groups.h"
@@ -23,7 +24,8 @@ class Corners {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  [[nodiscard]] bool share_straight(int edge_a, int edge_b) const;
+  [[nodiscard]] bool is_in_line(int node, int edge_a, int edge_b) const;
+  [[nodiscard]] std::optional<int> common_straight(int edge_a, int edge_b) const;
   static void note(std::array<int, 3>& edges, int edge);
 
   const Arrangement& arrangement_;

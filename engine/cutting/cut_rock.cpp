@@ -16,6 +16,7 @@
 #include "engine/cutting/line_report.h"
 #include "engine/cutting/materials.h"
 #include "engine/cutting/merging.h"
+#include "engine/cutting/weld.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
@@ -82,6 +83,7 @@ std::string_view to_string(Cleaning cleaning) {
     case Cleaning::small_block_merged: return "small block merged";
     case Cleaning::sharp_block_merged: return "sharp block merged";
     case Cleaning::short_edge_closed: return "short edge closed";
+    case Cleaning::round_off_closed: return "round-off closed";
     case Cleaning::touching_parted: return "touching outline parted";
   }
   return "unknown";
@@ -99,7 +101,8 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   rock.boundary_area = boundary_area(plan);
   append(rock.cleaned, std::move(pieces.cleaned));
   say("finding crossings");
-  Noding noding = node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid);
+  Noding noding =
+      welded(node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid), pieces, plan, rock.cleaned);
   say("finding blocks");
   Arrangement arrangement(std::move(noding));
   const std::vector<FacePlace> places = places_of_faces(arrangement, pieces, plan);

@@ -42,6 +42,7 @@ enum class Cleaning {
   small_block_merged,   // asked for by least_area
   sharp_block_merged,   // asked for by least_angle
   short_edge_closed,    // two corners nearer than the tolerance, or than a fill allows, became one
+  round_off_closed,     // two corners, or a corner and a line, apart by no more than round-off became one
   touching_parted,      // the outline of a block touched itself in a point
 };
 std::string_view to_string(Cleaning cleaning);

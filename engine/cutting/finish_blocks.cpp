@@ -16,10 +16,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Of the tolerance. Nodes so near are one place, computed twice; the shortest edges come first, so that none of these
-// is left when polygons are judged.
-constexpr double round_off = 1e-3;
-
 using NodeRing = std::vector<int>;
 using NodeRings = std::vector<NodeRing>;  // of a block, the outer one first
 
@@ -132,7 +128,7 @@ class ShortEdges {
       const auto goal = goal_of(places.node(edge.a), places.node(edge.b), places);
       if (!goal) continue;
       const auto undo = places.close(goal->node, goal->into, goal->position);
-      if (edge.length > round_off * tolerance_ && !all_sound(edge, places)) {
+      if (!all_sound(edge, places)) {
         undo();
         continue;
       }
@@ -265,11 +261,11 @@ void fill_joints(const std::vector<Contact>& contacts, const Places& places, con
       return next.straight == each.straight && next.from == each.to && !places.is_moved(each.to);
     };
     while (last + 1 < contacts.size() && goes_on(contacts[last], contacts[last + 1])) ++last;
-    const Vec2& from = places.position(contacts[first].from);
-    const Vec2& to = places.position(contacts[last].to);
-    if ((to - from).norm() <= round_off * rock.tolerance)
-      continue;  // one place, computed twice: no blocks touch along it
-    rock.joints.push_back({from, to, joint_of(pieces.sources[at(contacts[first].straight)], plan)});
+    const int from = places.node(contacts[first].from);
+    const int to = places.node(contacts[last].to);
+    if (from == to) continue;  // a short edge that was closed
+    rock.joints.push_back(
+        {places.position(from), places.position(to), joint_of(pieces.sources[at(contacts[first].straight)], plan)});
   }
 }
 

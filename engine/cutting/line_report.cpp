@@ -122,13 +122,26 @@ std::tuple<int, int> rank(const Source& source, const RockPlan& plan) {
   return {plan.lines[at(source.line)].construction ? 1 : 3, source.line};
 }
 
+// Whether the line was drawn there, and not only prolonged.
+bool is_drawn_along(const Arrangement& arrangement, int edge, const Straight& line) {
+  const Vec2 middle =
+      (arrangement.position(arrangement.origin(2 * edge)) + arrangement.position(arrangement.target(2 * edge))) / 2;
+  const Vec2 along = line.to - line.from;
+  const double way = along.dot(middle - line.from);
+  return way >= 0 && way <= along.squaredNorm();
+}
+
 }  // namespace
 
 int counting_straight(const Arrangement& arrangement, int edge, const PlanPieces& pieces, const RockPlan& plan) {
   const auto straights = arrangement.straights(edge);
-  return *std::max_element(straights.begin(), straights.end(), [&](int a, int b) {
-    return rank(pieces.sources[at(a)], plan) < rank(pieces.sources[at(b)], plan);
-  });
+  if (straights.size() == 1) return straights.front();
+  const auto importance = [&](int straight) {
+    return std::tuple(is_drawn_along(arrangement, edge, pieces.straights[at(straight)]),
+                      rank(pieces.sources[at(straight)], plan));
+  };
+  return *std::max_element(straights.begin(), straights.end(),
+                           [&](int a, int b) { return importance(a) < importance(b); });
 }
 
 const std::string& joint_of(const Source& source, const RockPlan& plan) {

@@ -7,8 +7,9 @@
 
 namespace dda {
 
-// The straight whose joint counts along an edge: joints before outlines of openings, those before construction lines,
-// those before the boundary; of several of a kind, the later in the plan.
+// The straight whose joint counts along an edge: what was drawn there before what is only prolonged; joints before
+// outlines of openings, those before construction lines, those before the boundary; of several of a kind, the later in
+// the plan.
 int counting_straight(const Arrangement& arrangement, int edge, const PlanPieces& pieces, const RockPlan& plan);
 
 // Name of the joint along a straight; empty for the default joint.

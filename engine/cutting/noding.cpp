@@ -15,11 +15,11 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Where a node may lie exactly. Of all candidates in a pixel the first counts.
-enum class Kind { given, crossing, end_of_piece };
+enum class Kind { known, crossing, end_of_piece };
 
 struct Candidate {
   Pixel pixel;
-  Kind kind = Kind::given;
+  Kind kind = Kind::known;
   Vec2 position;
 
   [[nodiscard]] auto key() const { return std::tuple(pixel, kind, position.x(), position.y()); }
@@ -50,9 +50,9 @@ Vec2 place_of_crossing(const Pixel& pixel, const Straight& a, const Straight& b,
 }
 
 std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
-                                     const std::vector<Vec2>& ends, const PixelGrid& grid) {
+                                     const std::vector<KnownNode>& known, const PixelGrid& grid) {
   std::vector<Candidate> found;
-  for (const Vec2& end : ends) found.push_back({grid.pixel_of(end), Kind::given, end});
+  for (const KnownNode& node : known) found.push_back({node.pixel, Kind::known, node.position});
   for (const Piece& piece : pieces) {
     for (const Pixel& end : {piece.segment.from, piece.segment.to})
       found.push_back({end, Kind::end_of_piece, grid.centre_of(end)});
@@ -100,7 +100,7 @@ std::int64_t way_along(const PixelSegment& segment, const Pixel& pixel) {
 
 std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels) {
   std::vector<Entry> entries;
-  visit_meetings(pieces, pixels, [&](const std::vector<int>& crowd, const std::vector<int>& nodes) {
+  visit_meetings(pieces, pixels, 0, [&](const std::vector<int>& crowd, const std::vector<int>& nodes) {
     for (const int piece : crowd) {
       const PixelSegment& segment = pieces[at(piece)].segment;
       for (const int node : nodes) {
@@ -115,9 +115,9 @@ std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vecto
 }  // namespace
 
 Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
-                   const std::vector<Vec2>& ends, const PixelGrid& grid) {
+                   const std::vector<KnownNode>& known, const PixelGrid& grid) {
   Noding noding;
-  fill_nodes(candidates_of(pieces, straights, ends, grid), noding);
+  fill_nodes(candidates_of(pieces, straights, known, grid), noding);
   const std::vector<Entry> entries = entries_of(pieces, noding.pixels);
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (entries[i].piece != entries[i - 1].piece) continue;

@@ -37,14 +37,20 @@ inline bool operator<(const Link& a, const Link& b) {
   return std::tie(a.from, a.to, a.straight) < std::tie(b.from, b.to, b.straight);
 }
 
+// A place that keeps its bits, and the pixel that counts for it.
+struct KnownNode {
+  Pixel pixel;
+  Vec2 position;
+};
+
 struct Noding {
   std::vector<Pixel> pixels;    // of the nodes, ascending
   std::vector<Vec2> positions;  // m, of the nodes; each in its pixel: an end as given, else the crossing
   std::vector<Link> links;      // ascending, each once
 };
 
-// `ends` are the places of the drawing that nodes keep to the last bit. Other ends of pieces get the middle of a pixel.
+// `known` are the places of the drawing that nodes keep. Other ends of pieces get the middle of a pixel.
 Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
-                   const std::vector<Vec2>& ends, const PixelGrid& grid);
+                   const std::vector<KnownNode>& known, const PixelGrid& grid);
 
 }  // namespace dda

@@ -42,7 +42,7 @@ std::optional<Straight> clipped(const Straight& given, const Box& box) {
 class Collector {
  public:
   Collector(const RockPlan& plan, const Box& box, double tolerance)
-      : plan_(plan), box_(box), pieces_{PixelGrid(box), tolerance, {}, {}, {}, {}, {}} {}
+      : plan_(plan), box_(box), pieces_{PixelGrid(box), tolerance, {}, {}, {}, {}, {}, {}} {}
 
   void add_ring(const Ring& ring, int curve) {
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -58,7 +58,11 @@ class Collector {
                    i + 1 == last && !closed);
   }
 
-  PlanPieces take() { return std::move(pieces_); }
+  PlanPieces take() {
+    std::sort(pieces_.ends.begin(), pieces_.ends.end(),
+              [](const KnownNode& a, const KnownNode& b) { return a.pixel < b.pixel; });
+    return std::move(pieces_);
+  }
 
  private:
   void add_straight(const Straight& given, const Source& source, bool prolonged_back, bool prolonged_on) {
@@ -76,15 +80,17 @@ class Collector {
     pieces_.pieces.push_back({{from, to}, number});
     const bool from_kept = straight->from == given.from;
     const bool to_kept = straight->to == given.to;
-    if (from_kept) pieces_.ends.push_back(given.from);
-    if (to_kept) pieces_.ends.push_back(given.to);
+    if (from_kept) pieces_.ends.push_back({from, given.from});
+    if (to_kept) pieces_.ends.push_back({to, given.to});
     const Vec2 way = pieces_.tolerance * (straight->to - straight->from).normalized();
     if (prolonged_back && from_kept) add_prolongation(from, given.from - way, number);
     if (prolonged_on && to_kept) add_prolongation(to, given.to + way, number);
   }
 
   void add_prolongation(const Pixel& from, const Vec2& to, int straight) {
-    pieces_.pieces.push_back({{from, pieces_.grid.pixel_of(to)}, straight});
+    const Pixel tip = pieces_.grid.pixel_of(to);
+    pieces_.pieces.push_back({{from, tip}, straight});
+    pieces_.tips.push_back({tip, straight});
   }
 
   void note_no_length(const Straight& given, const Source& source) {

@@ -19,19 +19,32 @@ struct Source {
   int line = no_line;  // of the plan
 };
 
+// Where the prolongation of a free end ends.
+struct Tip {
+  Pixel pixel;
+  int straight = 0;
+};
+
 struct PlanPieces {
   PixelGrid grid;
   double tolerance = 0;  // m
   std::vector<Straight> straights;
   std::vector<Source> sources;  // by straight
   std::vector<Piece> pieces;
-  std::vector<Vec2> ends;  // places to keep to the last bit
+  std::vector<KnownNode> ends;  // as drawn, by pixel
+  std::vector<Tip> tips;
   std::vector<Cleaned> cleaned;
 };
 
 inline int curve_of_hole(std::size_t hole) { return 1 + static_cast<int>(hole); }
 inline int curve_of_opening(const RockPlan& plan, std::size_t opening) {
   return 1 + static_cast<int>(plan.holes.size() + opening);
+}
+
+// Of the boundary or of a hole.
+inline bool is_bound(const PlanPieces& pieces, int straight, const RockPlan& plan) {
+  const int curve = pieces.sources[static_cast<std::size_t>(straight)].curve;
+  return curve != no_curve && curve < curve_of_opening(plan, 0);
 }
 
 // Lines are cut off well outside the boundary, and prolonged by the tolerance at both of their ends: a line that should

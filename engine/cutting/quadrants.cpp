@@ -16,14 +16,15 @@ constexpr int most_fruitless = 4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Separating axes, with a pixel to spare, which is far more than the round-off.
-bool comes_near(const Quadrant& quadrant, const PixelSegment& segment) {
+// Whether it passes within some steps of the square: separating axes, with a pixel to spare, which is far more than the
+// round-off.
+bool comes_near(const Quadrant& quadrant, const PixelSegment& segment, double within) {
   const double half = static_cast<double>(quadrant.size) / 2 + 1;
   const double x = static_cast<double>(segment.from.x - quadrant.lower.x) - half;
   const double y = static_cast<double>(segment.from.y - quadrant.lower.y) - half;
   const double dx = static_cast<double>(segment.to.x - segment.from.x);
   const double dy = static_cast<double>(segment.to.y - segment.from.y);
-  const double reach = half + 1;
+  const double reach = half + 1 + within;
   if (std::min(x, x + dx) > reach || std::max(x, x + dx) < -reach) return false;
   if (std::min(y, y + dy) > reach || std::max(y, y + dy) < -reach) return false;
   return std::abs(x * dy - y * dx) <= reach * (std::abs(dx) + std::abs(dy));
@@ -70,7 +71,7 @@ class Crowds {
     for (const Quadrant& part : parts_of(quadrant)) {
       part_crowd.clear();
       std::copy_if(crowd.begin(), crowd.end(), std::back_inserter(part_crowd),
-                   [&](int piece) { return comes_near(part, pieces_[at(piece)].segment); });
+                   [&](int piece) { return comes_near(part, pieces_[at(piece)].segment, 0); });
       const bool in_vain = static_cast<double>(part_crowd.size()) > hardly_less * static_cast<double>(crowd.size());
       divide(part, part_crowd, in_vain ? fruitless + 1 : 0);
     }
@@ -83,9 +84,9 @@ class Crowds {
 
 class Meetings {
  public:
-  Meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes,
+  Meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes, double reach,
            const std::function<void(const std::vector<int>&, const std::vector<int>&)>& visit)
-      : pieces_(pieces), nodes_(nodes), visit_(visit) {}
+      : pieces_(pieces), nodes_(nodes), reach_(reach), visit_(visit) {}
 
   void divide(const Quadrant& quadrant, const std::vector<int>& crowd, const std::vector<int>& nodes) const {
     if (crowd.empty() || nodes.empty()) return;
@@ -102,7 +103,7 @@ class Meetings {
                    [&](int node) { return part.holds(nodes_[at(node)]); });
       if (part_nodes.empty()) continue;
       std::copy_if(crowd.begin(), crowd.end(), std::back_inserter(part_crowd),
-                   [&](int piece) { return comes_near(part, pieces_[at(piece)].segment); });
+                   [&](int piece) { return comes_near(part, pieces_[at(piece)].segment, reach_); });
       divide(part, part_crowd, part_nodes);
     }
   }
@@ -110,6 +111,7 @@ class Meetings {
  private:
   const std::vector<Piece>& pieces_;
   const std::vector<Pixel>& nodes_;
+  double reach_;
   const std::function<void(const std::vector<int>&, const std::vector<int>&)>& visit_;
 };
 
@@ -121,10 +123,10 @@ void visit_crowds(const std::vector<Piece>& pieces,
   Crowds(pieces, visit).divide(root_of(pieces), all_of(pieces.size()), 0);
 }
 
-void visit_meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes,
+void visit_meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes, double reach,
                     const std::function<void(const std::vector<int>&, const std::vector<int>&)>& visit) {
   if (pieces.empty()) return;
-  Meetings(pieces, nodes, visit).divide(root_of(pieces), all_of(pieces.size()), all_of(nodes.size()));
+  Meetings(pieces, nodes, reach, visit).divide(root_of(pieces), all_of(pieces.size()), all_of(nodes.size()));
 }
 
 }  // namespace dda

@@ -26,8 +26,9 @@ struct Quadrant {
 void visit_crowds(const std::vector<Piece>& pieces,
                   const std::function<void(const Quadrant&, const std::vector<int>&)>& visit);
 
-// Calls `visit` with pieces and nodes that lie close. Each node comes up once, with all pieces that enter its pixel.
-void visit_meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes,
+// Calls `visit` with pieces and nodes that lie close. Each node comes up once, with all pieces that enter its pixel or
+// pass within `reach` steps of the grid.
+void visit_meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes, double reach,
                     const std::function<void(const std::vector<int>&, const std::vector<int>&)>& visit);
 
 }  // namespace dda

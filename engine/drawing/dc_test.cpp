@@ -68,7 +68,7 @@ TEST(ReadDc, WhatIsWrongIsSaidInOneSentence) {
        "a.dc line 1 is 30 for the least distance of a node from an edge, expected a share"},
       {with(quarters, "6 0", "6.5 0"), "a.dc line 2 is 6.5 for the number of lines, expected a whole number"},
       {with(quarters, "6 0\n0\n0", "6 0\n0\n2"), "a.dc line 4 is 2 bolts, expected none: give bolts in the scene"},
-      {with(quarters, "2\n1\n1\n0\n", "2\n1\n1\n1\n"), "a.dc line 8 is 1 hole points, expected none: give openings"},
+      {with(quarters, "2\n1\n1\n0\n", "2\n1\n1\n1\n"), "a.dc line 19 is the end of the file, before hole point"},
       {with(quarters, "6 0", "7 0"), "expected"},
       {with(quarters, "6 0", "5 0"), "behind the last point"},
       {with(quarters, "4 4 1", "4 x 1"), "a.dc line 10 is \"x\" for the end of a line, expected a finite number"},
@@ -116,6 +116,56 @@ TEST(ReadDc, RandomLinesGiveSoundBlocks) {
       area += area_moments(block.shape).area;
     }
     EXPECT_NEAR(area + rock.dropped_area, std::abs(signed_area(plan.boundary)), 1e-10);
+  }
+}
+
+std::string with_holes(const std::string& text, const std::vector<Vec2>& holes) {
+  std::string changed = with(text, "0\n0\n0\n0\n0\n0\n0\n", fmt::format("0\n0\n0\n0\n0\n0\n{}\n", holes.size()));
+  for (const Vec2& hole : holes) changed += fmt::format("{} {}\n", hole.x(), hole.y());
+  return changed;
+}
+
+TEST(ReadDc, AHolePointTakesOutTheBlockAroundIt) {
+  const std::string text = with(quarters, "2\n1\n1\n0\n", "2\n1\n1\n3\n") + "3 3\n2.5 2.5\n3 1\n";
+  const RockPlan plan = plan_of(read_dc(text, "a.dc", 0), {});
+  ASSERT_EQ(plan.openings.size(), 2U);  // two of the points lie in one block
+  const CutRock rock = cut_rock(plan);
+  EXPECT_EQ(rock.blocks.size(), 2U);
+  EXPECT_EQ(rock.left_out_area, 8);
+}
+
+TEST(ReadDc, HolePointsInNoBlockAreRefused) {
+  const std::string triangle = "0\n3 0\n0\n0\n0\n0\n0\n0\n0 0 1 0 1\n1 0 0 1 1\n0 1 0 0 1\n";
+  const auto plan = [&](const Vec2& hole) {
+    return [=] { plan_of(read_dc(with_holes(triangle, {hole}), "a.dc", 0), {}); };
+  };
+  expect_refused(plan({5, 5}), "a.dc line 12 (layer hole point) is at (5, 5) m, in no block, expected a place inside");
+  expect_refused(plan({0.5, 0}), "a.dc line 12 (layer hole point) is at (0.5, 0) m, in no block");
+}
+
+// The others stay what they are: as many, of the same areas at the same places.
+TEST(ReadDc, HolePointsInRandomLinesLeaveTheOtherBlocks) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    std::vector<CutBlock> expected = cut_rock(plan_of(read_dc(random_lines(seed), "a.dc", 0), {})).blocks;
+    std::vector<Vec2> holes;
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 hole = area_moments(expected[random() % expected.size()].shape).centroid;
+      holes.push_back(hole);
+      std::erase_if(expected, [&](const CutBlock& block) { return locate(block.shape, hole) == Location::inside; });
+    }
+    const CutRock rock = cut_rock(plan_of(read_dc(with_holes(random_lines(seed), holes), "a.dc", 0), {}));
+    ASSERT_EQ(rock.blocks.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const AreaMoments moments = area_moments(expected[i].shape);
+      const auto found = std::ranges::find_if(rock.blocks, [&](const CutBlock& block) {
+        return locate(block.shape, moments.centroid) == Location::inside;
+      });
+      ASSERT_NE(found, rock.blocks.end());
+      EXPECT_FALSE(defect(found->shape).has_value());
+      EXPECT_NEAR(area_moments(found->shape).area, moments.area, 1e-9);
+    }
   }
 }
 

@@ -81,7 +81,7 @@ class Planner {
     add_boundary();
     add_joints();
     for (const LayerRole role : {LayerRole::tunnel, LayerRole::removable_hole, LayerRole::blast}) add_openings(role);
-    if (!encloses_.empty()) enclose_rock(encloses_, reach_, plan_);
+    if (!encloses_.empty()) enclose_rock(encloses_, reach_, hole_points(), plan_);
     add_points();
     add_marks();
     return std::move(plan_);
@@ -185,6 +185,16 @@ class Planner {
         plan_.openings.push_back({name, std::move(joined.rings[i].ring), use->joint, false, joined.rings[i].origin});
       }
     }
+  }
+
+  [[nodiscard]] std::vector<PlanPoint> hole_points() const {
+    std::vector<PlanPoint> holes;
+    for (const RolePoint& point : points_) {
+      if (point.role != LayerRole::hole_point) continue;
+      const std::string& layer = name_of(point.role);
+      holes.push_back({point.at, layer, fmt::format("{} {}", layer, holes.size() + 1), point.origin});
+    }
+    return holes;
   }
 
   void add_points() {

@@ -77,7 +77,7 @@ class Numbers {
 };
 
 struct Counts {
-  int lines = 0, material_lines = 0, fixed = 0, loads = 0, measured = 0;
+  int lines = 0, material_lines = 0, fixed = 0, loads = 0, measured = 0, holes = 0;
 };
 
 class DcReader {
@@ -94,6 +94,7 @@ class DcReader {
     for (int i = 0; i < counts.fixed; ++i) read_fixed();
     for (int i = 0; i < counts.loads; ++i) read_point("load point");
     for (int i = 0; i < counts.measured; ++i) read_point("measure point");
+    for (int i = 0; i < counts.holes; ++i) read_point("hole point");
     if (!numbers_.at_end())
       throw InputError("", numbers_.here(),
                        fmt::format("\"{}\" behind the last point", readable(numbers_.word()).substr(0, 40)),
@@ -117,8 +118,7 @@ class DcReader {
     counts.fixed = numbers_.whole("the number of fixed lines");
     counts.loads = numbers_.whole("the number of load points");
     counts.measured = numbers_.whole("the number of measured points");
-    if (const int holes = numbers_.whole("the number of hole points"); holes > 0)
-      throw InputError("", numbers_.here(), fmt::format("{} hole points", holes), "none: give openings in the scene");
+    counts.holes = numbers_.whole("the number of hole points");
     return counts;
   }
 
@@ -141,7 +141,10 @@ class DcReader {
     ++drawing_.passed_over["material line"];
   }
 
-  void read_point(const char* layer) { pencil_.add(DrawnPoint{layer, numbers_.here(), place(layer)}); }
+  void read_point(const char* layer) {
+    const Vec2 at = place(layer);
+    pencil_.add(DrawnPoint{layer, numbers_.here(), at});
+  }
 
   // dc fixes blocks where the line enters and leaves them; a line inside of a block holds it at its start.
   void read_fixed() {

@@ -1,0 +1,22 @@
+// One place where a drawing has two but for round-off.
+//
+// Who draws an opening along joints computes its corners, and gets them beside the joints' crossings by round-off. The
+// grid of noding is finer than that: it keeps both, with faces between them that are as narrow and as long as the
+// outline. Merged as slivers, those around a corner of the opening would leave spurs of no width. So nodes that are
+// nearer than round-off become one before there are faces, and links that pass a node that close go through it.
+#pragma once
+
+#include <vector>
+
+#include "engine/cutting/plan_pieces.h"
+
+namespace dda {
+
+// What counts as round-off, m: a hundredth of the tolerance, and no less than some steps of the grid.
+double round_off_of(const PlanPieces& pieces);
+
+// Boundary and holes stay as drawn: what is near them moves onto them. Appends to `cleaned` what moved by more than a
+// step of the grid.
+Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned);
+
+}  // namespace dda

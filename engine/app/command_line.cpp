@@ -150,6 +150,8 @@ void add_run(CLI::App& app, Arguments& arguments) {
       ->type_name("DIR[:STAGE]")
       ->check(a_name);
   run->add_flag("--resume", arguments.run.resume, "go on from DIR/checkpoint.bin, to the last bit as if never stopped");
+  run->add_flag("--profile", arguments.run.profile,
+                "say where the time went, and write DIR/profile.json for trace viewers");
   run->add_flag("--quiet", arguments.run.quiet, "no progress bar, and nothing on standard output");
 }
 

@@ -19,6 +19,7 @@ struct RunOptions {
   std::optional<std::string> from;       // DIR or DIR:STAGE of a run of the same blocks to go on from
   bool resume = false;
   bool quiet = false;
+  bool profile = false;  // say where the time went
 };
 
 // Returns the exit code: 0; 3 when the run ended before its time (the reason is in the summary and on `errors`); 128 +

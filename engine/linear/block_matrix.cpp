@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/core/phase_clock.h"
 #include "engine/linear/panel_product.h"
 
 namespace dda {
@@ -111,6 +112,7 @@ void BlockMatrix::set_values(const BlockMatrix& same_pattern) {
 
 template <typename Meets>
 void BlockMatrix::multiply_where(const Meets& meets, const Vector& x, Vector& y) const {
+  const PhaseScope scope(Phase::product);
   y.setZero();
   for (int column = 0; column < size(); ++column) {
     const int first = column_starts_[index(column)];

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "engine/core/phase_clock.h"
+
 namespace dda {
 namespace {
 
@@ -33,6 +35,7 @@ ConstantOperator::ConstantOperator(const BlockMatrix& matrix) : row_starts_(at(m
 }
 
 void ConstantOperator::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  const PhaseScope scope(Phase::product);
   for (int row = 0; row + 1 < static_cast<int>(row_starts_.size()); ++row) {
     Vec6 sum = Vec6::Zero();
     for (int k = row_starts_[at(row)]; k < row_starts_[at(row) + 1]; ++k) {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/core/phase_clock.h"
 #include "engine/linear/block_order.h"
 #include "engine/linear/small_inverse.h"
 
@@ -210,6 +211,7 @@ void IncompleteCholesky::eliminate(int column) {
 }
 
 double IncompleteCholesky::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+  const PhaseScope scope(Phase::preconditioner);
   const bool whole = places_.size() == order_.size();
   if (!whole) z.setZero();
   double largest = 0;

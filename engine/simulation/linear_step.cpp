@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
+#include "engine/core/phase_clock.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/prescribed_motion.h"
 
@@ -132,6 +133,7 @@ Status LinearStep::advance(double dt, bool /*can_be_cut*/) {
 }
 
 void LinearStep::form_rhs() {
+  const PhaseScope scope(Phase::right_hand_side);
   const StepCoefficients& c = system_.coefficients;
   const BlockForces& forces = system_.forces;
   rhs_ = c.mass_v * momentum_ - forces.internal_old;
@@ -152,6 +154,7 @@ Status LinearStep::solve() {
 }
 
 void LinearStep::accept() {
+  const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
   move_blocks(Kinematics::small, s);
   if (s.plan.supports) accept_supports(s);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/contact/open_close.h"
+#include "engine/core/phase_clock.h"
 
 namespace dda {
 namespace {
@@ -71,6 +72,7 @@ void FrictionPasses::take_part() {
 }
 
 bool FrictionPasses::has_something_to_settle(const Iterate& at) {
+  const PhaseScope scope(Phase::judging);
   live_.clear();
   between_pieces_ = false;
   live_.reserve(at.contacts.size());
@@ -164,7 +166,7 @@ void FrictionPasses::measure_imbalance(const Iterate& at) {
 }
 
 Status FrictionPasses::solve_newton_step(Iterate& at, double relative) {
-  const PhaseTimer timer(at.costs.times.solution);
+  const PhaseScope scope(Phase::solution);
   list_couplings(at);
   ++at.costs.counters.solves;
   const auto precondition = [&at](const Eigen::VectorXd& r, Eigen::VectorXd& z) {
@@ -213,6 +215,7 @@ void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& 
 }
 
 void FrictionPasses::take_newton_step(Iterate& at, bool strictly) {
+  const PhaseScope scope(Phase::judging);
   const PieceRule rule{.strict = strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
   at.increment += step_;
   if (is_local_) {

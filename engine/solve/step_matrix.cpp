@@ -36,7 +36,7 @@ void StepMatrix::end() {
 }
 
 Status StepMatrix::factorize() {
-  const PhaseTimer timer(costs_.times.factorization);
+  const PhaseScope scope(Phase::factorization);
   amendments_ = 0;
   factor_is_of_part_ = false;
   const Status status = solver_->factorize(*matrix_);
@@ -47,7 +47,7 @@ Status StepMatrix::factorize() {
 }
 
 Status StepMatrix::factorize(const BlockPart& part) {
-  const PhaseTimer timer(costs_.times.factorization);
+  const PhaseScope scope(Phase::factorization);
   ++costs_.counters.factorizations;
   factor_is_of_part_ = true;
   is_amended_ = true;  // the next step starts with matrix and factor of the whole
@@ -62,7 +62,7 @@ void StepMatrix::amend(double factor, const InterfaceElement& element, const Con
 }
 
 Status StepMatrix::solve(const HeldUnknowns& held, Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
-  const PhaseTimer timer(costs_.times.solution);
+  const PhaseScope scope(Phase::solution);
   ++costs_.counters.solves;
   couplings_.move_to_right(held, rhs);
   held.put(x);

@@ -23,6 +23,7 @@
 #include "engine/app/run_request.h"
 #include "engine/app/stop_signal.h"
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/core/phase_clock.h"
 #include "engine/record/folder_lock.h"
 #include "engine/record/profile.h"
@@ -312,6 +313,7 @@ class Run {
 }  // namespace
 
 int run_scene(const RunOptions& options, std::ostream& out, std::ostream& errors) {
+  const ThreadsInUse threads(options.threads > 0 ? options.threads : cores());
   std::optional<Run> run;
   {
     const PassingLine line("reading and setting up " + options.scene.string(), options.quiet ? nullptr : terminal());

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/contact/open_close.h"
+#include "engine/core/parallel.h"
 #include "engine/core/phase_clock.h"
 
 namespace dda {
@@ -40,6 +41,9 @@ constexpr double step_tolerance = 1e-3;
 constexpr double last_step_margin = 0.1;
 
 constexpr int most_iterations = 400;
+
+// Of which another thread should be told: a contact is moved and judged in some 0.1 us.
+constexpr std::size_t contacts_worth_sharing = 256;
 
 }  // namespace
 
@@ -222,19 +226,25 @@ void FrictionPasses::take_newton_step(Iterate& at, bool strictly) {
     multiply_in_pass(at, step_, image_);
     residual_ -= image_;
   }
-  between_pieces_ = false;
-  for (const std::size_t k : taken_) {
-    LiveContact& contact = live_[k];
-    const EndStrength& strength = at.contacts.strength(contact.trial);
-    InterfaceTrial& trial = at.contacts[contact.trial];
-    const Vec4 force_before = trial.force;
-    const Vec4 moved = gap(contact, step_);
-    trial.gap += moved;
-    respond_with_friction(contact.springs, strength, trial);
-    contact.between = keep_to_bordering_pieces(contact.springs, strength, rule, trial, contact.pieces);
-    between_pieces_ = between_pieces_ || contact.between;
-    if (is_local_) follow_residual(at, contact, moved, force_before);
+  const auto move_contacts = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      LiveContact& contact = live_[taken_[i]];
+      const EndStrength& strength = at.contacts.strength(contact.trial);
+      InterfaceTrial& trial = at.contacts[contact.trial];
+      const Vec4 force_before = trial.force;
+      const Vec4 moved = gap(contact, step_);
+      trial.gap += moved;
+      respond_with_friction(contact.springs, strength, trial);
+      contact.between = keep_to_bordering_pieces(contact.springs, strength, rule, trial, contact.pieces);
+      if (is_local_) follow_residual(at, contact, moved, force_before);
+    }
+  };
+  if (is_local_) {
+    move_contacts(0, taken_.size());  // blocks share their residual
+  } else {
+    parallel_for(taken_.size(), contacts_worth_sharing, move_contacts);
   }
+  between_pieces_ = std::ranges::any_of(taken_, [this](std::size_t k) { return live_[k].between; });
   at.bolts.aim(step_);
   at.bolts.follow(1);
   if (is_local_) {

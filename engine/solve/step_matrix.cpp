@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/contact/contact_set.h"
+#include "engine/linear/block_vectors.h"
 
 namespace dda {
 
@@ -73,7 +74,7 @@ Status StepMatrix::solve(const HeldUnknowns& held, Eigen::VectorXd& rhs, Eigen::
     return status;
   }
   // 0 times anything not finite is NaN, and so is a sum with a NaN: allFinite(), vectorized.
-  if ((0 * x).sum() == 0) return Status::ok;
+  if (sum_of_stretches(x.size(), [&](const Stretch& here) { return (0 * here.of(x)).sum(); }) == 0) return Status::ok;
   failure_ = Failure::not_finite;
   return Status::not_finite;
 }

@@ -17,7 +17,7 @@ std::int64_t PhaseClock::steady_now() {
 PhaseClock::PhaseClock(Now now) : now_(now), start_(now()), last_change_(start_) {
   open_.push_back({Phase::other, start_});
   costs_[at(Phase::other)].calls = 1;
-  current_ = this;
+  running = this;
 }
 
 std::int64_t PhaseClock::book() {

@@ -74,12 +74,12 @@ class PhaseClock {
 
   // Measures the thread that makes it, from now until it goes. Phases of other threads are not looked at.
   explicit PhaseClock(Now now = steady_now);
-  ~PhaseClock() { current_ = nullptr; }
+  ~PhaseClock() { running = nullptr; }
   PhaseClock(const PhaseClock&) = delete;
   PhaseClock& operator=(const PhaseClock&) = delete;
 
   // That of this thread; nullptr where none runs.
-  [[nodiscard]] static PhaseClock* current() { return current_; }
+  [[nodiscard]] static PhaseClock* current() { return running; }
 
   void enter(Phase phase);
   void leave();
@@ -102,7 +102,7 @@ class PhaseClock {
   // Books the time since the last change on the innermost phase.
   std::int64_t book();
 
-  static inline constinit thread_local PhaseClock* current_ = nullptr;
+  static inline constinit thread_local PhaseClock* running = nullptr;
 
   Now now_;
   std::int64_t start_, last_change_;

@@ -48,6 +48,7 @@ inline constexpr auto run_details =
     "  dda run wall.json --out results --frames 100                     then open results/frames.pvd in ParaView\n"
     "  dda run wall.json --out results --frame-interval 5ms --every 10\n"
     "  dda run wall.json --out results --frames 100 --resume            go on where this run stopped\n"
+    "  dda run wall.json --out results --profile                        say where the time went\n"
     "  dda run quake.json --out shaken --from results:settle            other loads on the wall as it has settled\n";
 
 inline constexpr auto view_details =

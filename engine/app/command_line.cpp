@@ -78,6 +78,17 @@ CLI::Validator number_from(double least, double greatest) {
       "");
 }
 
+// More than any machine has would only be a slip.
+const CLI::Validator number_of_threads(
+    [](const std::string& text) {
+      constexpr int most = 1024;
+      int value = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      const bool good = error == std::errc() && end == text.data() + text.size() && value >= 1 && value <= most;
+      return good ? std::string() : fmt::format("is \"{}\", expected a whole number from 1 to {}", text, most);
+    },
+    "");
+
 const CLI::Validator a_name([](const std::string& text) { return text.empty() ? "is empty, expected a name" : ""; },
                             "");
 
@@ -150,6 +161,11 @@ void add_run(CLI::App& app, Arguments& arguments) {
       ->type_name("DIR[:STAGE]")
       ->check(a_name);
   run->add_flag("--resume", arguments.run.resume, "go on from DIR/checkpoint.bin, to the last bit as if never stopped");
+  run->add_option("--threads", arguments.run.threads, "that share the work; default one a core; same results with any")
+      ->type_name("N")
+      ->check(number_of_threads);
+  run->add_flag("--profile", arguments.run.profile,
+                "say where the time went, and write DIR/profile.json for trace viewers");
   run->add_flag("--quiet", arguments.run.quiet, "no progress bar, and nothing on standard output");
 }
 

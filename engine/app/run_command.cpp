@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -22,7 +23,10 @@
 #include "engine/app/run_request.h"
 #include "engine/app/stop_signal.h"
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/core/phase_clock.h"
 #include "engine/record/folder_lock.h"
+#include "engine/record/profile.h"
 #include "engine/record/progress.h"
 #include "engine/record/run_folder.h"
 #include "engine/scene/scene.h"
@@ -51,6 +55,8 @@ class Run {
  public:
   explicit Run(const RunOptions& options)
       : options_(options),
+        clock_(options.profile ? std::make_unique<PhaseClock>() : nullptr),
+        setting_up_(Phase::set_up),
         scene_text_(scene_text(options.scene)),
         simulation_(parse_scene(scene_text_, options.scene.string(), options.scene.parent_path())),
         begun_from_(begin_from_origin()),
@@ -58,6 +64,7 @@ class Run {
         lock_(checked_folder()),
         resumed_(position_to_resume()) {
     phases_.emplace_back("read and set up", wall_seconds() - began_);
+    setting_up_.reset();
   }
 
   int run(std::ostream& out, std::ostream& errors) {
@@ -77,6 +84,7 @@ class Run {
     if (!message.empty() && status != Status::stopped)
       errors << fmt::format("dda: {}: {}\n", options_.scene.string(), message);
     if (!options_.quiet) conclude(status, out);
+    if (clock_) profile(out);
     if (status == Status::stopped) return 128 + StopSignal::received();
     return status == Status::ok ? 0 : exit_ended_early;
   }
@@ -138,7 +146,8 @@ class Run {
   }
 
   [[nodiscard]] FileOptions file_options() const {
-    FileOptions files{options_.folder, options_.rows_every, options_.frame_interval, options_.checkpoint_interval};
+    FileOptions files{options_.folder, options_.rows_every, options_.frame_interval, options_.checkpoint_interval,
+                      options_.profile};
     const double moving = moving_time(simulation_.model(), begun_from_);
     if (options_.frames) files.frame_interval = (moving > 0 ? moving : 1.0) / static_cast<double>(*options_.frames);
     return files;
@@ -180,8 +189,6 @@ class Run {
     }
     progress.finish(simulation_.state().time, simulation_.state().step);
     phases_.emplace_back("steps", wall_seconds() - begin - writing);
-    for (const PhaseField& field : phase_fields)
-      phases_.emplace_back(fmt::format("of steps: {}", field.name), simulation_.phase_times().*field.value);
     phases_.emplace_back("write", writing);
     return status;
   }
@@ -283,8 +290,15 @@ class Run {
                        simulation_.energy().relative_residual(), options_.folder.string());
   }
 
+  void profile(std::ostream& out) const {
+    write_profile(options_.folder / profile_name, *clock_, simulation_.counters());
+    if (!options_.quiet) out << profile_table(*clock_, simulation_.counters());
+  }
+
   double began_ = wall_seconds();
   const RunOptions& options_;
+  std::unique_ptr<PhaseClock> clock_;  // only of runs that are profiled
+  std::optional<PhaseScope> setting_up_;
   std::string scene_text_;
   Simulation simulation_;
   std::size_t begun_from_;  // stages
@@ -299,6 +313,7 @@ class Run {
 }  // namespace
 
 int run_scene(const RunOptions& options, std::ostream& out, std::ostream& errors) {
+  const ThreadsInUse threads(options.threads > 0 ? options.threads : cores());
   std::optional<Run> run;
   {
     const PassingLine line("reading and setting up " + options.scene.string(), options.quiet ? nullptr : terminal());

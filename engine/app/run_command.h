@@ -18,7 +18,9 @@ struct RunOptions {
   double checkpoint_interval = 10;       // s, of the wall clock
   std::optional<std::string> from;       // DIR or DIR:STAGE of a run of the same blocks to go on from
   bool resume = false;
+  int threads = 0;  // that share the work; 0: one for each core
   bool quiet = false;
+  bool profile = false;  // say where the time went
 };
 
 // Returns the exit code: 0; 3 when the run ended before its time (the reason is in the summary and on `errors`); 128 +

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/core/phase_clock.h"
 #include "engine/model/quantity_names.h"
 #include "engine/record/energy_terms.h"
 #include "engine/record/run_folder.h"
@@ -124,11 +125,13 @@ void RunFiles::after_step() {
 }
 
 void RunFiles::sample() {
+  const PhaseScope scope(Phase::rows);
   probes_.sample(simulation_, values_);
   histories_->append(simulation_.state().time, values_);
 }
 
 void RunFiles::sample_energies() {
+  const PhaseScope scope(Phase::rows);
   const EnergyLedger& energy = simulation_.energy();
   std::array<double, energy_values> values{};
   auto* next = values.data();
@@ -150,6 +153,7 @@ void RunFiles::write_frame_when_due() {
 
 // Blocks last: a frame of them that is listed has its contacts and bolts.
 void RunFiles::write_frame() {
+  const PhaseScope scope(Phase::frames);
   contact_frames_->write(simulation_.state().time, contact_points_of(simulation_));
   if (bolt_frames_) bolt_frames_->write(simulation_.state(), bolt_links_of(simulation_));
   frames_->write(simulation_.state(), simulation_.absent());
@@ -162,6 +166,7 @@ void RunFiles::write_last_state() {
 }
 
 void RunFiles::write_checkpoint() {
+  const PhaseScope scope(Phase::checkpoint);
   histories_->flush();
   energies_->flush();
   save_run(in_folder(checkpoint_name), simulation_, position());
@@ -169,6 +174,7 @@ void RunFiles::write_checkpoint() {
 }
 
 void RunFiles::write_end_of_stage(std::size_t stage) {
+  const PhaseScope scope(Phase::checkpoint);
   save_run(in_folder(stage_file_name(stage).c_str()), simulation_, position());
 }
 
@@ -181,6 +187,7 @@ void RunFiles::close(RunSummary summary) {
   summary.outputs = {histories_name, energies_name, checkpoint_name, summary_name, request_name};
   if (frames_) summary.outputs.insert(summary.outputs.end(), {frames_name, contacts_name});
   if (bolt_frames_) summary.outputs.emplace_back(bolts_name);
+  if (options_.profile) summary.outputs.emplace_back(profile_name);
   for (std::size_t i = 0; i < simulation_.model().stages.size(); ++i)
     if (std::filesystem::exists(in_folder(stage_file_name(i).c_str()))) summary.outputs.push_back(stage_file_name(i));
   write_summary(in_folder(summary_name), summary);

@@ -27,6 +27,7 @@ struct FileOptions {
   std::int64_t rows_every = 1;           // steps
   std::optional<double> frame_interval;  // s; none: no frames
   double checkpoint_interval = 10;       // s, of the wall clock
+  bool profile = false;                  // the run will add one
 };
 
 // Creates the folder if need be, and writes to it what a run should leave. Other files there are left alone. All errors

@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/linear/panel_product.h"
+#include "engine/core/phase_clock.h"
+#include "engine/linear/block_vectors.h"
 
 namespace dda {
 namespace {
@@ -42,6 +43,7 @@ BlockMatrix::BlockMatrix(int blocks, std::vector<std::pair<int, int>> couplings)
   build_pattern(blocks, couplings);
   build_places();
   build_scalar_csc();
+  build_shares();
   values_.assign(36 * stored, 0.0);
 }
 
@@ -80,6 +82,28 @@ void BlockMatrix::build_scalar_csc() {
   }
 }
 
+// Where products are not worth sharing there is one share, and nothing reaches into it.
+void BlockMatrix::build_shares() {
+  constexpr std::size_t most = 16;
+  shares_ = {index(size()), std::clamp<std::size_t>(index(size()) / blocks_worth_sharing, 1, most)};
+  if (shares_.count == 1) return;
+  std::vector<std::vector<Reach>> reaches(shares_.count);
+  std::size_t own = 0;
+  for (int column = 0; column < size(); ++column) {
+    while (shares_.begin_of(own + 1) <= index(column)) ++own;
+    std::size_t other = own;
+    for (int k = column_starts_[index(column)]; k < column_starts_[index(column) + 1]; ++k) {
+      while (shares_.begin_of(other + 1) <= index(block_rows_[index(k)])) ++other;
+      if (other != own) reaches[other].push_back({column, k});
+    }
+  }
+  reach_starts_ = {0};
+  for (const auto& into_share : reaches) {
+    reaches_.insert(reaches_.end(), into_share.begin(), into_share.end());
+    reach_starts_.push_back(reaches_.size());
+  }
+}
+
 int BlockMatrix::slot(int i, int j) const {
   if (j < 0 || i <= j || i >= size()) return -1;
   const auto first = block_rows_.begin() + column_starts_[index(j)] + 1;
@@ -109,13 +133,38 @@ void BlockMatrix::set_values(const BlockMatrix& same_pattern) {
   std::copy(same_pattern.values_.begin(), same_pattern.values_.end(), values_.begin());
 }
 
+PanelProduct BlockMatrix::panel_product(int column, const Vector& x) const {
+  const int first = column_starts_[index(column)];
+  const int height = column_starts_[index(column) + 1] - first;
+  return {values_.data() + 36 * index(first), 6 * height, x.data() + 6 * column};
+}
+
+void BlockMatrix::multiply_share(std::size_t share, const Vector& x, Vector& y) const {
+  const int begin = static_cast<int>(shares_.begin_of(share));
+  const int end = static_cast<int>(shares_.begin_of(share + 1));
+  y.segment(6 * begin, 6 * (end - begin)).setZero();
+  for (std::size_t i = reach_starts_[share]; i < reach_starts_[share + 1]; ++i) {
+    const auto [column, k] = reaches_[i];
+    panel_product(column, x).scatter(k - column_starts_[index(column)], y.data() + 6 * block_rows_[index(k)]);
+  }
+  for (int column = begin; column < end; ++column) {
+    PanelProduct product = panel_product(column, x);
+    const int first = column_starts_[index(column)];
+    int k = first + 1;
+    for (; k < column_starts_[index(column) + 1] && block_rows_[index(k)] < end; ++k)
+      product.couple(k - first, x.data() + 6 * block_rows_[index(k)], y.data() + 6 * block_rows_[index(k)]);
+    for (; k < column_starts_[index(column) + 1]; ++k) product.gather(k - first, x.data() + 6 * block_rows_[index(k)]);
+    product.add_to(y.data() + 6 * column);
+  }
+}
+
 template <typename Meets>
 void BlockMatrix::multiply_where(const Meets& meets, const Vector& x, Vector& y) const {
   y.setZero();
   for (int column = 0; column < size(); ++column) {
     const int first = column_starts_[index(column)];
     const int last = column_starts_[index(column) + 1];
-    PanelProduct product(values_.data() + 36 * index(first), 6 * (last - first), x.data() + 6 * column);
+    PanelProduct product = panel_product(column, x);
     bool met = meets(column, column);
     for (int k = first + 1; k < last; ++k) {
       const int row = block_rows_[index(k)];
@@ -128,10 +177,16 @@ void BlockMatrix::multiply_where(const Meets& meets, const Vector& x, Vector& y)
 }
 
 void BlockMatrix::multiply(const Vector& x, Vector& y) const {
-  multiply_where([](int, int) { return true; }, x, y);
+  const PhaseScope scope(Phase::product);
+  if (shares_.count == 1 || threads_in_use() == 1) {
+    multiply_where([](int, int) { return true; }, x, y);
+  } else {
+    for_each_piece(shares_, [&](std::size_t share, std::size_t, std::size_t) { multiply_share(share, x, y); });
+  }
 }
 
 void BlockMatrix::multiply(const BlockPart& part, const Vector& x, Vector& y) const {
+  const PhaseScope scope(Phase::product);
   multiply_where([&part](int column, int row) { return part.contains(column) || part.contains(row); }, x, y);
 }
 

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/parallel.h"
 #include "engine/core/types.h"
 #include "engine/linear/block_part.h"
+#include "engine/linear/panel_product.h"
 
 namespace dda {
 
@@ -51,7 +53,8 @@ class BlockMatrix {
   // Takes over the values of a matrix of the same pattern.
   void set_values(const BlockMatrix& same_pattern);
 
-  // y = A x; x and y hold 6n numbers each and are different vectors. Allocates nothing.
+  // y = A x; x and y hold 6n numbers each and are different vectors. Allocates nothing. Shared by threads where there
+  // are many blocks; every row gets its terms in the same order, whoever adds them.
   void multiply(const Vector& x, Vector& y) const;
 
   // The same where x is zero outside of a part: reads only what meets it.
@@ -89,6 +92,9 @@ class BlockMatrix {
   void build_pattern(int blocks, const std::vector<std::pair<int, int>>& couplings);
   void build_places();
   void build_scalar_csc();
+  void build_shares();
+  [[nodiscard]] PanelProduct panel_product(int column, const Vector& x) const;
+  void multiply_share(std::size_t share, const Vector& x, Vector& y) const;
 
   std::vector<int> column_starts_;  // n + 1
   std::vector<int> block_rows_;
@@ -96,6 +102,16 @@ class BlockMatrix {
   std::vector<double> values_;
   std::vector<int> column_pointers_;
   std::vector<int> row_indices_;
+
+  // The product in shares of consecutive rows. A share does the panels of its own columns; a block of these that lies
+  // in the rows of a later share is gathered from here, and scattered by that one, which comes to it first: panels go
+  // up in columns, and rows lie below them.
+  struct Reach {
+    int column, k;  // of the panel; of the block, as in block_rows_
+  };
+  Pieces shares_{0, 1};
+  std::vector<Reach> reaches_;             // into each share, by ascending columns
+  std::vector<std::size_t> reach_starts_;  // one a share, and the end
 };
 
 }  // namespace dda

@@ -2,6 +2,9 @@
 
 #include <cstddef>
 
+#include "engine/core/phase_clock.h"
+#include "engine/linear/block_vectors.h"
+
 namespace dda {
 namespace {
 
@@ -32,15 +35,21 @@ ConstantOperator::ConstantOperator(const BlockMatrix& matrix) : row_starts_(at(m
   }
 }
 
-void ConstantOperator::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-  for (int row = 0; row + 1 < static_cast<int>(row_starts_.size()); ++row) {
+void ConstantOperator::multiply(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& y) const {
+  const PhaseScope scope(Phase::product);
+  parallel_for(row_starts_.size() - 1, blocks_worth_sharing,
+               [&](std::size_t first, std::size_t last) { multiply_rows(first, last, x.data(), y.data()); });
+}
+
+void ConstantOperator::multiply_rows(std::size_t first, std::size_t last, const double* x, double* y) const {
+  for (std::size_t row = first; row < last; ++row) {
     Vec6 sum = Vec6::Zero();
-    for (int k = row_starts_[at(row)]; k < row_starts_[at(row) + 1]; ++k) {
+    for (int k = row_starts_[row]; k < row_starts_[row + 1]; ++k) {
       const Mat6& block = blocks_[at(k)];
-      const double* factor = x.data() + static_cast<std::ptrdiff_t>(6) * columns_[at(k)];
+      const double* factor = x + static_cast<std::ptrdiff_t>(6) * columns_[at(k)];
       for (int column = 0; column < 6; ++column) sum += factor[column] * block.col(column);
     }
-    y.segment<6>(static_cast<Eigen::Index>(6) * row) = sum;
+    Vec6::Map(y + 6 * row) = sum;
   }
 }
 

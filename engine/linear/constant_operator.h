@@ -14,10 +14,13 @@ class ConstantOperator {
  public:
   explicit ConstantOperator(const BlockMatrix& matrix);
 
-  // x and y hold 6n numbers each and are different vectors. Allocates nothing.
-  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+  // x and y hold 6n numbers each and are different vectors. Allocates nothing. Shared by threads where there are many
+  // blocks.
+  void multiply(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& y) const;
 
  private:
+  void multiply_rows(std::size_t first, std::size_t last, const double* x, double* y) const;
+
   std::vector<int> row_starts_;  // n + 1
   std::vector<int> columns_;
   std::vector<Mat6> blocks_;

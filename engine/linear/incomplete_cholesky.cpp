@@ -5,7 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/core/phase_clock.h"
 #include "engine/linear/block_order.h"
+#include "engine/linear/block_vectors.h"
 #include "engine/linear/small_inverse.h"
 
 namespace dda {
@@ -58,6 +60,7 @@ void IncompleteCholesky::analyze(const BlockMatrix& matrix, int level) {
   blocks_.resize(rows_.size());
   diagonal_.resize(order_.size());
   work_.resize(order_.size());
+  products_.resize(order_.size());
 }
 
 void IncompleteCholesky::lay_out(const BlockMatrix& matrix, int level) {
@@ -210,12 +213,41 @@ void IncompleteCholesky::eliminate(int column) {
 }
 
 double IncompleteCholesky::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+  const PhaseScope scope(Phase::preconditioner);
   const bool whole = places_.size() == order_.size();
   if (!whole) z.setZero();
-  double largest = 0;
-  for (const int j : places_) largest = std::max(largest, r.segment<6>(6 * order_[at(j)]).cwiseAbs().maxCoeff());
+  double largest = largest_entry(r);
   if (largest < std::numeric_limits<double>::min()) largest = 1;
+  if (whole && rows_.empty()) return apply_diagonal(largest, r, z);
   return whole ? substitute<true>(largest, r, z) : substitute<false>(largest, r, z);
+}
+
+double IncompleteCholesky::largest_entry(const Eigen::VectorXd& r) const {
+  const auto larger = [](double one, double other) { return std::max(one, other); };
+  if (places_.size() == order_.size())
+    return parallel_reduce(places_.size(), blocks_of_plain_sum, larger, [&r](std::size_t first, std::size_t last) {
+      return Stretch(first, last).of(r).cwiseAbs().maxCoeff();
+    });
+  double largest = 0;
+  for (const int j : places_) largest = larger(largest, r.segment<6>(6 * order_[at(j)]).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+// Without couplings every block is by itself. Summed from the last to the first, as substitute() does.
+double IncompleteCholesky::apply_diagonal(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+  const double shrink = 1 / unit;
+  parallel_for(order_.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t place = first; place < last; ++place) {
+      const auto own = r.segment<6>(6 * order_[place]);
+      auto result = z.segment<6>(6 * order_[place]);
+      result = (scale_ * unit) * ColumnFactors(SingleSix(shrink * own)).times(diagonal_[place]).to_double();
+      products_[place] = result.dot(own);
+    }
+  });
+  return parallel_sum(order_.size(), blocks_of_plain_sum, [this](std::size_t first, std::size_t last) {
+    return std::accumulate(products_.rend() - static_cast<std::ptrdiff_t>(last),
+                           products_.rend() - static_cast<std::ptrdiff_t>(first), 0.0);
+  });
 }
 
 // `unit`: what counts as 1 in r. Of the whole the innermost loops need not ask which rows there are: half of their

@@ -57,8 +57,10 @@ class IncompleteCholesky {
   void load_column(const BlockMatrix& matrix, int block);
   [[nodiscard]] bool eliminate_all();
   void eliminate(int column);
+  [[nodiscard]] double largest_entry(const Eigen::VectorXd& r) const;
   template <bool whole>
   double substitute(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z);
+  double apply_diagonal(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z);
   [[nodiscard]] bool take_diagonal_only(const BlockMatrix& matrix);
 
   std::vector<int> order_;             // order_[k]: the block eliminated as the k-th
@@ -74,7 +76,8 @@ class IncompleteCholesky {
   // For each column with rows a_0 < a_1 < ...: entry (a_i, a_j) for all j < i, row by row; -1 where it is dropped.
   std::vector<int> targets_;
   std::vector<int> target_starts_;
-  std::vector<SingleSix> work_;  // by position
+  std::vector<SingleSix> work_;   // by position
+  std::vector<double> products_;  // r . z of each block, by position
   double shift_ = 0;
   double scale_ = 1;  // A times this is what was factored
 };

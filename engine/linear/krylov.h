@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/status.h"
+#include "engine/linear/block_vectors.h"
 
 namespace dda {
 
@@ -52,17 +53,22 @@ class ConjugateGradients {
       if (result.iterations == most) result.status = Status::not_converged;
       if (result.status != Status::ok) break;
       multiply(direction_, image_);
-      const double curvature = direction_.dot(image_);
+      const double curvature = dot(direction_, image_);
       if (curvature <= 0) {
         result.status = Status::singular;
         break;
       }
       const double step = norm / curvature;
-      x += step * direction_;
-      residual_ -= step * image_;
+      in_stretches(x.size(), [&](const Stretch& here) {
+        here.of(x) += step * here.of(direction_);
+        here.of(residual_) -= step * here.of(image_);
+      });
       const double previous = norm;
       norm = precondition(residual_, preconditioned_);
-      direction_ = preconditioned_ + (norm / previous) * direction_;
+      const double keep = norm / previous;
+      in_stretches(x.size(), [&](const Stretch& here) {
+        here.of(direction_) = here.of(preconditioned_) + keep * here.of(direction_);
+      });
       ++result.iterations;
     }
     return result;
@@ -117,8 +123,10 @@ class Gmres {
     const auto at = static_cast<std::size_t>(k);
     multiply(v_[at], work_);
     for (int j = 0; j <= k; ++j) {
-      h(j, k) = v_[static_cast<std::size_t>(j)].dot(work_);
-      work_ -= h(j, k) * u_[static_cast<std::size_t>(j)];
+      const Eigen::VectorXd& u = u_[static_cast<std::size_t>(j)];
+      const double along = dot(v_[static_cast<std::size_t>(j)], work_);
+      h(j, k) = along;
+      in_stretches(work_.size(), [&](const Stretch& here) { here.of(work_) -= along * here.of(u); });
     }
     const double norm = std::sqrt(std::max(0.0, precondition(work_, v_[at + 1])));
     h(k + 1, k) = norm;

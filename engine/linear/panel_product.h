@@ -30,6 +30,23 @@ class PanelProduct {
     store(y0, y_row), store(y1, y_row + 2), store(y2, y_row + 4);
   }
 
+  // The first half of it.
+  void scatter(int below, double* y_row) const {
+    Pair y0 = load(y_row), y1 = load(y_row + 2), y2 = load(y_row + 4);
+    const double* column = panel_ + 6 * below;
+    for (std::size_t c = 0; c < 6; ++c, column += stride_)
+      y0 += load(column) * x_[c], y1 += load(column + 2) * x_[c], y2 += load(column + 4) * x_[c];
+    store(y0, y_row), store(y1, y_row + 2), store(y2, y_row + 4);
+  }
+
+  // The second.
+  void gather(int below, const double* x_row) {
+    const Pair r0 = load(x_row), r1 = load(x_row + 2), r2 = load(x_row + 4);
+    const double* column = panel_ + 6 * below;
+    for (std::size_t c = 0; c < 6; ++c, column += stride_)
+      transposed_[c] += load(column) * r0 + load(column + 2) * r1 + load(column + 4) * r2;
+  }
+
   // What the panel's own block gets: its diagonal block, which holds both of its triangles, times x, and all B^T x_row.
   void add_to(double* y) const {
     Pair y0 = load(y), y1 = load(y + 2), y2 = load(y + 4);

@@ -1,5 +1,7 @@
 #include "engine/linear/pcg_solver.h"
 
+#include "engine/linear/block_vectors.h"
+
 namespace dda {
 
 void PcgSolver::do_analyze(const BlockMatrix& matrix) {
@@ -31,7 +33,7 @@ Status PcgSolver::do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
 // precision of the numbers.
 Status PcgSolver::check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) {
   matrix_->multiply(x, residual_);
-  residual_ = rhs - residual_;
+  in_stretches(rhs.size(), [&](const Stretch& here) { here.of(residual_) = here.of(rhs) - here.of(residual_); });
   const double norm = factor_.apply(residual_, preconditioned_);
   const double limit = options_.true_residual * options_.true_residual * factor_.apply(rhs, preconditioned_);
   return norm <= limit ? Status::ok : Status::not_converged;

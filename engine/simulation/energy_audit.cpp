@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "engine/linear/block_vectors.h"
 #include "engine/terms/elasticity.h"
 
 namespace dda {
@@ -12,17 +13,21 @@ Vec6 of_block(const Eigen::VectorXd& all, std::size_t i) { return all.segment<6>
 }  // namespace
 
 double kinetic_energy(const BlockTerms& terms, const State& state) {
-  double energy = 0;
-  for (std::size_t i = 0; i < state.velocity.size(); ++i)
-    energy += state.velocity[i].dot(momentum(terms.inertia[i], state.velocity[i])) / 2;
-  return energy;
+  return parallel_sum(state.velocity.size(), blocks_of_plain_sum, [&](std::size_t first, std::size_t last) {
+    double energy = 0;
+    for (std::size_t i = first; i < last; ++i)
+      energy += state.velocity[i].dot(momentum(terms.inertia[i], state.velocity[i])) / 2;
+    return energy;
+  });
 }
 
 double strain_energy(const BlockTerms& terms, const State& state) {
-  double energy = 0;
-  for (std::size_t i = 0; i < state.stress.size(); ++i)
-    energy += strain_energy(terms.area[i], state.stress[i], terms.compliance[i]);
-  return energy;
+  return parallel_sum(state.stress.size(), blocks_of_plain_sum, [&](std::size_t first, std::size_t last) {
+    double energy = 0;
+    for (std::size_t i = first; i < last; ++i)
+      energy += strain_energy(terms.area[i], state.stress[i], terms.compliance[i]);
+    return energy;
+  });
 }
 
 StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const ContactSet& contacts,
@@ -35,13 +40,15 @@ StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const Co
 
 double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const State& state,
                     const Eigen::VectorXd& d) {
-  double work = 0;
-  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-    const Vec6 own = of_block(d, i);
-    const Vec6 weighted = step.mass * own - step.mass_v * state.velocity[i] - step.mass_a * state.acceleration[i];
-    work += own.dot(momentum(terms.inertia[i], weighted));
-  }
-  return work;
+  return parallel_sum(state.velocity.size(), blocks_of_plain_sum, [&](std::size_t first, std::size_t last) {
+    double work = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec6 own = of_block(d, i);
+      const Vec6 weighted = step.mass * own - step.mass_v * state.velocity[i] - step.mass_a * state.acceleration[i];
+      work += own.dot(momentum(terms.inertia[i], weighted));
+    }
+    return work;
+  });
 }
 
 void EnergyAudit::start(const StoredEnergy& stored) {
@@ -65,15 +72,16 @@ void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDampi
 
 void EnergyAudit::record(const StepCoefficients& step, double inertia_work, const StoredEnergy& stored,
                          const StepForces& forces, const Eigen::VectorXd& d) {
-  const double work_old = d.dot(forces.load_old);
-  const double work_new = d.dot(forces.load_new);
+  const double work_old = dot(d, forces.load_old);
+  const double work_new = dot(d, forces.load_new);
   ledger_.external_work += (work_old + work_new) / 2;
-  if (forces.weight.size() > 0) ledger_.gravity_work += d.dot(forces.weight);
+  if (forces.weight.size() > 0) ledger_.gravity_work += dot(d, forces.weight);
   ledger_.numerical += inertia_work - (stored.kinetic - ledger_.kinetic) + replaced_;
   replaced_ = 0;
   const double off_centre = 0.5 - step.load_old;  // 1/2 - alpha_f
   if (off_centre != 0)
-    ledger_.numerical += off_centre * (d.dot(forces.internal_new) - d.dot(forces.internal_old) - (work_new - work_old));
+    ledger_.numerical +=
+        off_centre * (dot(d, forces.internal_new) - dot(d, forces.internal_old) - (work_new - work_old));
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/contact/foreseen_gap.h"
+#include "engine/core/phase_clock.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/initial_acceleration.h"
@@ -58,6 +59,7 @@ Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, s
 
 // Of the balance: loads, weight and momentum less what the blocks' stresses exert at the start.
 void form_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
+  const PhaseScope scope(Phase::right_hand_side);
   const StepCoefficients& c = system.coefficients;
   const State& state = system.state;
   const BlockForces& forces = system.forces;
@@ -203,7 +205,7 @@ void GeneralStep::follow_geometry() {
 
 void GeneralStep::place_geometry(double coming) {
   BlockSystem& s = system_;
-  const PhaseTimer timer(s.costs.times.geometry);
+  const PhaseScope scope(Phase::geometry);
   const bool moves = coming > 0;
   moved_ = coming;
   const double most = moving_ ? most_turn : std::numeric_limits<double>::infinity();
@@ -237,6 +239,7 @@ void GeneralStep::follow_contacts() {
     return;
   }
   ++s.costs.counters.contact_searches;
+  const PhaseScope scope(Phase::search);
   if (moving_->follow(s.model, s.state, acting_, s.contacts)) {
     base_ = pattern();
     solver_.set_pattern(base_);
@@ -246,7 +249,7 @@ void GeneralStep::follow_contacts() {
 
 void GeneralStep::assemble_base() {
   if (base_is_current_) return;
-  const PhaseTimer timer(system_.costs.times.assembly);
+  const PhaseScope scope(Phase::assembly);
   const BlockSystem& s = system_;
   assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
   if (s.plan.is_static) s.drag.add_to(s.terms, s.coefficients, base_);
@@ -335,6 +338,7 @@ bool GeneralStep::is_in_contact_range() {
 }
 
 void GeneralStep::accept() {
+  const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);

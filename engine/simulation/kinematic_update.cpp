@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/geometry/rotation.h"
+#include "engine/linear/block_vectors.h"
 #include "engine/terms/centrifugal.h"
 #include "engine/terms/inertia.h"
 
@@ -28,6 +29,17 @@ void deform_small(const Vec6& d, Mat2& deformation) {
 // Areas and inertia follow strains in steps of this size. Were they measured anew at every step, it would be with the
 // strains of its start, and blocks that vibrate under stress would gain energy from the delay.
 constexpr double shape_tolerance = 0.01;
+
+void deform_block(Kinematics kinematics, const Eigen::VectorXd& d, std::size_t i, const BlockTerms& terms,
+                  State& state) {
+  const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
+  if (kinematics == Kinematics::small) {
+    deform_small(own, state.deformation[i]);
+  } else {
+    const double before = terms.directions[i] - (state.displacement[i](2) - own(2));
+    state.deformation[i] = deformation_increment(own, before) * state.deformation[i];
+  }
+}
 
 double trace(const Vec3& squares) { return squares(0) + squares(1); }
 
@@ -63,23 +75,19 @@ Vec3 centrifugal_force_on(const Model& model, std::size_t i, const BlockTerms& t
 }  // namespace
 
 void advance_blocks(const StepCoefficients& step, const BlockTerms& terms, const Eigen::VectorXd& d, State& state) {
-  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-    const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
-    advance_motion(step, own, i, state);
-    state.stress[i].noalias() += terms.elasticity[i] * own.tail<3>();
-  }
+  parallel_for(state.velocity.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
+      advance_motion(step, own, i, state);
+      state.stress[i].noalias() += terms.elasticity[i] * own.tail<3>();
+    }
+  });
 }
 
 void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, const BlockTerms& terms, State& state) {
-  for (std::size_t i = 0; i < state.velocity.size(); ++i) {
-    const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
-    if (kinematics == Kinematics::small) {
-      deform_small(own, state.deformation[i]);
-    } else {
-      const double before = terms.directions[i] - (state.displacement[i](2) - own(2));
-      state.deformation[i] = deformation_increment(own, before) * state.deformation[i];
-    }
-  }
+  parallel_for(state.velocity.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) deform_block(kinematics, d, i, terms, state);
+  });
 }
 
 void keep_angular_momenta(const Model& model, State& state, BlockTerms& terms) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
+#include "engine/core/phase_clock.h"
+#include "engine/linear/block_vectors.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/prescribed_motion.h"
 
@@ -42,7 +44,7 @@ void LinearStep::set_up(BlockMatrix pattern) {
   s.waves = WaveCorrections(s.model, stage, s.contacts);
   operators_.emplace(make_linear_operators(s.model, s.terms, s.contacts, s.supports, s.waves));
   if (s.plan.loads) s.external.filter(s.waves);
-  for (Eigen::VectorXd* vector : {&displacement_, &velocity_, &next_momentum_, &rhs_}) vector->setZero(unknowns);
+  for (Eigen::VectorXd* vector : {&next_momentum_, &rhs_}) vector->setZero(unknowns);
 }
 
 void LinearStep::set_step_size(double dt) {
@@ -55,11 +57,9 @@ void LinearStep::begin() {
   if (s.plan.loads) s.loads_at(s.state.time, s.forces.load_old);
   for (Eigen::VectorXd* vector : {&momentum_, &inertia_force_, &elastic_force_, &internal_at_rest_})
     vector->setZero(rhs_.size());
-  displacement_ = flat(s.state.displacement);
-  operators_->stiffness_times.multiply(displacement_, elastic_force_);
+  operators_->stiffness_times.multiply(flat(s.state.displacement), elastic_force_);
   internal_at_rest_ = s.forces.internal_old - elastic_force_;
-  velocity_ = flat(s.state.velocity);
-  operators_->inertia_times.multiply(velocity_, momentum_);
+  operators_->inertia_times.multiply(flat(s.state.velocity), momentum_);
   // Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole,
   // and those of later stages go on from the ledger.
   energy_offset_ = initial_contact_energy() + strain_energy(s.terms, s.state) - elastic_energy();
@@ -132,12 +132,16 @@ Status LinearStep::advance(double dt, bool /*can_be_cut*/) {
 }
 
 void LinearStep::form_rhs() {
+  const PhaseScope scope(Phase::right_hand_side);
   const StepCoefficients& c = system_.coefficients;
   const BlockForces& forces = system_.forces;
-  rhs_ = c.mass_v * momentum_ - forces.internal_old;
-  if (c.mass_a != 0) rhs_ += c.mass_a * inertia_force_;
-  if (system_.plan.loads) rhs_ += c.load_new * forces.load_new + c.load_old * forces.load_old;
-  if (system_.plan.gravity) rhs_ += system_.external.weight();
+  in_stretches(rhs_.size(), [&](const Stretch& here) {
+    here.of(rhs_) = c.mass_v * here.of(momentum_) - here.of(forces.internal_old);
+    if (c.mass_a != 0) here.of(rhs_) += c.mass_a * here.of(inertia_force_);
+    if (system_.plan.loads)
+      here.of(rhs_) += c.load_new * here.of(forces.load_new) + c.load_old * here.of(forces.load_old);
+    if (system_.plan.gravity) here.of(rhs_) += here.of(system_.external.weight());
+  });
   add_dashpot_and_support_rhs(system_, rhs_);
 }
 
@@ -152,6 +156,7 @@ Status LinearStep::solve() {
 }
 
 void LinearStep::accept() {
+  const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
   move_blocks(Kinematics::small, s);
   if (s.plan.supports) accept_supports(s);
@@ -165,11 +170,13 @@ void LinearStep::accept() {
 // M a1 from the change of M v, as a1 follows from that of v. Returns the work against it, see energy_audit.h.
 double LinearStep::follow_inertia_force() {
   const StepCoefficients& c = system_.coefficients;
-  velocity_ = flat(system_.state.velocity);
-  operators_->inertia_times.multiply(velocity_, next_momentum_);
-  double work = (1 - c.weight_new_a) * system_.increment.dot(inertia_force_);
-  inertia_force_ = (next_momentum_ - momentum_ - c.v_a0 * inertia_force_) / c.v_a1;
-  work += c.weight_new_a * system_.increment.dot(inertia_force_);
+  operators_->inertia_times.multiply(flat(system_.state.velocity), next_momentum_);
+  double work = (1 - c.weight_new_a) * dot(system_.increment, inertia_force_);
+  in_stretches(inertia_force_.size(), [&](const Stretch& here) {
+    here.of(inertia_force_) =
+        (here.of(next_momentum_) - here.of(momentum_) - c.v_a0 * here.of(inertia_force_)) / c.v_a1;
+  });
+  work += c.weight_new_a * dot(system_.increment, inertia_force_);
   momentum_.swap(next_momentum_);
   return work;
 }
@@ -177,9 +184,9 @@ double LinearStep::follow_inertia_force() {
 // Internal forces at the current displacements; those of supports that move follow their prescribed places.
 void LinearStep::sum_internal_forces(Eigen::VectorXd& force) {
   const BlockSystem& s = system_;
-  displacement_ = flat(s.state.displacement);
-  operators_->stiffness_times.multiply(displacement_, elastic_force_);
-  force = elastic_force_ + internal_at_rest_;
+  operators_->stiffness_times.multiply(flat(s.state.displacement), elastic_force_);
+  in_stretches(force.size(),
+               [&](const Stretch& here) { here.of(force) = here.of(elastic_force_) + here.of(internal_at_rest_); });
   if (!s.plan.moving_supports) return;
   for (std::size_t i = 0; i < s.supports.size(); ++i) {
     const SupportElement& support = s.supports[i];
@@ -192,7 +199,7 @@ void LinearStep::sum_internal_forces(Eigen::VectorXd& force) {
 double LinearStep::elastic_energy() const {
   const BlockSystem& s = system_;
   const auto displacement = flat(s.state.displacement);
-  double energy = displacement.dot(elastic_force_) / 2 + displacement.dot(internal_at_rest_);
+  double energy = dot(displacement, elastic_force_) / 2 + dot(displacement, internal_at_rest_);
   if (!s.plan.moving_supports) return energy;
   for (std::size_t i = 0; i < s.supports.size(); ++i) {
     const SupportElement& support = s.supports[i];
@@ -208,7 +215,7 @@ double LinearStep::elastic_energy() const {
 // Blocks' strain energy from their stresses; what interfaces and supports store is the rest of the elastic energy.
 StoredEnergy LinearStep::stored_energy() const {
   const double strain = strain_energy(system_.terms, system_.state);
-  return {flat(system_.state.velocity).dot(momentum_) / 2, strain, elastic_energy() + energy_offset_ - strain};
+  return {dot(flat(system_.state.velocity), momentum_) / 2, strain, elastic_energy() + energy_offset_ - strain};
 }
 
 double LinearStep::initial_contact_energy() const {

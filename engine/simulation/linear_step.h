@@ -41,7 +41,7 @@ class LinearStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, operators, matrix, momentum, inertia_force, elastic_force, internal_at_rest, energy_offset,
-           displacement, velocity, next_momentum, rhs, message] = self;
+           next_momentum, rhs, message] = self;
     archive(momentum, inertia_force, elastic_force, internal_at_rest, energy_offset);
     // The others follow from the system, or are written before they are read.
   }
@@ -67,7 +67,7 @@ class LinearStep : public Step {
   double energy_offset_ = 0;  // makes the elastic energy the sum of its parts, J per m of thickness
 
   // Within a step, 6 entries a block.
-  Eigen::VectorXd displacement_, velocity_, next_momentum_, rhs_;
+  Eigen::VectorXd next_momentum_, rhs_;
   std::string message_;
 };
 

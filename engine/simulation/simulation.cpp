@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/core/phase_clock.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/excavation.h"
 #include "engine/simulation/free_field.h"
@@ -81,7 +82,6 @@ const std::vector<bool>& Simulation::absent() const { return system_->excavated.
 const BoltSet& Simulation::bolts() const { return system_->bolts; }
 const StepPlan& Simulation::plan() const { return system_->plan; }
 const EnergyLedger& Simulation::energy() const { return system_->audit.ledger(); }
-const PhaseTimes& Simulation::phase_times() const { return system_->costs.times; }
 const Penetration& Simulation::deepest_penetration() const { return general_->deepest_penetration(); }
 
 const Simulation* Simulation::free_field_columns() const {
@@ -110,6 +110,7 @@ Step& Simulation::stage_step() {
 }
 
 void Simulation::begin_stage() {
+  const PhaseScope scope(Phase::stage);
   BlockSystem& s = *system_;
   s.audit.begin_stage();
   s.clock.begun = true;

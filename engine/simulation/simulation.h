@@ -18,7 +18,6 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/core/counters.h"
-#include "engine/core/phase_times.h"
 #include "engine/core/status.h"
 #include "engine/model/energy.h"
 #include "engine/model/model.h"
@@ -68,8 +67,6 @@ class Simulation {
   [[nodiscard]] const StepPlan& plan() const;
   [[nodiscard]] const EnergyLedger& energy() const;
   [[nodiscard]] Counters counters() const;
-  // Since this object was made; what a step does besides is in none of them.
-  [[nodiscard]] const PhaseTimes& phase_times() const;
   // Of all steps with contacts that can change.
   [[nodiscard]] const Penetration& deepest_penetration() const;
 

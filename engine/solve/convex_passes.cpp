@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/phase_clock.h"
+
 namespace dda {
 namespace {
 
@@ -88,6 +90,7 @@ Status ConvexPasses::solve_pass(Iterate& at) {
 // Moves along the Newton step as far as the potential falls. True when it was taken whole and the forces became what it
 // took them to be.
 bool ConvexPasses::take_newton_step(Iterate& at) {
+  const PhaseScope scope(Phase::judging);
   if (at.is_linear()) {
     at.increment = target_;
     return true;

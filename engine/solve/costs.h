@@ -1,14 +1,12 @@
-// What the work on steps cost: counts that do not depend on the machine, and wall times that do.
+// What the work on steps cost, in counts that do not depend on the machine; engine/core/phase_clock.h measures times.
 #pragma once
 
 #include "engine/core/counters.h"
-#include "engine/core/phase_times.h"
 
 namespace dda {
 
 struct Costs {
   Counters counters;
-  PhaseTimes times;
 };
 
 }  // namespace dda

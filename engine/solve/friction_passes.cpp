@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "engine/contact/open_close.h"
+#include "engine/core/parallel.h"
+#include "engine/core/phase_clock.h"
 
 namespace dda {
 namespace {
@@ -40,6 +42,9 @@ constexpr double last_step_margin = 0.1;
 
 constexpr int most_iterations = 400;
 
+// Of which another thread should be told: a contact is moved and judged in some 0.1 us.
+constexpr std::size_t contacts_worth_sharing = 256;
+
 }  // namespace
 
 void FrictionPasses::resize(Eigen::Index unknowns) {
@@ -71,6 +76,7 @@ void FrictionPasses::take_part() {
 }
 
 bool FrictionPasses::has_something_to_settle(const Iterate& at) {
+  const PhaseScope scope(Phase::judging);
   live_.clear();
   between_pieces_ = false;
   live_.reserve(at.contacts.size());
@@ -164,7 +170,7 @@ void FrictionPasses::measure_imbalance(const Iterate& at) {
 }
 
 Status FrictionPasses::solve_newton_step(Iterate& at, double relative) {
-  const PhaseTimer timer(at.costs.times.solution);
+  const PhaseScope scope(Phase::solution);
   list_couplings(at);
   ++at.costs.counters.solves;
   const auto precondition = [&at](const Eigen::VectorXd& r, Eigen::VectorXd& z) {
@@ -213,25 +219,32 @@ void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& 
 }
 
 void FrictionPasses::take_newton_step(Iterate& at, bool strictly) {
+  const PhaseScope scope(Phase::judging);
   const PieceRule rule{.strict = strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
   at.increment += step_;
   if (is_local_) {
     multiply_in_pass(at, step_, image_);
     residual_ -= image_;
   }
-  between_pieces_ = false;
-  for (const std::size_t k : taken_) {
-    LiveContact& contact = live_[k];
-    const EndStrength& strength = at.contacts.strength(contact.trial);
-    InterfaceTrial& trial = at.contacts[contact.trial];
-    const Vec4 force_before = trial.force;
-    const Vec4 moved = gap(contact, step_);
-    trial.gap += moved;
-    respond_with_friction(contact.springs, strength, trial);
-    contact.between = keep_to_bordering_pieces(contact.springs, strength, rule, trial, contact.pieces);
-    between_pieces_ = between_pieces_ || contact.between;
-    if (is_local_) follow_residual(at, contact, moved, force_before);
+  const auto move_contacts = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      LiveContact& contact = live_[taken_[i]];
+      const EndStrength& strength = at.contacts.strength(contact.trial);
+      InterfaceTrial& trial = at.contacts[contact.trial];
+      const Vec4 force_before = trial.force;
+      const Vec4 moved = gap(contact, step_);
+      trial.gap += moved;
+      respond_with_friction(contact.springs, strength, trial);
+      contact.between = keep_to_bordering_pieces(contact.springs, strength, rule, trial, contact.pieces);
+      if (is_local_) follow_residual(at, contact, moved, force_before);
+    }
+  };
+  if (is_local_) {
+    move_contacts(0, taken_.size());  // blocks share their residual
+  } else {
+    parallel_for(taken_.size(), contacts_worth_sharing, move_contacts);
   }
+  between_pieces_ = std::ranges::any_of(taken_, [this](std::size_t k) { return live_[k].between; });
   at.bolts.aim(step_);
   at.bolts.follow(1);
   if (is_local_) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/contact/contact_set.h"
+#include "engine/linear/block_vectors.h"
 
 namespace dda {
 
@@ -36,7 +37,7 @@ void StepMatrix::end() {
 }
 
 Status StepMatrix::factorize() {
-  const PhaseTimer timer(costs_.times.factorization);
+  const PhaseScope scope(Phase::factorization);
   amendments_ = 0;
   factor_is_of_part_ = false;
   const Status status = solver_->factorize(*matrix_);
@@ -47,7 +48,7 @@ Status StepMatrix::factorize() {
 }
 
 Status StepMatrix::factorize(const BlockPart& part) {
-  const PhaseTimer timer(costs_.times.factorization);
+  const PhaseScope scope(Phase::factorization);
   ++costs_.counters.factorizations;
   factor_is_of_part_ = true;
   is_amended_ = true;  // the next step starts with matrix and factor of the whole
@@ -62,7 +63,7 @@ void StepMatrix::amend(double factor, const InterfaceElement& element, const Con
 }
 
 Status StepMatrix::solve(const HeldUnknowns& held, Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
-  const PhaseTimer timer(costs_.times.solution);
+  const PhaseScope scope(Phase::solution);
   ++costs_.counters.solves;
   couplings_.move_to_right(held, rhs);
   held.put(x);
@@ -73,7 +74,7 @@ Status StepMatrix::solve(const HeldUnknowns& held, Eigen::VectorXd& rhs, Eigen::
     return status;
   }
   // 0 times anything not finite is NaN, and so is a sum with a NaN: allFinite(), vectorized.
-  if ((0 * x).sum() == 0) return Status::ok;
+  if (sum_of_stretches(x.size(), [&](const Stretch& here) { return (0 * here.of(x)).sum(); }) == 0) return Status::ok;
   failure_ = Failure::not_finite;
   return Status::not_finite;
 }

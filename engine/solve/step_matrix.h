@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "engine/contact/interface_element.h"
+#include "engine/core/phase_clock.h"
 #include "engine/core/status.h"
 #include "engine/linear/block_matrix.h"
 #include "engine/linear/block_part.h"
@@ -54,7 +55,7 @@ class StepMatrix {
   // `write` writes all values, then held blocks are taken out.
   template <typename Write>
   void assemble(const HeldUnknowns& held, const Write& write) {
-    const PhaseTimer timer(costs_.times.assembly);
+    const PhaseScope scope(Phase::assembly);
     write(*matrix_);
     couplings_.take_out(held, *matrix_);
     ++costs_.counters.matrix_rebuilds;

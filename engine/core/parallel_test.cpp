@@ -1,0 +1,111 @@
+#include "engine/core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "engine/core/allocation_counter.h"
+
+namespace dda {
+namespace {
+
+// Numbers whose sum depends on the order in which they are added.
+std::vector<double> numbers(std::size_t count) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = std::sin(1.0 + static_cast<double>(i)) * 1e3;
+  return values;
+}
+
+double sum_of(const std::vector<double>& values) {
+  return parallel_sum(values.size(), 100, [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += values[i];
+    return sum;
+  });
+}
+
+TEST(Parallel, EveryElementIsVisitedOnce) {
+  for (const int threads : {1, 2, 4}) {
+    const ThreadsInUse in_use(threads);
+    for (const std::size_t count : {0U, 1U, 19U, 20U, 21U, 1000U, 1003U}) {
+      std::vector<std::atomic<int>> visits(count);
+      for (int repeat = 0; repeat < 50; ++repeat)
+        parallel_for(count, 10, [&](std::size_t first, std::size_t last) {
+          EXPECT_TRUE(last - first >= 10 || last - first == count);
+          for (std::size_t i = first; i < last; ++i) ++visits[i];
+        });
+      for (const auto& visited : visits) EXPECT_EQ(visited, 50);
+    }
+  }
+}
+
+TEST(Parallel, SumsDoNotDependOnTheNumberOfThreads) {
+  const std::vector<double> values = numbers(12'345);
+  const double alone = sum_of(values);
+  for (const int threads : {2, 3, 4}) {
+    const ThreadsInUse in_use(threads);
+    for (int repeat = 0; repeat < 100; ++repeat) EXPECT_EQ(sum_of(values), alone);
+  }
+}
+
+TEST(Parallel, SmallSumsAreThoseOfALoop) {
+  const std::vector<double> values = numbers(199);
+  double loop = 0;
+  for (const double value : values) loop += value;
+  const ThreadsInUse in_use(4);
+  EXPECT_EQ(sum_of(values), loop);
+}
+
+TEST(Parallel, WorkIsSharedByThreads) {
+  const ThreadsInUse in_use(2);
+  std::atomic<int> arrived = 0;
+  // Each piece waits for another: one thread alone would never end the first.
+  for_each_piece({2, 2}, [&](std::size_t, std::size_t, std::size_t) {
+    ++arrived;
+    while (arrived < 2) std::this_thread::yield();
+  });
+  EXPECT_EQ(arrived, 2);
+}
+
+TEST(Parallel, WorkWithinWorkAndOfOtherThreadsIsDoneToo) {
+  const ThreadsInUse in_use(4);
+  const auto count_all = [] {
+    std::atomic<int> visits = 0;
+    parallel_for(100, 10, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        parallel_for(100, 10, [&](std::size_t from, std::size_t to) { visits += static_cast<int>(to - from); });
+    });
+    return visits.load();
+  };
+  int of_other = 0;
+  std::thread other([&] { of_other = count_all(); });
+  EXPECT_EQ(count_all(), 10'000);
+  other.join();
+  EXPECT_EQ(of_other, 10'000);
+}
+
+TEST(Parallel, NothingIsAllocatedOnceTheThreadsRun) {
+  const ThreadsInUse in_use(2);
+  const std::vector<double> values = numbers(12'345);
+  EXPECT_NE(sum_of(values), 0);
+  const long before = allocations_so_far();
+  EXPECT_NE(sum_of(values), 0);
+  EXPECT_EQ(allocations_so_far(), before);
+}
+
+TEST(Parallel, ThreadsInUseAreThoseOfBeforeAgain) {
+  EXPECT_EQ(threads_in_use(), 1);
+  {
+    const ThreadsInUse two(2);
+    const ThreadsInUse four(4);
+    EXPECT_EQ(threads_in_use(), 4);
+  }
+  EXPECT_EQ(threads_in_use(), 1);
+  EXPECT_GE(cores(), 1);
+}
+
+}  // namespace
+}  // namespace dda

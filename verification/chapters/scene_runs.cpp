@@ -1,0 +1,128 @@
+#include "verification/chapters/scene_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <ostream>
+#include <ranges>
+#include <stdexcept>
+
+#include "engine/core/read_file.h"
+#include "engine/record/atomic_file.h"
+#include "verification/sweep/process_pool.h"
+
+namespace verify {
+namespace {
+
+using Json = SceneFolder::Scene;
+
+// Fields of a row of a table without quotes.
+std::vector<std::string_view> fields(std::string_view row) {
+  std::vector<std::string_view> all;
+  for (const auto field : std::views::split(row, ',')) all.emplace_back(field.begin(), field.end());
+  return all;
+}
+
+double number(std::string_view field) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size())
+    throw std::runtime_error(fmt::format("histories.csv has \"{}\" where a number was expected", field));
+  return value;
+}
+
+void add_row(std::string_view row, SceneRun& run) {
+  const auto values = fields(row);
+  if (values.size() != run.columns.size() + 1) throw std::runtime_error("histories.csv has rows of unequal length");
+  run.time.push_back(number(values.front()));
+  for (std::size_t i = 0; i < run.columns.size(); ++i) run.histories[i].push_back(number(values[i + 1]));
+}
+
+Json json_file(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return nullptr;
+  return Json::parse(dda::read_file(path), nullptr, false);
+}
+
+}  // namespace
+
+const std::vector<double>& SceneRun::at(const std::string& column) const {
+  const auto found = std::ranges::find(columns, column);
+  if (found == columns.end()) throw std::out_of_range("run " + name + " has no history \"" + column + "\"");
+  return histories[static_cast<std::size_t>(found - columns.begin())];
+}
+
+void read_histories(std::string_view text, SceneRun& run) {
+  bool header = true;
+  for (const auto line : std::views::split(text, '\n')) {
+    const std::string_view row(line.begin(), line.end());
+    if (row.empty()) continue;
+    if (!header) add_row(row, run);
+    if (header)
+      for (const std::string_view name : fields(row) | std::views::drop(1))
+        run.columns.emplace_back(name.substr(0, name.rfind(" [")));
+    if (header) run.histories.resize(run.columns.size());
+    header = false;
+  }
+}
+
+SceneFolder::SceneFolder(std::filesystem::path folder, std::filesystem::path program, int at_once, std::ostream& out)
+    : folder_(std::move(folder)), program_(std::move(program)), at_once_(at_once), out_(out) {
+  std::filesystem::create_directories(folder_ / "scenes");
+  std::filesystem::create_directories(folder_ / "runs");
+}
+
+std::filesystem::path SceneFolder::scene(const std::string& name) const {
+  return folder_ / "scenes" / (name + ".json");
+}
+std::filesystem::path SceneFolder::results(const std::string& name) const { return folder_ / "runs" / name; }
+
+void SceneFolder::put(const std::string& name, const Scene& content) const {
+  const std::string text = content.dump(1) + "\n";
+  if (std::filesystem::exists(scene(name)) && dda::read_file(scene(name)) == text) return;
+  std::filesystem::remove_all(results(name));
+  dda::write_file(scene(name), text);
+}
+
+void SceneFolder::carry_out(const std::vector<std::string>& names, const std::vector<std::string>& arguments,
+                            const std::string& result) const {
+  std::vector<PoolTask> open;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::filesystem::exists(results(names[i]) / result)) continue;
+    std::filesystem::remove_all(results(names[i]));
+    Command command{program_.string(), arguments.front(), scene(names[i]).string(), "--out",
+                    results(names[i]).string()};
+    command.insert(command.end(), arguments.begin() + 1, arguments.end());
+    open.push_back({i, std::move(command)});
+  }
+  std::size_t ended = 0;
+  run_processes(open, at_once_, [&](std::size_t index, const std::string& failure) {
+    out_ << fmt::format("{} of {}: {} {}\n", ++ended, open.size(), names[index], failure.empty() ? "done" : failure)
+         << std::flush;
+  });
+}
+
+void SceneFolder::run(const std::vector<std::string>& names) const {
+  carry_out(names, {"run", "--frames", "10"}, "summary.json");
+}
+
+void SceneFolder::find_key_blocks(const std::vector<std::string>& names, const std::string& opening) const {
+  carry_out(names, {"keyblocks", "--opening", opening}, "keyblocks.json");
+}
+
+SceneRun SceneFolder::read(const std::string& name) const {
+  SceneRun run;
+  run.name = name;
+  const Json summary = json_file(results(name) / "summary.json");
+  run.status = summary.is_object() ? summary.value("status", "missing") : "missing";
+  run.message = summary.is_object() ? summary.value("message", "") : "it left no summary";
+  if (run.ok()) read_histories(dda::read_file(results(name) / "histories.csv"), run);
+  return run;
+}
+
+Json SceneFolder::key_blocks(const std::string& name) const {
+  const Json file = json_file(results(name) / "keyblocks.json");
+  return file.is_object() ? file.value("blocks", Json::array()) : Json::array();
+}
+
+}  // namespace verify

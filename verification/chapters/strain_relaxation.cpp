@@ -18,16 +18,6 @@ constexpr double settled = 1e-7;
 constexpr double far_point = 20;         // m from the tunnel's wall, point 5
 constexpr double beside_the_wall = 0.3;  // m, so that point 3 lies in a block at the wall
 
-Json joint_set(const std::string& name, const JointSet& set, double spacing) {
-  const double angle = set.dip * std::numbers::pi / 180;
-  const double shift = set.shift * spacing;
-  return {{"name", name},
-          {"dip", fmt::format("{:g} deg", set.dip)},
-          {"spacing", spacing},
-          {"start", {-shift * std::sin(angle), shift * std::cos(angle)}},
-          {"joint", "default"}};
-}
-
 Json rock(const RelaxationReading& reading) {
   const double h = reading.half_width;
   return {
@@ -38,34 +28,12 @@ Json rock(const RelaxationReading& reading) {
       {"merge", {{"area", 0.2}}}};
 }
 
-void measure_block(Json& list, const std::string& prefix, const std::string& block) {
-  for (const char* quantity : {"displacement", "velocity", "acceleration"})
-    for (const char* axis : {"x", "y"})
-      list.push_back({{"name", prefix + "_" + quantity + "_" + axis},
-                      {"quantity", fmt::format("{}_{}", quantity, axis)},
-                      {"block", block}});
-}
-
-void measure_stress(Json& list, const std::string& prefix, double x) {
-  for (const char* axes : {"xx", "yy"})
-    list.push_back({{"name", prefix + "_" + axes}, {"quantity", fmt::format("stress_{}", axes)}, {"point", {x, 0.2}}});
-}
-
 Json measurements(const RelaxationReading& reading, const KeyBlocks& blocks) {
   Json list = Json::array();
-  if (!blocks.wall.empty()) measure_block(list, "block_1", blocks.wall);
-  if (!blocks.roof.empty()) measure_block(list, "block_2", blocks.roof);
-  measure_stress(list, "point_3", tunnel_radius + beside_the_wall);
-  measure_stress(list, "point_5", std::min(tunnel_radius + far_point, reading.half_width - 2));
-  return list;
-}
-
-// Something must hold the rock level: its sides, or its base.
-Json supports(const RelaxationReading& reading) {
-  Json list = {{{"edge", "bottom"}, {"hold", reading.sides_held ? "normal" : "xy"}, {"until_stage", "settle"}}};
-  if (!reading.sides_held) return list;
-  for (const char* edge : {"left", "right"})
-    list.push_back({{"edge", edge}, {"hold", "normal"}, {"until_stage", "settle"}});
+  if (!blocks.wall.empty()) measure_motion(list, "block_1", {{"block", blocks.wall}});
+  if (!blocks.roof.empty()) measure_motion(list, "block_2", {{"block", blocks.roof}});
+  measure_stress(list, "point_3", {tunnel_radius + beside_the_wall, 0.2});
+  measure_stress(list, "point_5", {std::min(tunnel_radius + far_point, reading.half_width - 2), 0.2});
   return list;
 }
 
@@ -183,7 +151,7 @@ Json relaxation_scene(const RelaxationReading& reading, double stress, const Key
     scene["stress_field"] = {{"xx", -stress}, {"yy", -stress}};
     scene["loads"] = {{{"edge", "outside"}, {"traction", "in-situ"}}};
   }
-  scene["supports"] = supports(reading);
+  scene["supports"] = held_while_settling(reading.sides_held);
   scene["viscous_boundaries"] = {{{"edge", "outside"}, {"from_stage", "excavate"}}};
   scene["measurements"] = measurements(reading, blocks);
   scene["steps"] = steps(reading);

@@ -5,15 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "verification/chapters/jointed_rock.h"
 #include "verification/chapters/scene_runs.h"
 #include "verification/chapters/statement.h"
 
 namespace verify {
-
-struct JointSet {
-  double dip = 0;    // deg, counter-clockwise from +x
-  double shift = 0;  // of its first line from the tunnel's centre, in spacings, across its direction
-};
 
 struct RelaxationReading {
   std::string name;

@@ -142,7 +142,8 @@ void add_thesis(CLI::App& app, Arguments& arguments) {
   thesis->add_option("--out", arguments.thesis.folder, "folder for all files; made if it is not there")->required();
   thesis->add_option("--jobs", arguments.thesis.jobs, "runs at once; default: as many as there are cores")
       ->check(CLI::PositiveNumber);
-  thesis->add_flag("--quick", arguments.thesis.quick, "small readings of chapters 4 and 6, in seconds");
+  thesis->add_flag("--quick", arguments.thesis.quick,
+                   "small readings of chapters 4 and 6 and no runs of chapter 5 and section 6.2: seconds");
 }
 
 int carry_out(const CLI::App& app, const Arguments& arguments) {

@@ -17,8 +17,6 @@ constexpr std::array densities{2500.0, 2700.0, 2900.0};  // kg/m3
 // Eq. 11 is density c^2 = this times Young's modulus.
 constexpr double plane_strain = (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
 
-double speed_by_eq_11(double density) { return std::sqrt(young * plane_strain / density); }
-
 struct Pair {
   const Sensor* near;
   const Sensor* far;
@@ -79,19 +77,9 @@ Statement one_speed_explains(std::span<const Sensor> sensors) {
       readings);
 }
 
-Statement not_reached(const char* id, const char* statement, const char* thesis) {
-  return {5,
-          id,
-          statement,
-          std::string(thesis),
-          std::string("not yet judged"),
-          "",
-          std::nullopt,
-          "Not yet judged: the model of the tunnel of 120 m is not run by this command so far; density, blast load and "
-          "coordinates in it are not given."};
-}
-
 }  // namespace
+
+double speed_by_eq_11(double density) { return std::sqrt(young * plane_strain / density); }
 
 std::span<const Sensor> jinping_sensors() {
   static const std::vector<Sensor> sensors{
@@ -103,11 +91,7 @@ Chapter chapter_5(std::span<const Sensor> sensors) {
   Chapter chapter;
   chapter.number = 5;
   chapter.title = "Chapter 5: Jinping";
-  chapter.statements = {
-      field_is_earlier(sensors), one_speed_explains(sensors),
-      not_reached("5-arrivals", "Numerical arrivals equal the theoretical ones at both groups of sensors",
-                  "very good agreement"),
-      not_reached("5-no-reflections", "The two points at the edges show no reflections", "none")};
+  chapter.statements = {field_is_earlier(sensors), one_speed_explains(sensors)};
   chapter.assumptions = {"density of marble: 2500, 2700 and 2900 kg/m3, as the text gives none",
                          "speeds between sensors of different groups, as the origin time is not given"};
   return chapter;

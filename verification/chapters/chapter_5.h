@@ -1,4 +1,4 @@
-// Chapter 5, Jinping: what its table of sensors implies by itself.
+// Chapter 5, Jinping: its sensors.
 #pragma once
 
 #include <span>
@@ -19,6 +19,10 @@ struct Sensor {
 
 [[nodiscard]] std::span<const Sensor> jinping_sensors();
 
+// Eq. 11 for the marble of Table 5.2, m/s.
+[[nodiscard]] double speed_by_eq_11(double density);
+
+// What the table of sensors implies by itself; jinping.h adds what the model says.
 [[nodiscard]] Chapter chapter_5(std::span<const Sensor> sensors = jinping_sensors());
 
 }  // namespace verify

@@ -8,6 +8,7 @@
 #include "verification/chapters/chapter_3.h"
 #include "verification/chapters/chapter_4.h"
 #include "verification/chapters/chapter_5.h"
+#include "verification/chapters/jinping.h"
 
 namespace verify {
 namespace {
@@ -131,7 +132,6 @@ TEST(Chapter4, AStudyIsReadAsItWasWritten) {
 TEST(Chapter5, TriggerTimesOfTheTableContradictAnySpeed) {
   EXPECT_EQ(verdict(chapter_5(), "5-field-earlier"), true);
   EXPECT_EQ(verdict(chapter_5(), "5-material-explains"), false);
-  EXPECT_EQ(verdict(chapter_5(), "5-arrivals"), std::nullopt);
 }
 
 TEST(Chapter5, TriggersOfOneSlowSpeedWouldBeExplained) {
@@ -139,6 +139,32 @@ TEST(Chapter5, TriggersOfOneSlowSpeedWouldBeExplained) {
   for (Sensor& sensor : sensors) sensor.trigger = sensor.distance / 3000;
   EXPECT_EQ(verdict(chapter_5(sensors), "5-field-earlier"), false);
   EXPECT_EQ(verdict(chapter_5(sensors), "5-material-explains"), true);
+}
+
+std::vector<JinpingOutcome> jinping_as_described() {
+  return {{jinping_readings().front(), {0.034, 0.034, 0.025, 0.024}, {0.033, 0.033, 0.0245, 0.0235}, {0.01, 0.02}}};
+}
+
+std::optional<bool> jinping_verdict(const std::vector<JinpingOutcome>& outcomes, const std::string& id) {
+  Chapter chapter;
+  judge_jinping(outcomes, chapter);
+  return verdict(chapter, id);
+}
+
+TEST(Chapter5, TheModelIsJudgedByArrivalsAndEdges) {
+  std::vector<JinpingOutcome> outcomes = jinping_as_described();
+  EXPECT_EQ(jinping_verdict(outcomes, "5-arrivals"), true);
+  EXPECT_EQ(jinping_verdict(outcomes, "5-no-reflections"), true);
+  for (double& time : outcomes.front().arrivals) time *= 1.05;
+  outcomes.front().edge_differences = {0.06, 0.06};
+  EXPECT_EQ(jinping_verdict(outcomes, "5-arrivals"), false);
+  EXPECT_EQ(jinping_verdict(outcomes, "5-no-reflections"), false);
+  outcomes.front().arrivals.clear();
+  EXPECT_EQ(jinping_verdict(outcomes, "5-arrivals"), std::nullopt);
+}
+
+TEST(Chapter5, AnArrivalIsTheFirstTwentiethOfThePeak) {
+  EXPECT_EQ(arrival({0, 1, 2, 3, 4}, {0, 0.04, -0.06, 1, 0.5}), 2);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "verification/chapters/chapter_4.h"
 #include "verification/chapters/chapter_5.h"
 #include "verification/chapters/chapter_6.h"
+#include "verification/chapters/jinping.h"
 #include "verification/chapters/thesis_file.h"
 
 namespace verify {
@@ -20,9 +21,11 @@ int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurre
 Chapter judged(int number, const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out) {
   if (number == 3) return chapter_3(chapter_3_rows());
   if (number == 4) return chapter_4(chapter_4_study(command.folder, command.quick));
-  if (number == 5) return chapter_5();
   const SceneFolder folder(command.folder, program, command.jobs > 0 ? command.jobs : cores(), out);
-  return chapter_6(folder, command.quick);
+  if (number == 6) return chapter_6(folder, command.quick);
+  Chapter chapter = chapter_5();
+  if (!command.quick) judge_jinping(run_jinping(folder, jinping_readings(), chapter.failures), chapter);
+  return chapter;
 }
 
 const char* verdict(const Statement& statement) {

@@ -11,12 +11,12 @@ struct ThesisCommand {
   std::vector<int> chapters;  // 3 to 6; none: all
   std::filesystem::path folder;
   int jobs = 0;        // runs at once; 0: as many as there are cores
-  bool quick = false;  // small readings: seconds, for tests
+  bool quick = false;  // seconds, for tests: small readings of 4 and 6.1, no runs of 5 and 6.2
 };
 
-// Writes DIR/thesis.json, DIR/chapter_N.md, and for chapter 6 DIR/scenes and DIR/runs, which `program`, dda, makes.
-// Runs that are done there are not run again. Returns the exit code: 0 whatever the verdicts are, or 1 if a run failed,
-// each told on `errors`.
+// Writes DIR/thesis.json, DIR/chapter_N.md, and for chapters 5 and 6 DIR/scenes and DIR/runs, which `program`, dda,
+// makes. Runs that are done there are not run again. Returns the exit code: 0 whatever the verdicts are, or 1 if a run
+// failed, each told on `errors`.
 int judge_thesis(const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out,
                  std::ostream& errors);
 

@@ -143,7 +143,7 @@ void add_thesis(CLI::App& app, Arguments& arguments) {
   thesis->add_option("--jobs", arguments.thesis.jobs, "runs at once; default: as many as there are cores")
       ->check(CLI::PositiveNumber);
   thesis->add_flag("--quick", arguments.thesis.quick,
-                   "small readings of chapters 4 and 6 and no runs of chapter 5 and section 6.2: seconds");
+                   "small readings of section 6.1, in seconds, and no runs of chapter 5 and section 6.2");
 }
 
 int carry_out(const CLI::App& app, const Arguments& arguments) {

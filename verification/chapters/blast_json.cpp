@@ -68,12 +68,11 @@ BlastStudy blast_from_json(std::string_view text) {
   }
 }
 
-BlastStudy chapter_4_study(const std::filesystem::path& folder, bool quick) {
+BlastStudy chapter_4_study(const std::filesystem::path& folder) {
   const auto file = folder / "blast.json";
   if (std::filesystem::exists(file)) return blast_from_json(dda::read_file(file));
   std::filesystem::create_directories(folder);
-  const BlastOptions small{{2, 2}, 7e-3, {4e-3}};  // 23 m each way
-  const BlastStudy study = run_blast_study(thesis_blast(), quick ? small : BlastOptions());
+  const BlastStudy study = run_blast_study(thesis_blast(), {});
   dda::write_file(file, blast_json(study));
   return study;
 }

@@ -10,8 +10,8 @@
 
 namespace verify {
 
-// What is in DIR/blast.json, or the study, run (80 s of CPU time; quick: a second) and kept there.
-[[nodiscard]] BlastStudy chapter_4_study(const std::filesystem::path& folder, bool quick);
+// What is in DIR/blast.json, or the study, run (80 s of CPU time) and kept there.
+[[nodiscard]] BlastStudy chapter_4_study(const std::filesystem::path& folder);
 
 [[nodiscard]] std::string blast_json(const BlastStudy& study);
 // Throws dda::InputError if the text is not that of a study.

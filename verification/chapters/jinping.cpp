@@ -64,7 +64,9 @@ std::string scene_name(const JinpingReading& reading, double margin) {
   return fmt::format("jinping-{}{}", reading.name, margin > 0 ? "-larger" : "");
 }
 
-constexpr double larger = 40;  // m: what its edges send back comes after the end of the run at either edge point
+// m. What the edges of the larger rock send back reaches point 6 after the end of the run, and point 5 weakly from 28
+// ms on.
+constexpr double larger = 40;
 
 double largest(const std::vector<double>& values) {
   double value = 0;

@@ -20,7 +20,7 @@ int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurre
 
 Chapter judged(int number, const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out) {
   if (number == 3) return chapter_3(chapter_3_rows());
-  if (number == 4) return chapter_4(chapter_4_study(command.folder, command.quick));
+  if (number == 4) return chapter_4(chapter_4_study(command.folder));
   const SceneFolder folder(command.folder, program, command.jobs > 0 ? command.jobs : cores(), out);
   if (number == 6) return chapter_6(folder, command.quick);
   Chapter chapter = chapter_5();

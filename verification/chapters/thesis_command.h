@@ -11,7 +11,7 @@ struct ThesisCommand {
   std::vector<int> chapters;  // 3 to 6; none: all
   std::filesystem::path folder;
   int jobs = 0;        // runs at once; 0: as many as there are cores
-  bool quick = false;  // seconds, for tests: small readings of 4 and 6.1, no runs of 5 and 6.2
+  bool quick = false;  // for tests: small readings of 6.1 in seconds, no runs of 5 and 6.2
 };
 
 // Writes DIR/thesis.json, DIR/chapter_N.md, and for chapters 5 and 6 DIR/scenes and DIR/runs, which `program`, dda,

@@ -72,7 +72,7 @@ BlastStudy chapter_4_study(const std::filesystem::path& folder) {
   const auto file = folder / "blast.json";
   if (std::filesystem::exists(file)) return blast_from_json(dda::read_file(file));
   std::filesystem::create_directories(folder);
-  const BlastStudy study = run_blast_study(thesis_blast(), {});
+  BlastStudy study = run_blast_study(thesis_blast(), {});
   dda::write_file(file, blast_json(study));
   return study;
 }

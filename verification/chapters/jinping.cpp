@@ -209,6 +209,19 @@ Table figures(const std::vector<JinpingOutcome>& outcomes) {
   return table;
 }
 
+Bullets explanations() {
+  return {
+      {"Blocks in line that corner springs hold together can only move by f(x) + g(y) (docs/blast.md): a row moves as "
+       "a "
+       "whole, and with the cohesion of Table 5.2 the thesis' springs bring a twentieth of the peak to the sensors "
+       "long "
+       "before any wave.",
+       "From the blast to the far end waves meet the long sides at more than 80 degrees, where viscous edges send most "
+       "of "
+       "them back (docs/scene.md); to point 5 it is 54 degrees. The height of the thesis' model is not in its text; "
+       "reading `higher` shows what it does."}};
+}
+
 }  // namespace
 
 void judge_jinping(const std::vector<JinpingOutcome>& outcomes, Chapter& chapter) {
@@ -233,7 +246,7 @@ void judge_jinping(const std::vector<JinpingOutcome>& outcomes, Chapter& chapter
         "the load, which is not given: 10 MPa on the wall of the octagonal hole of chapter 4, risen in 0.2 ms, t_a = "
         "0.729 ms"})
     chapter.assumptions.emplace_back(text);
-  chapter.sections.push_back({"Runs", {figures(outcomes)}});
+  chapter.sections.push_back({"Runs", {figures(outcomes), explanations()}});
 }
 
 }  // namespace verify

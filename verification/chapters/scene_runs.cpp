@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <ostream>
-#include <ranges>
 #include <stdexcept>
 
 #include "engine/core/read_file.h"
@@ -17,11 +16,14 @@ namespace {
 
 using Json = SceneFolder::Scene;
 
-// Fields of a row of a table without quotes.
-std::vector<std::string_view> fields(std::string_view row) {
-  std::vector<std::string_view> all;
-  for (const auto field : std::views::split(row, ',')) all.emplace_back(field.begin(), field.end());
-  return all;
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(at, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
 }
 
 double number(std::string_view field) {
@@ -33,7 +35,7 @@ double number(std::string_view field) {
 }
 
 void add_row(std::string_view row, SceneRun& run) {
-  const auto values = fields(row);
+  const auto values = split(row, ',');  // names and numbers are not quoted
   if (values.size() != run.columns.size() + 1) throw std::runtime_error("histories.csv has rows of unequal length");
   run.time.push_back(number(values.front()));
   for (std::size_t i = 0; i < run.columns.size(); ++i) run.histories[i].push_back(number(values[i + 1]));
@@ -53,17 +55,13 @@ const std::vector<double>& SceneRun::at(const std::string& column) const {
 }
 
 void read_histories(std::string_view text, SceneRun& run) {
-  bool header = true;
-  for (const auto line : std::views::split(text, '\n')) {
-    const std::string_view row(line.begin(), line.end());
-    if (row.empty()) continue;
-    if (!header) add_row(row, run);
-    if (header)
-      for (const std::string_view name : fields(row) | std::views::drop(1))
-        run.columns.emplace_back(name.substr(0, name.rfind(" [")));
-    if (header) run.histories.resize(run.columns.size());
-    header = false;
-  }
+  const std::vector<std::string_view> rows = split(text, '\n');
+  for (const std::string_view name : split(rows.front(), ','))
+    run.columns.emplace_back(name.substr(0, name.rfind(" [")));
+  run.columns.erase(run.columns.begin());  // the time
+  run.histories.resize(run.columns.size());
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (!rows[i].empty()) add_row(rows[i], run);
 }
 
 SceneFolder::SceneFolder(std::filesystem::path folder, std::filesystem::path program, int at_once, std::ostream& out)

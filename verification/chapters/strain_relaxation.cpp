@@ -100,13 +100,14 @@ double mean_speed(const SceneRun& run, const std::string& prefix) {
 // Speed of a block in free fall after every step: what it had is multiplied by the factor after each of them.
 double free_fall(const RelaxationReading& reading) {
   const auto steps = static_cast<int>(std::lround(reading.duration / reading.dt));
+  const int last = steps / 5;
   double speed = 0;
-  double fallen = 0;
+  double sum = 0;
   for (int step = 0; step < steps; ++step) {
     speed = reading.velocity_factor * (speed + gravity * reading.dt);
-    if (step >= steps - steps / 5) fallen += speed * reading.dt;
+    if (step >= steps - last) sum += speed;
   }
-  return fallen / (steps / 5 * reading.dt);
+  return sum / last;
 }
 
 std::string scene_name(const RelaxationReading& reading, double stress) {

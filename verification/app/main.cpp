@@ -5,6 +5,7 @@
 
 #include "verification/app/program.h"
 #include "verification/cases/all_cases.h"
+#include "verification/chapters/thesis_command.h"
 #include "verification/precision/precision_command.h"
 #include "verification/suite/run_command.h"
 #include "verification/suite/table_command.h"
@@ -23,6 +24,7 @@ struct Arguments {
   std::filesystem::path collected;
   std::filesystem::path blast, blast_page;
   verify::PrecisionCommand precision;
+  verify::ThesisCommand thesis;
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
@@ -127,6 +129,23 @@ void add_precision(CLI::App& app, Arguments& arguments) {
   precision->add_flag("--resume", arguments.precision.resume, "go on in a folder that has runs, and keep them");
 }
 
+void add_thesis(CLI::App& app, Arguments& arguments) {
+  CLI::App* thesis = app.add_subcommand(
+      "thesis",
+      "What Zelig (2015) says in chapters 3 to 6, statement by statement, and what this engine says to it, in all "
+      "readings of what the text leaves open.\nWrites thesis.json and chapter_N.md, for chapter 6 also scenes/ and "
+      "runs/; "
+      "runs that are done there are kept. Exit code 1 if a run failed.");
+  thesis->add_option("--chapter", arguments.thesis.chapters, "3, 4, 5 or 6; may be given several times; default: all")
+      ->check(CLI::Range(3, 6))
+      ->allow_extra_args(false);
+  thesis->add_option("--out", arguments.thesis.folder, "folder for all files; made if it is not there")->required();
+  thesis->add_option("--jobs", arguments.thesis.jobs, "runs at once; default: as many as there are cores")
+      ->check(CLI::PositiveNumber);
+  thesis->add_flag("--quick", arguments.thesis.quick,
+                   "small readings of section 6.1, in seconds, and no runs of chapter 5 and section 6.2");
+}
+
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
   if (app.got_subcommand("blast")) {
@@ -134,6 +153,9 @@ int carry_out(const CLI::App& app, const Arguments& arguments) {
     verify::report_blast(arguments.blast);
     return 0;
   }
+  if (app.got_subcommand("thesis"))
+    return verify::judge_thesis(arguments.thesis, std::filesystem::canonical("/proc/self/exe").replace_filename("dda"),
+                                std::cout, std::cerr);
   if (app.got_subcommand("table"))
     return verify::make_table(verify::all_cases(), arguments.table, std::cout, std::cerr);
   if (app.got_subcommand("sweep"))
@@ -160,5 +182,6 @@ int main(int argc, char** argv) {
   add_job(app, arguments);
   add_collect(app, arguments);
   add_precision(app, arguments);
+  add_thesis(app, arguments);
   return verify::run_program(app, argc, argv, [&app, &arguments] { return carry_out(app, arguments); });
 }

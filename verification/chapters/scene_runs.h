@@ -1,0 +1,57 @@
+// Scenes that a study writes, runs as a user would, and reads: DIR/scenes/NAME.json, `dda run` into DIR/runs/NAME.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace verify {
+
+struct SceneRun {
+  std::string name;
+  std::string status;                          // as in summary.json; "missing" without one
+  std::string message;                         // why it is not ok
+  std::vector<double> time;                    // s
+  std::vector<std::string> columns;            // of histories.csv, without the time, units left out
+  std::vector<std::vector<double>> histories;  // one per column, SI
+
+  [[nodiscard]] bool ok() const { return status == "ok"; }
+  [[nodiscard]] const std::vector<double>& at(const std::string& column) const;  // throws std::out_of_range
+};
+
+class SceneFolder {
+ public:
+  using Scene = nlohmann::ordered_json;
+
+  // `program` is dda; `at_once` processes run side by side; a line is told of every run that ends.
+  SceneFolder(std::filesystem::path folder, std::filesystem::path program, int at_once, std::ostream& out);
+
+  // Writes the scene. A run of another scene under this name is removed, one of the same scene stays.
+  void put(const std::string& name, const Scene& scene) const;
+
+  // Runs those that have not ended yet. Run and interrupted runs begin anew.
+  void run(const std::vector<std::string>& names) const;
+  // `dda keyblocks` of those scenes at the opening, into runs/NAME/keyblocks.json.
+  void find_key_blocks(const std::vector<std::string>& names, const std::string& opening) const;
+
+  [[nodiscard]] SceneRun read(const std::string& name) const;
+  [[nodiscard]] Scene key_blocks(const std::string& name) const;  // bodies at free faces; empty if that failed
+
+ private:
+  [[nodiscard]] std::filesystem::path scene(const std::string& name) const;
+  [[nodiscard]] std::filesystem::path results(const std::string& name) const;
+  void carry_out(const std::vector<std::string>& names, const std::vector<std::string>& arguments,
+                 const std::string& result) const;
+
+  std::filesystem::path folder_;
+  std::filesystem::path program_;
+  int at_once_;
+  std::ostream& out_;
+};
+
+// histories.csv of `dda run`.
+void read_histories(std::string_view text, SceneRun& run);
+
+}  // namespace verify

@@ -1,0 +1,57 @@
+#include "verification/chapters/thesis_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <thread>
+
+#include "verification/chapters/chapter_3.h"
+#include "verification/chapters/chapter_4.h"
+#include "verification/chapters/chapter_5.h"
+#include "verification/chapters/chapter_6.h"
+#include "verification/chapters/jinping.h"
+#include "verification/chapters/thesis_file.h"
+
+namespace verify {
+namespace {
+
+int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+Chapter judged(int number, const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out) {
+  if (number == 3) return chapter_3(chapter_3_rows());
+  if (number == 4) return chapter_4(chapter_4_study(command.folder));
+  const SceneFolder folder(command.folder, program, command.jobs > 0 ? command.jobs : cores(), out);
+  if (number == 6) return chapter_6(folder, command.quick);
+  Chapter chapter = chapter_5();
+  if (!command.quick) judge_jinping(run_jinping(folder, jinping_readings(), chapter.failures), chapter);
+  return chapter;
+}
+
+const char* verdict(const Statement& statement) {
+  if (!statement.confirmed) return "not judged   ";
+  return *statement.confirmed ? "confirmed    " : "NOT confirmed";
+}
+
+void tell(const Chapter& chapter, std::ostream& out, std::ostream& errors) {
+  for (const Statement& s : chapter.statements) out << fmt::format("{}  {}: {}\n", verdict(s), s.id, s.statement);
+  for (const std::string& failure : chapter.failures) errors << "dda-verify: " << failure << "\n";
+}
+
+}  // namespace
+
+int judge_thesis(const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out,
+                 std::ostream& errors) {
+  bool well = true;
+  const std::vector<int> chapters = command.chapters.empty() ? std::vector<int>{3, 4, 5, 6} : command.chapters;
+  for (const int number : chapters) {
+    out << fmt::format("chapter {}\n", number) << std::flush;
+    const Chapter chapter = judged(number, command, program, out);
+    write_chapter(command.folder, chapter);
+    tell(chapter, out, errors);
+    well = well && chapter.failures.empty();
+  }
+  return well ? 0 : 1;
+}
+
+}  // namespace verify

@@ -29,13 +29,10 @@ double share_beyond(const Link& link, const Noding& noding, const PlanPieces& pi
 
 // Links that are only prolonged, by straight and outwards at either of its ends.
 std::vector<ProlongedLink> prolonged_links(const Noding& noding, const PlanPieces& pieces) {
-  std::vector<int> prolonged;
-  for (const Tip& tip : pieces.tips) prolonged.push_back(tip.straight);
-  std::sort(prolonged.begin(), prolonged.end());
   std::vector<ProlongedLink> found;
   for (std::size_t i = 0; i < noding.links.size(); ++i) {
     const Link& link = noding.links[i];
-    if (!std::binary_search(prolonged.begin(), prolonged.end(), link.straight)) continue;
+    if (!std::binary_search(pieces.prolonged.begin(), pieces.prolonged.end(), link.straight)) continue;
     if (const double share = share_beyond(link, noding, pieces); share != 0)
       found.push_back({static_cast<int>(i), link.straight, share > 0, std::abs(share)});
   }

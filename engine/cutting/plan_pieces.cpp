@@ -88,9 +88,8 @@ class Collector {
   }
 
   void add_prolongation(const Pixel& from, const Vec2& to, int straight) {
-    const Pixel tip = pieces_.grid.pixel_of(to);
-    pieces_.pieces.push_back({{from, tip}, straight});
-    pieces_.tips.push_back({tip, straight});
+    pieces_.pieces.push_back({{from, pieces_.grid.pixel_of(to)}, straight});
+    pieces_.prolonged.push_back(straight);
   }
 
   void note_no_length(const Straight& given, const Source& source) {

@@ -19,12 +19,6 @@ struct Source {
   int line = no_line;  // of the plan
 };
 
-// Where the prolongation of a free end ends.
-struct Tip {
-  Pixel pixel;
-  int straight = 0;
-};
-
 struct PlanPieces {
   PixelGrid grid;
   double tolerance = 0;  // m
@@ -32,7 +26,7 @@ struct PlanPieces {
   std::vector<Source> sources;  // by straight
   std::vector<Piece> pieces;
   std::vector<KnownNode> ends;  // as drawn, by pixel
-  std::vector<Tip> tips;
+  std::vector<int> prolonged;   // straights that are prolonged at an end or both, ascending
   std::vector<Cleaned> cleaned;
 };
 

@@ -54,6 +54,7 @@ BoltCondition condition_of(const LinkState& link) {
   return link.plastic.isZero(0) ? BoltCondition::elastic : BoltCondition::yielded;
 }
 
+  if (link.waits) return BoltCondition::waiting;
 std::vector<BoltLinkValues> bolt_links_of(const Simulation& simulation) {
   const std::vector<Bolt>& bolts = simulation.model().bolts;
   std::vector<BoltLinkValues> values;

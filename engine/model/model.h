@@ -103,12 +103,13 @@ struct Bolt {
   Vec2 direction = Vec2::UnitX();  // unit, from the first end to the last, as drawn
   bool grouted = false;            // links turn with the blocks at their joint; else the line of action follows anchors
   std::vector<BoltLink> links;
-  double pretension = 0;                                                // N, at the start
+  double pretension = 0;                                                // N, when it is put in
   double yield_force = std::numeric_limits<double>::infinity();         // N
   double shear_yield_force = std::numeric_limits<double>::infinity();   // N
-  double rupture_elongation = std::numeric_limits<double>::infinity();  // m, of a link since the start
+  double rupture_elongation = std::numeric_limits<double>::infinity();  // m, of a link since then
   bool tension_only = true;                                             // goes slack instead of pushing
-  double spacing = 1;  // m of thickness a bolt: what is measured is the force in one bolt, spacing times that here
+  double spacing = 1;   // m of thickness a bolt: what is measured is the force in one bolt, spacing times that here
+  int first_stage = 0;  // put in at the start of this stage
 };
 
 // Absorbing (Lysmer-Kuhlemeyer) edge: traction = -impedance * velocity, integrated exactly along the edge.

@@ -15,6 +15,7 @@
 #include "engine/model/material.h"
 #include "engine/model/measurement.h"
 #include "engine/model/motion.h"
+#include "engine/model/peaks.h"
 #include "engine/model/settings.h"
 #include "engine/model/time_function.h"
 
@@ -150,6 +151,7 @@ struct Model {
   double length_tolerance = 0;             // m: points closer than this touch; set by finish_model
   double expected_pressure =
       0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
+  std::optional<PeakRequest> peaks = {};  // what is asked about the strongest motion
 
   [[nodiscard]] const Material& material_of(int block) const;
   // Index into `joints` of the joint between two blocks.

@@ -71,9 +71,10 @@ class Adviser {
     advice.size = size_of(contacts_, matrix);
     advice.joints_may_open = contacts_.can_change;
     advice.unseen = unseen_loads(model_);
-    for (const Stage& stage : model_.stages) {
+    for (std::size_t i = 0; i < model_.stages.size(); ++i) {
+      const Stage& stage = model_.stages[i];
       advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
-      advice.stages.push_back(of_stage(model_.with_acting_corrections(stage), matrix, advice.size));
+      advice.stages.push_back(of_stage(i, matrix, advice.size));
     }
     return advice;
   }
@@ -86,11 +87,12 @@ class Adviser {
     return std::nullopt;
   }
 
-  [[nodiscard]] StageAdvice of_stage(const Stage& stage, const BlockMatrix& matrix, const SceneSize& size) const {
+  [[nodiscard]] StageAdvice of_stage(std::size_t index, const BlockMatrix& matrix, const SceneSize& size) const {
+    const Stage stage = model_.with_acting_corrections(model_.stages[index]);
     const BlockTerms terms = make_block_terms(model_, stage);
     const double dt = first_step(model_, stage, contacts_.can_change);
     const StepPlan plan =
-        make_plan(model_, stage, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, dt));
+        make_plan(model_, index, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, dt));
     StageAdvice advice;
     advice.name = stage.name;
     advice.integrator = stage.integrator.name;

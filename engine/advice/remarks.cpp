@@ -59,7 +59,8 @@ class Groups {
     std::iota(parent_.begin(), parent_.end(), 0);
     for (const Interface& interface : contacts.interfaces) join(interface.block_a, interface.block_b);
     for (const Bolt& bolt : model.bolts)
-      for (const BoltLink& link : bolt.links) join(link.block_a, link.block_b);
+      for (const BoltLink& link : bolt.links)
+        if (bolt.first_stage == 0) join(link.block_a, link.block_b);
   }
   int of(int block) {
     while (parent_[at(block)] != block) block = parent_[at(block)] = parent_[at(parent_[at(block)])];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/app/block_sheet.h"
+#include "engine/app/report_peaks.h"
 #include "engine/app/report_tables.h"
 #include "engine/app/run_request.h"
 #include "engine/core/error.h"
@@ -154,6 +155,7 @@ std::string report_page(const std::filesystem::path& folder) {
   page += section("Blocks", has_frames ? last_frame(folder) : drawn_blocks(request, folder));
   page += section("Scene", scene_tables(facts.summary, request));
   page += section("Energies", energy_plots(folder, begin) + release_table(facts.summary));
+  page += section("Strongest motion", peaks_part(facts.summary, folder));
   if (facts.histories)
     page += section("Measurements", history_plots(thinned(from(begin, *facts.histories), most_rows)));
   page += section("Counters and times", cost_tables(facts.summary));

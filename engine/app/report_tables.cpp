@@ -2,29 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "engine/record/vtp_file.h"
 
 namespace dda {
-namespace {
 
-using Row = std::vector<std::string>;
-
-std::string table(const Row& head, const std::vector<Row>& rows) {
+std::string table(const TableRow& head, const std::vector<TableRow>& rows) {
   if (rows.empty()) return "";
   std::string text = "<table>";
-  const auto append = [&](const Row& row, const char* cell) {
+  const auto append = [&](const TableRow& row, const char* cell) {
     text += "<tr>";
     for (const std::string& value : row) text += fmt::format("<{0}>{1}</{0}>", cell, xml_escaped(value));
     text += "</tr>\n";
   };
   if (!head.empty()) append(head, "th");
-  for (const Row& row : rows) append(row, "td");
+  for (const TableRow& row : rows) append(row, "td");
   return text + "</table>\n";
 }
 
-// A value of a scene or summary as people read it: texts without quotes, numbers short.
 std::string shown(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
@@ -34,6 +28,8 @@ std::string shown(const Json& value) {
 
 std::string shown(const Json& object, const char* key) { return object.contains(key) ? shown(object[key]) : "-"; }
 
+namespace {
+
 // "density 2650 kg/m3, young 50 GPa" of an entry of a scene.
 std::string properties(const Json& entry) {
   std::string text;
@@ -41,8 +37,8 @@ std::string properties(const Json& entry) {
   return text;
 }
 
-std::vector<Row> named_entries(const Json& scene, const char* key) {
-  std::vector<Row> rows;
+std::vector<TableRow> named_entries(const Json& scene, const char* key) {
+  std::vector<TableRow> rows;
   if (scene.contains(key) && scene[key].is_object())
     for (const auto& [name, entry] : scene[key].items()) rows.push_back({name, properties(entry)});
   return rows;
@@ -53,10 +49,10 @@ std::size_t count_of(const Json& scene, const char* key) {
   return scene[key].is_array() ? scene[key].size() : 1;
 }
 
-std::vector<Row> sizes(const Json& summary, const Json& scene) {
-  std::vector<Row> rows = {{"blocks", shown(summary, "blocks")},
-                           {"contacts", shown(summary, "contacts")},
-                           {"solver", shown(summary, "solver")}};
+std::vector<TableRow> sizes(const Json& summary, const Json& scene) {
+  std::vector<TableRow> rows = {{"blocks", shown(summary, "blocks")},
+                                {"contacts", shown(summary, "contacts")},
+                                {"solver", shown(summary, "solver")}};
   for (const char* key : {"gravity", "stress_field", "scheme", "plane"})
     if (scene.contains(key)) rows.push_back({key, shown(scene[key])});
   for (const char* key : {"loads", "fixed", "supports", "bolts", "viscous_boundaries", "measurements"})
@@ -70,8 +66,8 @@ std::string balance_of(const Json& summary, const Json& stage) {
   return "-";
 }
 
-std::vector<Row> stages(const Json& summary) {
-  std::vector<Row> rows;
+std::vector<TableRow> stages(const Json& summary) {
+  std::vector<TableRow> rows;
   for (const Json& stage : summary.value("stages", Json::array())) {
     const bool finds_its_own = stage.value("dt_s", 0.0) == 0;
     rows.push_back({shown(stage["name"]), shown(stage["begin_s"]), shown(stage["end_s"]),
@@ -84,8 +80,8 @@ std::vector<Row> stages(const Json& summary) {
 constexpr const char* release_keys[] = {
     "W", "Uc", "Ub", "Wj", "Wp", "Uk", "Wk", "Wv", "Um", "released_by_work", "released_by_fate"};
 
-Row release_row(const std::string& name, const Json& release) {
-  Row row = {name};
+TableRow release_row(const std::string& name, const Json& release) {
+  TableRow row = {name};
   for (const char* key : release_keys) row.push_back(shown(release, key));
   return row;
 }
@@ -106,7 +102,7 @@ std::string scene_tables(const Json& summary, const Json& request) {
 std::string release_table(const Json& summary) {
   if (!summary.contains("energy_released")) return "";
   const Json& release = summary["energy_released"];
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   for (const Json& stage : release.value("stages", Json::array()))
     rows.push_back(release_row(shown(stage["stage"]), stage));
   rows.push_back(release_row("whole run", release));
@@ -133,10 +129,10 @@ std::string warning_list(const Json& summary) {
 }
 
 std::string cost_tables(const Json& summary) {
-  std::vector<Row> counters;
+  std::vector<TableRow> counters;
   const Json counts = summary.value("counters", Json::object());
   for (const auto& [name, value] : counts.items()) counters.push_back({name, shown(value)});
-  std::vector<Row> seconds = {{"processor", shown(summary, "cpu_s")}, {"clock", shown(summary, "wall_s")}};
+  std::vector<TableRow> seconds = {{"processor", shown(summary, "cpu_s")}, {"clock", shown(summary, "wall_s")}};
   const Json phases = summary.value("phases", Json::object());
   for (const auto& [name, value] : phases.items()) seconds.push_back({name, shown(value)});
   return table({"counter", ""}, counters) + table({"seconds", ""}, seconds);

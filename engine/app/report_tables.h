@@ -4,10 +4,20 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dda {
 
 using Json = nlohmann::ordered_json;
+
+using TableRow = std::vector<std::string>;
+
+// Of texts as people read them; nothing without rows.
+std::string table(const TableRow& head, const std::vector<TableRow>& rows);
+
+// A value of a scene or summary as people read it: texts without quotes, numbers short. "-": null, or no such key.
+std::string shown(const Json& value);
+std::string shown(const Json& object, const char* key);
 
 // "<h2>title</h2>" and what follows it, nothing where that is empty.
 std::string section(std::string_view title, const std::string& content);

@@ -71,10 +71,7 @@ class Run {
     const StopSignal stop_signal;
     prepare_folder();
     RunFiles files(simulation_, probes_, file_options(), resumed_);
-    const auto keep_end_of_stage = [&] {
-      if (!simulation_.finished()) files.write_end_of_stage(stages_done(simulation_) - 1);
-    };
-    call_between_stages(keep_end_of_stage, simulation_);
+    call_between_stages([&] { files.after_stage(); }, simulation_);
     if (!options_.quiet) announce(out);
     Status status = step_to_the_end(files);
     const EnergyVerdict verdict = judge_energy(simulation_);
@@ -103,7 +100,18 @@ class Run {
     } catch (const InputError& error) {
       throw error.in_file(options_.scene.string());
     }
+    expect_peaks_ahead();
     return stages_done(settled);
+  }
+
+  // What was not watched cannot be told.
+  void expect_peaks_ahead() const {
+    const Model& model = simulation_.model();
+    if (!model.peaks || static_cast<std::size_t>(model.peaks->stage) >= stages_done(simulation_)) return;
+    throw InputError(options_.scene.string(), "peaks.stage",
+                     fmt::format("\"{}\", which is done in {}",
+                                 model.stages[static_cast<std::size_t>(model.peaks->stage)].name, *options_.from),
+                     "a stage that this run goes through");
   }
 
   [[nodiscard]] Probes checked_probes() const {

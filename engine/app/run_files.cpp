@@ -7,8 +7,11 @@
 
 #include "engine/core/phase_clock.h"
 #include "engine/model/quantity_names.h"
+#include "engine/record/atomic_file.h"
 #include "engine/record/energy_terms.h"
+#include "engine/record/peaks_file.h"
 #include "engine/record/run_folder.h"
+#include "engine/simulation/archive.h"
 
 namespace dda {
 namespace {
@@ -52,6 +55,7 @@ std::vector<ContactPoint> contact_points_of(const Simulation& simulation) {
 
 BoltCondition condition_of(const LinkState& link) {
   if (link.ruptured) return BoltCondition::broken;
+  if (link.waits) return BoltCondition::waiting;
   return link.plastic.isZero(0) ? BoltCondition::elastic : BoltCondition::yielded;
 }
 
@@ -98,6 +102,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
     frame_clock_.emplace(simulation.model(), *options_.frame_interval);
     if (!frame_times_.empty()) frame_clock_->taken(frame_times_.back());
   }
+  if (simulation.model().peaks) follow_peaks(resumed);
   if (!resumed) {
     sample();
     sample_energies();
@@ -111,8 +116,17 @@ void RunFiles::open_bolt_frames() {
   bolt_frames_->go_on_after(frame_times_);
 }
 
+void RunFiles::follow_peaks(const std::optional<RunPosition>& resumed) {
+  peaks_.emplace(simulation_);
+  if (!resumed) return;
+  MemoryReader reader(resumed->peaks);
+  reader(*peaks_);
+  reader.expect_end();
+}
+
 // A stage that paces itself has a row and a frame of its end alone.
 void RunFiles::after_step() {
+  if (peaks_) peaks_->after_step(simulation_);
   if (!simulation_.is_settling()) {
     const std::int64_t step = simulation_.state().step;
     if (settles_ || step % options_.rows_every == 0) sample();
@@ -143,7 +157,14 @@ void RunFiles::sample_energies() {
   energies_->append(energy_time_, values);
 }
 
-RunPosition RunFiles::position() const { return {histories_->rows(), frame_times_, energies_->rows(), energy_time_}; }
+RunPosition RunFiles::position() const {
+  RunPosition position{histories_->rows(), frame_times_, energies_->rows(), energy_time_, {}};
+  if (!peaks_) return position;
+  MemoryWriter writer;
+  writer(*peaks_);
+  position.peaks = writer.take();
+  return position;
+}
 
 void RunFiles::write_frame_when_due() {
   if (!frame_clock_ || !frame_clock_->is_due(simulation_.state().time)) return;
@@ -173,9 +194,12 @@ void RunFiles::write_checkpoint() {
   last_checkpoint_ = std::chrono::steady_clock::now();
 }
 
-void RunFiles::write_end_of_stage(std::size_t stage) {
+void RunFiles::after_stage() {
+  const std::size_t ended = stages_done(simulation_) - 1;
+  if (peaks_) peaks_->after_stage(simulation_, ended);
+  if (simulation_.finished()) return;
   const PhaseScope scope(Phase::checkpoint);
-  save_run(in_folder(stage_file_name(stage).c_str()), simulation_, position());
+  save_run(in_folder(stage_file_name(ended).c_str()), simulation_, position());
 }
 
 void RunFiles::close(RunSummary summary) {
@@ -188,6 +212,12 @@ void RunFiles::close(RunSummary summary) {
   if (frames_) summary.outputs.insert(summary.outputs.end(), {frames_name, contacts_name});
   if (bolt_frames_) summary.outputs.emplace_back(bolts_name);
   if (options_.profile) summary.outputs.emplace_back(profile_name);
+  if (peaks_ && peaks_->has_begun()) {
+    const Model& model = simulation_.model();
+    summary.peaks = peaks_json(model, peaks_->blocks(), peaks_->is_over());
+    write_file(in_folder(peaks_name), peaks_csv(model, peaks_->blocks()));
+    summary.outputs.emplace_back(peaks_name);
+  }
   for (std::size_t i = 0; i < simulation_.model().stages.size(); ++i)
     if (std::filesystem::exists(in_folder(stage_file_name(i).c_str()))) summary.outputs.push_back(stage_file_name(i));
   write_summary(in_folder(summary_name), summary);

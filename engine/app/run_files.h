@@ -1,5 +1,5 @@
-// The files of a run: histories.csv, energies.csv, frames.pvd with frames/, contacts.pvd with contacts/, where there
-// are bolts bolts.pvd with bolts/, checkpoint.bin, summary.json.
+// The files of a run: histories.csv, energies.csv, peaks.csv where the scene asks for it, frames.pvd with frames/,
+// contacts.pvd with contacts/, where there are bolts bolts.pvd with bolts/, checkpoint.bin, summary.json.
 #pragma once
 
 #include <chrono>
@@ -17,6 +17,7 @@
 #include "engine/record/frame_writer.h"
 #include "engine/record/history_writer.h"
 #include "engine/record/summary.h"
+#include "engine/simulation/peak_motion.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/simulation.h"
 
@@ -42,20 +43,21 @@ class RunFiles {
   // To be called after every step: writes the row, frame and checkpoint that are due.
   void after_step();
 
+  // To be called between two stages and after the last one. Keeps the state between two for other runs to begin from.
+  void after_stage();
+
   // What there is not yet of the state that a run ended in before its time.
   void write_last_state();
 
   // Rows reach the disk before the checkpoint that counts them.
   void write_checkpoint();
 
-  // The state between a stage, counted from 0, and the next, for other runs to begin from.
-  void write_end_of_stage(std::size_t stage);
-
   // Completes histories.csv, and adds what lies in the folder to the summary before writing it.
   void close(RunSummary summary);
 
  private:
   void open_bolt_frames();
+  void follow_peaks(const std::optional<RunPosition>& resumed);
   void sample();
   void sample_energies();
   [[nodiscard]] RunPosition position() const;
@@ -75,6 +77,7 @@ class RunFiles {
   std::unique_ptr<FrameWriter> frames_;
   std::unique_ptr<ContactFrameWriter> contact_frames_;
   std::unique_ptr<BoltFrameWriter> bolt_frames_;
+  std::optional<PeakMotion> peaks_;
   std::vector<double> frame_times_;
   std::optional<FrameClock> frame_clock_;
   bool settles_ = false;  // after the last step, see Simulation::is_settling()

@@ -12,12 +12,13 @@
 namespace dda {
 namespace {
 
-// Before the snapshot: the number of rows, the number of frames, and the times of frames.
+// Before the snapshot: these, the times of frames, and the peaks.
 struct Sizes {
   std::int64_t rows;
   std::int64_t frames;
   std::int64_t energy_rows;
   double energy_time;
+  std::int64_t peak_bytes;
 };
 
 std::size_t frame_bytes(const Sizes& sizes) { return static_cast<std::size_t>(sizes.frames) * sizeof(double); }
@@ -26,13 +27,14 @@ std::size_t frame_bytes(const Sizes& sizes) { return static_cast<std::size_t>(si
 
 void save_run(const std::filesystem::path& path, const Simulation& simulation, const RunPosition& position) {
   const Sizes sizes{position.history_rows, static_cast<std::int64_t>(position.frame_times.size()), position.energy_rows,
-                    position.energy_time};
+                    position.energy_time, static_cast<std::int64_t>(position.peaks.size())};
   const std::vector<std::byte> snapshot = save(simulation);
   std::vector<std::byte> bytes;
-  bytes.reserve(sizeof sizes + frame_bytes(sizes) + snapshot.size());
+  bytes.reserve(sizeof sizes + frame_bytes(sizes) + position.peaks.size() + snapshot.size());
   const auto append = [&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); };
   append(std::as_bytes(std::span(&sizes, 1)));
   append(std::as_bytes(std::span(position.frame_times)));
+  append(position.peaks);
   append(snapshot);
   save_checkpoint(path, simulation.model(), simulation.state(), bytes);
 }
@@ -48,11 +50,18 @@ RunPosition load_run(const std::filesystem::path& path, Simulation& simulation) 
   std::memcpy(&sizes, bytes.data(), sizeof sizes);
   bytes = bytes.subspan(sizeof sizes);
   refuse_if(sizes.frames < 0 || bytes.size() / sizeof(double) < static_cast<std::size_t>(sizes.frames));
-  RunPosition position{sizes.rows, std::vector<double>(static_cast<std::size_t>(sizes.frames)), sizes.energy_rows,
-                       sizes.energy_time};
+  RunPosition position{sizes.rows,
+                       std::vector<double>(static_cast<std::size_t>(sizes.frames)),
+                       sizes.energy_rows,
+                       sizes.energy_time,
+                       {}};
   if (sizes.frames > 0) std::memcpy(position.frame_times.data(), bytes.data(), frame_bytes(sizes));
+  bytes = bytes.subspan(frame_bytes(sizes));
+  refuse_if(sizes.peak_bytes < 0 || bytes.size() < static_cast<std::size_t>(sizes.peak_bytes));
+  const auto peaks = bytes.first(static_cast<std::size_t>(sizes.peak_bytes));
+  position.peaks.assign(peaks.begin(), peaks.end());
   try {
-    restore(simulation, std::move(checkpoint.state), bytes.subspan(frame_bytes(sizes)));
+    restore(simulation, std::move(checkpoint.state), bytes.subspan(position.peaks.size()));
   } catch (const InputError& error) {
     throw error.in_file(path.string());
   }

@@ -204,11 +204,13 @@ void add_stage(const Model& model, std::size_t index, const ContactSet& contacts
   const Stage& stage = model.stages[index];
   const BlockTerms terms = make_block_terms(model, stage);
   const double dt = first_step(model, stage, contacts.can_change);
-  const StepPlan plan = make_plan(model, stage, contacts, matrix.couplings(), stiffness_number(contacts, terms, dt));
+  const StepPlan plan = make_plan(model, index, contacts, matrix.couplings(), stiffness_number(contacts, terms, dt));
   text.gap();
   text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
   if (!stage.removal.blocks.empty()) text.plain("  " + removal_of(model, stage));
+  const auto put_in = std::ranges::count(model.bolts, static_cast<int>(index), &Bolt::first_stage);
+  if (index > 0 && put_in > 0) text.plain(fmt::format("  puts in {}", count(static_cast<std::size_t>(put_in), "bolt")));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
   for (const std::string& line : warn_of_recordings(model, index)) text.plain("  " + line);
 }

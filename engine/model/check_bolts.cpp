@@ -37,6 +37,7 @@ void check_bolt(const Model& model, const Item& item, const Bolt& bolt) {
   item.finite("direction", bolt.direction);
   item.within("direction length", bolt.direction.norm(), 1 - 1e-9, 1 + 1e-9);
   check_limits(item, bolt);
+  if (bolt.first_stage != 0) item.index("first stage", bolt.first_stage, model.stages.size());
   if (bolt.links.empty()) item.fail("links", "none", "two blocks that it joins");
   if (!bolt.grouted && bolt.links.size() > 1) item.fail("links", "several", "one, as it is anchored at its ends");
   for (const BoltLink& link : bolt.links) {

@@ -20,6 +20,7 @@ void check_free_field_sides(const Model& model);
 void check_bolts(const Model& model);
 void check_measurements(const Model& model);
 void check_stages(const Model& model);
+void check_peaks(const Model& model);             // after the stages
 void check_projected_joints(const Model& model);  // after the stages
 void check_removals(const Model& model);          // after all that acts on blocks, and the stages
 

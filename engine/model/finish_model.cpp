@@ -63,6 +63,7 @@ void finish_model(Model& model) {
   model.expected_pressure = expected_pressure(model);
   choose_time_steps(model);
   check_stages(model);
+  check_peaks(model);
   check_projected_joints(model);
   check_removals(model);
 }

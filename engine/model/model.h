@@ -15,6 +15,7 @@
 #include "engine/model/material.h"
 #include "engine/model/measurement.h"
 #include "engine/model/motion.h"
+#include "engine/model/peaks.h"
 #include "engine/model/settings.h"
 #include "engine/model/time_function.h"
 
@@ -103,12 +104,13 @@ struct Bolt {
   Vec2 direction = Vec2::UnitX();  // unit, from the first end to the last, as drawn
   bool grouted = false;            // links turn with the blocks at their joint; else the line of action follows anchors
   std::vector<BoltLink> links;
-  double pretension = 0;                                                // N, at the start
+  double pretension = 0;                                                // N, when it is put in
   double yield_force = std::numeric_limits<double>::infinity();         // N
   double shear_yield_force = std::numeric_limits<double>::infinity();   // N
-  double rupture_elongation = std::numeric_limits<double>::infinity();  // m, of a link since the start
+  double rupture_elongation = std::numeric_limits<double>::infinity();  // m, of a link since then
   bool tension_only = true;                                             // goes slack instead of pushing
-  double spacing = 1;  // m of thickness a bolt: what is measured is the force in one bolt, spacing times that here
+  double spacing = 1;   // m of thickness a bolt: what is measured is the force in one bolt, spacing times that here
+  int first_stage = 0;  // put in at the start of this stage
 };
 
 // Absorbing (Lysmer-Kuhlemeyer) edge: traction = -impedance * velocity, integrated exactly along the edge.
@@ -149,6 +151,7 @@ struct Model {
   double length_tolerance = 0;             // m: points closer than this touch; set by finish_model
   double expected_pressure =
       0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
+  std::optional<PeakRequest> peaks = {};  // what is asked about the strongest motion
 
   [[nodiscard]] const Material& material_of(int block) const;
   // Index into `joints` of the joint between two blocks.

@@ -12,7 +12,8 @@
 
 namespace dda {
 
-enum class BoltCondition { elastic, yielded, broken };  // yielded: along or across, now or before
+// yielded: along or across, now or before; waiting: to be put in by a later stage
+enum class BoltCondition { elastic, yielded, broken, waiting };
 
 // What a link of a bolt bears.
 struct BoltLinkValues {
@@ -25,8 +26,8 @@ struct BoltLinkValues {
 // belongs to the link. Its points are material points of the two blocks. Point data:
 //   displacement [m] since the start
 // Cell data:
-//   bolt, link (indices, links of a bolt from 0), bolt_name, block_a, block_b, status (0 elastic, 1 yielded, 2 broken)
-//   axial_force [N] (tension positive), shear_force [N]: of one bolt; elongation [m]
+//   bolt, link (indices, links of a bolt from 0), bolt_name, block_a, block_b, status (0 elastic, 1 yielded, 2 broken,
+//   3 not yet put in) axial_force [N] (tension positive), shear_force [N]: of one bolt; elongation [m]
 class BoltFrameWriter {
  public:
   // `index` is DIR/NAME.pvd, as for VtpSeries. The model must outlive the writer.

@@ -9,6 +9,7 @@ namespace dda {
 
 inline constexpr auto histories_name = "histories.csv";
 inline constexpr auto energies_name = "energies.csv";
+inline constexpr auto peaks_name = "peaks.csv";
 inline constexpr auto frames_name = "frames.pvd";
 inline constexpr auto contacts_name = "contacts.pvd";
 inline constexpr auto bolts_name = "bolts.pvd";

@@ -86,6 +86,8 @@ Standing standing_of(Model model, double time) {
   Stage stand = static_stage("stand", 0, false);
   stand.removal.blocks = removed_blocks(model);
   model.stages = {static_stage("load", time, true), stand};
+  for (Bolt& bolt : model.bolts) bolt.first_stage = 0;
+  model.peaks.reset();
   finish_model(model);
   Simulation simulation(std::move(model));
   Watch watch(simulation);

@@ -65,6 +65,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   stresses.fill(model);
   read_stages(scene, scheme, parts.groups, model);
   read_what_acts(scene, parts.groups, stresses, folder, model);
+  read_peaks(scene, parts.groups, parts.openings, model);
   finish_model(model);
   return parts;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cutting/rock_plan.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
 #include "engine/scene/ground_plan.h"
@@ -41,6 +42,10 @@ void read_bolts(const Field& scene, const GroundPlan& plan, Model& model);
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, const StressField& stresses, Model& model);
 void read_measurements(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                        Model& model);
+
+// `openings`: of all rock.
+void read_peaks(const Field& scene, const std::vector<std::string>& groups, const std::vector<PlanOpening>& openings,
+                Model& model);
 
 void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std::string>& groups, Model& model);
 

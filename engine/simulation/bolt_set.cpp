@@ -49,7 +49,7 @@ Vec2 parting(const Model& model, const State& state, const Bolt& bolt, const Bol
 // Gaps from where the anchors are.
 void measure(const Model& model, const State& state, const Bolt& bolt, const BoltLink& drawn, LinkElement& link) {
   link.state.gap = parting(model, state, bolt, drawn) - link.start + Vec2(link.pretension_gap, 0) - link.state.plastic;
-  link.state.force = answer_of(link.law, link.state.gap, link.state.ruptured).force;
+  link.state.force = answer_of(link.law, link.state.gap, link.carries_nothing()).force;
 }
 
 // Rows where the blocks are in `acting`.
@@ -68,6 +68,17 @@ void put_in(const Model& model, const State& state, const State& acting, const B
   link.start = parting(model, state, bolt, drawn);
   place(model, acting, bolt, drawn, link);
   measure(model, state, bolt, drawn, link);
+}
+
+// The forces that the link exerts, as internal forces.
+void add(const LinkElement& link, Eigen::VectorXd& force) {
+  force.segment<6>(6 * link.block_a).noalias() += link.rows.a.transpose() * link.state.force;
+  force.segment<6>(6 * link.block_b).noalias() += link.rows.b.transpose() * link.state.force;
+}
+
+void take_out(LinkElement& link) {
+  link.state = {};
+  link.state.waits = true;
 }
 
 void take_over(const LinkElement& before, LinkElement& link) {
@@ -98,6 +109,7 @@ BoltSet::BoltSet(const Model& model, const State& state) {
       link.law = law_of(bolt, drawn);
       link.rupture_elongation = bolt.rupture_elongation;
       link.pretension_gap = bolt.pretension / drawn.axial_stiffness;
+      link.state.waits = bolt.first_stage > 0;
       links_.push_back(link);
     }
   }
@@ -106,7 +118,8 @@ BoltSet::BoltSet(const Model& model, const State& state) {
 
 std::vector<std::pair<int, int>> BoltSet::pairs() const {
   std::vector<std::pair<int, int>> pairs;
-  for (const LinkElement& link : links_) pairs.emplace_back(link.block_a, link.block_b);
+  for (const LinkElement& link : links_)
+    if (!link.state.waits) pairs.emplace_back(link.block_a, link.block_b);
   return pairs;
 }
 
@@ -121,22 +134,40 @@ void BoltSet::update_geometry(const Model& model, const State& state, const Stat
   for (const Bolt& bolt : model.bolts)
     for (const BoltLink& drawn : bolt.links) {
       LinkElement& link = links_[next++];
+      if (link.state.waits) continue;
       place(model, acting, bolt, drawn, link);
       measure(model, state, bolt, drawn, link);
     }
 }
 
-void BoltSet::go_on_from(const Model& before_model, const BoltSet& before, const Model& model, const State& state,
-                         const State& acting) {
+void BoltSet::put_in_those_of(std::size_t stage, const Model& model, const State& state, const State& acting,
+                              Eigen::VectorXd& force) {
+  for (std::size_t i = 0; i < model.bolts.size(); ++i) {
+    const Bolt& bolt = model.bolts[i];
+    if (static_cast<std::size_t>(bolt.first_stage) != stage) continue;
+    for (std::size_t j = 0; j < bolt.links.size(); ++j) {
+      LinkElement& link = links_[first_link_[i] + j];
+      put_in(model, state, acting, bolt, bolt.links[j], link);
+      add(link, force);
+    }
+  }
+}
+
+void BoltSet::go_on_from(const Model& before_model, const BoltSet& before, const Model& model, std::size_t next,
+                         const State& state, const State& acting) {
   for (std::size_t i = 0; i < model.bolts.size(); ++i) {
     const Bolt& bolt = model.bolts[i];
     const auto same = std::ranges::find_if(before_model.bolts, [&](const Bolt& b) { return is_same_bolt(b, bolt); });
-    const bool is_new = same == before_model.bolts.end();
-    const std::size_t first =
-        is_new ? 0 : before.first_link_[static_cast<std::size_t>(same - before_model.bolts.begin())];
+    const bool waits = static_cast<std::size_t>(bolt.first_stage) >= next;
+    const std::size_t first = same == before_model.bolts.end()
+                                  ? 0
+                                  : before.first_link_[static_cast<std::size_t>(same - before_model.bolts.begin())];
+    const bool is_new = same == before_model.bolts.end() || before.links_[first].state.waits;
     for (std::size_t j = 0; j < bolt.links.size(); ++j) {
       LinkElement& link = links_[first_link_[i] + j];
-      if (is_new) {
+      if (waits) {
+        take_out(link);
+      } else if (is_new) {
         put_in(model, state, acting, bolt, bolt.links[j], link);
       } else {
         take_over(before.links_[first + j], link);
@@ -146,14 +177,13 @@ void BoltSet::go_on_from(const Model& before_model, const BoltSet& before, const
 }
 
 void BoltSet::add_force(Eigen::VectorXd& force) const {
-  for (const LinkElement& link : links_) {
-    force.segment<6>(6 * link.block_a).noalias() += link.rows.a.transpose() * link.state.force;
-    force.segment<6>(6 * link.block_b).noalias() += link.rows.b.transpose() * link.state.force;
-  }
+  for (const LinkElement& link : links_)
+    if (!link.state.waits) add(link, force);
 }
 
 void BoltSet::accept(const BoltTrials& trials, EnergyAudit& audit) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
+    if (links_[k].state.waits) continue;
     const BoltLaw& law = links_[k].law;
     const LinkTrial& trial = trials[k];
     const LinkState before = links_[k].state;

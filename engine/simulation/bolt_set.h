@@ -20,15 +20,15 @@ class BoltSet {
   BoltSet(const Model& model, const State& state);
 
   [[nodiscard]] bool empty() const { return links_.empty(); }
-  // Blocks that links couple.
+  // Blocks that links of bolts that have been put in couple.
   [[nodiscard]] std::vector<std::pair<int, int>> pairs() const;
   [[nodiscard]] double stored_energy() const;  // J per m of thickness
 
-  // State of a link; elongation since the start, elastic and plastic, m.
+  // State of a link; elongation since it was put in, elastic and plastic, m; 0 before.
   [[nodiscard]] const LinkState& state(int bolt, std::size_t link) const { return links_[index(bolt, link)].state; }
   [[nodiscard]] double elongation(int bolt, std::size_t link) const {
     const LinkElement& element = links_[index(bolt, link)];
-    return element.elongation(element.state.gap);
+    return element.state.waits ? 0 : element.elongation(element.state.gap);
   }
   // All links, those of one bolt after those of the other.
   [[nodiscard]] std::span<const LinkElement> links() const { return links_; }
@@ -37,10 +37,15 @@ class BoltSet {
   // (finite kinematics).
   void update_geometry(const Model& model, const State& state, const State& acting);
 
+  // Puts in the bolts of a stage that begins, with their pretension, where the blocks are, and adds what they exert to
+  // `force`. `acting`: as above; in small kinematics the drawing.
+  void put_in_those_of(std::size_t stage, const Model& model, const State& state, const State& acting,
+                       Eigen::VectorXd& force);
+
   // Bolts that the model `before_model` has as well go on as they are in `before`, with the strengths they have now;
-  // the others are put in where the blocks are.
-  void go_on_from(const Model& before_model, const BoltSet& before, const Model& model, const State& state,
-                  const State& acting);
+  // the others are put in where the blocks are. What is put in from the stage `next` on waits, whatever it did before.
+  void go_on_from(const Model& before_model, const BoltSet& before, const Model& model, std::size_t next,
+                  const State& state, const State& acting);
 
   // Adds the internal forces of the states.
   void add_force(Eigen::VectorXd& force) const;

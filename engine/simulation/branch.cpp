@@ -103,7 +103,7 @@ void let_go_of_ended_supports(BlockSystem& s) {
 
 void take_over_what_holds(const BlockSystem& before, const State& geometry, BlockSystem& s) {
   take_over_supports(before, geometry, s);
-  s.bolts.go_on_from(before.model, before.bolts, s.model, s.state, geometry);
+  s.bolts.go_on_from(before.model, before.bolts, s.model, s.clock.stage, s.state, geometry);
   s.forces.internal_old = before.forces.internal_old;
   const Eigen::VectorXd change = support_and_bolt_forces(s) - support_and_bolt_forces(before);
   if (!change.isZero(0)) s.forces.internal_old += change;
@@ -161,7 +161,7 @@ void take_over_blocks(const BlockSystem& before, BlockSystem& s) {
   s.audit = before.audit;
   s.increment = before.increment;
   s.drag = before.drag;
-  s.plan = make_plan(s.model, s.stage_in_force(), s.contacts, 0, before.plan.chi);
+  s.plan = make_plan(s.model, s.clock.in_force(), s.contacts, 0, before.plan.chi);
   s.plan.solver = before.plan.solver;
   s.plan.linear = before.plan.linear;
 }

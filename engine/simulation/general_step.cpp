@@ -127,6 +127,7 @@ void GeneralStep::set_step_size(double dt) {
 }
 
 void GeneralStep::begin() {
+  solver_.begin_bolts_anew();
   for (Vec3& force : system_.terms.centrifugal) force.setZero();
   if (system_.plan.is_static) return;
   if (feels_spin(system_.plan)) set_centrifugal_forces(system_.model, system_.state, system_.terms);
@@ -266,7 +267,7 @@ StepProblem GeneralStep::problem() const {
           .factor = s.coefficients.stiffness,
           .areas = s.terms.area,
           .contacts = {changing_, s.contacts.elements, s.contacts.strengths, s.contacts.states, rule_},
-          .bolts = s.bolts.links(),
+          .bolts = s.plan.bolts ? s.bolts.links() : std::span<const LinkElement>{},
           .held = s.held,
           .dilates = s.plan.dilation,
           .max_passes = most_passes(s.stage()),

@@ -50,6 +50,16 @@ std::vector<UnbalancedBlock> let_go_of_loose_blocks(BlockSystem& s) {
   return loose;
 }
 
+// Bolts of the stage that begins. Who tensions them does work.
+void put_in_bolts(const GeneralStep& general, BlockSystem& s) {
+  const int stage = static_cast<int>(s.clock.stage);
+  if (stage == 0 || std::ranges::count(s.model.bolts, stage, &Bolt::first_stage) == 0) return;
+  const double stored = s.bolts.stored_energy();
+  const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
+  s.bolts.put_in_those_of(s.clock.stage, s.model, s.state, geometry, s.forces.internal_old);
+  s.audit.supports_exchanged(0, s.bolts.stored_energy() - stored);
+}
+
 }  // namespace
 
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
@@ -117,12 +127,13 @@ void Simulation::begin_stage() {
   s.clock.step = 0;
   s.clock.start = s.state.time;
   excavate(s, *general_, *linear_);
+  put_in_bolts(*general_, s);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();
   if (s.stage().paces_itself()) pace_.begin(s.model, s.stage(), s.contacts.can_change);
   const double dt = first_step(s.model, s.stage(), s.contacts.can_change);
   const StepPlan next =
-      make_plan(s.model, s.stage(), s.contacts, pattern.couplings(), stiffness_number(s.contacts, s.terms, dt));
+      make_plan(s.model, s.clock.stage, s.contacts, pattern.couplings(), stiffness_number(s.contacts, s.terms, dt));
   const bool other_kind = next.linear != s.plan.linear;
   if (other_kind) stage_step().hand_over();
   s.plan = next;

@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3231'4e53'4144'44ULL;  // "DDASN12", read as a little-endian number
+constexpr std::uint64_t kind = 0x3331'4e53'4144'44ULL;  // "DDASN13", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>
@@ -88,7 +88,7 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   s.state = std::move(state);
   const Stage& stage = s.stage_in_force();
   set_strain_inertia(stage, s.terms);
-  s.plan = make_plan(s.model, stage, s.contacts, 0, 0);
+  s.plan = make_plan(s.model, s.clock.in_force(), s.contacts, 0, 0);
   visit(*this, reader);
   for (const CounterField& field : counter_fields) reader(s.costs.counters.*field.value);
   reader.expect_end();

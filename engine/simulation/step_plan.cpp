@@ -28,7 +28,8 @@ bool has_law(const ContactSet& contacts, InterfaceLaw law) {
 
 }  // namespace
 
-StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& contacts, int couplings, double chi) {
+StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings, double chi) {
+  const Stage& stage = model.stages[stage_index];
   StepPlan plan;
   plan.free_field = !model.free_field_sides.empty();
   plan.loads = plan.free_field || !model.point_loads.empty() || !model.edge_loads.empty() ||
@@ -41,7 +42,8 @@ StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& con
   plan.held_blocks = !model.held_blocks.empty();
   plan.viscous_edges = !model.viscous_edges.empty();
   plan.contacts = !contacts.interfaces.empty();
-  plan.bolts = !model.bolts.empty();
+  plan.bolts = std::ranges::any_of(
+      model.bolts, [&](const Bolt& bolt) { return static_cast<std::size_t>(bolt.first_stage) <= stage_index; });
   plan.contacts_can_change = contacts.can_change || plan.bolts;
   plan.contacts_judged = contacts.can_change;
   plan.dilation = plan.contacts_can_change && std::any_of(model.joints.begin(), model.joints.end(),

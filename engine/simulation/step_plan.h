@@ -36,6 +36,7 @@ struct StepPlan {
   [[nodiscard]] std::vector<std::string> describe() const;
 };
 
-StepPlan make_plan(const Model& model, const Stage& stage, const ContactSet& contacts, int couplings, double chi);
+// Of a stage of the model, counted from 0.
+StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings, double chi);
 
 }  // namespace dda

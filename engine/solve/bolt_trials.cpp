@@ -19,7 +19,7 @@ void BoltTrials::start(std::span<const LinkElement> links) {
   links_ = links;
   trials_.resize(links.size());
   if (matrix_rows_.size() != links.size()) matrix_rows_.assign(links.size(), Vec2::Constant(-1));
-  for (std::size_t k = 0; k < trials_.size(); ++k) trials_[k].ruptures = links_[k].state.ruptured;
+  for (std::size_t k = 0; k < trials_.size(); ++k) trials_[k].ruptures = links_[k].carries_nothing();
   restart();
 }
 
@@ -48,6 +48,7 @@ bool BoltTrials::take_up_rows() {
 
 void BoltTrials::add_stiffness(double factor, BlockMatrix& matrix) const {
   for (std::size_t k = 0; k < trials_.size(); ++k) {
+    if (matrix_rows_[k].isZero(0)) continue;  // the matrix may have no room for a bolt that waits
     const LinkElement& link = links_[k];
     const Vec2 stiffness = factor * matrix_rows_[k].cwiseProduct(link.law.stiffness);
     const Eigen::Matrix<double, 6, 2> weighted_a = link.rows.a.transpose() * stiffness.asDiagonal();

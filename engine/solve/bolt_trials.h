@@ -17,14 +17,15 @@ namespace dda {
 // A link of a bolt between steps: along and across it.
 struct LinkState {
   Vec2 gap = Vec2::Zero();      // m, elastic, with what stands for the pretension
-  Vec2 plastic = Vec2::Zero();  // m, since the start
+  Vec2 plastic = Vec2::Zero();  // m, since it was put in
   Vec2 force = Vec2::Zero();    // N per m of thickness; tension positive
   bool ruptured = false;
+  bool waits = false;  // its bolt is put in at the start of a later stage: it carries nothing
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [gap, plastic, force, ruptured] = self;
-    archive(gap, plastic, force, ruptured);
+    auto& [gap, plastic, force, ruptured, waits] = self;
+    archive(gap, plastic, force, ruptured, waits);
   }
 };
 
@@ -37,7 +38,9 @@ struct LinkElement {
   BoltRows rows;
   LinkState state;
 
-  // Since the start, elastic and plastic, m, where the elastic gap is `gap`.
+  [[nodiscard]] bool carries_nothing() const { return state.ruptured || state.waits; }
+
+  // Since it was put in, elastic and plastic, m, where the elastic gap is `gap`.
   [[nodiscard]] double elongation(const Vec2& gap) const { return gap(0) + state.plastic(0) - pretension_gap; }
 
   template <typename Self, typename Archive>

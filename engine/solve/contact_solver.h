@@ -48,6 +48,8 @@ class ContactSolver {
   void begin(BlockMatrix pattern, SolverKind kind, double chi);
   void set_pattern(BlockMatrix pattern);
   void end() { at_.matrix.end(); }
+  // The list of bolts may be another than so far: all of their rows are taken up with the next problem.
+  void begin_bolts_anew() { at_.bolts = {}; }
 
   // Solves from the start of the step; goes on from where the last call ended.
   const StepSolution& solve(const StepProblem& problem);

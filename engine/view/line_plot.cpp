@@ -40,6 +40,18 @@ double drawn_value(const LinePlot& plot, double value) {
   return value == 0 ? std::numeric_limits<double>::quiet_NaN() : std::log10(std::abs(value));
 }
 
+double drawn_across(const LinePlot& plot, double across) {
+  return plot.logarithmic_across ? std::log10(across) : across;
+}
+
+Axis across_axis(const LinePlot& plot) {
+  Axis axis{0, 1, left, width - right};
+  if (!plot.times.empty()) axis.low = drawn_across(plot, plot.times.front());
+  if (!plot.times.empty()) axis.high = drawn_across(plot, plot.times.back());
+  if (!(axis.high > axis.low)) axis.high = axis.low + 1;
+  return axis;
+}
+
 Axis value_axis(const LinePlot& plot) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -69,15 +81,33 @@ void append_rule(const Vec2& from, const Vec2& to, std::string& svg) {
                      to.y());
 }
 
-void append_time_axis(const Axis& axis, double foot, std::string& svg) {
-  const ScaledUnit unit = scaled_unit("s", std::max(std::abs(axis.low), std::abs(axis.high)));
-  const std::vector<double> marks = ticks(axis.low / unit.factor, axis.high / unit.factor, 7);
-  for (const double mark : marks) {
-    const double x = axis.place(mark * unit.factor);
-    append_rule({x, top}, {x, foot}, svg);
-    append_text(x, foot + 16, "middle", label(mark, step_of(marks)), svg);
+void append_mark_across(double x, double foot, std::string_view text, std::string& svg) {
+  append_rule({x, top}, {x, foot}, svg);
+  append_text(x, foot + 16, "middle", text, svg);
+}
+
+// 1, 2 and 5 times the powers of ten.
+void append_powers_across(const Axis& axis, double foot, std::string& svg) {
+  for (double power = std::floor(axis.low); power <= axis.high; ++power) {
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double mark = power + std::log10(digit);
+      if (mark < axis.low || mark > axis.high) continue;
+      append_mark_across(axis.place(mark), foot, fmt::format("{:.4g}", digit * std::pow(10, power)), svg);
+    }
   }
-  append_text((axis.from + axis.to) / 2, foot + 34, "middle", fmt::format("time ({})", unit.name), svg);
+}
+
+void append_across_axis(const LinePlot& plot, const Axis& axis, double foot, std::string& svg) {
+  ScaledUnit unit{1, plot.across_unit};
+  if (plot.logarithmic_across) {
+    append_powers_across(axis, foot, svg);
+  } else {
+    unit = scaled_unit(plot.across_unit, std::max(std::abs(axis.low), std::abs(axis.high)));
+    const std::vector<double> marks = ticks(axis.low / unit.factor, axis.high / unit.factor, 7);
+    for (const double mark : marks)
+      append_mark_across(axis.place(mark * unit.factor), foot, label(mark, step_of(marks)), svg);
+  }
+  append_text((axis.from + axis.to) / 2, foot + 34, "middle", fmt::format("{} ({})", plot.across, unit.name), svg);
 }
 
 void append_value_axis(const LinePlot& plot, const Axis& axis, std::string& svg) {
@@ -96,7 +126,7 @@ void append_value_axis(const LinePlot& plot, const Axis& axis, std::string& svg)
   append_text(left, 18, "start", plain ? plot.title : fmt::format("{} ({})", plot.title, unit.name), svg);
 }
 
-void append_line(const LinePlot& plot, const PlottedLine& line, const Axis& time, const Axis& value,
+void append_line(const LinePlot& plot, const PlottedLine& line, const Axis& across, const Axis& value,
                  std::string_view stroke, std::string& svg) {
   SvgPath path;
   bool drawing = false;
@@ -106,16 +136,17 @@ void append_line(const LinePlot& plot, const PlottedLine& line, const Axis& time
       drawing = false;
       continue;
     }
-    const Vec2 place(time.place(plot.times[i]), value.place(std::max(drawn, value.low)));
-    if (drawing) {
+    const Vec2 place(across.place(drawn_across(plot, plot.times[i])), value.place(std::max(drawn, value.low)));
+    if (line.is_dots) path.move_to(place);
+    if (drawing || line.is_dots) {
       path.line_to(place);
     } else {
       path.move_to(place);
     }
     drawing = true;
   }
-  svg += fmt::format("<path d=\"{}\" fill=\"none\" {} stroke-width=\"1.6\" stroke-linejoin=\"round\"/>\n", path.text(),
-                     stroke);
+  svg += fmt::format("<path d=\"{}\" fill=\"none\" {} stroke-width=\"{}\" stroke-linejoin=\"round\"{}/>\n", path.text(),
+                     stroke, line.is_dots ? 4 : 1.6, line.is_dots ? " stroke-linecap=\"round\"" : "");
 }
 
 void append_key(const LinePlot& plot, double foot, std::string& svg) {
@@ -138,16 +169,15 @@ std::string svg_plot(const LinePlot& plot) {
       "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" "
       "font-family=\"'Source Sans 3', 'Segoe UI', Arial, sans-serif\" font-size=\"13\" fill=\"#1a2129\">\n",
       width, height + (rows > 0 ? above_key + rows * line_of_key : 0));
-  Axis time{plot.times.empty() ? 0 : plot.times.front(), plot.times.empty() ? 1 : plot.times.back(), left,
-            width - right};
-  if (!(time.high > time.low)) time.high = time.low + 1;
+  const Axis across = across_axis(plot);
   Axis value = value_axis(plot);
   if (!(value.high > value.low)) value.high = value.low + 1;
   value.from = foot;
   value.to = top;
-  append_time_axis(time, foot, svg);
+  append_across_axis(plot, across, foot, svg);
   append_value_axis(plot, value, svg);
-  for (std::size_t i = 0; i < plot.lines.size(); ++i) append_line(plot, plot.lines[i], time, value, stroke_of(i), svg);
+  for (std::size_t i = 0; i < plot.lines.size(); ++i)
+    append_line(plot, plot.lines[i], across, value, stroke_of(i), svg);
   append_key(plot, foot, svg);
   return svg + "</svg>\n";
 }

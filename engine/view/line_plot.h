@@ -1,4 +1,4 @@
-// Histories as plots (SVG), for documents.
+// Histories, and points over distances, as plots (SVG), for documents.
 #pragma once
 
 #include <span>
@@ -12,14 +12,18 @@ namespace dda {
 struct PlottedLine {
   std::string name;
   std::vector<double> values;  // at the plot's times; what is no number leaves a gap
+  bool is_dots = false;        // not joined
 };
 
 struct LinePlot {
   std::string title;
   std::string unit;           // SI, of all lines
-  std::vector<double> times;  // s, ascending
+  std::vector<double> times;  // ascending; or what `across` names
   std::vector<PlottedLine> lines;
   bool logarithmic = false;  // sizes, over powers of ten; zero is not drawn
+  std::string across = "time";
+  std::string across_unit = "s";  // SI
+  bool logarithmic_across = false;
 };
 
 // The text of the plot, as wide as the element around it.

@@ -42,5 +42,16 @@ TEST(LinePlot, ShowsSizesOverPowersOfTen) {
   EXPECT_TRUE(contains(svg, "1e-12") && contains(svg, "1e-9")) << svg;
 }
 
+// A power law is a straight line over two axes of powers of ten; measured points are dots that nothing joins.
+TEST(LinePlot, ShowsPowersOfTenOnBothAxes) {
+  const LinePlot plot{"speed", "m/s", {1, 10, 100}, {{"measured", {10, 1, 0.1}, true}, {"law", {10, 1, 0.1}}},
+                      true,    "R",   "m",          true};
+  const std::string svg = svg_plot(plot);
+  // Two decades on 550 px and on 182 px.
+  EXPECT_TRUE(contains(svg, "d=\"M78 34l275 91l275 91\"")) << svg;
+  EXPECT_TRUE(contains(svg, "d=\"M78 34l0 0M353 125l0 0M628 216l0 0\"")) << svg;
+  EXPECT_TRUE(contains(svg, ">20</text>") && contains(svg, "R (m)")) << svg;
+}
+
 }  // namespace
 }  // namespace dda

@@ -38,7 +38,7 @@ struct DrawnContact {
   DrawnStatus status = DrawnStatus::open;
 };
 
-enum class DrawnCondition : std::uint8_t { elastic, yielded, broken };
+enum class DrawnCondition : std::uint8_t { elastic, yielded, broken, waiting };  // waiting: not drawn
 
 // A link of a rock bolt: a line through material points of its two blocks.
 struct DrawnBolt {

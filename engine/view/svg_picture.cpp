@@ -249,6 +249,7 @@ class Picture {
     if (frame_.bolts.empty()) return;
     add("<g fill=\"none\" stroke-linejoin=\"round\">\n");
     for (const DrawnBolt& bolt : frame_.bolts) {
+      if (bolt.condition == DrawnCondition::waiting) continue;
       SvgPath path;
       for (std::size_t i = 0; i < bolt.reference.size(); ++i) {
         const Vec2 point = at(bolt.reference[i] + options_.deformation_scale * bolt.displacement[i]);

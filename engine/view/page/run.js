@@ -45,20 +45,22 @@ class Run {
     this.boltCondition = new Uint8Array(takeSection("bolt-condition"));
   }
 
-  // The links of bolts in a frame: points x, y along each, axial force (N in one bolt, tension positive), condition.
+  // The links of bolts in a frame: points x, y along each, axial force (N in one bolt, tension positive), condition;
+  // without those that wait to be put in.
   bolts(frame, deformationScale) {
     const { bolts } = this.header;
     if (!bolts) return [];
     const points = bolts.begin.at(-1), links = bolts.names.length;
-    return bolts.names.map((name, link) => {
+    const all = bolts.names.map((name, link) => {
       const path = [];
       for (let i = bolts.begin[link]; i < bolts.begin[link + 1]; ++i) {
         path.push(this.boltReference[2 * i] + deformationScale * decoded(this.boltX[frame * points + i], bolts.x[frame]),
                   this.boltReference[2 * i + 1] + deformationScale * decoded(this.boltY[frame * points + i], bolts.y[frame]));
       }
       return { name, path, force: decoded(this.boltForce[frame * links + link], bolts.force[frame]),
-               condition: ["elastic", "yielded", "broken"][this.boltCondition[frame * links + link]] };
+               condition: ["elastic", "yielded", "broken", "waiting"][this.boltCondition[frame * links + link]] };
     });
+    return all.filter(({ condition }) => condition !== "waiting");
   }
 
   // Where the contacts and forces of each frame begin.

@@ -1,0 +1,144 @@
+// Peaks of a run: the files, the page, and what is refused.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/app/command_line_test_support.h"
+
+namespace dda {
+namespace {
+
+using nlohmann::json;
+
+json box(const char* name, double left, double bottom, double width, double height) {
+  const double right = left + width;
+  const double top = bottom + height;
+  return {{"polygon", {{"name", name}, {"vertices", {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}}}};
+}
+
+// A floor, a lid that is removed, and two stones under it that have been thrown: they fly for 0.2 s without touching
+// anything.
+json thrown_stones() {
+  json scene = {
+      {"dda", 1},
+      {"gravity", 10},
+      {"materials", {{"rock", {{"density", 2000}, {"young", "1 GPa"}, {"poisson", 0.2}}}}},
+      {"joints", {{"default", {{"friction_angle", "30 deg"}}}}},
+      {"blocks",
+       {box("floor", -50, -11, 100, 1), box("lid", -4, 20, 2, 3), box("slow", 0, 0, 1, 1), box("fast", 5, 0, 2, 1)}},
+      {"fixed", {"floor", "lid"}},
+      {"measurements", {{{"quantity", "velocity_y"}, {"block", "fast"}}}},
+      {"peaks",
+       {{"stage", "flight"},
+        {"ejected", {{"distance", "0.5 m"}, {"opening", "lid"}}},
+        {"attenuation", {{"source", {-1.5, 0.5}}, {"charge", "4 kg"}}}}},
+      {"steps",
+       {{{"name", "wait"}, {"dt", "1 ms"}, {"duration", "1 ms"}, {"integrator", "trapezoidal"}},
+        {{"name", "flight"}, {"dt", "1 ms"}, {"duration", "0.2 s"}, {"integrator", "trapezoidal"}},
+        {{"name", "after"}, {"dt", "1 ms"}, {"duration", "10 ms"}, {"integrator", "trapezoidal"}}}}};
+  scene["blocks"][2]["polygon"]["initial_velocity"] = {0, 1.01};  // 1 m/s when the flight begins
+  scene["blocks"][3]["polygon"]["initial_velocity"] = {0, 4.01};
+  return scene;
+}
+
+class Peaks : public CommandLine {
+ protected:
+  Outcome run(const json& scene, const std::string& folder, const std::vector<std::string>& options = {}) const {
+    write(folder + ".json", scene.dump());
+    std::vector<std::string> arguments = {"run", path(folder + ".json"), "--out", path(folder), "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return call(arguments);
+  }
+  [[nodiscard]] json summary(const std::string& folder) const { return json::parse(text(folder + "/summary.json")); }
+};
+
+TEST_F(Peaks, AreThoseOfAKnownFlight) {
+  ASSERT_EQ(run(thrown_stones(), "out").code, 0);
+  const json peaks = summary("out")["peaks"];
+  EXPECT_EQ(peaks["stage"], "flight");
+  EXPECT_EQ(peaks["complete"], true);
+  EXPECT_EQ(peaks["blocks"], 2);
+  EXPECT_EQ(peaks["velocity"]["block"], "fast");
+  EXPECT_NEAR(peaks["velocity"]["m_s"].get<double>(), 4, 1e-12);
+  EXPECT_NEAR(peaks["velocity"]["time_s"].get<double>(), 1e-3, 1e-15);
+  EXPECT_NEAR(peaks["acceleration"]["m_s2"].get<double>(), 10, 1e-9);
+  // "slow" goes 0.05 m up, "fast" 0.6 m: 2 m2 of 2 t/m2 at 4 m/s; the wall of the lid is 2 (2 + 3) m.
+  const json& ejected = peaks["ejected"];
+  EXPECT_EQ(ejected["blocks"], 1);
+  EXPECT_NEAR(ejected["mass_kg_per_m"].get<double>(), 4000, 1e-9);
+  EXPECT_NEAR(ejected["kinetic_energy_J_per_m"].get<double>(), 32000, 1e-7);
+  EXPECT_NEAR(ejected["kinetic_energy_at_end_J_per_m"].get<double>(), 8000, 1e-7);
+  EXPECT_NEAR(ejected["largest_velocity_m_s"].get<double>(), 4, 1e-12);
+  EXPECT_NEAR(ejected["wall_m"].get<double>(), 10, 1e-12);
+  EXPECT_NEAR(ejected["kinetic_energy_kJ_per_m2"].get<double>(), 3.2, 1e-11);
+  EXPECT_TRUE(ejected["velocity_m_s"].is_null());
+  // Both at the end of the flight: 1 - 2 and 4 - 2 m/s; the ledger has that of the end of the run.
+  EXPECT_NEAR(peaks["kinetic_energy_J_per_m"].get<double>(), 1000 * 1 + 2000 * 4, 1e-7);
+  EXPECT_EQ(lines(text("out/peaks.csv")), 3);
+  EXPECT_TRUE(contains(text("out/peaks.csv"), "\nslow,0.5,")) << text("out/peaks.csv");
+  EXPECT_TRUE(peaks["attenuation"]["K_m_s"].is_null()) << "one block that is not ejected";
+}
+
+// The end of the stage is the end of the run: energies are those of its ledger.
+TEST_F(Peaks, HaveTheEnergyOfTheLedger) {
+  json scene = thrown_stones();
+  scene["steps"].erase(2);
+  scene["peaks"].erase("ejected");
+  ASSERT_EQ(run(scene, "out").code, 0);
+  const json all = summary("out");
+  const double kinetic = all["energy"]["kinetic"];
+  EXPECT_NEAR(all["peaks"]["kinetic_energy_J_per_m"].get<double>(), kinetic, 1e-12 * kinetic);
+  EXPECT_TRUE(all["peaks"]["ejected"].is_null());
+  // Two distances, two speeds: the line goes through both. R/2 = 1 and 3.75 m but for the 1 and 4 mm that the stones
+  // have risen by then (2e-7); 1 and 4 m/s are what they begin with.
+  const json& law = all["peaks"]["attenuation"];
+  EXPECT_EQ(law["points"], 2);
+  EXPECT_NEAR(law["n"].get<double>(), -std::log(4) / std::log(3.75), 1e-6);
+  EXPECT_NEAR(law["K_m_s"].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(law["correlation"].get<double>(), 1, 1e-12);
+}
+
+TEST_F(Peaks, AreOnThePage) {
+  json scene = thrown_stones();
+  scene["peaks"]["ejected"]["distance"] = "5 m";
+  scene["peaks"]["ejected"]["velocity"] = "4.5 m/s";
+  ASSERT_EQ(run(scene, "out").code, 0);
+  ASSERT_EQ(call({"report", path("out")}).code, 0);
+  const std::string page = text("out/report.html");
+  for (const char* part : {"Strongest motion", "In stage flight: largest velocity 4 m/s, of fast at 0.001 s",
+                           "Ejected: 0 blocks", "Peak velocity v = K", "scaled distance R/sqrt(W) (m/sqrt(kg/m))"})
+    EXPECT_TRUE(contains(page, part)) << part;
+  EXPECT_FALSE(contains(page, "nan"));
+}
+
+TEST_F(Peaks, CostNothingWhereNobodyAsks) {
+  json scene = thrown_stones();
+  scene.erase("peaks");
+  ASSERT_EQ(run(scene, "out").code, 0);
+  EXPECT_FALSE(exists("out/peaks.csv"));
+  EXPECT_TRUE(summary("out")["peaks"].is_null());
+  ASSERT_EQ(call({"report", path("out")}).code, 0);
+  EXPECT_FALSE(contains(text("out/report.html"), "Strongest motion"));
+}
+
+TEST_F(Peaks, GoOnInABranchThatBeginsBeforeThem) {
+  ASSERT_EQ(run(thrown_stones(), "whole").code, 0);
+  json wait = thrown_stones();
+  wait["steps"].erase(2);
+  wait["steps"].erase(1);
+  wait.erase("peaks");
+  ASSERT_EQ(run(wait, "wait").code, 0);
+  ASSERT_EQ(run(thrown_stones(), "branch", {"--from", path("wait")}).code, 0);
+  EXPECT_EQ(text("branch/peaks.csv"), text("whole/peaks.csv"));
+  EXPECT_EQ(summary("branch")["peaks"], summary("whole")["peaks"]);
+
+  json late = thrown_stones();
+  late["peaks"]["stage"] = "wait";
+  write("late.json", late.dump());
+  expect_refusal({"run", path("late.json"), "--out", path("out"), "--from", path("wait")},
+                 "late.json: peaks.stage is \"wait\", which is done in");
+}
+
+}  // namespace
+}  // namespace dda

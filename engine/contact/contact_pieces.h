@@ -3,8 +3,9 @@
 //
 // An end is open, sticks or slides to one of two sides, and is linear in its gaps while it does. In the order
 //   slides back - sticks - slides forth, with open bordering on both ends of the row
-// the answer is continuous from each piece to the next. An end without capacity, be it that it has no friction or that a
-// projected stretch gapes there, slides freely: it counts as open, and does not stick on the way from one side to the other.
+// the answer is continuous from each piece to the next. An end without capacity, be it that it has no friction or that
+// a projected stretch gapes there, slides freely: it counts as open, and does not stick on the way from one side to the
+// other.
 #pragma once
 
 #include <array>

@@ -43,8 +43,8 @@ Resultants pressed_in_part(double whole, double bed, const Opening& opening) {
 
 BedAnswer press_bed(double stiffness, double lever, const Vec2& gaps) {
   const Opening opening = opening_of(lever, gaps);
-  // One that just touches at both points is closed: what is stacked without force would else have nothing to stand on in
-  // the first pass of its first step, and lose digits on the way back from where that takes it.
+  // One that just touches at both points is closed: what is stacked without force would else have nothing to stand on
+  // in the first pass of its first step, and lose digits on the way back from where that takes it.
   if (is_closed(opening, bed_of(lever))) return {stiffness * gaps, Vec2::Constant(stiffness), 0};
   if (is_open(opening)) return {Vec2::Zero(), Vec2::Zero(), 0};
   const Resultants sum = pressed_in_part(2 * stiffness, bed_of(lever), opening);

@@ -14,9 +14,10 @@ using Names = std::set<std::string>;
 TEST(RunFolder, ClearingTakesWhatRunsLeaveAndNothingElse) {
   const TemporaryFolder folder;
   for (const char* name : {"frames", "contacts", "bolts"}) std::filesystem::create_directory(folder / name);
-  for (const char* name : {"histories.csv", "histories.csv.tmp", "summary.json", "checkpoint.bin", "checkpoint.bin.tmp",
-                           "run.json", "frames.pvd", "contacts.pvd", "bolts.pvd", "view.html", "profile.json", "profile.json.tmp", "frames/000000.vtp",
-                           "frames/1000000.vtp", "frames/000001.vtp.tmp", "bolts/000000.vtp"})
+  for (const char* name :
+       {"histories.csv", "histories.csv.tmp", "summary.json", "checkpoint.bin", "checkpoint.bin.tmp", "run.json",
+        "frames.pvd", "contacts.pvd", "bolts.pvd", "view.html", "profile.json", "profile.json.tmp", "frames/000000.vtp",
+        "frames/1000000.vtp", "frames/000001.vtp.tmp", "bolts/000000.vtp"})
     write_file(folder / name, "old");
   for (const char* name : {"notes.txt", "frames.txt", "contacts/mine.vtp", "contacts/000000.png"})
     write_file(folder / name, "mine");

@@ -35,8 +35,9 @@ Model pulled_bar(double pretension, Kinematics kinematics) {
   model.materials = {rock()};
   model.blocks = {rectangle("wall", -2, 0, 1, 1), rectangle("bar", 0, 0, length, 1)};
   model.held_blocks = {HeldBlock{}};
-  model.supports = {
-      {1, {0, 0}, true, false, spring}, {1, {0, 1}, true, false, spring}, {1, {5, 0.5}, false, true, 1e9}};
+  model.supports = {{1, {0, 0}, true, false, spring, Vec2::Zero(), {}},
+                    {1, {0, 1}, true, false, spring, Vec2::Zero(), {}},
+                    {1, {5, 0.5}, false, true, 1e9, Vec2::Zero(), {}}};
   const PiecewiseLinear load{{0, 1, 1.05, 2}, {1, 1, 2, 2}};
   model.edge_loads = {{1, {length, 0}, {length, 1}, {half_load, 0}, load}};
   model.bolts = {late_bolt({-1.5, 0.5}, {reach, 0.5}, pretension)};
@@ -224,8 +225,8 @@ TEST(LateBolt, TakesWhatFollowsAnExcavation) {
     model.blocks = {rectangle("left", 0, 0, 1, 1), rectangle("right", 2, 0, 1, 1), rectangle("tunnel", 1, 0, 1, 1)};
     for (Block& block : model.blocks) block.initial_stress = {-2e6, 0, 0};
     for (const double y : {0.0, 1.0}) {
-      model.supports.push_back({0, {0, y}, true, true, 4e9});
-      model.supports.push_back({1, {3, y}, true, true, 4e9});
+      model.supports.push_back({0, {0, y}, true, true, 4e9, Vec2::Zero(), {}});
+      model.supports.push_back({1, {3, y}, true, true, 4e9, Vec2::Zero(), {}});
     }
     model.edge_loads = {{0, {0, 1}, {0, 0}, {2e6, 0}, Constant{}}, {1, {3, 0}, {3, 1}, {-2e6, 0}, Constant{}}};
     model.bolts = {late_bolt({0.5, 0.5}, {2.5, 0.5}, 1e3)};

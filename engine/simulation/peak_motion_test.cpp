@@ -154,7 +154,7 @@ Model sector(double size, double end) {
     const int block = static_cast<int>(model.blocks.size());
     model.blocks.emplace_back().shape.outer = {at(r, -half), at(r + size, -half), at(r + size, half), at(r, half)};
     for (const double side : {-half, half}) {
-      PointSupport roller{block, at(r + size / 2, side), true, true, 1e13};
+      PointSupport roller{block, at(r + size / 2, side), true, true, 1e13, Vec2::Zero(), {}};
       roller.direction = {-std::sin(side), std::cos(side)};
       model.supports.push_back(roller);
     }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/memory_test_support.h"
+#include "engine/simulation/memory_test_support.h"
 #include "engine/core/error.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"

@@ -103,7 +103,7 @@ Json to_json(const RunSummary& summary) {
   json["energy"] = to_json(summary.energy);
   json["energy_released"] = to_json(energy_release(summary.energy));
   json["energy_released"]["stages"] = released_in_stages(summary);
-  json["peaks"] = summary.peaks;
+  if (!summary.peaks.is_null()) json["peaks"] = summary.peaks;
   json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);
   json["remarks"] = summary.remarks;
   json["histories"] = Json::array();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/simulation/branch.h"
-#include "engine/simulation/snapshot.h"
+#include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/snapshot_models.h"
 
 namespace dda {
@@ -128,15 +128,6 @@ std::vector<Scene> scenes() {
              return model;
            }},
           {"bonded: linear before", [] { return snapshots::bolted_bar(); }}};
-}
-
-std::vector<std::byte> memory_of(const Simulation& simulation) {
-  std::vector<std::byte> memory = save(simulation);
-  visit_memory(simulation.state(), [&](const void* from, std::size_t count) {
-    const auto* bytes = static_cast<const std::byte*>(from);
-    memory.insert(memory.end(), bytes, bytes + count);
-  });
-  return memory;
 }
 
 void expect_same_course(Simulation& one, Simulation& other, const std::string& name) {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/memory_test_support.h"
 #include "engine/core/error.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
+#include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/memory_test_support.h"
 #include "engine/core/counters.h"
 #include "engine/scene/scene.h"
+#include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"

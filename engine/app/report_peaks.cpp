@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
+#include "engine/record/csv.h"
 #include "engine/record/run_folder.h"
 #include "engine/record/vtp_file.h"
 #include "engine/view/line_plot.h"
@@ -19,22 +20,14 @@
 namespace dda {
 namespace {
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream rest(line);
-  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 // The numbers of peaks.csv by column; what is empty is NaN.
 class PeakTable {
  public:
   explicit PeakTable(std::filesystem::path path) : path_(std::move(path)) {
-    std::istringstream lines(read_file(path_));
-    std::string line;
-    std::getline(lines, line);
-    names_ = cells_of(line);
-    while (std::getline(lines, line)) rows_.push_back(cells_of(line));
+    const std::string file = read_file(path_);
+    std::string_view rest = file;
+    names_ = take_csv_row(rest);
+    while (!rest.empty()) rows_.push_back(take_csv_row(rest));
   }
 
   [[nodiscard]] std::vector<double> column(const std::string& name) const {
@@ -50,10 +43,9 @@ class PeakTable {
 
   [[nodiscard]] double number(const std::string& text) const {
     if (text.empty()) return missing;
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) refuse("with \"" + text + "\" for a number");
-    return value;
+    const auto value = csv_number(text);
+    if (!value) refuse("with \"" + text + "\" for a number");
+    return *value;
   }
 
   [[noreturn]] void refuse(const std::string& what) const {

@@ -12,6 +12,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
+#include "engine/record/csv.h"
 
 namespace dda {
 namespace {
@@ -19,17 +20,10 @@ namespace {
 constexpr std::size_t buffer_size = 1 << 16;
 constexpr auto flush_interval = std::chrono::seconds(1);
 
-std::string quoted_if_needed(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + '"';
-}
-
 std::string header(const std::vector<Column>& columns) {
   std::string line = "time [s]";
   for (const Column& column : columns) {
-    line += ',' + quoted_if_needed(column.name + " [" + (column.unit.empty() ? "-" : column.unit) + "]");
+    line += ',' + csv_cell(column.name + " [" + (column.unit.empty() ? "-" : column.unit) + "]");
   }
   return line + '\n';
 }

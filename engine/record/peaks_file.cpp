@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/record/csv.h"
+
 namespace dda {
 namespace {
 
@@ -22,9 +24,9 @@ std::string header(const PeakRequest& asked) {
 
 std::string row(const Model& model, std::size_t i, const BlockPeaks& peaks) {
   const PeakRequest& asked = *model.peaks;
-  std::string text = fmt::format("{},{},{},{},{},{},{},{},{}", model.blocks[i].name, peaks.place.x(), peaks.place.y(),
-                                 model.mass_of(static_cast<int>(i)), peaks.speed, peaks.speed_time, peaks.acceleration,
-                                 peaks.acceleration_time, peaks.kinetic);
+  std::string text = fmt::format("{},{},{},{},{},{},{},{},{}", csv_cell(model.blocks[i].name), peaks.place.x(),
+                                 peaks.place.y(), model.mass_of(static_cast<int>(i)), peaks.speed, peaks.speed_time,
+                                 peaks.acceleration, peaks.acceleration_time, peaks.kinetic);
   if (asked.ejection)
     text += fmt::format(",{},{},{}", peaks.moved, peaks.thrown,
                         peaks.is_ejected() ? fmt::format("{}", peaks.ejected_at) : "");

@@ -1,42 +1,18 @@
 #include "engine/view/histories.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <string_view>
-#include <system_error>
-#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
+#include "engine/record/csv.h"
 
 namespace dda {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& value) {
   throw InputError(path.string(), "the file", value, "the measurements that dda run writes; run the scene again");
-}
-
-// Takes the next cell of a line that ends in '\n' off `text`; quoted as in RFC 4180. True when it is the line's last.
-bool take_cell(std::string_view& text, std::string& cell) {
-  cell.clear();
-  bool quoted = false;
-  while (!text.empty()) {
-    const char c = text.front();
-    text.remove_prefix(1);
-    if (c == '"' && quoted && text.starts_with('"')) {
-      cell += '"';
-      text.remove_prefix(1);
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted && (c == ',' || c == '\n')) {
-      return c == '\n';
-    } else {
-      cell += c;
-    }
-  }
-  return true;
 }
 
 // "NAME [UNIT]".
@@ -54,19 +30,18 @@ Histories read_histories(const std::filesystem::path& path) {
   if (!text.starts_with("time [s]")) refuse(path, "without the header \"time [s],...\"");
   Histories histories;
   std::string cell;
-  for (bool last = take_cell(text, cell); !last;) {
-    last = take_cell(text, cell);
+  for (bool last = take_csv_cell(text, cell); !last;) {
+    last = take_csv_cell(text, cell);
     histories.columns.push_back(column_of(cell));
   }
   while (!text.empty()) {
     std::size_t place = 0;
     for (bool last = false; !last; ++place) {
-      last = take_cell(text, cell);
-      double value = std::nan("");
-      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-      if (error != std::errc() || end != cell.data() + cell.size()) refuse(path, "damaged (\"" + cell + "\")");
+      last = take_csv_cell(text, cell);
+      const auto value = csv_number(cell);
+      if (!value) refuse(path, "damaged (\"" + cell + "\")");
       if (place > histories.columns.size()) refuse(path, "damaged (a row is too long)");
-      (place == 0 ? histories.times : histories.columns[place - 1].values).push_back(value);
+      (place == 0 ? histories.times : histories.columns[place - 1].values).push_back(*value);
     }
     if (place != histories.columns.size() + 1) refuse(path, "damaged (a row is too short)");
   }

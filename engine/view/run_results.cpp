@@ -49,7 +49,7 @@ std::vector<DrawnContact> read_contacts(const std::filesystem::path& path, std::
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     for (const std::int32_t block : {block_a[i], block_b[i]})
       if (block < 0 || static_cast<std::size_t>(block) >= blocks) refuse(path, "of other blocks than the first frame");
-    if (status[i] < 0 || status[i] > 3) refuse(path, "with the unknown status " + std::to_string(status[i]));
+    if (status[i] < 0 || status[i] > 2) refuse(path, "with the unknown status " + std::to_string(status[i]));
     const Vec2 moved = plane(displacement, i);
     contacts[i] = {block_a[i],      block_b[i],          plane(data.points, i) - moved,      moved,
                    plane(force, i), normal_force[i] > 0, static_cast<DrawnStatus>(status[i])};
@@ -66,7 +66,7 @@ std::vector<DrawnBolt> read_bolts(const std::filesystem::path& path, const std::
   const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
   std::vector<DrawnBolt> bolts(data.lines.size());
   for (std::size_t i = 0; i < bolts.size(); ++i) {
-    if (status[i] < 0 || status[i] > 2) refuse(path, "with the unknown status " + std::to_string(status[i]));
+    if (status[i] < 0 || status[i] > 3) refuse(path, "with the unknown status " + std::to_string(status[i]));
     bolts[i].name = name[i];
     bolts[i].force = force[i];
     bolts[i].condition = static_cast<DrawnCondition>(status[i]);

@@ -99,6 +99,14 @@ TEST_F(RunResultsTest, ContactsAreThoseWritten) {
   EXPECT_EQ(contacts[2].status, DrawnStatus::open);
 }
 
+TEST_F(RunResultsTest, AContactsStatusIsOpenSlidingOrLocked) {
+  auto contacts = contacts_at(model_, state_at(model_, 0.5));
+  contacts[0].status = static_cast<ContactStatus>(3);  // a bolt may wait, a contact may not
+  ContactFrameWriter(folder_ / "other.pvd").write(0.5, contacts);
+  std::filesystem::rename(folder_ / "other/000000.vtp", folder_ / "contacts/000001.vtp");
+  EXPECT_NE(refusal().find("with the unknown status 3"), std::string::npos) << refusal();
+}
+
 TEST_F(RunResultsTest, ContactsMayBeMissing) {
   std::filesystem::remove(folder_ / "contacts.pvd");
   const RunResults results(folder_.path());
@@ -162,6 +170,20 @@ TEST_F(RunResultsTest, BoltsAreMaterialLinesWithTheirForce) {
     // With its block, the second or the third, by (i + 1) 0.5 s (0.1, -0.2) m/s.
     EXPECT_LE((bolts[1].displacement[i] - (i < 2 ? 1.0 : 1.5) * Vec2(0.1, -0.2)).norm(), round_off);
   }
+}
+
+TEST_F(RunResultsTest, BoltsMayWaitForTheirStage) {
+  write_bolts(folder_.path(), model_, {0, 0.5, 1});
+  const auto put_first_bolt = [&](BoltCondition condition) {
+    BoltFrameWriter other(model_, folder_ / "other.pvd");
+    other.write(state_at(model_, 0),
+                std::vector<BoltLinkValues>{{Vec2(0, 0), 0, condition}, {Vec2(0, 0), 0, BoltCondition::elastic}});
+    std::filesystem::rename(folder_ / "other/000000.vtp", folder_ / "bolts/000000.vtp");
+  };
+  put_first_bolt(BoltCondition::waiting);
+  EXPECT_EQ(RunResults(folder_.path()).frame(0).bolts[0].condition, DrawnCondition::waiting);
+  put_first_bolt(static_cast<BoltCondition>(4));
+  EXPECT_NE(refusal().find("with the unknown status 4"), std::string::npos) << refusal();
 }
 
 TEST_F(RunResultsTest, RefusesBoltsOfOtherFrames) {

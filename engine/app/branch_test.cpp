@@ -44,10 +44,7 @@ json pushed(json scene) {
 class Branch : public CommandLine {
  protected:
   Outcome run(const json& scene, const std::string& folder, const std::vector<std::string>& options = {}) const {
-    write(folder + ".json", scene.dump());
-    std::vector<std::string> arguments = {"run", path(folder + ".json"), "--out", path(folder), "--quiet"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return call(arguments);
+    return run_scene(scene.dump(), folder, options);
   }
   [[nodiscard]] std::string rows_from(const std::string& folder, const std::string& time) const {
     const std::string all = text(folder + "/histories.csv");

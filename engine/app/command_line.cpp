@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -55,14 +56,19 @@ double positive_quantity(const std::string& text, Dimension dimension, const Ran
 }
 
 // For options that count; the library's own range check prints the limits of its number type.
-const CLI::Validator positive_count(
-    [](const std::string& text) {
-      std::int64_t value = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      const bool good = error == std::errc() && end == text.data() + text.size() && value > 0;
-      return good ? std::string() : "is \"" + text + "\", expected a whole number above 0";
-    },
-    "");
+CLI::Validator whole_number(std::int64_t most, const std::string& expected) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        std::int64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool good = error == std::errc() && end == text.data() + text.size() && value >= 1 && value <= most;
+        return good ? std::string() : "is \"" + text + "\", expected a whole number " + expected;
+      },
+      "");
+}
+const CLI::Validator positive_count = whole_number(std::numeric_limits<std::int64_t>::max(), "above 0");
+// More than any machine has would only be a slip.
+const CLI::Validator number_of_threads = whole_number(1024, "from 1 to 1024");
 
 // A finite number within bounds, which also keep what is computed from it within the range of its type.
 CLI::Validator number_from(double least, double greatest) {
@@ -77,17 +83,6 @@ CLI::Validator number_from(double least, double greatest) {
       },
       "");
 }
-
-// More than any machine has would only be a slip.
-const CLI::Validator number_of_threads(
-    [](const std::string& text) {
-      constexpr int most = 1024;
-      int value = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      const bool good = error == std::errc() && end == text.data() + text.size() && value >= 1 && value <= most;
-      return good ? std::string() : fmt::format("is \"{}\", expected a whole number from 1 to {}", text, most);
-    },
-    "");
 
 const CLI::Validator a_name([](const std::string& text) { return text.empty() ? "is empty, expected a name" : ""; },
                             "");

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -34,6 +36,24 @@ inline bool contains(const std::string& text, std::string_view part) { return te
 
 class CommandLine : public FolderTest {
  protected:
+  // Writes FOLDER.json and runs it into FOLDER.
+  [[nodiscard]] Outcome run_scene(const std::string& scene, const std::string& folder,
+                                  const std::vector<std::string>& options = {}) const {
+    write(folder + ".json", scene);
+    std::vector<std::string> arguments = {"run", path(folder + ".json"), "--out", path(folder), "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return call(arguments);
+  }
+
+  // All that a run left, but its times and, because one file may hold them, the list of files.
+  [[nodiscard]] std::map<std::string, std::string> results_without_times(const std::string& folder) const {
+    auto files = files_below(folder);
+    auto summary = nlohmann::ordered_json::parse(files.at("summary.json"));
+    for (const char* changing : {"cpu_s", "wall_s", "phases", "outputs"}) EXPECT_EQ(summary.erase(changing), 1U);
+    files["summary.json"] = summary.dump();
+    return files;
+  }
+
   void expect_refusal(const std::vector<std::string>& arguments, std::string_view part) {
     const Outcome outcome = call(arguments);
     EXPECT_EQ(outcome.code, 2);

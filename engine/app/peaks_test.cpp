@@ -45,10 +45,7 @@ json thrown_stones() {
 class Peaks : public CommandLine {
  protected:
   Outcome run(const json& scene, const std::string& folder, const std::vector<std::string>& options = {}) const {
-    write(folder + ".json", scene.dump());
-    std::vector<std::string> arguments = {"run", path(folder + ".json"), "--out", path(folder), "--quiet"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return call(arguments);
+    return run_scene(scene.dump(), folder, options);
   }
   [[nodiscard]] json summary(const std::string& folder) const { return json::parse(text(folder + "/summary.json")); }
 };

@@ -26,12 +26,8 @@ class ProfiledRun : public CommandLine {
     return call(options);
   }
 
-  // All that a run left but its times.
   [[nodiscard]] std::map<std::string, std::string> results(const std::string& folder) const {
-    auto files = files_below(folder);
-    Json summary = Json::parse(files.at("summary.json"));
-    for (const char* changing : {"cpu_s", "wall_s", "phases", "outputs"}) EXPECT_EQ(summary.erase(changing), 1U);
-    files["summary.json"] = summary.dump();
+    auto files = results_without_times(folder);
     files.erase("profile.json");
     return files;
   }

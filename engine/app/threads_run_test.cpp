@@ -1,13 +1,10 @@
 // dda run --threads: the same bytes with one thread, two and four.
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "engine/app/command_line_test_support.h"
 
 namespace dda {
 namespace {
-
-using Json = nlohmann::json;
 
 // Large enough for all that threads share but sums (engine/linear/block_vectors.h).
 constexpr auto bonded_grid = R"({"dda": 1, "title": "grid",
@@ -49,16 +46,11 @@ class ThreadsRun : public CommandLine {
   }
 
  private:
-  // All that the run left but its times.
   std::map<std::string, std::string> run(const std::string& threads) {
     const Outcome outcome =
         call({"run", path("scene.json"), "--out", path("results"), "--frames", "2", "--threads", threads});
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    auto files = files_below("results");
-    Json summary = Json::parse(files.at("summary.json"));
-    for (const char* changing : {"cpu_s", "wall_s", "phases"}) summary.erase(changing);
-    files["summary.json"] = summary.dump();
-    return files;
+    return results_without_times("results");
   }
 };
 

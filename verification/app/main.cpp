@@ -133,9 +133,8 @@ void add_thesis(CLI::App& app, Arguments& arguments) {
   CLI::App* thesis = app.add_subcommand(
       "thesis",
       "What Zelig (2015) says in chapters 3 to 6, statement by statement, and what this engine says to it, in all "
-      "readings of what the text leaves open.\nWrites thesis.json and chapter_N.md, for chapter 6 also scenes/ and "
-      "runs/; "
-      "runs that are done there are kept. Exit code 1 if a run failed.");
+      "readings of what the text leaves open.\nWrites thesis.json and chapter_N.md, for chapters 5 and 6 also scenes/ "
+      "and runs/; runs that are done there are kept. Exit code 1 if a run failed.");
   thesis->add_option("--chapter", arguments.thesis.chapters, "3, 4, 5 or 6; may be given several times; default: all")
       ->check(CLI::Range(3, 6))
       ->allow_extra_args(false);

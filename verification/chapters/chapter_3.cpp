@@ -221,11 +221,7 @@ Table comparison(const Calibration& c) {
 }  // namespace
 
 Calibration chapter_3_rows() {
-  const ThesisReference& reference = thesis_reference();
-  Calibration calibration;
-  calibration.bar = reference.bar;
-  calibration.time_steps = reference.time_steps;
-  calibration.block_lengths = reference.block_lengths;
+  Calibration calibration = calibration_without_rows();
   for (const double dt : calibration.time_steps)
     for (const char* scheme : {"thesis", "classical_trapezoidal", "consistent", "accurate"})
       for (const double length : calibration.block_lengths)

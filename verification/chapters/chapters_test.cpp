@@ -8,27 +8,17 @@
 #include "verification/chapters/chapter_3.h"
 #include "verification/chapters/chapter_4.h"
 #include "verification/chapters/chapter_5.h"
+#include "verification/chapters/chapters_test_support.h"
 #include "verification/chapters/jinping.h"
 
 namespace verify {
 namespace {
 
-std::optional<bool> verdict(const Chapter& chapter, const std::string& id) {
-  for (const Statement& statement : chapter.statements)
-    if (statement.id == id) return statement.confirmed;
-  ADD_FAILURE() << "no statement " << id;
-  return std::nullopt;
-}
-
 // The thesis' tables as if all schemes had given them.
 Calibration printed_calibration() {
-  const ThesisReference& reference = thesis_reference();
-  Calibration calibration;
-  calibration.bar = reference.bar;
-  calibration.time_steps = reference.time_steps;
-  calibration.block_lengths = reference.block_lengths;
+  Calibration calibration = calibration_without_rows();
   for (const char* scheme : {"thesis", "classical_trapezoidal", "consistent", "accurate"})
-    for (const PrintedResult& printed : reference.printed) {
+    for (const PrintedResult& printed : thesis_reference().printed) {
       CalibrationRow row;
       row.scheme = scheme;
       row.dt = printed.dt;

@@ -13,31 +13,16 @@ namespace {
 
 using Json = SceneFolder::Scene;
 
-constexpr double left = -11, right = 115;     // m, of the rock; the centre of the blast is the origin
-constexpr double edge_point = 1.6;            // m from the ends, so that it lies in the last block
-constexpr double hole = 1.20710678118654752;  // m, half width of an octagon with edges of 1 m
-constexpr double beside_the_axis = 0.3;       // m, so that no point lies on a joint
+constexpr double left = -11, right = 115;  // m, of the rock; the centre of the blast is the origin
+constexpr double edge_point = 1.6;         // m from the ends, so that it lies in the last block
+constexpr double beside_the_axis = 0.3;    // m, so that no point lies on a joint
 constexpr double onset = 0.05;
-
-Json octagon() {
-  Json corners = Json::array();
-  for (const auto& [x, y] : {std::pair{hole, 0.5},
-                             {0.5, hole},
-                             {-0.5, hole},
-                             {-hole, 0.5},
-                             {-hole, -0.5},
-                             {-0.5, -hole},
-                             {0.5, -hole},
-                             {hole, -0.5}})
-    corners.push_back({x, y});
-  return corners;
-}
 
 Json rock(const JinpingReading& reading, double margin) {
   const double h = reading.half_height + margin;
   return {{"boundary", {{left - margin, -h}, {right + margin, -h}, {right + margin, h}, {left - margin, h}}},
           {"joint_sets", {joint_set("level", {0, 0.5}, 2), joint_set("upright", {90, 0.5}, 2)}},
-          {"openings", {{{"name", "blast"}, {"polygon", octagon()}, {"left_out", true}}}},
+          {"openings", {{{"name", "blast"}, {"polygon", octagon_around(0)}, {"left_out", true}}}},
           {"merge", {{"area", 0.2}}}};
 }
 
@@ -85,8 +70,8 @@ double edge_difference(const SceneRun& run, const SceneRun& reference, const std
 JinpingOutcome outcome(const JinpingReading& reading, const SceneRun& run, const SceneRun& reference) {
   JinpingOutcome o{reading, {}, {}, {}};
   for (const Sensor& sensor : jinping_sensors()) {
-    o.arrivals.push_back(arrival(run.time, run.at(sensor.name)));
-    o.theory.push_back((sensor.distance - hole) / speed_by_eq_11(reading.density));
+    o.arrivals.push_back(arrival(run.times(), run.at(sensor.name)));
+    o.theory.push_back((sensor.distance - octagon_half_width) / speed_by_eq_11(reading.density));
   }
   for (const char* point : {"point 5", "point 6"}) o.edge_differences.push_back(edge_difference(run, reference, point));
   return o;

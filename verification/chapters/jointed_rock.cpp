@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace verify {
 
@@ -17,6 +19,15 @@ Json joint_set(const std::string& name, const JointSet& set, double spacing) {
           {"spacing", spacing},
           {"start", {-shift * std::sin(angle), shift * std::cos(angle)}},
           {"joint", "default"}};
+}
+
+Json octagon_around(double x) {
+  constexpr double far = octagon_half_width, near = 0.5;
+  const std::array<std::pair<double, double>, 8> corners{
+      {{far, near}, {near, far}, {-near, far}, {-far, near}, {-far, -near}, {-near, -far}, {near, -far}, {far, -near}}};
+  Json polygon = Json::array();
+  for (const auto& [right, up] : corners) polygon.push_back({x + right, up});
+  return polygon;
 }
 
 Json held_while_settling(bool sides_held) {

@@ -1,4 +1,5 @@
-// Parts of scenes that the sections of chapter 6 share: joint sets, supports while rock settles, measurements.
+// Parts of scenes that the sections of chapters 5 and 6 share: joint sets, the hole of a blast, supports while rock
+// settles, measurements.
 #pragma once
 
 #include <string>
@@ -14,6 +15,10 @@ struct JointSet {
 };
 
 [[nodiscard]] SceneFolder::Scene joint_set(const std::string& name, const JointSet& set, double spacing);
+
+// The hole of a blast around (x, 0): edges of 1 m, upright and level ones among them.
+constexpr double octagon_half_width = 1.20710678118654752;  // m, (1 + sqrt 2)/2
+[[nodiscard]] SceneFolder::Scene octagon_around(double x);
 
 // Across the base and, where they are held, the sides; else the base holds the rock level. In the stage "settle".
 [[nodiscard]] SceneFolder::Scene held_while_settling(bool sides_held);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <ostream>
 #include <stdexcept>
 
@@ -16,31 +15,6 @@ namespace {
 
 using Json = SceneFolder::Scene;
 
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(at, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-double number(std::string_view field) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size())
-    throw std::runtime_error(fmt::format("histories.csv has \"{}\" where a number was expected", field));
-  return value;
-}
-
-void add_row(std::string_view row, SceneRun& run) {
-  const auto values = split(row, ',');  // names and numbers are not quoted
-  if (values.size() != run.columns.size() + 1) throw std::runtime_error("histories.csv has rows of unequal length");
-  run.time.push_back(number(values.front()));
-  for (std::size_t i = 0; i < run.columns.size(); ++i) run.histories[i].push_back(number(values[i + 1]));
-}
-
 Json json_file(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return nullptr;
   return Json::parse(dda::read_file(path), nullptr, false);
@@ -49,19 +23,9 @@ Json json_file(const std::filesystem::path& path) {
 }  // namespace
 
 const std::vector<double>& SceneRun::at(const std::string& column) const {
-  const auto found = std::ranges::find(columns, column);
-  if (found == columns.end()) throw std::out_of_range("run " + name + " has no history \"" + column + "\"");
-  return histories[static_cast<std::size_t>(found - columns.begin())];
-}
-
-void read_histories(std::string_view text, SceneRun& run) {
-  const std::vector<std::string_view> rows = split(text, '\n');
-  for (const std::string_view name : split(rows.front(), ','))
-    run.columns.emplace_back(name.substr(0, name.rfind(" [")));
-  run.columns.erase(run.columns.begin());  // the time
-  run.histories.resize(run.columns.size());
-  for (std::size_t i = 1; i < rows.size(); ++i)
-    if (!rows[i].empty()) add_row(rows[i], run);
+  const auto found = std::ranges::find(histories.columns, column, &dda::HistoryColumn::name);
+  if (found == histories.columns.end()) throw std::out_of_range("run " + name + " has no history \"" + column + "\"");
+  return found->values;
 }
 
 SceneFolder::SceneFolder(std::filesystem::path folder, std::filesystem::path program, int at_once, std::ostream& out)
@@ -101,7 +65,8 @@ void SceneFolder::carry_out(const std::vector<std::string>& names, const std::ve
 }
 
 void SceneFolder::run(const std::vector<std::string>& names) const {
-  carry_out(names, {"run", "--frames", "10"}, "summary.json");
+  // As many runs as there are cores go on at once, so each has one thread.
+  carry_out(names, {"run", "--frames", "10", "--threads", "1"}, "summary.json");
 }
 
 void SceneFolder::find_key_blocks(const std::vector<std::string>& names, const std::string& opening) const {
@@ -114,7 +79,7 @@ SceneRun SceneFolder::read(const std::string& name) const {
   const Json summary = json_file(results(name) / "summary.json");
   run.status = summary.is_object() ? summary.value("status", "missing") : "missing";
   run.message = summary.is_object() ? summary.value("message", "") : "it left no summary";
-  if (run.ok()) read_histories(dda::read_file(results(name) / "histories.csv"), run);
+  if (run.ok()) run.histories = dda::read_histories(results(name) / "histories.csv");
   return run;
 }
 

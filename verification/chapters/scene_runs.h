@@ -7,18 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "engine/view/histories.h"
+
 namespace verify {
 
 struct SceneRun {
   std::string name;
-  std::string status;                          // as in summary.json; "missing" without one
-  std::string message;                         // why it is not ok
-  std::vector<double> time;                    // s
-  std::vector<std::string> columns;            // of histories.csv, without the time, units left out
-  std::vector<std::vector<double>> histories;  // one per column, SI
+  std::string status;        // as in summary.json; "missing" without one
+  std::string message;       // why it is not ok
+  dda::Histories histories;  // SI
 
   [[nodiscard]] bool ok() const { return status == "ok"; }
-  [[nodiscard]] const std::vector<double>& at(const std::string& column) const;  // throws std::out_of_range
+  [[nodiscard]] const std::vector<double>& times() const { return histories.times; }  // s
+  [[nodiscard]] const std::vector<double>& at(const std::string& column) const;       // throws std::out_of_range
 };
 
 class SceneFolder {
@@ -50,8 +51,5 @@ class SceneFolder {
   int at_once_;
   std::ostream& out_;
 };
-
-// histories.csv of `dda run`.
-void read_histories(std::string_view text, SceneRun& run);
 
 }  // namespace verify

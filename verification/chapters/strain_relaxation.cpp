@@ -54,13 +54,13 @@ double size_at(const SceneRun& run, const std::string& prefix, std::size_t row) 
 // the last of them is the settled state.
 std::size_t settled_row(const SceneRun& run) {
   std::size_t row = 0;
-  while (row + 1 < run.time.size() && run.time[row + 1] == run.time.front()) ++row;
+  while (row + 1 < run.times().size() && run.times()[row + 1] == run.times().front()) ++row;
   return row;
 }
 
 double largest(const SceneRun& run, const std::string& prefix) {
   double value = 0;
-  for (std::size_t row = settled_row(run); row < run.time.size(); ++row)
+  for (std::size_t row = settled_row(run); row < run.times().size(); ++row)
     value = std::max(value, size_at(run, prefix, row));
   return value;
 }
@@ -74,7 +74,9 @@ double largest_change(const SceneRun& run, const std::string& column) {
   return value;
 }
 
-std::size_t last_fifth(const SceneRun& run) { return run.time.size() - 1 - (run.time.size() - settled_row(run)) / 5; }
+std::size_t last_fifth(const SceneRun& run) {
+  return run.times().size() - 1 - (run.times().size() - settled_row(run)) / 5;
+}
 
 double displaced(const SceneRun& run, const std::string& prefix) {
   const std::size_t begin = settled_row(run);
@@ -88,13 +90,13 @@ double displaced(const SceneRun& run, const std::string& prefix) {
 double mean_speed_down(const SceneRun& run, const std::string& column) {
   const std::vector<double>& y = run.at(column);
   const std::size_t from = last_fifth(run);
-  return (y[from] - y.back()) / (run.time.back() - run.time[from]);
+  return (y[from] - y.back()) / (run.times().back() - run.times()[from]);
 }
 
 double mean_speed(const SceneRun& run, const std::string& prefix) {
   const std::size_t from = last_fifth(run);
   const auto &x = run.at(prefix + "_x"), &y = run.at(prefix + "_y");
-  return std::hypot(x.back() - x[from], y.back() - y[from]) / (run.time.back() - run.time[from]);
+  return std::hypot(x.back() - x[from], y.back() - y[from]) / (run.times().back() - run.times()[from]);
 }
 
 // Speed of a block in free fall after every step: what it had is multiplied by the factor after each of them.

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "engine/core/temporary_folder.h"
+#include "verification/chapters/chapters_test_support.h"
 
 namespace verify {
 namespace {
@@ -14,10 +15,7 @@ namespace {
 std::optional<bool> verdict(const std::vector<RelaxationResult>& results, const std::string& id) {
   Chapter chapter;
   judge_relaxation(results, chapter);
-  for (const Statement& statement : chapter.statements)
-    if (statement.id == id) return statement.confirmed;
-  ADD_FAILURE() << "no statement " << id;
-  return std::nullopt;
+  return verdict(chapter, id);
 }
 
 // As the thesis describes it.
@@ -77,9 +75,7 @@ SceneRun example_run() {
         << (i == 0 ? -70 : 0) << ",0," << fallen - 0.5 << ",0,0,0,0," << (i == 9 ? -3e6 : -1e6) << ",0,"
         << "-1e6," << (i == 20 ? 5e5 : 0) << "\n";
   }
-  SceneRun run;
-  read_histories(csv.str(), run);
-  return run;
+  return run_that_left(csv.str());
 }
 
 TEST(StrainRelaxation, ReadsWhatHappensAfterTheTunnelIsOpened) {

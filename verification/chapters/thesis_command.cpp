@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ostream>
-#include <thread>
 
+#include "engine/core/parallel.h"
 #include "verification/chapters/chapter_3.h"
 #include "verification/chapters/chapter_4.h"
 #include "verification/chapters/chapter_5.h"
@@ -16,12 +15,10 @@
 namespace verify {
 namespace {
 
-int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
-
 Chapter judged(int number, const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out) {
   if (number == 3) return chapter_3(chapter_3_rows());
   if (number == 4) return chapter_4(chapter_4_study(command.folder));
-  const SceneFolder folder(command.folder, program, command.jobs > 0 ? command.jobs : cores(), out);
+  const SceneFolder folder(command.folder, program, command.jobs > 0 ? command.jobs : dda::cores(), out);
   if (number == 6) return chapter_6(folder, command.quick);
   Chapter chapter = chapter_5();
   if (!command.quick) judge_jinping(run_jinping(folder, jinping_readings(), chapter.failures), chapter);

@@ -22,29 +22,13 @@ constexpr double peak_pressure = 60e6;                      // Pa: 60,000 kN whe
 constexpr double decay_time = 0.729e-3;                     // s, t_a of the blast study of chapter 4
 constexpr double rise = 0.2e-3;  // s, ten times that of chapter 4: what blocks of 2 m can carry
 
-// Edges of 1 m, upright and level ones among them.
-Json octagon() {
-  const double half = (1 + std::sqrt(2.0)) / 2;
-  Json corners = Json::array();
-  for (const auto& [x, y] : {std::pair{half, 0.5},
-                             {0.5, half},
-                             {-0.5, half},
-                             {-half, 0.5},
-                             {-half, -0.5},
-                             {-0.5, -half},
-                             {0.5, -half},
-                             {half, -0.5}})
-    corners.push_back({blast_x + x, y});
-  return corners;
-}
-
 Json rock(const TunnelBlastReading& reading) {
   return {{"boundary", {{left, -half_height}, {right, -half_height}, {right, half_height}, {left, half_height}}},
           {"joint_sets",
            {joint_set("first", reading.first, reading.spacing), joint_set("second", reading.second, reading.spacing)}},
           {"openings",
            {{{"name", "tunnel"}, {"circle", {{"radius", tunnel_radius}}}, {"chord_tolerance", "0.1 m"}},
-            {{"name", "blast"}, {"polygon", octagon()}, {"left_out", true}}}},
+            {{"name", "blast"}, {"polygon", octagon_around(blast_x)}, {"left_out", true}}}},
           {"merge", {{"area", 0.2}}}};
 }
 
@@ -77,7 +61,7 @@ Json loads(double stress, bool blast) {
 using Column = const std::vector<double>&;
 
 std::size_t first_row_at(const SceneRun& run, double time) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(run.time, time - 1e-9) - run.time.begin());
+  return static_cast<std::size_t>(std::ranges::lower_bound(run.times(), time - 1e-9) - run.times().begin());
 }
 
 // Largest length of the difference of two vectors from the blast on.
@@ -170,8 +154,8 @@ TunnelBlastOutcome tunnel_blast_outcome(double friction, double stress, const Sc
   o.stress_6 = stress_change(with, without, "point_6");
   Column roof = with.at("point_2_displacement_y");
   const std::size_t from = first_row_at(with, settling + 0.8 * watched);
-  o.roof_end_speed = (roof[from] - roof.back()) / (with.time.back() - with.time[from]);
-  o.free_fall_speed = gravity * (with.time.back() + with.time[from]) / 2;
+  o.roof_end_speed = (roof[from] - roof.back()) / (with.times().back() - with.times()[from]);
+  o.free_fall_speed = gravity * (with.times().back() + with.times()[from]) / 2;
   return o;
 }
 

@@ -4,16 +4,15 @@
 
 #include <sstream>
 
+#include "verification/chapters/chapters_test_support.h"
+
 namespace verify {
 namespace {
 
 std::optional<bool> verdict(const std::vector<TunnelBlastResult>& results, const std::string& id) {
   Chapter chapter;
   judge_tunnel_blast(results, chapter);
-  for (const Statement& statement : chapter.statements)
-    if (statement.id == id) return statement.confirmed;
-  ADD_FAILURE() << "no statement " << id;
-  return std::nullopt;
+  return verdict(chapter, id);
 }
 
 // As the thesis describes it.
@@ -78,9 +77,7 @@ SceneRun example(bool blast) {
     csv << ",0," << -1e-3 * ms << ",0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
     csv << ",0,0,0," << (blast && ms > 95 ? -2e6 : 0) << "\n";
   }
-  SceneRun run;
-  read_histories(csv.str(), run);
-  return run;
+  return run_that_left(csv.str());
 }
 
 TEST(TunnelBlast, ReadsTheDifferenceThatTheBlastMakes) {

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <exception>
 #include <ostream>
-#include <thread>
 
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/progress.h"
 #include "verification/harness/gnuplot.h"
@@ -40,19 +39,18 @@ std::string described(std::size_t index, const JobFile& job) {
                      job.message.empty() ? "" : ": ", job.message);
 }
 
-int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
-
 void run_jobs(const SweepCommand& command, const std::filesystem::path& program, const SweepSpec& spec,
               const SweepFolder& folder, const std::vector<std::size_t>& open) {
   std::vector<PoolTask> tasks;
   for (const std::size_t index : open) tasks.push_back({index, job_command(program, folder, index)});
   PoolProgress progress(open.size(), dda::terminal());
-  run_processes(tasks, command.jobs > 0 ? command.jobs : cores(), [&](std::size_t index, const std::string& failure) {
-    if (!folder.read(index, spec.jobs[index]).ended_by_itself())
-      folder.write(index, {"crashed", failure.empty() ? "ended without a result" : "ended by " + failure,
-                           to_json(spec.jobs[index]), Json::object()});
-    progress.job_ended(folder.read(index, spec.jobs[index]).failed());
-  });
+  run_processes(tasks, command.jobs > 0 ? command.jobs : dda::cores(),
+                [&](std::size_t index, const std::string& failure) {
+                  if (!folder.read(index, spec.jobs[index]).ended_by_itself())
+                    folder.write(index, {"crashed", failure.empty() ? "ended without a result" : "ended by " + failure,
+                                         to_json(spec.jobs[index]), Json::object()});
+                  progress.job_ended(folder.read(index, spec.jobs[index]).failed());
+                });
 }
 
 }  // namespace

@@ -118,14 +118,20 @@ CalibrationRow calibrate_row(const SchemeSettings& scheme, double dt, double blo
   return row_of(bar, scheme, model, record_run(model), block_length);
 }
 
-Calibration run_calibration(const CalibrationOptions& options) {
+Calibration calibration_without_rows() {
   const ThesisReference& reference = thesis_reference();
   Calibration result;
   result.bar = reference.bar;
-  result.duration = run_duration(reference.bar);
-  result.repetitions = options.quick ? 1 : options.repetitions;
   result.block_lengths = reference.block_lengths;
   result.time_steps = reference.time_steps;
+  return result;
+}
+
+Calibration run_calibration(const CalibrationOptions& options) {
+  const ThesisReference& reference = thesis_reference();
+  Calibration result = calibration_without_rows();
+  result.duration = run_duration(reference.bar);
+  result.repetitions = options.quick ? 1 : options.repetitions;
   if (options.quick) result.time_steps = {std::ranges::max(reference.time_steps)};
 
   const std::size_t rows = result.time_steps.size() * scheme_names().size() * result.block_lengths.size();

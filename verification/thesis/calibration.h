@@ -66,6 +66,9 @@ struct CalibrationOptions {
   std::ostream* progress = nullptr;  // a terminal, or none
 };
 
+// The bar, the time steps and the block lengths of the thesis' tables.
+[[nodiscard]] Calibration calibration_without_rows();
+
 // Runs of one (dt, block length) follow each other scheme by scheme, and all of them `repetitions` times, so that what
 // disturbs a busy machine does not favour one.
 [[nodiscard]] Calibration run_calibration(const CalibrationOptions& options = {});

@@ -44,7 +44,7 @@ void build_operators(benchmark::State& state, const Model& model) {
   const BlockTerms terms = make_block_terms(model);
   for (auto _ : state) {
     const WaveCorrections waves(model, model.stages[0], contacts);
-    LinearOperators operators = make_linear_operators(model, terms, contacts, {}, waves);
+    LinearOperators operators(model, terms, contacts, {}, waves);
     benchmark::DoNotOptimize(operators);
   }
   set_size(state, model, contacts);
@@ -55,7 +55,7 @@ void assemble_linear(benchmark::State& state, const Model& model) {
   const ContactSet contacts = make_contacts(model);
   const BlockTerms terms = make_block_terms(model);
   const WaveCorrections waves(model, model.stages[0], contacts);
-  const LinearOperators operators = make_linear_operators(model, terms, contacts, {}, waves);
+  const LinearOperators operators(model, terms, contacts, {}, waves);
   const StepCoefficients step = step_coefficients(model.stages[0].integrator, model.stages[0].dt);
   BlockMatrix matrix = make_system_matrix(static_cast<int>(model.blocks.size()), contacts);
   for (auto _ : state) {

@@ -79,7 +79,7 @@ Chain::Chain(const Model& model, const ChainPath& path, const Stage& stage, bool
   const ContactSet contacts = make_contacts(scene);
   const std::vector<SupportElement> supports = make_supports(scene, initial_state(scene));
   const WaveCorrections waves(scene, stage, contacts);
-  fold(make_linear_operators(scene, make_block_terms(scene, stage), contacts, supports, waves));
+  fold({scene, make_block_terms(scene, stage), contacts, supports, waves});
   set_drive(scene, waves, supports);
   set_tractions(scene, contacts);
 }

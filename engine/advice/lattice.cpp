@@ -318,7 +318,7 @@ LatticeMatrices lattice_matrices(const Lattice& lattice, const Stage& stage, con
   const ContactSet contacts = make_contacts(model);
   const BlockTerms terms = make_block_terms(model, stage);
   const WaveCorrections waves(model, model.stages.front(), contacts);
-  const LinearOperators operators = make_linear_operators(model, terms, contacts, {}, waves);
+  const LinearOperators operators(model, terms, contacts, {}, waves);
   LatticeMatrices matrices{operators.stiffness.diagonal(0), operators.inertia.diagonal(0), {}, waves};
   const Vec2& centroid = model.blocks.front().moments.centroid;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {

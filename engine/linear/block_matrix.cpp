@@ -133,13 +133,13 @@ void BlockMatrix::set_values(const BlockMatrix& same_pattern) {
   std::copy(same_pattern.values_.begin(), same_pattern.values_.end(), values_.begin());
 }
 
-PanelProduct BlockMatrix::panel_product(int column, const Vector& x) const {
+PanelProduct BlockMatrix::panel_product(int column, const double* x) const {
   const int first = column_starts_[index(column)];
   const int height = column_starts_[index(column) + 1] - first;
-  return {values_.data() + 36 * index(first), 6 * height, x.data() + 6 * column};
+  return {values_.data() + 36 * index(first), 6 * height, x + 6 * column};
 }
 
-void BlockMatrix::multiply_share(std::size_t share, const Vector& x, Vector& y) const {
+void BlockMatrix::multiply_share(std::size_t share, const double* x, Vector& y) const {
   const int begin = static_cast<int>(shares_.begin_of(share));
   const int end = static_cast<int>(shares_.begin_of(share + 1));
   y.segment(6 * begin, 6 * (end - begin)).setZero();
@@ -152,14 +152,14 @@ void BlockMatrix::multiply_share(std::size_t share, const Vector& x, Vector& y) 
     const int first = column_starts_[index(column)];
     int k = first + 1;
     for (; k < column_starts_[index(column) + 1] && block_rows_[index(k)] < end; ++k)
-      product.couple(k - first, x.data() + 6 * block_rows_[index(k)], y.data() + 6 * block_rows_[index(k)]);
-    for (; k < column_starts_[index(column) + 1]; ++k) product.gather(k - first, x.data() + 6 * block_rows_[index(k)]);
+      product.couple(k - first, x + 6 * block_rows_[index(k)], y.data() + 6 * block_rows_[index(k)]);
+    for (; k < column_starts_[index(column) + 1]; ++k) product.gather(k - first, x + 6 * block_rows_[index(k)]);
     product.add_to(y.data() + 6 * column);
   }
 }
 
 template <typename Meets>
-void BlockMatrix::multiply_where(const Meets& meets, const Vector& x, Vector& y) const {
+void BlockMatrix::multiply_where(const Meets& meets, const double* x, Vector& y) const {
   y.setZero();
   for (int column = 0; column < size(); ++column) {
     const int first = column_starts_[index(column)];
@@ -169,25 +169,25 @@ void BlockMatrix::multiply_where(const Meets& meets, const Vector& x, Vector& y)
     for (int k = first + 1; k < last; ++k) {
       const int row = block_rows_[index(k)];
       if (!meets(column, row)) continue;
-      product.couple(k - first, x.data() + 6 * row, y.data() + 6 * row);
+      product.couple(k - first, x + 6 * row, y.data() + 6 * row);
       met = true;
     }
     if (met) product.add_to(y.data() + 6 * column);
   }
 }
 
-void BlockMatrix::multiply(const Vector& x, Vector& y) const {
+void BlockMatrix::multiply(const Eigen::Ref<const Vector>& x, Vector& y) const {
   const PhaseScope scope(Phase::product);
   if (shares_.count == 1 || threads_in_use() == 1) {
-    multiply_where([](int, int) { return true; }, x, y);
+    multiply_where([](int, int) { return true; }, x.data(), y);
   } else {
-    for_each_piece(shares_, [&](std::size_t share, std::size_t, std::size_t) { multiply_share(share, x, y); });
+    for_each_piece(shares_, [&](std::size_t share, std::size_t, std::size_t) { multiply_share(share, x.data(), y); });
   }
 }
 
 void BlockMatrix::multiply(const BlockPart& part, const Vector& x, Vector& y) const {
   const PhaseScope scope(Phase::product);
-  multiply_where([&part](int column, int row) { return part.contains(column) || part.contains(row); }, x, y);
+  multiply_where([&part](int column, int row) { return part.contains(column) || part.contains(row); }, x.data(), y);
 }
 
 }  // namespace dda

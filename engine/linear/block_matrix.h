@@ -55,7 +55,7 @@ class BlockMatrix {
 
   // y = A x; x and y hold 6n numbers each and are different vectors. Allocates nothing. Shared by threads where there
   // are many blocks; every row gets its terms in the same order, whoever adds them.
-  void multiply(const Vector& x, Vector& y) const;
+  void multiply(const Eigen::Ref<const Vector>& x, Vector& y) const;
 
   // The same where x is zero outside of a part: reads only what meets it.
   void multiply(const BlockPart& part, const Vector& x, Vector& y) const;
@@ -88,13 +88,13 @@ class BlockMatrix {
   }
   // Of the couplings for which meets(column, row), and of diagonal blocks alike.
   template <typename Meets>
-  void multiply_where(const Meets& meets, const Vector& x, Vector& y) const;
+  void multiply_where(const Meets& meets, const double* x, Vector& y) const;
   void build_pattern(int blocks, const std::vector<std::pair<int, int>>& couplings);
   void build_places();
   void build_scalar_csc();
   void build_shares();
-  [[nodiscard]] PanelProduct panel_product(int column, const Vector& x) const;
-  void multiply_share(std::size_t share, const Vector& x, Vector& y) const;
+  [[nodiscard]] PanelProduct panel_product(int column, const double* x) const;
+  void multiply_share(std::size_t share, const double* x, Vector& y) const;
 
   std::vector<int> column_starts_;  // n + 1
   std::vector<int> block_rows_;

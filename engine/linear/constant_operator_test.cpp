@@ -21,6 +21,36 @@ TEST(ConstantOperator, MultipliesAsTheMatrixItCameFrom) {
   }
 }
 
+// A grid of equal blocks: the diagonal blocks of corners, edges and inside, and what couples two neighbours, both ways.
+TEST(ConstantOperator, KeepsEqualBlocksOnce) {
+  const auto couplings = grid_couplings(30, 20);
+  BlockMatrix matrix(600, couplings);
+  const Mat6 along = Mat6::Random(), across = Mat6::Random();
+  for (const auto& [i, j] : couplings) {
+    matrix.add_coupling(i, j, j == i + 1 ? along : across);
+    matrix.diagonal(i) += Mat6::Identity();
+    matrix.diagonal(j) += Mat6::Identity();
+  }
+  const ConstantOperator rows(matrix);
+  EXPECT_EQ(rows.different_blocks(), 3U + 4U);
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(3600);
+  Eigen::VectorXd expected(3600), got(3600);
+  matrix.multiply(x, expected);
+  rows.multiply(x, got);
+  EXPECT_LT((got - expected).norm(), 1e-14 * expected.norm());
+}
+
+// Blocks that begin to be equal late are not looked for, and beyond the cache the matrix itself multiplies.
+TEST(ConstantOperator, LeavesManyDifferentBlocksToTheMatrix) {
+  BlockMatrix matrix(50'001, {});
+  for (int i = 0; i < matrix.size(); ++i) matrix.diagonal(i) = (1 + i) * Mat6::Identity();
+  const ConstantOperator rows(matrix);
+  EXPECT_FALSE(rows.has_rows());
+  Eigen::VectorXd y(matrix.unknowns());
+  rows.multiply(Eigen::VectorXd::Ones(matrix.unknowns()), y);
+  EXPECT_EQ(y.tail<6>(), Vec6::Constant(50'001));
+}
+
 TEST(ConstantOperator, KeepsUncoupledBlocksApart) {
   BlockMatrix matrix(2, {});
   matrix.diagonal(0) = 2 * Mat6::Identity();

@@ -2,6 +2,9 @@
 // inertia reaches over a few blocks only.
 #pragma once
 
+#include <optional>
+
+#include "engine/linear/constant_operator.h"
 #include "engine/linear/incomplete_cholesky.h"
 #include "engine/linear/krylov.h"
 #include "engine/linear/solver.h"
@@ -18,6 +21,8 @@ struct PcgOptions {
   int max_iterations = 5000;
   // Generations of fill in the incomplete factor; IncompleteCholesky::diagonal takes the diagonal blocks only.
   int fill_level = IncompleteCholesky::diagonal;
+  // The matrix serves many solutions: it is laid out for products once it is factored.
+  bool matrix_stays = false;
   // Not converged beyond this residual, measured at the end, in the same norm: what round-off has left is of no use.
   double true_residual = 1e-8;
 };
@@ -35,11 +40,18 @@ class PcgSolver final : public LinearSolver {
   Status do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) override;
   double do_precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) override;
 
+  void lay_out_inverse();
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   Status check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
 
   PcgOptions options_;
   const BlockMatrix* matrix_ = nullptr;
   IncompleteCholesky factor_;
+  // Of a matrix that stays: itself, and the inverses of its diagonal blocks where these are the preconditioner.
+  std::optional<ConstantOperator> product_;
+  std::optional<BlockMatrix> inverse_;
+  std::optional<ConstantOperator> inverse_product_;
+  int checked_iterations_ = -1;  // the most that a checked solution with this factor took
   ConjugateGradients iteration_;
   Eigen::VectorXd residual_, preconditioned_;
 };

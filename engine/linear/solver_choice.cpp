@@ -34,9 +34,11 @@ SolverKind choose_solver(const SolverScene& scene) {
   return expected_iterations(scene) < affordable_iterations(scene) ? SolverKind::pcg : SolverKind::cholesky;
 }
 
-std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi) {
+std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi, MatrixUse use) {
   switch (kind) {
-    case SolverKind::pcg: return std::make_unique<PcgSolver>(PcgOptions{.fill_level = fill_level(chi)});
+    case SolverKind::pcg:
+      return std::make_unique<PcgSolver>(
+          PcgOptions{.fill_level = fill_level(chi), .matrix_stays = use == MatrixUse::stays});
     case SolverKind::dense: return std::make_unique<DenseSolver>();
     case SolverKind::cholesky: break;
   }

@@ -33,7 +33,10 @@ struct SolverScene {
 // this folder. Never dense: that one is the oracle of tests. A chi that is not a number or infinite gives cholesky.
 SolverKind choose_solver(const SolverScene& scene);
 
+// Whether a matrix serves many solutions once it is factored, or few.
+enum class MatrixUse { changes, stays };
+
 // `chi` decides on the fill of PCG's preconditioner.
-std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi = 0);
+std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi = 0, MatrixUse use = MatrixUse::changes);
 
 }  // namespace dda

@@ -247,6 +247,51 @@ TEST(PcgSolver, EndsAfterAsManyIterationsAsDistinctEigenvalues) {
   EXPECT_EQ(solver.counts().iterations, 4);
 }
 
+// Laid out for products, with equal diagonal blocks, whose inverses are kept once, and with different ones.
+TEST(PcgSolver, SolvesAsWellWithAMatrixThatStays) {
+  const auto grid = grid_couplings(10, 6);
+  RandomSystem equal{BlockMatrix(60, grid), Eigen::MatrixXd::Identity(360, 360), Eigen::VectorXd::Random(360)};
+  for (int i = 0; i < 60; ++i) equal.matrix.diagonal(i).setIdentity();
+  for (const auto& [i, j] : grid) {
+    equal.matrix.add_coupling(i, j, -2 * Mat6::Identity());
+    equal.dense.block<6, 6>(6 * i, 6 * j).diagonal().array() -= 2;
+    equal.dense.block<6, 6>(6 * j, 6 * i).diagonal().array() -= 2;
+    for (const int k : {i, j}) {
+      equal.matrix.diagonal(k) += 2 * Mat6::Identity();
+      equal.dense.block<6, 6>(6 * k, 6 * k) += 2 * Mat6::Identity();
+    }
+  }
+  for (const RandomSystem& system : {equal, random_system(40, random_couplings(40, 60, 4), 4)}) {
+    PcgSolver solver({.matrix_stays = true});
+    solver.analyze(system.matrix);
+    ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rhs.size());
+      ASSERT_EQ(solver.solve(system.rhs, x), Status::ok);
+      EXPECT_LE((x - oracle(system)).norm(), 1e-8 * oracle(system).norm());  // as EverySolver
+    }
+  }
+}
+
+// Springs 1e15 times as stiff as what holds the blocks: the residual that the iteration carries along becomes small,
+// the true one does not.
+TEST(PcgSolver, DoesNotTrustWhatRoundOffHasSpoilt) {
+  RandomSystem system = random_system(30, grid_couplings(30, 1), 6);
+  for (const auto& [i, j] : grid_couplings(30, 1)) {
+    const Mat6 stiff = 1e15 * Mat6::Identity();
+    system.matrix.add_coupling(i, i, stiff);
+    system.matrix.add_coupling(j, j, stiff);
+    system.matrix.add_coupling(i, j, -stiff);
+  }
+  PcgSolver solver;
+  solver.analyze(system.matrix);
+  ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+  Eigen::VectorXd easy = Eigen::VectorXd::Zero(system.rhs.size());
+  EXPECT_EQ(solver.solve(Eigen::VectorXd::Zero(system.rhs.size()), easy), Status::ok);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rhs.size());
+  EXPECT_NE(solver.solve(system.rhs, x), Status::ok);  // more iterations than were checked
+}
+
 TEST(PcgSolver, ReportsFailure) {
   RandomSystem system = random_system(20, grid_couplings(20, 1), 1);
   PcgSolver solver({1e-12, 3});

@@ -1,7 +1,6 @@
 #include "engine/simulation/linear_operators.h"
 
 #include <cstddef>
-#include <utility>
 
 #include "engine/simulation/system_matrix.h"
 
@@ -25,6 +24,15 @@ void add_scaled(double factor, const BlockMatrix& matrix, BlockMatrix& sum) {
   }
 }
 
+BlockMatrix make_stiffness(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
+                           const std::vector<SupportElement>& supports, const WaveCorrections& waves) {
+  BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
+  const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
+  assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
+  waves.add_to_stiffness(model, contacts, stiffness);
+  return stiffness;
+}
+
 }  // namespace
 
 BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
@@ -36,17 +44,12 @@ BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const Cont
   return inertia;
 }
 
-LinearOperators make_linear_operators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
-                                      const std::vector<SupportElement>& supports, const WaveCorrections& waves) {
-  BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
-  const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
-  assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
-  waves.add_to_stiffness(model, contacts, stiffness);
-  BlockMatrix inertia = make_inertia(model, terms, contacts, waves);
-  ConstantOperator stiffness_times(stiffness);
-  ConstantOperator inertia_times(inertia);
-  return {std::move(stiffness), std::move(inertia), std::move(stiffness_times), std::move(inertia_times)};
-}
+LinearOperators::LinearOperators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
+                                 const std::vector<SupportElement>& supports, const WaveCorrections& waves)
+    : stiffness(make_stiffness(model, terms, contacts, supports, waves)),
+      inertia(make_inertia(model, terms, contacts, waves)),
+      stiffness_times(stiffness),
+      inertia_times(inertia) {}
 
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,
               BlockMatrix& matrix) {

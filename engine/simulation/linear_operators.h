@@ -17,13 +17,15 @@
 namespace dda {
 
 struct LinearOperators {
+  LinearOperators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
+                  const std::vector<SupportElement>& supports, const WaveCorrections& waves);
+  LinearOperators(const LinearOperators&) = delete;  // the products look at the matrices
+  LinearOperators& operator=(const LinearOperators&) = delete;
+
   BlockMatrix stiffness;                            // blocks, interfaces and supports
   BlockMatrix inertia;                              // blocks, and what couples them
   ConstantOperator stiffness_times, inertia_times;  // the same, for products
 };
-
-LinearOperators make_linear_operators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
-                                      const std::vector<SupportElement>& supports, const WaveCorrections& waves);
 
 // The inertia among them.
 BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,

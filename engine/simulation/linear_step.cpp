@@ -39,10 +39,10 @@ void LinearStep::set_up(BlockMatrix pattern) {
   BlockSystem& s = system_;
   const Stage& stage = s.stage_in_force();
   const Eigen::Index unknowns = pattern.unknowns();
-  matrix_.begin(std::move(pattern), s.plan.solver, s.plan.chi);
+  matrix_.begin(std::move(pattern), s.plan.solver, s.plan.chi, MatrixUse::stays);
   set_step_size(stage.dt);
   s.waves = WaveCorrections(s.model, stage, s.contacts);
-  operators_.emplace(make_linear_operators(s.model, s.terms, s.contacts, s.supports, s.waves));
+  operators_.emplace(s.model, s.terms, s.contacts, s.supports, s.waves);
   if (s.plan.loads) s.external.filter(s.waves);
   for (Eigen::VectorXd* vector : {&next_momentum_, &rhs_}) vector->setZero(unknowns);
 }
@@ -152,7 +152,18 @@ Status LinearStep::solve() {
     const Status status = matrix_.factorize();
     if (status != Status::ok) return status;
   }
+  if (s.plan.solver == SolverKind::pcg) foresee_increment();
   return matrix_.solve(s.held, rhs_, system_.increment);
+}
+
+// Where the iteration starts: as if the acceleration stayed as it is.
+void LinearStep::foresee_increment() {
+  const BlockSystem& s = system_;
+  const double dt = s.coefficients.dt;
+  in_stretches(system_.increment.size(), [&](const Stretch& here) {
+    here.of(system_.increment) =
+        dt * here.of(flat(s.state.velocity)) + dt * dt / 2 * here.of(flat(s.state.acceleration));
+  });
 }
 
 void LinearStep::accept() {

@@ -52,6 +52,7 @@ class LinearStep : public Step {
   [[nodiscard]] Eigen::VectorXd initial_acceleration() const;
   void form_rhs();
   [[nodiscard]] Status solve();
+  void foresee_increment();
   void accept();
   [[nodiscard]] double follow_inertia_force();
   void sum_internal_forces(Eigen::VectorXd& force);

@@ -16,9 +16,9 @@ void add_contact(double factor, const InterfaceElement& element, const ContactRo
   if (in_a && in_b) matrix.add_coupling(element.block_b, element.block_a, factor * k.ba);
 }
 
-void StepMatrix::begin(BlockMatrix pattern, SolverKind kind, double chi) {
+void StepMatrix::begin(BlockMatrix pattern, SolverKind kind, double chi, MatrixUse use) {
   end();
-  solver_ = make_solver(kind, chi);
+  solver_ = make_solver(kind, chi, use);
   set_pattern(std::move(pattern));
 }
 

@@ -35,7 +35,7 @@ class StepMatrix {
   explicit StepMatrix(Costs& costs) : costs_(costs) {}
 
   // Starts with another solver and the pattern of a matrix; its values are still to be assembled.
-  void begin(BlockMatrix pattern, SolverKind kind, double chi);
+  void begin(BlockMatrix pattern, SolverKind kind, double chi, MatrixUse use = MatrixUse::changes);
   // The same solver goes on with another pattern.
   void set_pattern(BlockMatrix pattern);
   // Gives matrix and solver back.

@@ -1,9 +1,10 @@
 #include "engine/linear/constant_operator.h"
 
 #include <array>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
-#include <string>
-#include <unordered_map>
+#include <unordered_set>
 
 #include "engine/linear/block_vectors.h"
 
@@ -20,27 +21,43 @@ constexpr std::size_t blocks_in_cache = 50'000;
 // the others will be, and looking for equal ones would only take time.
 class DifferentBlocks {
  public:
-  explicit DifferentBlocks(std::vector<Mat6>& blocks) : blocks_(blocks) {}
+  explicit DifferentBlocks(std::vector<Mat6>& blocks) : blocks_(blocks), numbers_(0, Hash{blocks}, Equal{blocks}) {}
 
-  int number_of(const Mat6& block) {
-    const int next = static_cast<int>(blocks_.size());
-    if (pays()) {
-      ++looked_up_;
-      const auto [found, is_new] = numbers_.try_emplace(bytes_of(block), next);
-      if (!is_new) return found->second;
-    }
+  template <typename Block>
+  int number_of(const Block& block) {
     blocks_.push_back(block);
-    return next;
+    const int number = static_cast<int>(blocks_.size()) - 1;
+    if (!pays()) return number;
+    ++looked_up_;
+    const auto [found, is_new] = numbers_.insert(number);
+    if (!is_new) blocks_.pop_back();
+    return *found;
   }
 
  private:
   static constexpr int trial = 4096;
 
+  struct Hash {
+    const std::vector<Mat6>& blocks;
+    std::size_t operator()(int number) const {
+      std::array<std::uint64_t, 36> words;
+      std::memcpy(words.data(), blocks[at(number)].data(), sizeof words);
+      std::uint64_t hash = 0;
+      for (const std::uint64_t word : words) hash = (hash ^ (word >> 17)) * 0x9e3779b97f4a7c15 + word;
+      return hash ^ (hash >> 32);
+    }
+  };
+  struct Equal {
+    const std::vector<Mat6>& blocks;
+    bool operator()(int one, int other) const {
+      return std::memcmp(blocks[at(one)].data(), blocks[at(other)].data(), sizeof(Mat6)) == 0;
+    }
+  };
+
   [[nodiscard]] bool pays() const { return looked_up_ < trial || 2 * numbers_.size() < at(looked_up_); }
-  static std::string bytes_of(const Mat6& block) { return {reinterpret_cast<const char*>(block.data()), sizeof(Mat6)}; }
 
   std::vector<Mat6>& blocks_;
-  std::unordered_map<std::string, int> numbers_;
+  std::unordered_set<int, Hash, Equal> numbers_;
   int looked_up_ = 0;
 };
 

@@ -33,6 +33,11 @@ Eigen::VectorXd acceleration_of(const BlockMatrix& inertia, const Eigen::VectorX
   return Eigen::VectorXd::Constant(force.size(), std::numeric_limits<double>::quiet_NaN());
 }
 
+bool jumps_are_softened(const BlockSystem& s, std::size_t stage) {
+  const std::vector<Stage>& stages = s.model.stages;
+  return stage < stages.size() && s.model.with_acting_corrections(stages[stage]).correct_block_dispersion;
+}
+
 }  // namespace
 
 void LinearStep::set_up(BlockMatrix pattern) {
@@ -54,6 +59,8 @@ void LinearStep::set_step_size(double dt) {
 
 void LinearStep::begin() {
   BlockSystem& s = system_;
+  const bool corrections_end = jumps_are_softened(s, s.clock.stage - 1) && !jumps_are_softened(s, s.clock.stage);
+  if (corrections_end) sum_forces_of_states();
   if (s.plan.loads) s.loads_at(s.state.time, s.forces.load_old);
   for (Eigen::VectorXd* vector : {&momentum_, &inertia_force_, &elastic_force_, &internal_at_rest_})
     vector->setZero(rhs_.size());
@@ -61,8 +68,9 @@ void LinearStep::begin() {
   internal_at_rest_ = s.forces.internal_old - elastic_force_;
   operators_->inertia_times.multiply(flat(s.state.velocity), momentum_);
   // Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole,
-  // and those of later stages go on from the ledger.
-  energy_offset_ = initial_contact_energy() + strain_energy(s.terms, s.state) - elastic_energy();
+  // and those of later stages go on from the ledger, unless what it counts ends with the corrections.
+  const double contact = s.clock.stage == 0 || corrections_end ? contact_energy() : s.audit.ledger().contact;
+  energy_offset_ = contact + strain_energy(s.terms, s.state) - elastic_energy();
   if (s.clock.stage > 0) s.audit.geometry_followed(stored_energy());  // inertia may be another than before
   if (s.plan.gravity) set_consistent_weight();
   if (s.plan.is_static) return;
@@ -107,6 +115,16 @@ void LinearStep::take_over() {
 void LinearStep::write_states() {
   std::vector<InterfaceState>& states = system_.contacts.states;
   for (std::size_t i = 0; i < states.size(); ++i) states[i] = interface_state(i);
+}
+
+// The softening of jumps between strains exerts forces between blocks at rest too. A stage without it would keep those
+// it finds for good, and its balance would be another than that of the same loads from the start (ADR 24).
+void LinearStep::sum_forces_of_states() {
+  BlockSystem& s = system_;
+  const std::vector<InterfaceState> at_rest = s.contacts.states;
+  write_states();
+  s.sum_internal_forces(s.forces.internal_old);
+  s.contacts.states = at_rest;
 }
 
 void LinearStep::hand_over() {
@@ -229,9 +247,8 @@ StoredEnergy LinearStep::stored_energy() const {
   return {dot(flat(system_.state.velocity), momentum_) / 2, strain, elastic_energy() + energy_offset_ - strain};
 }
 
-double LinearStep::initial_contact_energy() const {
+double LinearStep::contact_energy() const {
   const BlockSystem& s = system_;
-  if (s.clock.stage > 0) return s.audit.ledger().contact;
   double contact = support_energy(s.supports);
   for (std::size_t i = 0; i < s.contacts.elements.size(); ++i)
     contact += interface_energy(s.contacts.elements[i], interface_state(i));

@@ -57,7 +57,8 @@ class LinearStep : public Step {
   [[nodiscard]] double follow_inertia_force();
   void sum_internal_forces(Eigen::VectorXd& force);
   [[nodiscard]] double elastic_energy() const;
-  [[nodiscard]] double initial_contact_energy() const;
+  [[nodiscard]] double contact_energy() const;
+  void sum_forces_of_states();
 
   BlockSystem& system_;
   std::optional<LinearOperators> operators_;  // only in a linear stage

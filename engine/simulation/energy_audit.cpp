@@ -113,6 +113,7 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
 void EnergyAudit::geometry_followed(const StoredEnergy& stored) {
   ledger_.numerical += ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact -
                        stored.contact + ledger_.bolts - stored.bolts;
+  replaced_ = 0;  // of a step that is solved again: its loss is in the difference
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;

@@ -201,6 +201,22 @@ TEST(EnergyLedger, FrictionTakesTheEnergyOfASlidingBlock) {
 }
 
 // A block on a dashpot stepped by hand, with the audit told of another dashpot than the one that acted.
+// A joint is replaced by another that stores 3 J less, and the step is solved once more in the geometry that is reached
+// with it: the loss is booked once.
+TEST(EnergyAudit, BooksAReplacedInterfaceOnceThoughItsStepIsSolvedAgain) {
+  const StepCoefficients step = step_coefficients(trapezoidal_integrator(), 1e-3);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(6);
+  for (const bool solved_again : {false, true}) {
+    EnergyAudit audit;
+    audit.start({0, 0, 10});
+    audit.interface_replaced(3);
+    if (solved_again) audit.geometry_followed({0, 0, 7});
+    audit.record(step, 0, {0, 0, 7}, {none, none, none, none, none}, none);
+    EXPECT_DOUBLE_EQ(audit.ledger().numerical, 3);
+    EXPECT_DOUBLE_EQ(audit.ledger().residual(), 0);
+  }
+}
+
 TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
   Model model = model_of({{box_ring(0, 0, 2, 1), {}}});
   model.blocks[0].initial_velocity = {1, 0.3};

@@ -27,8 +27,9 @@ void deform_small(const Vec6& d, Mat2& deformation) {
 }
 
 // Areas and inertia follow strains in steps of this size. Were they measured anew at every step, it would be with the
-// strains of its start, and blocks that vibrate under stress would gain energy from the delay.
-constexpr double shape_tolerance = 0.01;
+// strains of its start, and blocks that vibrate under stress would gain energy from the delay; so they do where a
+// vibration is large enough to go through such a step each time (ADR 30).
+constexpr double shape_tolerance = 0.05;
 
 void deform_block(Kinematics kinematics, const Eigen::VectorXd& d, std::size_t i, const BlockTerms& terms,
                   State& state) {
@@ -64,6 +65,17 @@ void keep_angular_momentum(double wanted, const Inertia& inertia, Vec6& rates) {
   rates(2) += (wanted - momentum(inertia, rates)(2)) / (inertia.mass * inertia.polar());
 }
 
+// Changes the inertia of a block and leaves it its angular momentum, and what its acceleration makes of that.
+template <typename Change>
+void change_inertia(std::size_t i, const Change& change, Inertia& inertia, State& state) {
+  if (inertia.mass == 0) return change();  // held
+  const double of_velocity = momentum(inertia, state.velocity[i])(2);
+  const double of_acceleration = momentum(inertia, state.acceleration[i])(2);
+  change();
+  keep_angular_momentum(of_velocity, inertia, state.velocity[i]);
+  keep_angular_momentum(of_acceleration, inertia, state.acceleration[i]);
+}
+
 // Of the block as drawn, at the spin at which it would have its angular momentum: see README.md.
 Vec3 centrifugal_force_on(const Model& model, std::size_t i, const BlockTerms& terms, const Vec6& velocity) {
   const Inertia& inertia = terms.inertia[i];
@@ -94,11 +106,9 @@ void keep_angular_momenta(const Model& model, State& state, BlockTerms& terms) {
   for (std::size_t i = 0; i < state.velocity.size(); ++i) {
     Inertia& inertia = terms.inertia[i];
     if (inertia.mass == 0) continue;  // held
-    const double of_velocity = momentum(inertia, state.velocity[i])(2);
-    const double of_acceleration = momentum(inertia, state.acceleration[i])(2);
-    inertia.beyond = trace(deformed_squares(model, state, i)) - trace(inertia.squares);
-    keep_angular_momentum(of_velocity, inertia, state.velocity[i]);
-    keep_angular_momentum(of_acceleration, inertia, state.acceleration[i]);
+    const double beyond = trace(deformed_squares(model, state, i)) - trace(inertia.squares);
+    change_inertia(
+        i, [&] { inertia.beyond = beyond; }, inertia, state);
   }
 }
 
@@ -121,8 +131,9 @@ void follow_blocks(const Model& model, const State& acting, bool measure, State&
     const Vec3 squares = deformed_squares(model, acting, i);
     if (measure || shape_has_changed(area, squares, terms.area[i], inertia.squares)) {
       terms.area[i] = area;
-      inertia.beyond += trace(inertia.squares) - trace(squares);
-      inertia.squares = squares;
+      const double beyond = inertia.beyond + trace(inertia.squares) - trace(squares);
+      change_inertia(
+          i, [&] { inertia.beyond = beyond, inertia.squares = squares; }, inertia, state);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "engine/simulation/energy_audit.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "engine/linear/block_vectors.h"
@@ -97,7 +98,9 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
   double friction = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
-    friction += (before.force(shear_row) + after.force(shear_row)) / 2 * (after.slip[end] - before.slip[end]);
+    // Where a step turns the slip round, the mean force may point against it: that is no friction.
+    friction +=
+        std::max(0.0, (before.force(shear_row) + after.force(shear_row)) / 2 * (after.slip[end] - before.slip[end]));
     // What sliding up its own slope gives back against the normal force is no loss.
     const auto normal_row = shear_row - 1;
     const double pressing =

@@ -200,6 +200,29 @@ TEST(EnergyLedger, FrictionTakesTheEnergyOfASlidingBlock) {
   EXPECT_NEAR(simulation.state().displacement[1](0), 0.81 / (2 * 0.4 * 10), 0.01 * 0.1);
 }
 
+// Friction only takes: also where a step is so long that the slip of a contact turns round in it.
+TEST(EnergyLedger, FrictionNeverGivesBack) {
+  for (const Integrator& integrator : {hht_integrator(0.05), thesis_integrator(), generalized_alpha_integrator(0)})
+    for (const double spin : {-6.0, -3.0, 3.0, 6.0, 9.0}) {
+      Model model = model_of({{box_ring(0, 0, 1, 0.6), {}}, {box_ring(1.3, 0.2, 2.0, 1.4), {}}});
+      model.joints[0].friction_angle = 0.4;
+      model.joints[0].law = InterfaceLaw::classical;
+      model.blocks[0].initial_velocity = {4, 0.5};
+      model.blocks[0].initial_spin = spin;
+      model.blocks[1].initial_velocity = {-2, -1};
+      model.stages = {stage_of(integrator, 1e-3, 400, Kinematics::finite)};
+      Simulation simulation = simulation_of(std::move(model));
+      double before = 0;
+      for (int i = 0; i < 400; ++i) {
+        ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+        EXPECT_GE(simulation.energy().friction, before) << integrator.name << " spin " << spin << " step " << i;
+        before = simulation.energy().friction;
+      }
+      EXPECT_GT(before, 0);
+      EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+    }
+}
+
 // A block on a dashpot stepped by hand, with the audit told of another dashpot than the one that acted.
 // A joint is replaced by another that stores 3 J less, and the step is solved once more in the geometry that is reached
 // with it: the loss is booked once.

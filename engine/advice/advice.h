@@ -48,6 +48,7 @@ struct StageAdvice {
   double chi = 0;
   std::string solver;
   StageCost cost;
+  double damping_ratio = 0;       // of the material, at the frequency of the waves
   std::vector<WaveAdvice> waves;  // none in static stages
 };
 

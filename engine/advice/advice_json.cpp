@@ -72,6 +72,7 @@ Json to_json(const StageAdvice& stage) {
           {"solver_iterations", stage.cost.iterations},
           {"rough_cpu_s", stage.cost.seconds},
           {"sliding_cpu_s", sliding_of(stage.cost)},
+          {"damping_ratio", stage.damping_ratio},
           {"waves", waves}};
 }
 

@@ -126,6 +126,15 @@ std::string counted(std::int64_t number, const char* what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
+// A wave with the damping ratio r is exp(-2 pi r) of itself a wavelength further on.
+std::string damping_sentence(const StageAdvice& stage, double frequency) {
+  return fmt::format(
+      "damping: {:.3g} % of critical at {:.6g} Hz; a wave loses {:.3g} % of its amplitude over a wavelength, which is "
+      "not "
+      "counted below",
+      100 * stage.damping_ratio, frequency, -100 * std::expm1(-2 * std::numbers::pi * stage.damping_ratio));
+}
+
 void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
   text.line("");
   if (stage.dt == 0) {
@@ -135,6 +144,7 @@ void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
   text.line("stage \"{}\": {} steps of {:.6g} s, {}; chi = {:.3g}, so {}", stage.name, stage.cost.steps, stage.dt,
             stage.integrator, stage.chi, stage.solver);
   add_cost(stage.cost, text);
+  if (stage.damping_ratio > 0) text.line("  {}", damping_sentence(stage, *advice.frequency));
   for (const WaveAdvice& wave : stage.waves) add_wave(advice, wave, text);
 }
 
@@ -190,6 +200,7 @@ std::vector<std::string> to_short_text(const Advice& advice) {
     if (stage.waves.empty()) continue;
     lines.insert(lines.end(), {"", fmt::format("predicted for waves of {:.6g} Hz, stage \"{}\"; dda advise says more",
                                                *advice.frequency, stage.name)});
+    if (stage.damping_ratio > 0) lines.push_back("  " + damping_sentence(stage, *advice.frequency));
     for (const WaveAdvice& wave : stage.waves) add_steady_in_short(advice, stage, wave, lines);
     if (!stage.waves.front().asked_history) continue;
     lines.insert(lines.end(),

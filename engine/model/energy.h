@@ -20,7 +20,7 @@ struct EnergyLedger {
   double plastic = 0;    // dissipated by bolts that yield or break
   double radiated = 0;   // taken up by viscous edges
   double dashpot = 0;    // taken up by the dashpots of contacts
-  double damping = 0;    // taken out by velocity_factor and damping_rate
+  double damping = 0;    // taken out by velocity_factor, damping_rate and Rayleigh damping
   double numerical = 0;  // dissipated by the time integrator
   double removed = 0;    // what removed blocks and the joints to them had stored
 

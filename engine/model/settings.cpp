@@ -1,6 +1,7 @@
 #include "engine/model/settings.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace dda {
 
@@ -38,5 +39,10 @@ Integrator with_contacts(const Integrator& integrator) {
 Integrator static_integrator() { return {"static", 0.5, 1.0, 0, 0, true}; }
 
 std::int64_t Stage::steps() const { return paces_itself() ? 0 : std::llround(duration / dt); }
+
+double Stage::damping_ratio(double frequency) const {
+  const double omega = 2 * std::numbers::pi * frequency;
+  return mass_damping / (2 * omega) + stiffness_damping * omega / 2;
+}
 
 }  // namespace dda

@@ -58,7 +58,7 @@ const std::vector<Spoiled> shape = {
      R"("block_length": 2)",
      R"("block_length": 2, "blocks": 2)",
      {"blocks[0].bar.blocks", "block_length"}},
-    {"unknown key of a stage", R"("duration": 0.01)", R"("duration": 0.01, "damping": 1)", {"steps.damping is no key"}},
+    {"unknown key of a stage", R"("duration": 0.01)", R"("duration": 0.01, "damper": 1)", {"steps.damper is no key"}},
     {"missing density", R"("density": 2650, )", "", {"materials.rock.density is missing", "kg/m3"}},
     {"missing duration", R"(, "duration": 0.01)", "", {"steps.duration is missing"}},
     {"missing duration, dt to be chosen", R"("dt": "1e-4 s", "duration": 0.01)", "", {"steps.duration is missing"}},

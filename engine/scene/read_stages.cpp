@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -53,7 +54,29 @@ void read_duration(const Field& field, Stage& stage) {
   if (stage.duration > 1e12 * stage.dt) duration.fail(fmt::format("at most 1e12 steps of {} s", stage.dt));
 }
 
+// Stiffness-proportional by one frequency, Rayleigh damping by two (rad/s): the ratio is that wanted at each.
+void read_rayleigh_damping(const Field& field, Stage& stage) {
+  if (stage.integrator.is_static) field.fail("to be left out in a static stage, which has no velocities");
+  const double ratio = field.at("ratio").positive(Dimension::dimensionless);
+  if (ratio >= 1) field.at("ratio").fail("a number below 1, the share of critical damping");
+  const auto one = field.find("frequency");
+  const auto two = field.find("frequencies");
+  if (one.has_value() == two.has_value()) field.fail("either \"frequency\" or \"frequencies\"");
+  const auto omega = [](const Field& f) { return 2 * std::numbers::pi * f.positive(Dimension::frequency); };
+  if (one) {
+    stage.stiffness_damping = 2 * ratio / omega(*one);
+    return;
+  }
+  const std::vector<Field> pair = two->items();
+  if (pair.size() != 2) two->fail("two frequencies, e.g. [\"20 Hz\", \"200 Hz\"]");
+  const double low = omega(pair[0]), high = omega(pair[1]);
+  if (low >= high) two->fail("two frequencies, the lower one first");
+  stage.mass_damping = 2 * ratio * low * high / (low + high);
+  stage.stiffness_damping = 2 * ratio / (low + high);
+}
+
 void read_damping(const Field& field, Stage& stage) {
+  if (const auto damping = field.find("damping")) read_rayleigh_damping(*damping, stage);
   stage.velocity_factor =
       value_or(field, "velocity_factor", stage.velocity_factor, [](const Field& f) { return f.within(0, 1); });
   stage.damping_rate = value_or(field, "damping_rate", stage.damping_rate,

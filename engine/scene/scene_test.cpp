@@ -100,6 +100,21 @@ TEST(Scene, DynamicStagesWithoutDtHaveItChosen) {
   EXPECT_EQ(model.stages[2].dt_reason, "");
 }
 
+// b = ratio/(pi f); and a/(2 w) + b w/2 = ratio at both.
+TEST(Scene, DampingHasItsRatioAtItsFrequencies) {
+  const auto stage_with = [](const std::string& damping) {
+    return bar_with(R"("joints": {"default": {"bonded": true}})",
+                    R"({"dt": 1, "duration": 5, "kinematics": "small", "damping": )" + damping + "}")
+        .stages[0];
+  };
+  const Stage one = stage_with(R"({"ratio": "2 %", "frequency": "100 Hz"})");
+  EXPECT_EQ(one.mass_damping, 0);
+  EXPECT_NEAR(one.stiffness_damping, 0.02 / (100 * std::numbers::pi), 1e-17);
+  const Stage two = stage_with(R"({"ratio": 0.05, "frequencies": [20, "0.2 kHz"]})");
+  for (const double frequency : {20.0, 200.0}) EXPECT_NEAR(two.damping_ratio(frequency), 0.05, 1e-15);
+  EXPECT_LT(two.damping_ratio(60), 0.05);
+}
+
 TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
   const Model model = bar_with("", R"([{"dt": 1, "duration": 5, "integrator": "static", "solver": "pcg"},
     {"name": "go", "dt": 0.1, "duration": 2, "integrator": {"hht": 0.1}, "velocity_factor": "99 %", "damping_rate": "2 1/s",

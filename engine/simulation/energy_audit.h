@@ -66,6 +66,9 @@ class EnergyAudit {
     ledger_.numerical += numerical;
   }
 
+  // What Rayleigh damping took.
+  void damping_worked(double work) { ledger_.damping += work; }
+
   // An interface went over to another law with this loss of stored energy (J per m of thickness).
   void interface_replaced(double loss) { replaced_ += loss; }
 

@@ -38,6 +38,11 @@ void prestress(Model& model) {
 }
 void damp_per_step(Model& model) { model.stages[0].velocity_factor = 0.97; }
 void damp_per_time(Model& model) { model.stages[0].damping_rate = 12; }
+void damp_material(Model& model) {
+  if (!model.stays_linear()) return;
+  model.stages[0].mass_damping = 20;
+  model.stages[0].stiffness_damping = 1e-4;
+}
 void weigh_strains(Model& model) { model.stages[0].strain_inertia = 2; }
 void correct_dispersion(Model& model) {
   model.stages[0].correct_block_dispersion = model.stages[0].correct_time_dispersion = true;
@@ -63,6 +68,7 @@ std::vector<Feature> features() {
           {"initial_stress", with_push(prestress)},
           {"k01", with_push(damp_per_step)},
           {"damping_rate", with_push(damp_per_time)},
+          {"rayleigh_damping", with_push(damp_material)},
           {"strain_inertia", with_push(weigh_strains)},
           {"corrected", with_push(correct_dispersion)},
           {"everything", [all](Model& model) {

@@ -48,6 +48,7 @@ void LinearStep::set_up(BlockMatrix pattern) {
   set_step_size(stage.dt);
   s.waves = WaveCorrections(s.model, stage, s.contacts);
   operators_.emplace(s.model, s.terms, s.contacts, s.supports, s.waves);
+  rayleigh_.begin(stage);
   if (s.plan.loads) s.external.filter(s.waves);
   for (Eigen::VectorXd* vector : {&next_momentum_, &rhs_}) vector->setZero(unknowns);
 }
@@ -75,6 +76,10 @@ void LinearStep::begin() {
   if (s.plan.gravity) set_consistent_weight();
   if (s.plan.is_static) return;
   inertia_force_ = accelerating_forces(s);
+  if (rayleigh_.acts()) {
+    rayleigh_.force_of(*operators_, flat(s.state.velocity), momentum_, next_momentum_);
+    inertia_force_ -= next_momentum_;
+  }
   s.held.clear(inertia_force_);
   if (inertia_force_.isZero(0)) return;
   const Eigen::VectorXd acceleration = initial_acceleration();
@@ -161,12 +166,23 @@ void LinearStep::form_rhs() {
     if (system_.plan.gravity) here.of(rhs_) += here.of(system_.external.weight());
   });
   add_dashpot_and_support_rhs(system_, rhs_);
+  if (rayleigh_.acts()) take_off_known_damping();
+}
+
+void LinearStep::take_off_known_damping() {
+  const StepCoefficients& c = system_.coefficients;
+  const State& state = system_.state;
+  carried_ = c.damping_v * flat(state.velocity) + c.damping_a * flat(state.acceleration);
+  mass_times_carried_ = c.damping_v * momentum_ + c.damping_a * inertia_force_;
+  rayleigh_.take_off_known(*operators_, carried_, mass_times_carried_, rhs_);
 }
 
 Status LinearStep::solve() {
   const BlockSystem& s = system_;
   if (!matrix_.is_current()) {
-    matrix_.assemble(s.held, [&](BlockMatrix& values) { assemble(s.coefficients, *operators_, s.damping, values); });
+    matrix_.assemble(s.held, [&](BlockMatrix& values) {
+      assemble(rayleigh_.in_matrix(s.coefficients), *operators_, s.damping, values);
+    });
     const Status status = matrix_.factorize();
     if (status != Status::ok) return status;
   }
@@ -187,6 +203,7 @@ void LinearStep::foresee_increment() {
 void LinearStep::accept() {
   const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
+  if (rayleigh_.acts()) s.audit.damping_worked(rayleigh_.work(*operators_, s.coefficients, s.increment));
   move_blocks(Kinematics::small, s);
   if (s.plan.supports) accept_supports(s);
   sum_internal_forces(s.forces.internal_new);

@@ -16,6 +16,7 @@
 #include "engine/core/status.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/linear_operators.h"
+#include "engine/simulation/rayleigh_damping.h"
 #include "engine/simulation/step.h"
 #include "engine/solve/step_matrix.h"
 
@@ -40,8 +41,8 @@ class LinearStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, operators, matrix, momentum, inertia_force, elastic_force, internal_at_rest, energy_offset,
-           next_momentum, rhs, message] = self;
+    auto& [system, operators, matrix, rayleigh, momentum, inertia_force, elastic_force, internal_at_rest, energy_offset,
+           next_momentum, rhs, carried, mass_times_carried, message] = self;
     archive(momentum, inertia_force, elastic_force, internal_at_rest, energy_offset);
     // The others follow from the system, or are written before they are read.
   }
@@ -59,10 +60,12 @@ class LinearStep : public Step {
   [[nodiscard]] double elastic_energy() const;
   [[nodiscard]] double contact_energy() const;
   void sum_forces_of_states();
+  void take_off_known_damping();
 
   BlockSystem& system_;
   std::optional<LinearOperators> operators_;  // only in a linear stage
   StepMatrix matrix_;
+  RayleighDamping rayleigh_;
 
   // 6 entries a block: M v, M a, K u without and internal forces that u does not change.
   Eigen::VectorXd momentum_, inertia_force_, elastic_force_, internal_at_rest_;
@@ -70,6 +73,7 @@ class LinearStep : public Step {
 
   // Within a step, 6 entries a block.
   Eigen::VectorXd next_momentum_, rhs_;
+  Eigen::VectorXd carried_, mass_times_carried_;  // of a step with Rayleigh damping, see there
   std::string message_;
 };
 

@@ -1,0 +1,36 @@
+#include "engine/simulation/rayleigh_damping.h"
+
+namespace dda {
+
+void RayleighDamping::begin(const Stage& stage) {
+  mass_ = stage.integrator.is_static ? 0 : stage.mass_damping;
+  stiffness_ = stage.integrator.is_static ? 0 : stage.stiffness_damping;
+}
+
+StepCoefficients RayleighDamping::in_matrix(StepCoefficients step) const {
+  step.mass += step.damping * mass_;
+  step.stiffness += step.damping * stiffness_;
+  return step;
+}
+
+void RayleighDamping::force_of(const LinearOperators& operators, const Eigen::VectorXd& x,
+                               const Eigen::VectorXd& mass_times_x, Eigen::VectorXd& force) const {
+  force.resize(x.size());
+  operators.stiffness_times.multiply(x, force);
+  force = mass_ * mass_times_x + stiffness_ * force;
+}
+
+void RayleighDamping::take_off_known(const LinearOperators& operators, const Eigen::VectorXd& carried,
+                                     const Eigen::VectorXd& mass_times_carried, Eigen::VectorXd& rhs) {
+  force_of(operators, carried, mass_times_carried, known_);
+  rhs -= known_;
+}
+
+double RayleighDamping::work(const LinearOperators& operators, const StepCoefficients& step, const Eigen::VectorXd& d) {
+  product_.resize(d.size());
+  operators.inertia_times.multiply(d, product_);
+  force_of(operators, d, product_, force_);
+  return d.dot(known_) + step.damping * d.dot(force_);
+}
+
+}  // namespace dda

@@ -1,0 +1,42 @@
+// Rayleigh damping of a linear scene: forces -C v with C = a M + b K, over all inertia and stiffness there is, that of
+// joints and supports among it. Every vibration of angular frequency w then has the damping ratio a/(2 w) + b w/2, and
+// a wave of that frequency loses the share 1 - exp(-2 pi ratio) of its amplitude over each wavelength.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/model/settings.h"
+#include "engine/simulation/linear_operators.h"
+#include "engine/simulation/step_coefficients.h"
+
+namespace dda {
+
+class RayleighDamping {
+ public:
+  // From the start of a stage on; it acts in dynamic stages.
+  void begin(const Stage& stage);
+  [[nodiscard]] bool acts() const { return mass_ != 0 || stiffness_ != 0; }
+
+  // The step's coefficients with what C adds to those of M and K in its matrix.
+  [[nodiscard]] StepCoefficients in_matrix(StepCoefficients step) const;
+
+  // C x from M x; x and both others have 6 numbers a block.
+  void force_of(const LinearOperators& operators, const Eigen::VectorXd& x, const Eigen::VectorXd& mass_times_x,
+                Eigen::VectorXd& force) const;
+
+  // Takes C (damping_v v0 + damping_a a0), the part of the balance that is known, off the right-hand side. `carried`:
+  // that mean of v0 and a0; `mass_times_carried`: M times it.
+  void take_off_known(const LinearOperators& operators, const Eigen::VectorXd& carried,
+                      const Eigen::VectorXd& mass_times_carried, Eigen::VectorXd& rhs);
+
+  // What the step with this increment lost (J per m of thickness): d . C (damping d + damping_v v0 + damping_a a0).
+  [[nodiscard]] double work(const LinearOperators& operators, const StepCoefficients& step, const Eigen::VectorXd& d);
+
+ private:
+  double mass_ = 0;        // 1/s
+  double stiffness_ = 0;   // s
+  Eigen::VectorXd known_;  // N, in the step
+  Eigen::VectorXd product_, force_;
+};
+
+}  // namespace dda

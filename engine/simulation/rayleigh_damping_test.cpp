@@ -1,0 +1,117 @@
+// Damping in proportion to inertia and stiffness: every vibration of a scene fades as the oscillator that it is.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "engine/simulation/linear_operators.h"
+#include "engine/simulation/simulation_models.h"
+#include "engine/simulation/support_set.h"
+
+namespace dda {
+namespace {
+
+constexpr double mass_damping = 40;         // 1/s
+constexpr double stiffness_damping = 2e-5;  // s
+
+Model held_grid(double dt, int steps, const Integrator& integrator) {
+  Model model = grid_of(3, bond(InterfaceLaw::consistent));
+  for (int i = 0; i < 3; ++i)
+    for (const double x : {0.0, 1.0}) model.supports.push_back({i, {i + x, 0}, true, true, 2e9, Vec2::Zero(), {}});
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    model.blocks[i].initial_velocity = {std::sin(1.0 + static_cast<double>(i)), std::cos(2.0 * static_cast<double>(i))};
+  model.stages = {stage_of(integrator, dt, steps)};
+  model.stages[0].mass_damping = mass_damping;
+  model.stages[0].stiffness_damping = stiffness_damping;
+  finish_model(model);
+  return model;
+}
+
+Eigen::MatrixXd dense(const BlockMatrix& matrix) {
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(matrix.unknowns(), matrix.unknowns());
+  Eigen::VectorXd column(matrix.unknowns());
+  for (int i = 0; i < matrix.unknowns(); ++i) {
+    matrix.multiply(Eigen::VectorXd::Unit(matrix.unknowns(), i), column);
+    all.col(i) = column;
+  }
+  return all;
+}
+
+// The oracle: M u'' + C u' + K u = 0 by its vibrations, each exp(-r w t) sin(w sqrt(1 - r^2) t).
+Eigen::VectorXd exact_displacement(const Model& model, double time) {
+  const ContactSet contacts = make_contacts(model);
+  const LinearOperators operators(model, make_block_terms(model), contacts, make_supports(model, initial_state(model)),
+                                  WaveCorrections(model, model.stages[0], contacts));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(dense(operators.stiffness),
+                                                                        dense(operators.inertia));
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(operators.inertia.unknowns());
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    velocity.segment<2>(static_cast<Eigen::Index>(6 * i)) = model.blocks[i].initial_velocity;
+  Eigen::VectorXd amplitude = modes.eigenvectors().transpose() * dense(operators.inertia) * velocity;
+  for (Eigen::Index k = 0; k < amplitude.size(); ++k) {
+    const double omega = std::sqrt(modes.eigenvalues()(k));
+    const double rate = (mass_damping + stiffness_damping * omega * omega) / 2;  // r w
+    const std::complex<double> damped = std::sqrt(std::complex<double>(omega * omega - rate * rate));
+    amplitude(k) *= std::exp(-rate * time) * (std::sin(damped * time) / damped).real();
+  }
+  return modes.eigenvectors() * amplitude;
+}
+
+double error_at_end(double dt, const Integrator& integrator) {
+  constexpr double time = 4e-3;  // s, a period and a half of the slowest vibration
+  const int steps = static_cast<int>(std::lround(time / dt));
+  const Model model = held_grid(dt, steps, integrator);
+  const Eigen::VectorXd exact = exact_displacement(model, time);
+  Simulation simulation(model);
+  run(simulation, steps);
+  Eigen::VectorXd got(exact.size());
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    got.segment<6>(static_cast<Eigen::Index>(6 * i)) = simulation.state().displacement[i];
+  return (got - exact).norm() / exact.norm();
+}
+
+// Of second order: a quarter of the error at half the step.
+TEST(RayleighDamping, EveryVibrationFadesAsAnOscillator) {
+  for (const Integrator& integrator :
+       {trapezoidal_integrator(), hht_integrator(0.1), generalized_alpha_integrator(0.85)}) {
+    const double coarse = error_at_end(1e-5, integrator);
+    const double fine = error_at_end(5e-6, integrator);
+    EXPECT_LT(fine, 0.01) << integrator.name;
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2) << integrator.name;
+  }
+}
+
+// A sine travels along a bar of 0.2 m blocks; over 20 m its amplitude falls by exp(-k x), k = 2 pi r/wavelength.
+TEST(RayleighDamping, AWaveLosesItsShareOverEachWavelength) {
+  constexpr double frequency = 400;
+  constexpr double ratio = 0.02;
+  double peaks[2];
+  for (const bool damped : {false, true}) {
+    Model model;
+    model.materials = {{"rock", 2500, 20e9, 0.25, PlaneState::stress}};
+    model.joints = {bond(InterfaceLaw::consistent)};
+    for (int i = 0; i < 200; ++i) model.blocks.emplace_back().shape.outer = box_ring(0.2 * i, 0, 0.2 * (i + 1), 0.2);
+    model.edge_loads = {{0, {0, 0.2}, {0, 0}, {1e6, 0}, SineCycles{frequency, 100, 0}}};
+    const double speed = bar_wave_speed(model.materials[0]);
+    model.stages = {stage_of(trapezoidal_integrator(), 1e-5, static_cast<int>(55 / speed / 1e-5))};
+    if (damped) model.stages[0].stiffness_damping = ratio / (std::numbers::pi * frequency);
+    Simulation simulation = simulation_of(std::move(model));
+    double& peak = peaks[damped ? 1 : 0] = 0;
+    while (!simulation.finished()) {
+      ASSERT_EQ(simulation.step(), Status::ok);
+      if (simulation.state().time > 35 / speed) peak = std::max(peak, std::abs(simulation.state().velocity[100](0)));
+    }
+    if (!damped) continue;
+    const double wavelength = speed / frequency;
+    const double expected = std::exp(-2 * std::numbers::pi * ratio * 20.1 / wavelength);
+    EXPECT_NEAR(peaks[1] / peaks[0] / expected, 1, 0.003);  // of the size of blocks; ratio^2
+    EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
+    EXPECT_GT(simulation.energy().damping, 0);
+  }
+}
+
+}  // namespace
+}  // namespace dda

@@ -15,6 +15,7 @@
 #include "engine/simulation/initial_acceleration.h"
 #include "engine/simulation/kinematic_update.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/settling_cushion.h"
 #include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
 
@@ -146,7 +147,7 @@ void GeneralStep::list_contacts() {
 Status GeneralStep::advance(double dt, bool can_be_cut) {
   can_be_cut_ = can_be_cut;
   if (dt != system_.coefficients.dt) set_step_size(dt);
-  if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
+  if (system_.plan.is_static && (system_.drag.ease() || system_.cushion > 0)) base_is_current_ = false;
   const Status status = solve_far_enough(system_.end_of_step(dt));
   if (status == Status::ok) accept();
   return status;
@@ -254,6 +255,7 @@ void GeneralStep::assemble_base() {
   const BlockSystem& s = system_;
   assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
   if (s.plan.is_static) s.drag.add_to(s.terms, s.coefficients, base_);
+  if (s.plan.is_static) add_cushions(s, changing_, base_);
   base_is_current_ = true;
   ++base_version_;
 }
@@ -343,7 +345,7 @@ void GeneralStep::accept() {
   BlockSystem& s = system_;
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
-  if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment);
+  if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + work_of_cushions(s, changing_);
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);

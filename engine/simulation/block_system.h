@@ -87,7 +87,6 @@ struct BlockSystem {
   BlockForces forces;
   Eigen::VectorXd increment;  // of the last step tried, 6 entries a block
   SettlingDrag drag;          // in static stages
-  double cushion = 0;         // in static stages that pace themselves, as a share of normal stiffness
 
   [[nodiscard]] const Stage& stage() const { return model.stages[clock.stage]; }
   // The same; between stages, and after the last, the one that ended.
@@ -109,7 +108,7 @@ struct BlockSystem {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [model, state, contacts, waves, supports, bolts, held, terms, damping, external, excavated, free_field, audit,
-           costs, clock, plan, coefficients, forces, increment, drag, cushion] = self;
+           costs, clock, plan, coefficients, forces, increment, drag] = self;
     const bool moves = self.geometry_moves();
     if (moves || contacts.can_change || !bolts.empty()) archive(contacts);
     if (moves) archive(terms);
@@ -117,7 +116,7 @@ struct BlockSystem {
     archive(bolts, external, excavated, audit, forces, increment, drag, plan.chi, plan.solver);
     for (auto& [block, matrix] : damping) archive(matrix);
     if (free_field) archive(*free_field);
-    // State and clock are saved beside this, the cushion is set step by step; all else follows from the model.
+    // State and clock are saved beside this; all else follows from the model.
   }
 
   // External less internal forces at the state's time: what is left of static equilibrium.

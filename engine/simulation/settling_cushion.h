@@ -5,9 +5,14 @@
 // and are driven deep into each other in the next, and these the mass does not hold back before steps are so short that
 // nothing moves any more. Cushions do: an end that touches as the step begins resists the change of its normal gap,
 // both ways, by a share of its normal stiffness beside what its spring answers,
-//   force = cushion * k_n * change of the normal gap in the step.
-// As they multiply the motion of the step alone, cushions are nothing once the motion has died down: equilibrium is the
-// same with them and without. Slip is free: blocks that slide to where they come to lie would take many steps else.
+//   force = share * k_n * change of the normal gap in the step,   share = min(0.3/r^2, 3),
+// for a step r times as long as the first that the stage tries. So cushions let go with the same power of r as the
+// inertia, and the stiffest motions come to rest at no other pace than the slowest. As they multiply the motion of the
+// step alone, they are nothing once the motion has died down: equilibrium is the same with them and without. Slip is
+// free: blocks that slide to where they come to lie would take many steps else.
+//
+// They come with the first step of a stage that does not settle, and stay for the stage; where steps settle there are
+// none.
 #pragma once
 
 #include <span>
@@ -18,12 +23,28 @@ namespace dda {
 
 struct BlockSystem;
 
-// Adds the cushions of `system.cushion` to the matrix of a step that is about to be solved. `contacts`: places of those
-// that can open.
-void add_cushions(const BlockSystem& system, std::span<const int> contacts, BlockMatrix& matrix);
+class SettlingCushion {
+ public:
+  // Of a stage that finds its own steps, and whose step did not settle: from now on there are cushions. False where
+  // there were some, or can be none.
+  [[nodiscard]] bool put_in(const BlockSystem& system);
+  [[nodiscard]] bool is_in() const { return is_in_; }
 
-// What they take of the blocks that are not held over the increments solved for, J per m of thickness: before the
-// states of the contacts follow.
-double work_of_cushions(const BlockSystem& system, std::span<const int> contacts);
+  // Adds the cushions to the matrix of a step that is about to be solved. `contacts`: places of those that can open.
+  void add_to(const BlockSystem& system, std::span<const int> contacts, BlockMatrix& matrix) const;
+
+  // What they take of the blocks that are not held over the increments solved for, J per m of thickness: before the
+  // states of the contacts follow.
+  [[nodiscard]] double work(const BlockSystem& system, std::span<const int> contacts) const;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [is_in] = self;
+    archive(is_in);
+  }
+
+ private:
+  bool is_in_ = false;
+};
 
 }  // namespace dda

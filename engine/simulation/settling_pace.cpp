@@ -17,11 +17,6 @@ constexpr double shortest = 1e-4;
 constexpr double growth = 8;
 constexpr double shrinking = 8;
 
-// The share of normal stiffness that cushions have in a step of one transit time, and at most: friction cannot turn
-// what is firmer than the springs themselves, and more brings nothing but round-off.
-constexpr double firmness = 0.3;
-constexpr double firmest = 3;
-
 // Steps that took more passes than this are long enough.
 constexpr std::int64_t easy = 30;
 
@@ -49,7 +44,6 @@ double first_step(const Model& model, const Stage& stage, bool contacts_can_chan
 void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change) {
   transit_ = transit_time(model);
   is_convex_ = is_convex(stage, contacts_can_change);
-  is_cushioned_ = false;
   dt_ = first_step(model, stage, contacts_can_change);
 }
 
@@ -59,14 +53,8 @@ void SettlingPace::settled(std::int64_t passes) {
 
 bool SettlingPace::shorten() {
   if (is_shortest()) return false;
-  dt_ = is_cushioned_ ? std::max(dt_ / shrinking, shortest * transit_) : std::min(dt_, first_with_friction * transit_);
-  is_cushioned_ = true;
+  dt_ = std::max(dt_ / shrinking, shortest * transit_);
   return true;
-}
-
-double SettlingPace::cushion() const {
-  const double transits = dt_ / transit_;
-  return is_cushioned_ ? std::min(firmness / (transits * transits), firmest) : 0;
 }
 
 bool SettlingPace::is_shortest() const { return dt_ <= shortest * transit_; }

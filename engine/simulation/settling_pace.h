@@ -6,10 +6,6 @@
 // a step of r T divides what is out of balance by about (pi r)^2/2. Where contacts cannot slide a step is a convex
 // problem (or a linear one), which is solved at any length: steps begin long. With friction they begin short, grow as
 // the open-close iteration settles easily, and shrink where it does not.
-//
-// From the first step of a stage that does not settle on, contacts are cushioned (settling_cushion.h): by the share
-// 0.3/r^2 of their normal stiffness, so that the cushions let go with the same power of r as the inertia, and the
-// stiffest motions come to rest at no other pace than the slowest. A stage whose steps settle never has any.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +26,6 @@ class SettlingPace {
   void begin(const Model& model, const Stage& stage, bool contacts_can_change);
 
   [[nodiscard]] double dt() const { return dt_; }  // s, of the next step
-  // By what share of their normal stiffness contacts resist its motion (settling_cushion.h).
-  [[nodiscard]] double cushion() const;
 
   // Takes a step as long as it can be, by `advance(dt)`.
   template <typename Advance>
@@ -54,15 +48,14 @@ class SettlingPace {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [transit, dt, is_convex, is_cushioned] = self;
-    archive(transit, dt, is_convex, is_cushioned);
+    auto& [transit, dt, is_convex] = self;
+    archive(transit, dt, is_convex);
   }
 
  private:
   double transit_ = 0;      // s
   double dt_ = 0;           // s
   bool is_convex_ = false;  // steps settle at any length, whatever it takes
-  bool is_cushioned_ = false;
 };
 
 }  // namespace dda

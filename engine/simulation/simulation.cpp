@@ -46,7 +46,6 @@ Status step_free_field(BlockSystem& s, std::string& message) {
 std::vector<UnbalancedBlock> let_go_of_loose_blocks(BlockSystem& s) {
   std::vector<UnbalancedBlock> loose = placed(s, s.drag.loose());
   s.drag = {};
-  s.cushion = 0;
   if (!loose.empty()) s.held = make_held_unknowns(s.model, s.excavated.absent);
   return loose;
 }
@@ -155,7 +154,10 @@ Status Simulation::step() {
   if (!s.clock.begun) begin_stage();  // of a run that was restored between two stages
   s.clock.passes_before_step = s.costs.counters.open_close_iterations;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
-  const Status status = is_settling() ? settle() : advance(s.stage().dt, s.stage().max_step_reductions);
+  const Status status =
+      is_settling()
+          ? pace_.step(s.costs.counters, [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); })
+          : advance(s.stage().dt, s.stage().max_step_reductions);
   if (status != Status::ok) {
     message_ = stage_step().message();
     return status;
@@ -167,13 +169,6 @@ Status Simulation::step() {
   if (!in_range) message_ = general_->message();
   const Status end = is_over() ? end_stage() : Status::ok;
   return in_range ? end : Status::left_contact_range;
-}
-
-Status Simulation::settle() {
-  return pace_.step(system_->costs.counters, [this](double dt) {
-    system_->cushion = pace_.cushion();
-    return stage_step().advance(dt, pace_.can_be_cut());
-  });
 }
 
 Status Simulation::advance(double dt, int reductions_left) {

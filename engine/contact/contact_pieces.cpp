@@ -117,6 +117,24 @@ bool keep_to_bordering_pieces(const InterfaceSprings& springs, const EndStrength
   return kept;
 }
 
+bool stay_on_pieces(const InterfaceSprings& springs, const EndStrength& strength, const PieceRule& rule,
+                    InterfaceTrial& trial, ContactPieces& pieces) {
+  if (!has_linear_pieces(springs, trial)) {
+    pieces = pieces_of(trial);
+    return false;
+  }
+  respond_with_friction(springs, strength, trial);
+  bool differs = false;
+  for (int end = 0; end < ends_of(springs); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    if (!trial.broken[e]) continue;
+    const InterfaceTrial answer = trial;
+    lay_on(pieces[e], springs, strength, end, trial);
+    differs = differs || difference(answer, trial, end) > rule.negligible_force;
+  }
+  return differs;
+}
+
 Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                          const ContactPieces& pieces) {
   Mat2 slopes = Mat2::Zero();

@@ -34,6 +34,11 @@ struct PieceRule {
 bool keep_to_bordering_pieces(const InterfaceSprings& springs, const EndStrength& strength, const PieceRule& rule,
                               InterfaceTrial& trial, ContactPieces& pieces);
 
+// Lays the ends on these pieces, whatever the gap: where the trial answers otherwise, forces are not what the ends
+// answer, which returns true. Where pieces are not linear the trial keeps its answer, and `pieces` say which that is.
+bool stay_on_pieces(const InterfaceSprings& springs, const EndStrength& strength, const PieceRule& rule,
+                    InterfaceTrial& trial, ContactPieces& pieces);
+
 // Slopes of the shear forces of both ends (rows) over their normal gaps (columns) that capacities make where ends slide
 // (N/m per m of thickness); 0 elsewhere. Ends that press each for itself leave the other's gap out.
 Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,

@@ -31,9 +31,7 @@ constexpr int most_rounds = 10;
 
 // Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
 bool contacts_move(const Model& model) {
-  const bool can_touch =
-      model.blocks.size() > 1 &&
-      std::any_of(model.joints.begin(), model.joints.end(), [](const JointMaterial& joint) { return !joint.bonded; });
+  const bool can_touch = model.blocks.size() > 1 && !std::ranges::all_of(model.joints, &JointMaterial::bonded);
   return can_touch && std::any_of(model.stages.begin(), model.stages.end(),
                                   [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
 }
@@ -113,6 +111,7 @@ void GeneralStep::leave_out(const std::vector<bool>& absent) {
 
 void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
+  cushion_ = {};
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
   list_contacts();
@@ -147,7 +146,8 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
   can_be_cut_ = can_be_cut;
   if (dt != system_.coefficients.dt) set_step_size(dt);
   if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
-  const Status status = solve_far_enough(system_.end_of_step(dt));
+  Status status = solve_far_enough(system_.end_of_step(dt));
+  if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough(system_.end_of_step(dt));
   if (status == Status::ok) accept();
   return status;
 }
@@ -174,6 +174,7 @@ Status GeneralStep::solve_far_enough(double end) {
 
 // The problem of the step that ends at `end`, s.
 void GeneralStep::pose(double end) {
+  if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
   form_rhs(system_, rhs_);
@@ -254,6 +255,7 @@ void GeneralStep::assemble_base() {
   const BlockSystem& s = system_;
   assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
   if (s.plan.is_static) s.drag.add_to(s.terms, s.coefficients, base_);
+  cushion_.add_to(s, changing_, base_);
   base_is_current_ = true;
   ++base_version_;
 }
@@ -343,7 +345,7 @@ void GeneralStep::accept() {
   BlockSystem& s = system_;
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
-  if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment);
+  if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);

@@ -16,6 +16,7 @@
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/contact_range.h"
 #include "engine/simulation/penetration.h"
+#include "engine/simulation/settling_cushion.h"
 #include "engine/simulation/step.h"
 #include "engine/solve/contact_solver.h"
 
@@ -55,10 +56,10 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, acting, deepest, changing, bonded, base, base_version, base_is_current,
-           rule, rhs, can_be_cut, message] = self;
+    auto& [system, solver, moving, range, moved, acting, deepest, cushion, changing, bonded, base, base_version,
+           base_is_current, rule, rhs, can_be_cut, message] = self;
     if (moving) archive(*moving);
-    archive(solver, deepest);
+    archive(solver, deepest, cushion);
     if (system.geometry_moves()) archive(range, moved, acting.displacement, acting.deformation);
     // The others follow from the system, or begin with every step.
   }
@@ -90,6 +91,7 @@ class GeneralStep : public Step {
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   State acting_;                          // displacements and shapes of the blocks where the step's forces act
   Penetration deepest_;
+  SettlingCushion cushion_;  // of the stage
 
   std::vector<int> changing_, bonded_;  // interfaces that can change in a step, and the others; ascending
   BlockMatrix base_;                    // of the problem: all but the contacts that can change and bolts

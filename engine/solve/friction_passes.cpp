@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "engine/contact/open_close.h"
 #include "engine/core/parallel.h"
@@ -31,6 +32,14 @@ constexpr double local_overhead = 0.05;
 // astray.
 constexpr int full_passes = 3;
 constexpr double near_balance = 1e-3;
+
+// Where that does not help either, and no more contacts than these change, they do so one by one, the first in order
+// first: the others keep their pieces for the pass. That ends circles of contacts that change together (Murty's rule of
+// the least index, 1974, which is sure where the problem has one solution whatever the load). Such a pass is allowed as
+// much work as several: it needs as many as there are contacts in the circle.
+constexpr int passes_before_one_by_one = 6;
+constexpr int most_one_by_one = 8;
+constexpr double share_of_work_one_by_one = 0.25;
 
 // Passes in which ends may open or close as they like. From then on those that keep hopping are made to slide first.
 constexpr int free_passes = 4;
@@ -86,8 +95,8 @@ bool FrictionPasses::has_something_to_settle(const Iterate& at) {
     if (at.contacts.is_whole(k)) continue;
     const InterfaceElement& element = at.contacts.element(k);
     const InterfaceSprings& springs = element;
-    live_.push_back(
-        {k, element.block_a, element.block_b, pieces_of(at.contacts[k]), false, springs, PointKinematics(element)});
+    live_.push_back({k, element.block_a, element.block_b, pieces_of(at.contacts[k]), false, false, springs,
+                     PointKinematics(element)});
   }
   take_all();
   return !live_.empty() || !at.bolts.empty();
@@ -108,9 +117,10 @@ bool FrictionPasses::find_balance(Iterate& at) {
     ++at.costs.counters.open_close_iterations;
     const double enough = last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
     if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) return false;
-    if (goes_in_circles(pass - best_pass)) step_ /= 2;
-    take_newton_step(at, pass >= free_passes);
-    work += work_of_pass(at);
+    const bool one_by_one = changes_one_by_one(pass - best_pass);
+    if (!one_by_one && goes_in_circles(pass - best_pass)) step_ /= 2;
+    take_newton_step(at, pass >= free_passes, one_by_one);
+    work += work_of_pass(at) * (one_by_one ? share_of_work_one_by_one : 1);
     if (imbalance_ >= best) continue;
     best = imbalance_;
     best_pass = pass;
@@ -124,6 +134,11 @@ bool FrictionPasses::find_balance(Iterate& at) {
 bool FrictionPasses::goes_in_circles(int stalled_passes) const {
   const bool is_near = imbalance_ <= near_balance * largest_force_;
   return is_near && stalled_passes > full_passes && stalled_passes % 2 == 0;
+}
+
+bool FrictionPasses::changes_one_by_one(int stalled_passes) const {
+  if (stalled_passes <= passes_before_one_by_one) return false;
+  return std::ranges::count_if(taken_, [this](std::size_t k) { return live_[k].changes; }) <= most_one_by_one;
 }
 
 double FrictionPasses::work_of_pass(const Iterate& at) const {
@@ -218,7 +233,7 @@ void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& 
   at.problem->held.clear(w);
 }
 
-void FrictionPasses::take_newton_step(Iterate& at, bool strictly) {
+void FrictionPasses::take_newton_step(Iterate& at, bool strictly, bool one_by_one) {
   const PhaseScope scope(Phase::judging);
   const PieceRule rule{.strict = strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
   at.increment += step_;
@@ -226,21 +241,28 @@ void FrictionPasses::take_newton_step(Iterate& at, bool strictly) {
     multiply_in_pass(at, step_, image_);
     residual_ -= image_;
   }
+  bool one_changes = false;
   const auto move_contacts = [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       LiveContact& contact = live_[taken_[i]];
       const EndStrength& strength = at.contacts.strength(contact.trial);
       InterfaceTrial& trial = at.contacts[contact.trial];
       const Vec4 force_before = trial.force;
+      const ContactPieces pieces_before = contact.pieces;
       const Vec4 moved = gap(contact, step_);
       trial.gap += moved;
       respond_with_friction(contact.springs, strength, trial);
       contact.between = keep_to_bordering_pieces(contact.springs, strength, rule, trial, contact.pieces);
+      contact.changes = contact.pieces != pieces_before;
+      if (one_by_one && contact.changes && std::exchange(one_changes, true)) {
+        contact.pieces = pieces_before;
+        contact.between = stay_on_pieces(contact.springs, strength, rule, trial, contact.pieces);
+      }
       if (is_local_) follow_residual(at, contact, moved, force_before);
     }
   };
-  if (is_local_) {
-    move_contacts(0, taken_.size());  // blocks share their residual
+  if (is_local_ || one_by_one) {
+    move_contacts(0, taken_.size());  // blocks share their residual, contacts who may change
   } else {
     parallel_for(taken_.size(), contacts_worth_sharing, move_contacts);
   }

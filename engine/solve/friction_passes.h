@@ -41,6 +41,7 @@ class FrictionPasses {
     int block_a, block_b;
     ContactPieces pieces;  // what the pass takes its ends to be
     bool between;          // its forces are not what it answers: keep_to_bordering_pieces
+    bool changes;          // what it answers is on other pieces than the last pass took it to be on
     InterfaceSprings springs;
     PointKinematics points;
   };
@@ -61,6 +62,7 @@ class FrictionPasses {
   void take_part();
 
   [[nodiscard]] bool goes_in_circles(int stalled_passes) const;
+  [[nodiscard]] bool changes_one_by_one(int stalled_passes) const;
   [[nodiscard]] double work_of_pass(const Iterate& at) const;
   [[nodiscard]] bool is_balanced(const Iterate& at) const;
   [[nodiscard]] double negligible_imbalance(const Iterate& at) const;
@@ -71,7 +73,7 @@ class FrictionPasses {
   void list_couplings(const Iterate& at);
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
-  void take_newton_step(Iterate& at, bool strictly);
+  void take_newton_step(Iterate& at, bool strictly, bool one_by_one);
 
   // local_pass.cpp
   [[nodiscard]] Status prepare_pass(Iterate& at, bool& changed);

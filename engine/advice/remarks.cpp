@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <variant>
@@ -14,6 +15,7 @@
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/segment.h"
+#include "engine/model/step_choice.h"
 #include "engine/simulation/step_coefficients.h"
 
 namespace dda {
@@ -23,15 +25,17 @@ using Remarks = std::vector<std::string>;
 using Blocks = std::vector<int>;
 
 // Bounds between what occurs and what is most likely a mistake.
-constexpr double softest = 1e5;          // Pa: a tenth of the softest soils
-constexpr double lightest = 10;          // kg/m3: below foam; 2.65 is a density in t/m3
-constexpr double heaviest = 25'000;      // kg/m3: above all metals
-constexpr double smallest_share = 1e-2;  // of the median size: such a block decides over dt and conditioning
-constexpr double widest_gap = 1e-2;      // of the smaller block's size: wider ones are seen in a drawing
-constexpr double facing_share = 0.25;    // of the shorter of two edges that run beside each other
-constexpr double facing_cosine = 0.999;  // within 2.5 degrees of opposite directions
-constexpr double longest_fall = 0.1;     // of the smallest block, in one step; contact detection follows less
-constexpr double most_crossings = 100;   // of the whole scene by a P wave in one step
+constexpr double softest = 1e5;           // Pa: a tenth of the softest soils
+constexpr double lightest = 10;           // kg/m3: below foam; 2.65 is a density in t/m3
+constexpr double heaviest = 25'000;       // kg/m3: above all metals
+constexpr double smallest_share = 1e-2;   // of the median size: such a block decides over dt and conditioning
+constexpr double widest_gap = 1e-2;       // of the smaller block's size: wider ones are seen in a drawing
+constexpr double facing_share = 0.25;     // of the shorter of two edges that run beside each other
+constexpr double facing_cosine = 0.999;   // within 2.5 degrees of opposite directions
+constexpr double longest_fall = 0.1;      // of the smallest block, in one step; contact detection follows less
+constexpr double spoilt_speed = 0.05;     // by time steps, of a wave that is as fast as the loads
+constexpr double spoilt_amplitude = 0.2;  // the same, lost in a period
+constexpr double most_crossings = 100;    // of the whole scene by a P wave in one step
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -228,6 +232,25 @@ void remark_on_steps(const Model& model, const ContactSet& /*contacts*/, Remarks
   }
 }
 
+// Waves of the load's own frequency that the integrator itself spoils. Loads that steps pass over are unseen_loads'.
+void remark_on_coarse_steps(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  const auto keeps = [](const StepErrors& errors, double speed, double amplitude) {
+    return std::abs(errors.speed) <= speed && std::abs(errors.amplitude) <= amplitude;
+  };
+  for (const Stage& stage : model.stages) {
+    if (stage.integrator.is_static) continue;
+    const std::optional<FastestWave> wave = fastest_wave(model, stage, stage.dt);
+    if (!wave || wave->frequency * stage.dt > 0.5 || keeps(wave->errors, spoilt_speed, spoilt_amplitude)) continue;
+    double dt = stage.dt;
+    while (!keeps(fastest_wave(model, stage, dt)->errors, 0.01, 0.05)) dt /= 2;
+    remarks.push_back(fmt::format(
+        "stage \"{}\": loads change as fast as a wave of {:.3g} Hz does, whose speed steps of {:g} s alter by "
+        "{:.0f} % and of whose amplitude they take {:.0f} % in a period; at a dt of {:.2g} s it is 1 and 5 % at most",
+        stage.name, wave->frequency, stage.dt, 100 * wave->errors.speed,
+        std::max(0.0, std::round(100 * wave->errors.amplitude)), dt));
+  }
+}
+
 void remark_on_brittle_joints(const Model& model, const ContactSet& contacts, Remarks& remarks) {
   std::set<int> used;
   for (const Interface& interface : contacts.interfaces) used.insert(interface.joint);
@@ -273,9 +296,9 @@ void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks
   for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
 }
 
-constexpr auto all_remarks = {remark_on_holding,        remark_on_gravity, remark_on_tension, remark_on_materials,
-                              remark_on_sizes,          remark_on_gaps,    remark_on_steps,   remark_on_loads,
-                              remark_on_brittle_joints, remark_on_chatter};
+constexpr auto all_remarks = {remark_on_holding, remark_on_gravity,        remark_on_tension, remark_on_materials,
+                              remark_on_sizes,   remark_on_gaps,           remark_on_steps,   remark_on_coarse_steps,
+                              remark_on_loads,   remark_on_brittle_joints, remark_on_chatter};
 
 }  // namespace
 

@@ -134,6 +134,22 @@ const std::vector<OddScene> odd_scenes = {
        model.gravity = {0, 0};
      },
      "stage \"run\": in a step of 0.5 s a P wave crosses the scene 3.2e+02 times"},
+    {"coarse_step",
+     [](Model& model) {
+       model.gravity = {0, 0};
+       model.joints[0].bonded = true;
+       model.edge_loads.push_back({0, {0, 0}, {1, 0}, {0, 1}, PiecewiseLinear{{0, 4e-3}, {0, 1}}});
+       model.stages[0].dt = 2.5e-3;
+     },
+     "stage \"run\": loads change as fast as a wave of 62.5 Hz does, whose speed steps of 0.0025 s alter by -7 % and "
+     "of whose amplitude they take 0 % in a period; at a dt of 0.00063 s it is 1 and 5 % at most"},
+    {"fine_step",
+     [](Model& model) {
+       model.joints[0].bonded = true;
+       model.edge_loads.push_back({0, {0, 0}, {1, 0}, {0, 1}, PiecewiseLinear{{0, 4e-3}, {0, 1}}});
+       model.stages[0].dt = 1e-4;
+     },
+     ""},
     {"brittle", [](Model& model) { model.joints[0].cohesion = 1e6; },
      "joint \"default\" is brittle: residual_cohesion is 0 or left out, so a contact that fails loses all of its 1e+06 "
      "Pa"},

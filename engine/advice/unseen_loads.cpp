@@ -16,12 +16,31 @@
 namespace dda {
 namespace {
 
-constexpr double too_much = 0.3;  // unseen: a sine with three steps in a period
-constexpr double little = 0.1;    // six steps in a period
-constexpr int most_steps = 4000;  // that are looked at, spread over the whole
-constexpr int points = 8;         // in each, never twice at the same share of a step
+constexpr double too_much = 0.3;      // unseen: a sine with three steps in a period
+constexpr double little = 0.1;        // six steps in a period
+constexpr int most_steps = 4000;      // that are looked at, spread over the whole
+constexpr int points = 8;             // in each, never twice at the same share of a step, and in all that is shorter
+constexpr int most_points = 1000000;  // in a step
 
 std::string name_of(const Model& model, int block) { return model.blocks[static_cast<std::size_t>(block)].name; }
+
+struct Span {
+  double from = 0, to = 0;  // s
+};
+
+// When the history changes: before and after it is zero, or stays as it is.
+Span changing(const TimeFunction& history) {
+  if (const auto* table = std::get_if<PiecewiseLinear>(&history)) return {table->times.front(), table->times.back()};
+  if (const auto* sine = std::get_if<SineCycles>(&history))
+    return {sine->start, sine->start + sine->cycles / sine->frequency};
+  if (const auto* decay = std::get_if<ExponentialDecay>(&history)) {
+    constexpr double gone = 10;  // decay times: 5e-5 is left
+    return {decay->start, decay->start + decay->rise + gone * decay->decay_time};
+  }
+  if (const auto* record = std::get_if<Recorded>(&history))
+    return {record->start + record->recording->times().front(), record->start + record->recording->times().back()};
+  return {};
+}
 
 class Sentences {
  public:
@@ -31,42 +50,46 @@ class Sentences {
   void add_load(const Load& load) {
     if (std::holds_alternative<Constant>(load.history)) return;
     add(fmt::format("the load on block \"{}\", {},", name_of(model_, load.block), words_for(load.history)),
-        [&](double t) { return evaluate(load.history, t); });
+        changing(load.history), [&](double t) { return evaluate(load.history, t); });
   }
   template <typename Motion>
   void add_motion(const Motion& motion) {
     if (std::holds_alternative<Constant>(motion.history) || motion.amplitude.isZero(0)) return;
     add(fmt::format("the motion of block \"{}\", {},", name_of(model_, motion.block), words_for(motion.history)),
-        [&](double t) { return motion_at(motion.kind, motion.history, t).displacement; });
+        changing(motion.history), [&](double t) { return motion_at(motion.kind, motion.history, t).displacement; });
   }
   [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
 
  private:
   template <typename Value>
-  void add(const std::string& what, const Value& value) {
-    double from = 0;
+  void add(const std::string& what, const Span& changes, const Value& value) {
+    double begin = 0;
     for (const Stage& stage : model_.stages) {
-      const double to = from + stage.duration;
-      if (!stage.integrator.is_static && is_new(value, from, to)) add(stage, what, value, from, to);
-      from = to;
+      const double from = std::max(changes.from, begin), to = std::min(changes.to, begin + stage.duration);
+      // Whole steps of the stage: what lies beside the history is seen with it.
+      if (!stage.integrator.is_static && from < to)
+        add(stage, what, to - from, value, begin + std::floor((from - begin) / stage.dt) * stage.dt,
+            begin + std::ceil((to - begin) / stage.dt) * stage.dt);
+      begin += stage.duration;
     }
   }
 
   // Edges of many blocks have one history, which is looked at once.
   template <typename Value>
   bool is_new(const Value& value, double from, double to) {
-    std::array<double, 16> print{from};
-    for (std::size_t i = 1; i < print.size(); ++i)
+    std::array<double, 16> print{from, to};
+    for (std::size_t i = 2; i < print.size(); ++i)
       print[i] = value(from + (to - from) * std::fmod(0.6180339887498949 * static_cast<double>(i), 1.0));
     return seen_.insert(print).second;
   }
 
   template <typename Value>
-  void add(const Stage& stage, const std::string& what, const Value& value, double from, double to) {
-    const double share = unseen_share(value, from, to, stage.dt);
+  void add(const Stage& stage, const std::string& what, double shortest, const Value& value, double from, double to) {
+    if (!is_new(value, from, to)) return;
+    const double share = unseen_share(value, from, to, stage.dt, shortest);
     if (!(share > too_much)) return;
     double dt = stage.dt;
-    for (int i = 0; i < 40 && unseen_share(value, from, to, dt) > little; ++i) dt /= 2;
+    for (int i = 0; i < 40 && unseen_share(value, from, to, dt, shortest) > little; ++i) dt /= 2;
     sentences_.push_back(fmt::format(
         "stage \"{}\": {} changes faster than steps of {:g} s can see: they miss {:.0f} % of it; dt of {:.2g} "
         "s sees it",
@@ -80,14 +103,15 @@ class Sentences {
 
 }  // namespace
 
-double unseen_share(const std::function<double(double)>& history, double from, double to, double dt) {
+double unseen_share(const std::function<double(double)>& history, double from, double to, double dt, double shortest) {
   const auto steps = static_cast<std::int64_t>(std::llround((to - from) / dt));
   const std::int64_t stride = std::max<std::int64_t>(1, steps / most_steps);
+  const double in_a_step = points * std::max(1.0, dt / shortest);
   double missed = 0, whole = 0, place = 0;
   for (std::int64_t step = 0; step < steps; step += stride) {
     const double start = from + static_cast<double>(step) * dt;
     const double first = history(start), last = history(start + dt);
-    for (int i = 0; i < points; ++i) {
+    for (int i = 0; i < std::min<double>(in_a_step, most_points); ++i) {
       place = std::fmod(place + 0.6180339887498949, 1.0);
       const double value = history(start + place * dt);
       missed += std::pow(value - first - place * (last - first), 2);

@@ -12,7 +12,7 @@ namespace {
 
 double share_of_sine(double steps_in_period, double phase = 0) {
   return unseen_share([=](double t) { return std::sin(2 * std::numbers::pi * (t + phase)); }, 0, 40,
-                      1 / steps_in_period);
+                      1 / steps_in_period, 1);
 }
 
 // A sine by straight lines between n values in a period, over all phases: the square of what is left is
@@ -25,7 +25,7 @@ TEST(UnseenLoads, SharesOfSinesAreThoseOfStraightLines) {
   }
   EXPECT_NEAR(share_of_sine(1), 1, 1e-9);
   EXPECT_NEAR(share_of_sine(2), 1, 1e-9);
-  EXPECT_EQ(unseen_share([](double) { return 0.0; }, 0, 1, 0.1), 0);
+  EXPECT_EQ(unseen_share([](double) { return 0.0; }, 0, 1, 0.1, 1), 0);
 }
 
 Model pushed(const TimeFunction& history, double dt) {
@@ -43,6 +43,16 @@ TEST(UnseenLoads, NamesWhatStepsPassOver) {
   EXPECT_NE(found[0].find("a sine of 1000 Hz"), std::string::npos) << found[0];
   EXPECT_NE(found[0].find("miss 100 %"), std::string::npos) << found[0];
   EXPECT_EQ(unseen_loads(pushed(SineCycles{330, INFINITY, 0}, 1e-3)).size(), 1U);
+}
+
+// Looked at where it is, however long the stage and its steps are; and a second one elsewhere is not taken for it.
+TEST(UnseenLoads, FindsPulsesFarShorterThanAStep) {
+  const PiecewiseLinear blow{{0.301, 0.30101, 0.30102}, {0, 1, 0}};
+  Model model = pushed(blow, 0.1);
+  EXPECT_EQ(unseen_loads(model).size(), 1U);
+  model.edge_loads.push_back(model.edge_loads.front());
+  model.edge_loads.back().history = PiecewiseLinear{{0.801, 0.80101, 0.80102}, {0, 1, 0}};
+  EXPECT_EQ(unseen_loads(model).size(), 2U);
 }
 
 TEST(UnseenLoads, SaysNothingOfWhatIsSeen) {

@@ -14,13 +14,13 @@
 #include <vector>
 
 #include "engine/advice/remarks.h"
-#include "engine/advice/unseen_loads.h"
 #include "engine/app/branch_origin.h"
 #include "engine/app/energy_verdict.h"
 #include "engine/app/frame_clock.h"
 #include "engine/app/run_files.h"
 #include "engine/app/run_position.h"
 #include "engine/app/run_request.h"
+#include "engine/app/run_warnings.h"
 #include "engine/app/stop_signal.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
@@ -209,29 +209,9 @@ class Run {
                        simulation_.state().time, simulation_.message());
   }
 
-  // Contacts that are pressed in so deep carry the right forces in the wrong place.
-  [[nodiscard]] std::string penetration_warning() const {
-    const Penetration& deepest = simulation_.deepest_penetration();
-    if (deepest.share <= tolerated_penetration) return "";
-    const auto name = [&](int block) { return simulation_.model().blocks[static_cast<std::size_t>(block)].name; };
-    return fmt::format(
-        "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller one; "
-        "take "
-        "stiffer joints or a smaller dt",
-        name(deepest.block_a), name(deepest.block_b), deepest.depth, deepest.time, 100 * deepest.share);
-  }
-
-  [[nodiscard]] std::string loose_warning() const {
-    const auto& loose = simulation_.loose_blocks();
-    if (loose.empty()) return "";
-    return fmt::format("warning: nothing holds {}; in static stages they stayed where they were, so that others settle",
-                       named_with_places(simulation_.model(), loose));
-  }
-
   [[nodiscard]] std::string warnings(const std::string& energy_warning) const {
-    std::vector<std::string> warnings = {energy_warning, penetration_warning(), loose_warning()};
-    for (const std::string& sentence : unseen_loads(simulation_.model())) warnings.push_back("warning: " + sentence);
-    std::erase(warnings, "");
+    std::vector<std::string> warnings = warnings_of(simulation_);
+    if (!energy_warning.empty()) warnings.insert(warnings.begin(), energy_warning);
     return fmt::format("{}", fmt::join(warnings, "; "));
   }
 

@@ -87,6 +87,16 @@ std::vector<const TimeFunction*> histories_of(const Model& model) {
   return histories;
 }
 
+// Hz, of loads and prescribed motions or as it is given; 0 where nothing changes. Recordings have their samples
+// instead.
+double fastest_change(const Model& model) {
+  if (model.target_frequency) return *model.target_frequency;
+  double highest = 0;
+  for (const TimeFunction* history : histories_of(model))
+    highest = std::max(highest, highest_frequency(*history).value_or(0));
+  return highest;
+}
+
 double dt_for_wave(const Model& model, const Integrator& integrator, double frequency) {
   double slowest = std::numeric_limits<double>::infinity();
   for (const Block& block : model.blocks) slowest = std::min(slowest, bar_speed(rock_of(model, block)));
@@ -101,13 +111,10 @@ double dt_for_wave(const Model& model, const Integrator& integrator, double freq
 }
 
 void limit_by_waves(const Model& model, const Stage& stage, Limit& limit) {
-  double highest = model.target_frequency.value_or(0);
-  for (const TimeFunction* history : histories_of(model)) {
-    if (!model.target_frequency) highest = std::max(highest, highest_frequency(*history).value_or(0));
+  for (const TimeFunction* history : histories_of(model))
     if (const auto* record = std::get_if<Recorded>(history))
       tighten(limit, record->recording->mean_interval(), "the interval of a recording's samples");
-  }
-  if (highest > 0)
+  if (const double highest = fastest_change(model); highest > 0)
     tighten(limit, dt_for_wave(model, stage.integrator, highest), fmt::format("waves of {:.3g} Hz", highest));
 }
 
@@ -171,6 +178,12 @@ StepErrors step_errors(const Integrator& i, double theta) {
   for (const std::complex<double>& value : solver.eigenvalues())
     if (std::abs(value - exact) < std::abs(nearest - exact)) nearest = value;
   return {std::arg(nearest) / theta - 1, 1 - std::pow(std::abs(nearest), 2 * std::numbers::pi / theta)};
+}
+
+std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt) {
+  const double frequency = fastest_change(model);
+  if (frequency <= 0) return std::nullopt;
+  return FastestWave{frequency, step_errors(stage.integrator, 2 * std::numbers::pi * frequency * dt)};
 }
 
 void choose_time_steps(Model& model) {

@@ -17,6 +17,8 @@
 // square of a block's area; blocks smaller than it make up 5 % of the rock, so that a sliver slows no scene down.
 #pragma once
 
+#include <optional>
+
 #include "engine/model/model.h"
 
 namespace dda {
@@ -28,6 +30,13 @@ struct StepErrors {
 
 // The errors of an oscillator stepped at theta = 2 pi dt/period.
 StepErrors step_errors(const Integrator& integrator, double theta);
+
+// The fastest change of loads and prescribed motions (or `target_frequency`) as a wave; nothing where none changes.
+struct FastestWave {
+  double frequency = 0;  // Hz; a straight line of a table counts as a quarter of a period
+  StepErrors errors;     // by the integrator and dt of a stage
+};
+std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt);
 
 // Sets dt and dt_reason of stages with automatic_dt.
 void choose_time_steps(Model& model);

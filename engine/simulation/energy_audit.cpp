@@ -73,6 +73,7 @@ void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDampi
 
 void EnergyAudit::record(const StepCoefficients& step, double inertia_work, const StoredEnergy& stored,
                          const StepForces& forces, const Eigen::VectorXd& d) {
+  most_gained_ = most_gained();  // what the step before has booked after its record() is in it
   const double work_old = dot(d, forces.load_old);
   const double work_new = dot(d, forces.load_new);
   ledger_.external_work += (work_old + work_new) / 2;

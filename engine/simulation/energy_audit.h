@@ -108,21 +108,36 @@ class EnergyAudit {
 
   // A stage begins; and what it lost to time integration was settling, as the velocities that static steps take out
   // are. (Counted as numerical it would hide what later stages gain.)
-  void begin_stage() { numerical_before_ = ledger_.numerical; }
+  void begin_stage() {
+    numerical_before_ = ledger_.numerical;
+    lost_before_ = lost();
+  }
   void has_settled();
 
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
+  // The most, at the end of any step, that was stored beyond what the stage began with and what was brought in it (J
+  // per m of thickness). What a run gains for a while it can lose again, and its sums at the end tell nothing of it.
+  [[nodiscard]] double most_gained() const { return std::max(most_gained_, lost_before_ - lost()); }
+
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [ledger, replaced, numerical_before] = self;
-    archive(ledger, replaced, numerical_before);
+    auto& [ledger, replaced, numerical_before, lost_before, most_gained] = self;
+    archive(ledger, replaced, numerical_before, lost_before, most_gained);
   }
 
  private:
+  // All that went elsewhere, whatever took it.
+  [[nodiscard]] double lost() const {
+    return ledger_.friction + ledger_.plastic + ledger_.radiated + ledger_.dashpot + ledger_.damping +
+           ledger_.numerical + ledger_.removed;
+  }
+
   EnergyLedger ledger_;
   double replaced_ = 0;          // losses by interface_replaced in the step under way
-  double numerical_before_ = 0;  // losses of the stages before
+  double numerical_before_ = 0;  // losses of the stages before, by time integration
+  double lost_before_ = 0;       // and all of them
+  double most_gained_ = 0;       // up to the start of the step under way
 };
 
 }  // namespace dda

@@ -7,6 +7,7 @@
 #include "verification/cases/all_cases.h"
 #include "verification/chapters/thesis_command.h"
 #include "verification/precision/precision_command.h"
+#include "verification/stability/stability_command.h"
 #include "verification/suite/run_command.h"
 #include "verification/suite/table_command.h"
 #include "verification/sweep/sweep_command.h"
@@ -25,6 +26,7 @@ struct Arguments {
   std::filesystem::path blast, blast_page;
   verify::PrecisionCommand precision;
   verify::ThesisCommand thesis;
+  verify::StabilityCommand stability;
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
@@ -145,6 +147,18 @@ void add_thesis(CLI::App& app, Arguments& arguments) {
                    "small readings of section 6.1, in seconds, and no runs of chapter 5 and section 6.2");
 }
 
+void add_stability(CLI::App& app, Arguments& arguments) {
+  CLI::App* stability = app.add_subcommand(
+      "stability",
+      "Penalty, time step, mass ratio and aspect of blocks at their extremes, in four small problems under every "
+      "integrator: which runs are right, which refuse, warn or stop.\nWrites stability.json, stability.md and images/; "
+      "some minutes. Exit code 1 if a run is wrong and says nothing.");
+  stability->add_option("--out", arguments.stability.folder, "folder for all files; made if it is not there")
+      ->required();
+  stability->add_flag("--quick", arguments.stability.quick,
+                      "the corners of the chart under two integrators, in seconds");
+}
+
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
   if (app.got_subcommand("blast")) {
@@ -161,6 +175,7 @@ int carry_out(const CLI::App& app, const Arguments& arguments) {
     return verify::sweep(arguments.sweep, std::filesystem::canonical("/proc/self/exe"), std::cout, std::cerr);
   if (app.got_subcommand("job")) return verify::job(arguments.job, std::cout);
   if (app.got_subcommand("work-precision")) return verify::work_precision(arguments.precision, std::cout, std::cerr);
+  if (app.got_subcommand("stability")) return verify::chart_stability(arguments.stability, std::cout, std::cerr);
   if (app.got_subcommand("collect")) return verify::collect(arguments.collected, std::cout, std::cerr);
   if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);
   verify::list_cases(verify::select(verify::all_cases(), arguments.run.selection), std::cout);
@@ -182,5 +197,6 @@ int main(int argc, char** argv) {
   add_collect(app, arguments);
   add_precision(app, arguments);
   add_thesis(app, arguments);
+  add_stability(app, arguments);
   return verify::run_program(app, argc, argv, [&app, &arguments] { return carry_out(app, arguments); });
 }

@@ -1,0 +1,38 @@
+#include "engine/app/run_warnings.h"
+
+#include <fmt/format.h>
+
+#include "engine/advice/unseen_loads.h"
+
+namespace dda {
+namespace {
+
+// Contacts that are pressed in so deep carry the right forces in the wrong place.
+std::string penetration_warning(const Simulation& simulation) {
+  const Penetration& deepest = simulation.deepest_penetration();
+  if (deepest.share <= tolerated_penetration) return "";
+  const auto name = [&](int block) { return simulation.model().blocks[static_cast<std::size_t>(block)].name; };
+  return fmt::format(
+      "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller one; "
+      "take "
+      "stiffer joints or a smaller dt",
+      name(deepest.block_a), name(deepest.block_b), deepest.depth, deepest.time, 100 * deepest.share);
+}
+
+std::string loose_warning(const Simulation& simulation) {
+  const auto& loose = simulation.loose_blocks();
+  if (loose.empty()) return "";
+  return fmt::format("warning: nothing holds {}; in static stages they stayed where they were, so that others settle",
+                     named_with_places(simulation.model(), loose));
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Simulation& simulation) {
+  std::vector<std::string> warnings = {penetration_warning(simulation), loose_warning(simulation)};
+  for (const std::string& sentence : unseen_loads(simulation.model())) warnings.push_back("warning: " + sentence);
+  std::erase(warnings, "");
+  return warnings;
+}
+
+}  // namespace dda

@@ -1,0 +1,15 @@
+// What else a run that went through has to say of its result.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/simulation/simulation.h"
+
+namespace dda {
+
+// A sentence each, beginning with "warning: ": blocks deep in each other, blocks that nothing holds, loads that steps
+// pass over.
+std::vector<std::string> warnings_of(const Simulation& simulation);
+
+}  // namespace dda

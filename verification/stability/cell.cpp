@@ -1,0 +1,111 @@
+#include "verification/stability/cell.h"
+
+#include <algorithm>
+#include <ctime>
+#include <memory>
+
+#include "engine/advice/remarks.h"
+#include "engine/app/energy_verdict.h"
+#include "engine/app/run_warnings.h"
+#include "engine/core/error.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation.h"
+
+namespace verify {
+namespace {
+
+class Watcher {
+ public:
+  Watcher(const Setting& setting, const dda::Simulation& simulation)
+      : answer_(answer_of(setting)),
+        probes_(simulation),
+        sample_(probes_.size()),
+        begins_after_(simulation.model().stages.size() - 1) {
+    look(simulation);
+  }
+
+  void look(const dda::Simulation& simulation) {
+    if (dda::stages_done(simulation) < begins_after_) return;
+    probes_.sample(simulation, sample_);
+    answer_->look(simulation, sample_);
+  }
+
+  [[nodiscard]] std::vector<Check> checks(const dda::Simulation& simulation) const {
+    return answer_->checks(simulation);
+  }
+
+ private:
+  std::unique_ptr<Answer> answer_;
+  dda::Probes probes_;
+  std::vector<double> sample_;
+  std::size_t begins_after_;  // stages: the last one moves
+};
+
+// Ended early, or with a balance that does not add up. Both must say why.
+void stop(dda::Status status, const std::string& why, Cell& cell) {
+  cell.outcome = why.empty() ? Outcome::silent : Outcome::stopped;
+  cell.message = std::string(to_string(status)) + ": " + why;
+}
+
+// On the scene as drawn, as `dda run` has them before its first step.
+std::vector<std::string> remarks_before(const dda::Simulation& simulation) {
+  std::vector<std::string> remarks = dda::remarks_on(simulation.model(), simulation.contacts());
+  for (std::string& remark : remarks) remark.insert(0, "remark: ");
+  return remarks;
+}
+
+void judge(const dda::Simulation& simulation, const Watcher& watcher, const std::vector<std::string>& remarks,
+           Cell& cell) {
+  const dda::EnergyVerdict verdict = dda::judge_energy(simulation);
+  if (verdict.status != dda::Status::ok) return stop(verdict.status, verdict.message, cell);
+  cell.said = dda::warnings_of(simulation);
+  if (!verdict.message.empty()) cell.said.push_back(verdict.message);
+  cell.said.insert(cell.said.end(), remarks.begin(), remarks.end());
+  cell.checks = watcher.checks(simulation);
+  if (std::ranges::all_of(cell.checks, &Check::holds))
+    cell.outcome = Outcome::correct;
+  else
+    cell.outcome = cell.said.empty() ? Outcome::silent : Outcome::warned;
+}
+
+void run(const Setting& setting, const std::string& scene, Cell& cell) {
+  dda::Simulation simulation(dda::parse_scene(scene, "scene.json"));
+  const std::vector<std::string> remarks = remarks_before(simulation);
+  Watcher watcher(setting, simulation);
+  while (!simulation.finished()) {
+    if (const dda::Status status = simulation.step(); status != dda::Status::ok)
+      return stop(status, simulation.message(), cell);
+    watcher.look(simulation);
+  }
+  judge(simulation, watcher, remarks, cell);
+}
+
+}  // namespace
+
+std::string name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::correct: return "correct";
+    case Outcome::warned: return "warned";
+    case Outcome::stopped: return "stopped";
+    case Outcome::refused: return "refused";
+    case Outcome::silent: return "silently wrong";
+  }
+  return "";
+}
+
+Cell run_cell(const Setting& setting, const nlohmann::ordered_json& scene) {
+  Cell cell;
+  cell.setting = setting;
+  const std::clock_t begin = std::clock();
+  try {
+    run(setting, scene.dump(), cell);
+  } catch (const dda::InputError& error) {
+    cell.outcome = Outcome::refused;
+    cell.message = error.what();
+  }
+  cell.cpu_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return cell;
+}
+
+}  // namespace verify

@@ -1,0 +1,92 @@
+#include "verification/stability/setting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace verify {
+namespace {
+
+// s: two crossings of the pulse; vibrations of the wall; a metre of sliding; the pile's fall and rest.
+double duration_of(Problem problem) {
+  switch (problem) {
+    case Problem::pulse: return 4e-3;
+    case Problem::wall: return 0.5;
+    case Problem::incline: return 1;
+    case Problem::pile: return 0.5;
+  }
+  return 0;
+}
+
+double ordinary_dt(Problem problem) { return problem == Problem::pulse ? 1e-5 : 1e-3; }
+
+Setting ordinary(const ChartGrid& grid, Problem problem, const std::string& integrator) {
+  Setting setting;
+  setting.problem = problem;
+  setting.integrator = integrator;
+  setting.dt = ordinary_dt(problem);
+  setting.most_steps = grid.most_steps;
+  return setting;
+}
+
+}  // namespace
+
+std::string name_of(Problem problem) {
+  switch (problem) {
+    case Problem::pulse: return "pulse";
+    case Problem::wall: return "wall";
+    case Problem::incline: return "incline";
+    case Problem::pile: return "pile";
+  }
+  return "";
+}
+
+int steps_of(const Setting& setting) {
+  const int most = setting.problem == Problem::pulse ? 10 * setting.most_steps : setting.most_steps;
+  const double steps = std::ceil(duration_of(setting.problem) / setting.dt * (1 - 1e-9));
+  return static_cast<int>(std::clamp(steps, 10.0, static_cast<double>(most)));
+}
+
+std::string words_for(const Setting& setting) {
+  return fmt::format("{}, {}, penalty {:g}, dt {:g}, mass ratio {:g}, aspect {:g}", name_of(setting.problem),
+                     setting.integrator, setting.penalty, setting.dt, setting.mass_ratio, setting.aspect);
+}
+
+ChartGrid chart_grid(bool quick) {
+  if (quick) return {{"thesis", "trapezoidal"}, {1e-3, 10, 1e6}, {1e-7, 1e-3, 1e-1}, {1, 1e6}, {1, 1e4}, 100};
+  return {{"thesis", "generalized_alpha 0", "generalized_alpha 0.85", "hht 0.1", "trapezoidal", "energy_conserving"},
+          {1e-3, 1e-2, 1e-1, 1, 10, 1e2, 1e3, 1e4, 1e5, 1e6},
+          {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1},
+          {1, 1e2, 1e4, 1e6},
+          {1, 10, 1e2, 1e3, 1e4},
+          1000};
+}
+
+std::vector<Setting> step_settings(const ChartGrid& grid) {
+  std::vector<Setting> settings;
+  for (const Problem problem : all_problems)
+    for (const std::string& integrator : grid.integrators)
+      for (const double penalty : grid.penalties)
+        for (const double dt : grid.dts) {
+          Setting& setting = settings.emplace_back(ordinary(grid, problem, integrator));
+          setting.penalty = penalty;
+          setting.dt = dt;
+        }
+  return settings;
+}
+
+std::vector<Setting> block_settings(const ChartGrid& grid) {
+  std::vector<Setting> settings;
+  for (const Problem problem : all_problems)
+    for (const std::string& integrator : grid.integrators)
+      for (const double mass_ratio : grid.mass_ratios)
+        for (const double aspect : grid.aspects) {
+          Setting& setting = settings.emplace_back(ordinary(grid, problem, integrator));
+          setting.mass_ratio = mass_ratio;
+          setting.aspect = aspect;
+        }
+  return settings;
+}
+
+}  // namespace verify

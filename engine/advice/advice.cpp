@@ -101,7 +101,7 @@ class Adviser {
     advice.solver = to_string(plan.solver);
     advice.cost = cost_of(size, plan, stage.steps());
     if (stage.integrator.is_static || !frequency_) return advice;
-    if (stage.has_rayleigh_damping()) advice.damping_ratio = stage.damping_ratio(*frequency_);
+    if (stage.material_damping.acts()) advice.damping_ratio = stage.material_damping.ratio_at(*frequency_);
     if (way_) advice.waves.push_back(along_way(stage));
     if (way_ && way_->kind == WaveKind::bar) return advice;
     for (const Lattice& lattice : lattices_)

@@ -24,8 +24,8 @@ void check_stage(const Item& item, const Stage& stage) {
   check_integrator(item, stage.integrator);
   item.within("velocity factor", stage.velocity_factor, 0, 1);
   item.not_negative("damping rate", stage.damping_rate);
-  item.not_negative("mass damping", stage.mass_damping);
-  item.not_negative("stiffness damping", stage.stiffness_damping);
+  item.not_negative("mass damping", stage.material_damping.mass);
+  item.not_negative("stiffness damping", stage.material_damping.stiffness);
   item.within("equilibrium", stage.equilibrium, 0, 1);
   item.not_negative("strain inertia", stage.strain_inertia);
   item.positive("max open-close iterations", stage.max_open_close_iterations);
@@ -38,7 +38,7 @@ void check_stages(const Model& model) {
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
     const Item item("stages", i, model.stages[i].name);
     check_stage(item, model.stages[i]);
-    if (model.stages[i].has_rayleigh_damping() && !model.stays_linear())
+    if (model.stages[i].material_damping.acts() && !model.stays_linear())
       item.fail("damping", "given",
                 "none: it is for scenes without bolts, whose joints are all bonded and whose stages all "
                 "have small kinematics; elsewhere there are damping_rate and contact_damping");

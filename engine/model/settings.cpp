@@ -40,9 +40,9 @@ Integrator static_integrator() { return {"static", 0.5, 1.0, 0, 0, true}; }
 
 std::int64_t Stage::steps() const { return paces_itself() ? 0 : std::llround(duration / dt); }
 
-double Stage::damping_ratio(double frequency) const {
+double MaterialDamping::ratio_at(double frequency) const {
   const double omega = 2 * std::numbers::pi * frequency;
-  return mass_damping / (2 * omega) + stiffness_damping * omega / 2;
+  return mass / (2 * omega) + stiffness * omega / 2;
 }
 
 }  // namespace dda

@@ -52,6 +52,17 @@ struct Removal {
   std::optional<TimeFunction> relaxation;
 };
 
+// Rayleigh's: forces -(mass M + stiffness K) v.
+struct MaterialDamping {
+  double mass = 0;       // 1/s
+  double stiffness = 0;  // s
+
+  [[nodiscard]] bool acts() const { return mass != 0 || stiffness != 0; }
+  // Share of critical damping of a vibration of this frequency (Hz), of angular frequency w: mass/(2 w) + stiffness
+  // w/2.
+  [[nodiscard]] double ratio_at(double frequency) const;
+};
+
 struct Stage {
   std::string name = "run";
   double dt = 0;              // s; 0: a static stage that finds its own steps, see paces_itself()
@@ -65,10 +76,7 @@ struct Stage {
   double velocity_factor = 1;  // k01: velocities are multiplied by it at the end of every step (depends on dt!)
   double damping_rate = 0;     // 1/s: velocities decay as exp(-damping_rate t), whatever dt is
 
-  // Rayleigh damping, forces -(mass_damping M + stiffness_damping K) v, in dynamic stages of scenes in which nothing
-  // can change. A vibration of angular frequency w has the damping ratio damping_ratio().
-  double mass_damping = 0;       // 1/s
-  double stiffness_damping = 0;  // s
+  MaterialDamping material_damping;  // in dynamic stages of scenes in which nothing can change
 
   // Factor on the inertia of the strains. 1 is consistent (exact) inertia; 2 averages consistent and lumped inertia,
   // which removes the leading dispersion of a chain of bonded blocks and leaves rigid motion exact.
@@ -95,10 +103,6 @@ struct Stage {
   bool unlimited_strength = false;
 
   Removal removal;
-
-  [[nodiscard]] bool has_rayleigh_damping() const { return mass_damping != 0 || stiffness_damping != 0; }
-  // Share of critical damping at a frequency (Hz): mass_damping/(2 w) + stiffness_damping w/2.
-  [[nodiscard]] double damping_ratio(double frequency) const;
 
   int max_open_close_iterations = 200;
   int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge

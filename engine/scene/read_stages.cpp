@@ -64,15 +64,15 @@ void read_rayleigh_damping(const Field& field, Stage& stage) {
   if (one.has_value() == two.has_value()) field.fail("either \"frequency\" or \"frequencies\"");
   const auto omega = [](const Field& f) { return 2 * std::numbers::pi * f.positive(Dimension::frequency); };
   if (one) {
-    stage.stiffness_damping = 2 * ratio / omega(*one);
+    stage.material_damping.stiffness = 2 * ratio / omega(*one);
     return;
   }
   const std::vector<Field> pair = two->items();
   if (pair.size() != 2) two->fail("two frequencies, e.g. [\"20 Hz\", \"200 Hz\"]");
   const double low = omega(pair[0]), high = omega(pair[1]);
   if (low >= high) two->fail("two frequencies, the lower one first");
-  stage.mass_damping = 2 * ratio * low * high / (low + high);
-  stage.stiffness_damping = 2 * ratio / (low + high);
+  stage.material_damping.mass = 2 * ratio * low * high / (low + high);
+  stage.material_damping.stiffness = 2 * ratio / (low + high);
 }
 
 void read_damping(const Field& field, Stage& stage) {

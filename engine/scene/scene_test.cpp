@@ -108,11 +108,11 @@ TEST(Scene, DampingHasItsRatioAtItsFrequencies) {
         .stages[0];
   };
   const Stage one = stage_with(R"({"ratio": "2 %", "frequency": "100 Hz"})");
-  EXPECT_EQ(one.mass_damping, 0);
-  EXPECT_NEAR(one.stiffness_damping, 0.02 / (100 * std::numbers::pi), 1e-17);
+  EXPECT_EQ(one.material_damping.mass, 0);
+  EXPECT_NEAR(one.material_damping.stiffness, 0.02 / (100 * std::numbers::pi), 1e-17);
   const Stage two = stage_with(R"({"ratio": 0.05, "frequencies": [20, "0.2 kHz"]})");
-  for (const double frequency : {20.0, 200.0}) EXPECT_NEAR(two.damping_ratio(frequency), 0.05, 1e-15);
-  EXPECT_LT(two.damping_ratio(60), 0.05);
+  for (const double frequency : {20.0, 200.0}) EXPECT_NEAR(two.material_damping.ratio_at(frequency), 0.05, 1e-15);
+  EXPECT_LT(two.material_damping.ratio_at(60), 0.05);
 }
 
 TEST(Scene, StagesAreReadInOrderWithTheirSettings) {

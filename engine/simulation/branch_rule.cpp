@@ -86,9 +86,9 @@ bool are_same(const std::optional<TimeFunction>& a, const std::optional<TimeFunc
 
 void check(const Stage& then, const Stage& now, const std::string& field) {
   const auto& [name, dt, duration, automatic_dt, dt_reason, integrator, kinematics, solver, velocity_factor,
-               damping_rate, mass_damping, stiffness_damping, strain_inertia, correct_block_dispersion,
-               correct_time_dispersion, lateral_inertia, equilibrium, unlimited_strength, removal,
-               max_open_close_iterations, max_step_reductions] = now;
+               damping_rate, material_damping, strain_inertia, correct_block_dispersion, correct_time_dispersion,
+               lateral_inertia, equilibrium, unlimited_strength, removal, max_open_close_iterations,
+               max_step_reductions] = now;
   expect_equal(then.name, name, field + ".name");
   expect_equal(then.dt, dt, field + ".dt");
   expect_equal(then.duration, duration, field + ".duration");
@@ -97,8 +97,8 @@ void check(const Stage& then, const Stage& now, const std::string& field) {
   expect(then.solver == solver, field + ".solver", "kind");
   expect_equal(then.velocity_factor, velocity_factor, field + ".velocity_factor");
   expect_equal(then.damping_rate, damping_rate, field + ".damping_rate");
-  expect_equal(then.mass_damping, mass_damping, field + ".damping");
-  expect_equal(then.stiffness_damping, stiffness_damping, field + ".damping");
+  expect_equal(then.material_damping.mass, material_damping.mass, field + ".damping");
+  expect_equal(then.material_damping.stiffness, material_damping.stiffness, field + ".damping");
   expect_equal(then.strain_inertia, strain_inertia, field + ".strain_inertia");
   expect_equal(then.correct_block_dispersion, correct_block_dispersion, field + ".correct_block_dispersion");
   expect_equal(then.correct_time_dispersion, correct_time_dispersion, field + ".correct_time_dispersion");

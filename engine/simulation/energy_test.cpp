@@ -40,8 +40,8 @@ void damp_per_step(Model& model) { model.stages[0].velocity_factor = 0.97; }
 void damp_per_time(Model& model) { model.stages[0].damping_rate = 12; }
 void damp_material(Model& model) {
   if (!model.stays_linear()) return;
-  model.stages[0].mass_damping = 20;
-  model.stages[0].stiffness_damping = 1e-4;
+  model.stages[0].material_damping.mass = 20;
+  model.stages[0].material_damping.stiffness = 1e-4;
 }
 void weigh_strains(Model& model) { model.stages[0].strain_inertia = 2; }
 void correct_dispersion(Model& model) {

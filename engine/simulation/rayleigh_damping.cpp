@@ -3,8 +3,8 @@
 namespace dda {
 
 void RayleighDamping::begin(const Stage& stage) {
-  mass_ = stage.integrator.is_static ? 0 : stage.mass_damping;
-  stiffness_ = stage.integrator.is_static ? 0 : stage.stiffness_damping;
+  mass_ = stage.integrator.is_static ? 0 : stage.material_damping.mass;
+  stiffness_ = stage.integrator.is_static ? 0 : stage.material_damping.stiffness;
 }
 
 StepCoefficients RayleighDamping::in_matrix(StepCoefficients step) const {

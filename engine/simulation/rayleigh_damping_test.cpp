@@ -24,8 +24,8 @@ Model held_grid(double dt, int steps, const Integrator& integrator) {
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     model.blocks[i].initial_velocity = {std::sin(1.0 + static_cast<double>(i)), std::cos(2.0 * static_cast<double>(i))};
   model.stages = {stage_of(integrator, dt, steps)};
-  model.stages[0].mass_damping = mass_damping;
-  model.stages[0].stiffness_damping = stiffness_damping;
+  model.stages[0].material_damping.mass = mass_damping;
+  model.stages[0].material_damping.stiffness = stiffness_damping;
   finish_model(model);
   return model;
 }
@@ -97,7 +97,7 @@ TEST(RayleighDamping, AWaveLosesItsShareOverEachWavelength) {
     model.edge_loads = {{0, {0, 0.2}, {0, 0}, {1e6, 0}, SineCycles{frequency, 100, 0}}};
     const double speed = bar_wave_speed(model.materials[0]);
     model.stages = {stage_of(trapezoidal_integrator(), 1e-5, static_cast<int>(55 / speed / 1e-5))};
-    if (damped) model.stages[0].stiffness_damping = ratio / (std::numbers::pi * frequency);
+    if (damped) model.stages[0].material_damping.stiffness = ratio / (std::numbers::pi * frequency);
     Simulation simulation = simulation_of(std::move(model));
     double& peak = peaks[damped ? 1 : 0] = 0;
     while (!simulation.finished()) {

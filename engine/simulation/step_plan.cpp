@@ -56,7 +56,6 @@ StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet
   plan.time_dispersion = acting.correct_time_dispersion && (in_mesh || has_law(contacts, InterfaceLaw::cubic));
   plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
   plan.is_static = stage.integrator.is_static;
-  plan.rayleigh_damping = stage.has_rayleigh_damping() && !plan.is_static;
   plan.chi = chi;
   plan.solver = solver_for(model, stage, couplings, plan);
   return plan;
@@ -82,7 +81,6 @@ std::vector<std::string> StepPlan::describe() const {
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
   add(!finite_kinematics, "geometry: as drawn, matrix built once");
   add(velocity_damping, "velocity damping");
-  add(rayleigh_damping, "damping in proportion to inertia and stiffness");
   lines.push_back(fmt::format("solve: {} (chi = {:.3g})", to_string(solver), chi));
   return lines;
 }

@@ -28,7 +28,6 @@ struct StepPlan {
   bool block_dispersion = false;     // waves are corrected for the size of blocks
   bool time_dispersion = false;      // and for the time steps
   bool velocity_damping = false;
-  bool rayleigh_damping = false;
   bool is_static = false;
   double chi = 0;  // k dt^2/m
   SolverKind solver = SolverKind::cholesky;

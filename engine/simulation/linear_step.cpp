@@ -45,6 +45,7 @@ void LinearStep::set_up(BlockMatrix pattern) {
   operators_.emplace(make_linear_operators(s.model, s.terms, s.contacts, s.supports, s.waves));
   if (s.plan.loads) s.external.filter(s.waves);
   for (Eigen::VectorXd* vector : {&next_momentum_, &rhs_}) vector->setZero(unknowns);
+  if (s.plan.gravity) set_consistent_weight();
 }
 
 void LinearStep::set_step_size(double dt) {
@@ -64,7 +65,6 @@ void LinearStep::begin() {
   // and those of later stages go on from the ledger.
   energy_offset_ = initial_contact_energy() + strain_energy(s.terms, s.state) - elastic_energy();
   if (s.clock.stage > 0) s.audit.geometry_followed(stored_energy());  // inertia may be another than before
-  if (s.plan.gravity) set_consistent_weight();
   if (s.plan.is_static) return;
   inertia_force_ = accelerating_forces(s);
   s.held.clear(inertia_force_);

@@ -51,6 +51,7 @@ void LinearStep::set_up(BlockMatrix pattern) {
   rayleigh_.begin(stage);
   if (s.plan.loads) s.external.filter(s.waves);
   for (Eigen::VectorXd* vector : {&next_momentum_, &rhs_}) vector->setZero(unknowns);
+  if (s.plan.gravity) set_consistent_weight();
 }
 
 void LinearStep::set_step_size(double dt) {
@@ -73,7 +74,6 @@ void LinearStep::begin() {
   const double contact = s.clock.stage == 0 || corrections_end ? contact_energy() : s.audit.ledger().contact;
   energy_offset_ = contact + strain_energy(s.terms, s.state) - elastic_energy();
   if (s.clock.stage > 0) s.audit.geometry_followed(stored_energy());  // inertia may be another than before
-  if (s.plan.gravity) set_consistent_weight();
   if (s.plan.is_static) return;
   inertia_force_ = accelerating_forces(s);
   if (rayleigh_.acts()) {

@@ -6,6 +6,7 @@
 #include "verification/app/program.h"
 #include "verification/cases/all_cases.h"
 #include "verification/chapters/thesis_command.h"
+#include "verification/differential/differential_command.h"
 #include "verification/precision/precision_command.h"
 #include "verification/stability/stability_command.h"
 #include "verification/suite/run_command.h"
@@ -27,6 +28,7 @@ struct Arguments {
   verify::PrecisionCommand precision;
   verify::ThesisCommand thesis;
   verify::StabilityCommand stability;
+  verify::DifferentialCommand differential;
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
@@ -159,6 +161,21 @@ void add_stability(CLI::App& app, Arguments& arguments) {
                       "the corners of the chart under two integrators, in seconds");
 }
 
+void add_differential(CLI::App& app, Arguments& arguments) {
+  CLI::App* differential = app.add_subcommand(
+      "differential",
+      "Random small scenes of mixed features, run with each linear solver, with a stop half-way and with two threads: "
+      "they must agree to 1e-9, or it is said why not.\nExit code 1 if runs of a scene differ; each is told with its "
+      "seed.");
+  differential->add_option("--seed", arguments.differential.seed, "of the first scene; the others follow")
+      ->capture_default_str();
+  differential->add_option("--count", arguments.differential.count, "scenes")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  differential->add_option("--out", arguments.differential.folder, "folder for scenes whose runs differ");
+  differential->add_flag("--verbose", arguments.differential.verbose, "a line for every scene");
+}
+
 int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("calibrate")) return verify::calibrate(arguments.calibrate);
   if (app.got_subcommand("blast")) {
@@ -175,6 +192,7 @@ int carry_out(const CLI::App& app, const Arguments& arguments) {
     return verify::sweep(arguments.sweep, std::filesystem::canonical("/proc/self/exe"), std::cout, std::cerr);
   if (app.got_subcommand("job")) return verify::job(arguments.job, std::cout);
   if (app.got_subcommand("work-precision")) return verify::work_precision(arguments.precision, std::cout, std::cerr);
+  if (app.got_subcommand("differential")) return verify::compare_scenes(arguments.differential, std::cout, std::cerr);
   if (app.got_subcommand("stability")) return verify::chart_stability(arguments.stability, std::cout, std::cerr);
   if (app.got_subcommand("collect")) return verify::collect(arguments.collected, std::cout, std::cerr);
   if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);
@@ -198,5 +216,6 @@ int main(int argc, char** argv) {
   add_precision(app, arguments);
   add_thesis(app, arguments);
   add_stability(app, arguments);
+  add_differential(app, arguments);
   return verify::run_program(app, argc, argv, [&app, &arguments] { return carry_out(app, arguments); });
 }

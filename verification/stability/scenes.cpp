@@ -112,8 +112,8 @@ Json incline(const Setting& setting) {
 // Rock that is cut into pieces, not too small, above the floor of a box.
 Json pile(const Setting& setting) {
   const Extent scale = pile_scale(setting);
-  dda::SeededNumbers random(7);
-  const std::vector<dda::Ring> pieces = dda::random_blocks(random, 16, 0.08);
+  dda::SeededNumbers random(7);  // three pieces
+  const std::vector<dda::Ring> pieces = dda::random_blocks(random, 5, 0.05);
   double lowest = 0;
   for (const dda::Ring& piece : pieces)
     for (const dda::Vec2& corner : piece) lowest = std::min(lowest, corner.y());

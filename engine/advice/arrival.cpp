@@ -10,6 +10,7 @@ namespace {
 
 constexpr double longest_lag = 0.45;  // of a period
 constexpr double onset_share = 0.1;   // of the largest value
+constexpr double other_sign_share = 0.1;
 
 struct Fit {
   double factor = 0;
@@ -84,16 +85,19 @@ struct Marks {
 };
 
 // The first local extreme beyond half of the largest value of its sign, which is `sign`, or that of whichever sign
-// comes first when it is 0.
+// comes first when it is 0. A sign of which there is less than a tenth of the other is none that a peak has: a wave of
+// one sign has round-off of the other.
 std::size_t first_peak(const std::vector<double>& values, double sign) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double least = sign == 0 ? other_sign_share * std::max(-*low, *high) : 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double value = values[i];
     const double before = i > 0 ? values[i - 1] : 0, after = i + 1 < values.size() ? values[i + 1] : 0;
     if (sign * value < 0 || value == 0) continue;
     const double up = value > 0 ? 1 : -1;
+    const double largest = std::abs(value > 0 ? *high : *low);
     const bool is_top = up * value >= up * before && up * value > up * after;
-    if (is_top && std::abs(value) >= 0.5 * std::abs(value > 0 ? *high : *low)) return i;
+    if (is_top && largest >= least && std::abs(value) >= 0.5 * largest) return i;
   }
   return 0;
 }

@@ -12,7 +12,8 @@ namespace dda {
 struct ArrivalErrors {
   double speed = 0;        // by cross-correlation: the delay of the best least-squares fit
   double amplitude = 0;    // of the factor of that fit
-  double peak = 0;         // of the first peak: the first extreme beyond half of the largest value of its sign
+  double peak = 0;         // of the first peak: the first extreme beyond half of the largest value of its sign, which
+                           // is one that has a tenth of the largest of all
   double peak_speed = 0;   // by the time of it
   double onset_speed = 0;  // by the time at which a tenth of it is passed on the way to it
 };

@@ -51,6 +51,24 @@ TEST(Arrival, TheFirstPeakOfItsSign) {
   EXPECT_NEAR(errors->onset_speed, 0, 1e-3);
 }
 
+// What should come is a wave of one sign; where it is computed, round-off has swings of the other sign before it.
+TEST(Arrival, RoundOffOfTheOtherSignIsNoPeak) {
+  const auto hump = [](double t) {
+    const double phase = (t - on_time) / period;
+    return phase <= 0 || phase >= 1 ? 0 : std::pow(std::sin(std::numbers::pi * phase), 2);
+  };
+  const auto with_swings = [&](double size) {
+    return [=](double t) { return hump(t) - (t < on_time ? size * std::pow(std::sin(t / 1e-3), 2) : 0); };
+  };
+  const auto errors = read_arrival(sampled([&](double t) { return 0.9 * with_swings(1e-3)(t - 3.3e-4); }), interval,
+                                   with_swings(1e-6), on_time, period);
+  ASSERT_TRUE(errors.has_value());
+  const double due = on_time / (on_time + 3.3e-4) - 1;
+  EXPECT_NEAR(errors->peak, -0.1, 1e-5);  // as for the sine cycle above
+  EXPECT_NEAR(errors->peak_speed, due, 1e-5);
+  EXPECT_NEAR(errors->onset_speed, due, 1e-4);
+}
+
 TEST(Arrival, NothingWhereTheWaveIsHalfAPeriodOffItsTime) {
   EXPECT_FALSE(read_arrival(sampled([](double t) { return cycle(t - 0.006); }), interval, cycle, on_time, period));
   EXPECT_FALSE(read_arrival(std::vector<double>(500, 0.0), interval, cycle, on_time, period));

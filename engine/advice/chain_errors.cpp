@@ -150,7 +150,9 @@ ChainQuestion::Traces ChainQuestion::traces(Causes causes, const LoadHistory& lo
   const double due = path_.time_to(joint_);
   const double window = window_for(load, lags);
   const double interval = std::max(1.0, std::ceil(window / stage_.dt / most_samples)) * stage_.dt;
-  const int layers = layers_for(window);
+  // A wave that is early is compared with what should come after the window.
+  const double beyond = load.period / 2 - lags.earliest;
+  const int layers = layers_for(window + beyond);
   const TimeSteps time = time_of(causes);
   const Chain& way = chain(causes);
   const LoadSpectrum spectrum(sampled(drive(causes, load), window, interval), interval);
@@ -168,7 +170,7 @@ ChainQuestion::Traces ChainQuestion::traces(Causes causes, const LoadHistory& lo
     };
     return traces;
   }
-  const LoadSpectrum fine(sampled(load.value, window, interval / finer), interval / finer);
+  const LoadSpectrum fine(sampled(load.value, window + beyond, interval / finer), interval / finer);
   traces.exact = Sampled(
       fine.through([&](Complex s) { return (path_.is_moved ? 1.0 / s : 1.0) * exact_force(path_, s, joint_, layers); }),
       interval / finer);

@@ -6,60 +6,20 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <functional>
 #include <numbers>
-#include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "engine/advice/advice.h"
-#include "engine/advice/arrival.h"
 #include "engine/advice/chain_run_test_support.h"
 #include "engine/scene/scene.h"
-#include "engine/simulation/probes.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {
 
-struct Readings {
-  double speed = 0, amplitude = 0;
-};
-
-// The run's stress, by the best fit at any delay.
-std::optional<Readings> measured(const Row& row, const Model& model) {
-  Simulation simulation(model);
-  const Probes probes(simulation);
-  std::vector<double> trace{0}, values(1);
-  while (!simulation.finished()) {
-    EXPECT_EQ(simulation.step(), Status::ok);
-    probes.sample(simulation, values);
-    trace.push_back(-values[0]);
-  }
-  const std::vector<double> wanted = exact_stress(row);
-  const double unit = row.drive == "force" ? 1 : row.impedance(row.blocks[0].rock);
-  const auto exact = [&](double t) {
-    const double at = t / row.unit;
-    if (at < 0 || at >= static_cast<double>(wanted.size() - 1)) return 0.0;
-    const auto i = static_cast<std::size_t>(at);
-    return unit * (wanted[i] + (at - static_cast<double>(i)) * (wanted[i + 1] - wanted[i]));
-  };
-  const double due = row.units_before() * row.unit;
-  const Lags lags{0, row.duration - due - (cycles + 0.5) / row.frequency};
-  const auto errors = read_arrival(trace, row.dt, exact, due, 1 / row.frequency, lags);
-  if (!errors) return std::nullopt;
-  return Readings{errors->speed, errors->amplitude};
-}
-
 const WaveAdvice* wave_of(const Advice& advice) {
   return advice.stages[0].waves.empty() ? nullptr : &advice.stages[0].waves[0];
-}
-
-// 20 % or 0.05 points, of what is measured.
-bool agree(double advised, double found) {
-  const double difference = std::abs(advised - found);
-  return difference <= 0.2 * std::abs(found) || difference <= 0.05e-2;
 }
 
 int misses_of(const Row& row) {
@@ -91,26 +51,11 @@ double slowed_time(const Row& row, int joint) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(joint); ++i) {
     const int rock = row.blocks[i].rock;
     const double length = row.length(i);
-    const double soft = row.joint_stiffness > 0 ? rocks[rock].young / (row.joint_stiffness * length) : 0;
+    const double soft = row.joint_stiffness > 0 ? row.rock_of(rock).young / (row.joint_stiffness * length) : 0;
     time += length / row.speed(rock) * std::sqrt(1 + soft);
   }
   return time;
 }
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
-  }
-  template <typename Options>
-  auto one_of(const Options& options) {
-    return options[static_cast<std::size_t>(between(0, static_cast<double>(std::size(options)) - 1e-9))];
-  }
-
- private:
-  std::mt19937 random_;
-};
 
 // Blocks of some size, where the wave is looked at, its frequency and time steps.
 void fill(Row& row, Dice& dice, bool uneven, bool mixed, int layers) {
@@ -128,7 +73,7 @@ void fill(Row& row, Dice& dice, bool uneven, bool mixed, int layers) {
   const auto shortest = std::min_element(row.blocks.begin(), row.blocks.end(),
                                          [](const TestLayer& a, const TestLayer& b) { return a.units < b.units; });
   row.dt = std::min(1 / row.frequency / dice.between(25, 90), 0.4 * shortest->units * row.unit);
-  row.duration = std::ceil((1.15 * std::max(due, slow) + (cycles + 2) / row.frequency) / row.dt) * row.dt;
+  row.duration = std::ceil((1.15 * std::max(due, slow) + (row.cycles + 2) / row.frequency) / row.dt) * row.dt;
   row.angle = dice.between(0, 1) < 0.5 ? 0 : dice.between(0, 3);
 }
 

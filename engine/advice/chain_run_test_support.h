@@ -1,18 +1,25 @@
-// For tests: scenes of rows and layered meshes whose blocks differ, and the stress that the rock alone would carry:
-// that of layers whose travel times are whole numbers of one time (Goupillaud 1961). Waves then only meet at those
-// times, and are followed from one to the next without error.
+// For tests: scenes of rows and layered meshes whose blocks differ, the stress that the rock alone would carry, and
+// what a run makes of it. That stress is the one of layers whose travel times are whole numbers of one time (Goupillaud
+// 1961): waves then only meet at those times, and are followed from one to the next without error.
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
+#include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
+#include "engine/advice/arrival.h"
 #include "engine/core/types.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 
@@ -20,15 +27,10 @@ namespace dda {
 struct LayerRock {
   double density, young;
 };
-inline constexpr LayerRock rocks[] = {{2400, 25e9}, {2700, 60e9}};
 
-inline constexpr double cycles = 2;
-
-// Dimensionless: a tone under half a sine squared.
-inline double tone(double t, double frequency) {
-  const double duration = cycles / frequency;
-  if (t <= 0 || t >= duration) return 0;
-  return std::pow(std::sin(std::numbers::pi * t / duration), 2) * std::sin(2 * std::numbers::pi * frequency * t);
+// A tone of two cycles under half a sine squared.
+inline double tone(double share) {
+  return std::pow(std::sin(std::numbers::pi * share), 2) * std::sin(4 * std::numbers::pi * share);
 }
 
 struct TestLayer {
@@ -40,27 +42,36 @@ struct TestLayer {
 // shifted by half a block), between sides that leave a plane wave its motion. One column of a bar has free sides.
 struct Row {
   std::string name;
+  std::vector<LayerRock> rocks = {{2400, 25e9}, {2700, 60e9}};
   std::vector<TestLayer> blocks;
   char wave = 'b';  // bar, p or s
   int columns = 1;
   double width = 1;  // m, of a block
   bool running_bond = false;
-  double angle = 0;             // of the way against x
-  double unit = 0;              // s
-  double joint_stiffness = 0;   // Pa/m; 0: as the scheme has it
-  double frequency = 0;         // Hz
-  std::string drive = "force";  // or "displacement", "velocity"
-  std::string steps;            // JSON members of the stage, dt apart
+  double angle = 0;                            // of the way against x
+  double unit = 0;                             // s
+  double joint_stiffness = 0;                  // Pa/m; 0: as the scheme has it
+  std::string joint_law;                       // JSON members of the joint: `, "law": ...`
+  double frequency = 0;                        // Hz
+  double cycles = 2;                           // that the load lasts
+  std::function<double(double)> shape = tone;  // of the load, by the share of its time that is over
+  std::string drive = "force";                 // or "displacement", "velocity"
+  std::string steps;                           // JSON members of the stage, dt apart
   std::string scheme = "accurate";
   double dt = 0;
   int joint = 0;  // that is looked at
   double duration = 0;
 
+  [[nodiscard]] double load(double t) const {
+    const double share = t * frequency / cycles;
+    return share <= 0 || share >= 1 ? 0 : shape(share);
+  }
   [[nodiscard]] double speed(int rock) const {
     const double modulus = wave == 'b' ? 1 : (wave == 'p' ? 1 / 0.96 : 1 / 2.4);  // over Young's, plane stress
-    return std::sqrt(modulus * rocks[rock].young / rocks[rock].density);
+    return std::sqrt(modulus * rock_of(rock).young / rock_of(rock).density);
   }
-  [[nodiscard]] double impedance(int rock) const { return rocks[rock].density * speed(rock); }
+  [[nodiscard]] double impedance(int rock) const { return rock_of(rock).density * speed(rock); }
+  [[nodiscard]] const LayerRock& rock_of(int rock) const { return rocks[static_cast<std::size_t>(rock)]; }
   [[nodiscard]] double length(std::size_t i) const { return blocks[i].units * unit * speed(blocks[i].rock); }
   [[nodiscard]] double height() const { return columns * width; }
   [[nodiscard]] double place() const {
@@ -77,11 +88,11 @@ struct Row {
 
 inline std::string history_of(const Row& row) {
   std::string table;
-  const double end = cycles / row.frequency, pitch = end / 400;
+  const double end = row.cycles / row.frequency, pitch = end / 400;
   double integral = 0;
   for (int i = 0; i <= 400; ++i) {
-    if (i > 0) integral += pitch * (tone(i * pitch, row.frequency) + tone((i - 1) * pitch, row.frequency)) / 2;
-    const double value = row.drive == "displacement" ? integral : tone(i * pitch, row.frequency);
+    if (i > 0) integral += pitch * (row.load(i * pitch) + row.load((i - 1) * pitch)) / 2;
+    const double value = row.drive == "displacement" ? integral : row.load(i * pitch);
     table += fmt::format("{}[{:.9g}, {:.9g}]", i > 0 ? ", " : "", i * pitch, value);
   }
   return fmt::format(R"({{"table": [{}]}})", table);
@@ -113,8 +124,8 @@ inline std::string blocks_of(const Row& row, const Drawing& drawing) {
     for (int k = 0; k < row.columns + (shifted ? 1 : 0); ++k) {
       const double low = std::max(0.0, (k - (shifted ? 0.5 : 0.0)) * row.width);
       const double high = std::min(row.height(), (k + (shifted ? 0.5 : 1.0)) * row.width);
-      blocks += fmt::format(R"({}{{"polygon": {{"name": "b{}.{}", "material": "{}", "vertices": {}}}}})",
-                            blocks.empty() ? "" : ", ", i, k, row.blocks[i].rock == 0 ? "a" : "b",
+      blocks += fmt::format(R"({}{{"polygon": {{"name": "b{}.{}", "material": "r{}", "vertices": {}}}}})",
+                            blocks.empty() ? "" : ", ", i, k, row.blocks[i].rock,
                             drawing.box(x, x + row.length(i), low, high));
     }
     x += row.length(i);
@@ -133,6 +144,20 @@ inline std::string sides_of(const Row& row, const Drawing& drawing, double end) 
   return sides;
 }
 
+inline std::string materials_of(const Row& row) {
+  std::string materials;
+  for (std::size_t i = 0; i < row.rocks.size(); ++i)
+    materials += fmt::format(R"({}"r{}": {{"density": {:.12g}, "young": {:.12g}, "poisson": 0.2}})", i > 0 ? ", " : "",
+                             i, row.rocks[i].density, row.rocks[i].young);
+  return materials;
+}
+
+inline std::string joint_of(const Row& row) {
+  std::string joint = R"("bonded": true)" + row.joint_law;
+  if (row.joint_stiffness > 0) joint += fmt::format(R"(, "normal_stiffness": {:.9g})", row.joint_stiffness);
+  return joint;
+}
+
 inline std::string scene_of(const Row& row) {
   const Drawing drawing(row.angle);
   double end = 0;
@@ -149,17 +174,15 @@ inline std::string scene_of(const Row& row) {
   const double y = (std::floor(row.columns / 2.0) + 0.4) * row.width;
   return fmt::format(
       R"({{"dda": 1, "scheme": "{}",
- "materials": {{"a": {{"density": 2400, "young": 25e9, "poisson": 0.2}},
-               "b": {{"density": 2700, "young": 60e9, "poisson": 0.2}}}},
- "joints": {{"default": {{"bonded": true{}}}}}, "blocks": [{}], "loads": [{}], "supports": [{}],
+ "materials": {{{}}}, "joints": {{"default": {{{}}}}}, "blocks": [{}], "loads": [{}], "supports": [{}],
  "measurements": [{{"quantity": "traction_{}", "point": {}, "name": "s"}}],
  "steps": {{"dt": {:.9g}, "duration": {:.9g}, "kinematics": "small"{}}}}})",
-      row.scheme, row.joint_stiffness > 0 ? fmt::format(R"(, "normal_stiffness": {:.9g})", row.joint_stiffness) : "",
-      blocks_of(row, drawing), loads, supports, row.wave == 's' ? "shear" : "normal", drawing.point(row.place(), y),
-      row.dt, row.duration, row.steps);
+      row.scheme, materials_of(row), joint_of(row), blocks_of(row, drawing), loads, supports,
+      row.wave == 's' ? "shear" : "normal", drawing.point(row.place(), y), row.dt, row.duration, row.steps);
 }
 
-// Stress at the joint at 0, unit, 2 unit, ..., pressure positive, over the load or over velocity times impedance.
+// Stress at the joint at 0, unit, 2 unit, ..., pressure positive, over the load or over velocity times impedance. It
+// goes on for a period after the run, as a wave that is early is compared with what comes then.
 inline std::vector<double> exact_stress(const Row& row) {
   std::vector<double> impedance;
   for (const TestLayer& layer : row.blocks)
@@ -167,10 +190,10 @@ inline std::vector<double> exact_stress(const Row& row) {
   const std::size_t n = impedance.size(), place = static_cast<std::size_t>(row.units_before());
   std::vector<double> right(n, 0), left(n, 0);  // waves as they enter each piece
   std::vector<double> stress;
-  const auto steps = static_cast<std::size_t>(row.duration / row.unit);
+  const auto steps = static_cast<std::size_t>((row.duration + 1 / row.frequency) / row.unit);
   for (std::size_t step = 0; step <= steps; ++step) {
     std::vector<double> next_right(n, 0), next_left(n, 0);
-    const double drive = tone(static_cast<double>(step) * row.unit, row.frequency);
+    const double drive = row.load(static_cast<double>(step) * row.unit);
     next_right[0] = row.drive == "force" ? drive - left[0] : drive + left[0];
     for (std::size_t i = 0; i + 1 < n; ++i) {
       const double sum = impedance[i] + impedance[i + 1], turned = (impedance[i + 1] - impedance[i]) / sum;
@@ -183,5 +206,49 @@ inline std::vector<double> exact_stress(const Row& row) {
   }
   return stress;
 }
+
+// What the run's stress at the joint is against that of the rock, by the best fit at any delay.
+inline std::optional<ArrivalErrors> measured(const Row& row, const Model& model) {
+  Simulation simulation(model);
+  const Probes probes(simulation);
+  std::vector<double> trace{0}, values(1);
+  while (!simulation.finished()) {
+    EXPECT_EQ(simulation.step(), Status::ok);
+    probes.sample(simulation, values);
+    trace.push_back(-values[0]);
+  }
+  const std::vector<double> wanted = exact_stress(row);
+  const double unit = row.drive == "force" ? 1 : row.impedance(row.blocks[0].rock);
+  const auto exact = [&](double t) {
+    const double at = t / row.unit;
+    if (at < 0 || at >= static_cast<double>(wanted.size() - 1)) return 0.0;
+    const auto i = static_cast<std::size_t>(at);
+    return unit * (wanted[i] + (at - static_cast<double>(i)) * (wanted[i + 1] - wanted[i]));
+  };
+  const double due = row.units_before() * row.unit;
+  const Lags lags{0, row.duration - due - (row.cycles + 0.5) / row.frequency};
+  return read_arrival(trace, row.dt, exact, due, 1 / row.frequency, lags);
+}
+
+// 20 % or 0.05 points, of what is measured.
+inline bool agree(double advised, double found) {
+  const double difference = std::abs(advised - found);
+  return difference <= 0.2 * std::abs(found) || difference <= 0.05e-2;
+}
+
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
+  }
+  template <typename Options>
+  auto one_of(const Options& options) {
+    return options[static_cast<std::size_t>(between(0, static_cast<double>(std::size(options)) - 1e-9))];
+  }
+
+ private:
+  std::mt19937 random_;
+};
 
 }  // namespace dda

@@ -263,6 +263,28 @@ void remark_on_brittle_joints(const Model& model, const ContactSet& contacts, Re
   }
 }
 
+// Springs without shear stiffness never reach the strength at which a joint would slide or break.
+void remark_on_shear(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  const bool moves =
+      std::ranges::any_of(model.stages, [](const Stage& s) { return s.kinematics == Kinematics::finite; });
+  std::set<int> used;
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    const int joint = contacts.interfaces[i].joint;
+    const InterfaceLaw law = contacts.elements[i].law;
+    const bool has_springs = law == InterfaceLaw::classical || law == InterfaceLaw::projected;
+    if (has_springs || (moves && is_dry(model.joints[at(joint)]))) used.insert(joint);
+  }
+  for (const int index : used) {
+    const JointMaterial& joint = model.joints[at(index)];
+    const bool slides_freely = !joint.bonded && joint.friction_angle == 0 && joint.cohesion == 0;
+    if (joint.shear_to_normal > 0 || joint.shear_stiffness > 0 || slides_freely) continue;
+    remarks.push_back(
+        fmt::format("joint \"{}\": shear_to_normal is 0, so it never resists shear while it is elastic, and what it "
+                    "has of friction or cohesion does not act then",
+                    joint.name));
+  }
+}
+
 bool moves(const PointSupport& support) { return !support.amplitude.isZero(0); }
 bool moves(const HeldBlock& held) { return !held.amplitude.isZero(0) || held.turn != 0; }
 
@@ -296,9 +318,9 @@ void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks
   for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
 }
 
-constexpr auto all_remarks = {remark_on_holding, remark_on_gravity,        remark_on_tension, remark_on_materials,
-                              remark_on_sizes,   remark_on_gaps,           remark_on_steps,   remark_on_coarse_steps,
-                              remark_on_loads,   remark_on_brittle_joints, remark_on_chatter};
+constexpr auto all_remarks = {remark_on_holding, remark_on_gravity, remark_on_tension,        remark_on_materials,
+                              remark_on_sizes,   remark_on_gaps,    remark_on_steps,          remark_on_coarse_steps,
+                              remark_on_loads,   remark_on_shear,   remark_on_brittle_joints, remark_on_chatter};
 
 }  // namespace
 

@@ -153,6 +153,34 @@ const std::vector<OddScene> odd_scenes = {
     {"brittle", [](Model& model) { model.joints[0].cohesion = 1e6; },
      "joint \"default\" is brittle: residual_cohesion is 0 or left out, so a contact that fails loses all of its 1e+06 "
      "Pa"},
+    {"no_shear_stiffness",
+     [](Model& model) {
+       model.joints[0].law = InterfaceLaw::classical;
+       model.joints[0].shear_to_normal = 0;
+     },
+     "joint \"default\": shear_to_normal is 0, so it never resists shear while it is elastic, and what it has of "
+     "friction or cohesion does not act then"},
+    {"no_shear_stiffness_but_of_its_own",
+     [](Model& model) {
+       model.joints[0].law = InterfaceLaw::classical;
+       model.joints[0].shear_to_normal = 0;
+       model.joints[0].normal_stiffness = 1e10;
+       model.joints[0].shear_stiffness = 1e9;
+     },
+     ""},
+    {"no_shear_stiffness_where_nothing_holds_shear",
+     [](Model& model) {
+       model.joints[0].law = InterfaceLaw::classical;
+       model.joints[0].shear_to_normal = 0;
+       model.joints[0].friction_angle = 0;
+     },
+     ""},
+    {"no_shear_stiffness_in_a_law_without_springs",
+     [](Model& model) {
+       model.joints[0].shear_to_normal = 0;
+       model.joints[0].bonded = true;
+     },
+     ""},
     {"shaken_without_damping", shake,
      "stage \"run\": trapezoidal damps nothing, and joint \"default\" has friction without contact_damping: blocks "
      "that "

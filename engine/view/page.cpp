@@ -38,6 +38,8 @@ PackedRun packed(const RunResults& results, const std::vector<std::size_t>& fram
   return run;
 }
 
+std::string megabytes(std::size_t bytes) { return fmt::format("{:.3g} MB", static_cast<double>(bytes) / 1e6); }
+
 // As many frames as fit. How many that will be is first estimated from two of them.
 PackedRun packed_to_fit(const RunResults& results, const PageOptions& options) {
   const std::size_t frames = results.times().size();
@@ -47,8 +49,8 @@ PackedRun packed_to_fit(const RunResults& results, const PageOptions& options) {
     PackedRun run = packed(results, chosen_frames(frames, stride));
     if (run.size() <= options.most_bytes) return run;
     if (stride >= frames)
-      throw InputError("", "the size of two frames", fmt::format("{:.1f} MB", static_cast<double>(run.size()) / 1e6),
-                       "at most what --max-size says");
+      throw InputError("", "the size of two frames", megabytes(run.size()),
+                       fmt::format("at most the {} of --max-size", megabytes(options.most_bytes)));
     stride = std::min(stride * std::max<std::size_t>(too_long(run.size()), 2), frames);
   }
 }
@@ -129,13 +131,12 @@ void write_page(const PageOptions& options, std::ostream& out) {
                                                     {"SCRIPTS", script_part()}});
   write_file(options.file, page);
   const std::size_t shown = header["times"].size();
-  out << fmt::format("{}: {} blocks, {} frames{}, {:.1f} MB; open it in a browser\n", options.file.string(),
+  out << fmt::format("{}: {} blocks, {} frames{}, {}; open it in a browser\n", options.file.string(),
                      results.drawing().blocks(), shown,
-                     shown < results.times().size()
-                         ? fmt::format(" of {} (thinned to {:.0f} MB, see --max-size)", results.times().size(),
-                                       static_cast<double>(options.most_bytes) / 1e6)
-                         : "",
-                     static_cast<double>(page.size()) / 1e6);
+                     shown < results.times().size() ? fmt::format(" of {} (thinned to {}, see --max-size)",
+                                                                  results.times().size(), megabytes(options.most_bytes))
+                                                    : "",
+                     megabytes(page.size()));
 }
 
 }  // namespace dda

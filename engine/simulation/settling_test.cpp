@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <vector>
 
+#include "engine/simulation/block_system.h"
+#include "engine/simulation/settling_cushion.h"
+#include "engine/simulation/settling_pace.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/snapshot.h"
 
@@ -158,6 +163,53 @@ TEST(Settling, WhatItTakesOutIsDamping) {
     EXPECT_LT(std::abs(simulation.energy().numerical), 1e-6 * settled);
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
   }
+}
+
+// The floor moves as well. What cushions take of the stone is the work of what they add to the matrix; slip is free. By
+// hand: both ends of the stone's foot on springs k, lifted by u, take 0.3 * 2 k u^2 in a step as long as the first.
+TEST(Settling, CushionsTakeTheWorkOfTheStiffnessTheyAdd) {
+  Model model = stone_over_floor(1, 0);
+  model.joints[0].law = InterfaceLaw::classical;
+  model.stages = {settling()};
+  finish_model(model);
+  BlockSystem system(std::move(model));
+  for (InterfaceState& state : system.contacts.states) state.broken = {true, true};  // as of contacts that move
+  std::vector<int> contacts(system.contacts.elements.size());
+  std::iota(contacts.begin(), contacts.end(), 0);
+  const double first = first_step(system.model, system.stage(), system.contacts.can_change);
+  system.coefficients.dt = first;
+  SettlingCushion cushion;
+  const auto work_of = [&](const Vec6& floor, const Vec6& stone) {
+    system.increment.resize(12);
+    system.increment << floor, stone;
+    system.held.increments[0] = floor;
+    return cushion.work(system, contacts);
+  };
+  const Vec6 lift = 1e-3 * Vec6::Unit(1);
+  EXPECT_EQ(work_of(Vec6::Zero(), lift), 0);
+  ASSERT_TRUE(cushion.put_in(system));
+  EXPECT_FALSE(cushion.put_in(system));
+  double springs = 0;
+  for (const InterfaceElement& element : system.contacts.elements)
+    springs += element.stiffness(0) + element.stiffness(2);
+  ASSERT_GT(springs, 0);
+  const double lifted = work_of(Vec6::Zero(), lift);
+  EXPECT_NEAR(lifted, 0.3 * springs * 1e-6, 1e-12 * lifted);
+  EXPECT_EQ(work_of(Vec6::Zero(), 1e-3 * Vec6::Unit(0)), 0);
+  EXPECT_NEAR(work_of(lift, lift), 0, 1e-12 * lifted);
+
+  const double both = work_of((Vec6() << 1, -2, 0.5, 1, 2, -1).finished(), (Vec6() << 2, 1, -1, 0.5, -2, 3).finished());
+  BlockMatrix matrix(2, {{0, 1}});
+  matrix.set_zero();
+  cushion.add_to(system, contacts, matrix);
+  Eigen::VectorXd force(12);
+  matrix.multiply(system.increment, force);
+  EXPECT_NEAR(both, force.tail<6>().dot(system.increment.tail<6>()), 1e-12 * std::abs(both));
+
+  system.coefficients.dt = 2 * first;
+  EXPECT_NEAR(work_of(Vec6::Zero(), lift), lifted / 4, 1e-12 * lifted);
+  system.coefficients.dt = first / 8;
+  EXPECT_NEAR(work_of(Vec6::Zero(), lift), 10 * lifted, 1e-11 * lifted) << "no firmer than three springs";
 }
 
 TEST(Settling, LinearSceneFindsItsOwnStepsToEquilibrium) {

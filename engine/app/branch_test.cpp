@@ -41,6 +41,12 @@ json pushed(json scene) {
   return scene;
 }
 
+int count_of(const std::string& part, const std::string& text) {
+  int count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
 class Branch : public CommandLine {
  protected:
   Outcome run(const json& scene, const std::string& folder, const std::vector<std::string>& options = {}) const {
@@ -73,6 +79,24 @@ TEST_F(Branch, HasTheRowsOfTheWholeRun) {
     EXPECT_EQ(summary["steps"], whole["steps"]) << folder;
   }
   EXPECT_EQ(json::parse(text("later/summary.json"))["from"], path("branch") + ":shake");
+}
+
+// Remarks are on the scene, wherever a run of it begins. "low" lies under "high" until it is removed.
+TEST_F(Branch, HasTheRemarksOfItsScene) {
+  json without = bricks({settle, shake});
+  without["steps"][1]["remove"] = {"low"};
+  without["materials"]["rock"]["density"] = 26000;
+  without.erase("measurements");
+  ASSERT_EQ(run(without, "whole").code, 0);
+  const auto remarks = [&](const char* folder) {
+    return json::parse(text(std::string(folder) + "/summary.json"))["remarks"];
+  };
+  const json of_scene = remarks("whole");
+  ASSERT_EQ(of_scene.size(), 1U) << of_scene;
+  ASSERT_EQ(run(without, "branch", {"--from", path("whole") + ":settle"}).code, 0);
+  EXPECT_EQ(remarks("branch"), of_scene);
+  ASSERT_EQ(run(without, "whole", {"--resume"}).code, 0);
+  EXPECT_EQ(remarks("whole"), of_scene);
 }
 
 TEST_F(Branch, GoesOnAfterAStop) {

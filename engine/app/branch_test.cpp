@@ -81,6 +81,26 @@ TEST_F(Branch, HasTheRowsOfTheWholeRun) {
   EXPECT_EQ(json::parse(text("later/summary.json"))["from"], path("branch") + ":shake");
 }
 
+// A stage without dt takes no time: the stage before it, whether that moves or not, has a row of its own end, which is
+// the first of a branch.
+TEST_F(Branch, HasTheRowsOfStagesThatTakeNoTime) {
+  json again = settle, once_more = settle;
+  again["name"] = "again";
+  once_more["name"] = "once more";
+  const json scene = pushed(bricks({settle, shake, again, once_more, rest}));
+  ASSERT_EQ(run(scene, "whole", {"--frames", "3"}).code, 0);
+  for (const char* file : {"histories.csv", "energies.csv"}) {
+    const std::string whole = text(std::string("whole/") + file);
+    EXPECT_EQ(count_of("\n0,", whole), 2) << file;     // the start, and the end of "settle"
+    EXPECT_EQ(count_of("\n0.02,", whole), 3) << file;  // the ends of "shake", "again" and "once more"
+    for (const char* stage : {"settle", "shake", "again", "once more"}) {
+      ASSERT_EQ(run(scene, "branch", {"--from", path("whole") + ":" + stage, "--frames", "3"}).code, 0);
+      const std::string branch = text(std::string("branch/") + file);
+      EXPECT_TRUE(whole.ends_with(branch.substr(branch.find('\n')))) << file << " from " << stage;
+    }
+  }
+}
+
 // Remarks are on the scene, wherever a run of it begins. "low" lies under "high" until it is removed.
 TEST_F(Branch, HasTheRemarksOfItsScene) {
   json without = bricks({settle, shake});

@@ -196,7 +196,7 @@ void remark_on_gaps(const Model& model, const ContactSet& contacts, Remarks& rem
     const Block& block_a = model.blocks[at(a)];
     const Block& block_b = model.blocks[at(b)];
     const double gap = gap_between(block_a, block_b);
-    if (gap > widest_gap * std::min(size_of(block_a), size_of(block_b))) continue;
+    if (gap <= model.length_tolerance || gap > widest_gap * std::min(size_of(block_a), size_of(block_b))) continue;
     if (count++ == 0)
       first = fmt::format("blocks \"{}\" and \"{}\" are {:.2g} m apart", block_a.name, block_b.name, gap);
   }

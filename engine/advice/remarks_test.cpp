@@ -226,6 +226,15 @@ const std::vector<OddScene> odd_scenes = {
      ""},
 };
 
+// Contacts of another moment than that of the drawing: between blocks that touch there is no gap to remark on.
+TEST(Remarks, BlocksWithinWhatTouchesAreNotApart) {
+  Model model = ordinary();
+  finish_model(model);
+  ContactSet contacts = make_contacts(model);
+  contacts.interfaces.clear();
+  EXPECT_EQ(remarks_on(model, contacts), std::vector<std::string>());
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Remark, testing::ValuesIn(odd_scenes),
                          [](const auto& test) { return test.param.name; });
 

@@ -41,6 +41,12 @@ json pushed(json scene) {
   return scene;
 }
 
+int count_of(const std::string& part, const std::string& text) {
+  int count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
 class Branch : public CommandLine {
  protected:
   Outcome run(const json& scene, const std::string& folder, const std::vector<std::string>& options = {}) const {
@@ -73,6 +79,44 @@ TEST_F(Branch, HasTheRowsOfTheWholeRun) {
     EXPECT_EQ(summary["steps"], whole["steps"]) << folder;
   }
   EXPECT_EQ(json::parse(text("later/summary.json"))["from"], path("branch") + ":shake");
+}
+
+// A stage without dt takes no time: the stage before it, whether that moves or not, has a row of its own end, which is
+// the first of a branch.
+TEST_F(Branch, HasTheRowsOfStagesThatTakeNoTime) {
+  json again = settle, once_more = settle;
+  again["name"] = "again";
+  once_more["name"] = "once more";
+  const json scene = pushed(bricks({settle, shake, again, once_more, rest}));
+  ASSERT_EQ(run(scene, "whole", {"--frames", "3"}).code, 0);
+  for (const char* file : {"histories.csv", "energies.csv"}) {
+    const std::string whole = text(std::string("whole/") + file);
+    EXPECT_EQ(count_of("\n0,", whole), 2) << file;     // the start, and the end of "settle"
+    EXPECT_EQ(count_of("\n0.02,", whole), 3) << file;  // the ends of "shake", "again" and "once more"
+    for (const char* stage : {"settle", "shake", "again", "once more"}) {
+      ASSERT_EQ(run(scene, "branch", {"--from", path("whole") + ":" + stage, "--frames", "3"}).code, 0);
+      const std::string branch = text(std::string("branch/") + file);
+      EXPECT_TRUE(whole.ends_with(branch.substr(branch.find('\n')))) << file << " from " << stage;
+    }
+  }
+}
+
+// Remarks are on the scene, wherever a run of it begins. "low" lies under "high" until it is removed.
+TEST_F(Branch, HasTheRemarksOfItsScene) {
+  json without = bricks({settle, shake});
+  without["steps"][1]["remove"] = {"low"};
+  without["materials"]["rock"]["density"] = 26000;
+  without.erase("measurements");
+  ASSERT_EQ(run(without, "whole").code, 0);
+  const auto remarks = [&](const char* folder) {
+    return json::parse(text(std::string(folder) + "/summary.json"))["remarks"];
+  };
+  const json of_scene = remarks("whole");
+  ASSERT_EQ(of_scene.size(), 1U) << of_scene;
+  ASSERT_EQ(run(without, "branch", {"--from", path("whole") + ":settle"}).code, 0);
+  EXPECT_EQ(remarks("branch"), of_scene);
+  ASSERT_EQ(run(without, "whole", {"--resume"}).code, 0);
+  EXPECT_EQ(remarks("whole"), of_scene);
 }
 
 TEST_F(Branch, GoesOnAfterAStop) {

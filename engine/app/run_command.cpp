@@ -289,11 +289,12 @@ class Run {
   std::optional<PhaseScope> setting_up_;
   std::string scene_text_;
   Simulation simulation_;
+  // On the scene as drawn, whose contacts are there only before the run goes on from anywhere else.
+  std::vector<std::string> remarks_ = remarks_on(simulation_.model(), simulation_.contacts());
   std::size_t begun_from_;  // stages
   Probes probes_;
   FolderLock lock_;
   std::optional<RunPosition> resumed_;
-  std::vector<std::string> remarks_ = remarks_on(simulation_.model(), simulation_.contacts());
   double time_before_ = simulation_.state().time;  // s, at the end of the last whole step
   std::vector<std::pair<std::string, double>> phases_;
 };

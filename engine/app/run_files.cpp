@@ -82,7 +82,8 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
       columns_(columns_of(simulation.model())),
       values_(columns_.size()),
       energies_every_(std::max(options_.rows_every, simulation.steps_in_all_stages() / most_energy_rows)),
-      settles_(simulation.is_settling()) {
+      settles_(simulation.is_settling()),
+      stages_done_(stages_done(simulation)) {
   std::filesystem::create_directories(options_.folder);
   const auto rows = [&](std::int64_t RunPosition::*count) {
     return resumed ? std::optional((*resumed).*count) : std::nullopt;
@@ -124,16 +125,19 @@ void RunFiles::follow_peaks(const std::optional<RunPosition>& resumed) {
   reader.expect_end();
 }
 
-// A stage that paces itself has a row and a frame of its end alone.
+// A stage that paces itself has a row and a frame of its end alone. The stage before it has those of its own end, which
+// are of the same time: with them a run that begins from there starts.
 void RunFiles::after_step() {
   if (peaks_) peaks_->after_step(simulation_);
-  if (!simulation_.is_settling()) {
+  const std::size_t done = stages_done(simulation_);
+  if (!settles_ || done > stages_done_) {
     const std::int64_t step = simulation_.state().step;
     if (settles_ || step % options_.rows_every == 0) sample();
     if (settles_ || step % energies_every_ == 0) sample_energies();
     write_frame_when_due();
   }
   settles_ = simulation_.is_settling();
+  stages_done_ = done;
   const std::chrono::duration<double> since_checkpoint = std::chrono::steady_clock::now() - last_checkpoint_;
   if (since_checkpoint.count() > options_.checkpoint_interval) write_checkpoint();
 }
@@ -142,6 +146,7 @@ void RunFiles::sample() {
   const PhaseScope scope(Phase::rows);
   probes_.sample(simulation_, values_);
   histories_->append(simulation_.state().time, values_);
+  written_step_ = simulation_.state().step;
 }
 
 void RunFiles::sample_energies() {
@@ -182,8 +187,9 @@ void RunFiles::write_frame() {
 }
 
 void RunFiles::write_last_state() {
-  if (settles_) sample();
-  if (frames_ && (settles_ || frame_times_.empty() || frame_times_.back() != simulation_.state().time)) write_frame();
+  const bool is_behind = settles_ && written_step_ != simulation_.state().step;
+  if (is_behind) sample();
+  if (frames_ && (is_behind || frame_times_.empty() || frame_times_.back() != simulation_.state().time)) write_frame();
 }
 
 void RunFiles::write_checkpoint() {

@@ -80,7 +80,9 @@ class RunFiles {
   std::optional<PeakMotion> peaks_;
   std::vector<double> frame_times_;
   std::optional<FrameClock> frame_clock_;
-  bool settles_ = false;  // after the last step, see Simulation::is_settling()
+  bool settles_ = false;            // after the last step, see Simulation::is_settling()
+  std::size_t stages_done_ = 0;     // after the last step
+  std::int64_t written_step_ = -1;  // of the last row
   std::chrono::steady_clock::time_point last_checkpoint_;
 };
 

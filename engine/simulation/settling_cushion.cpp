@@ -14,6 +14,7 @@ namespace {
 // nothing but round-off.
 constexpr double firmness = 0.3;
 constexpr double firmest = 3;
+constexpr int most_steps = 100;
 
 double share_of_stiffness(const BlockSystem& system) {
   const double length = system.coefficients.dt / first_step(system.model, system.stage(), system.contacts.can_change);
@@ -33,13 +34,14 @@ Vec4 cushioned_rows(const BlockSystem& system, std::size_t contact) {
 }  // namespace
 
 bool SettlingCushion::put_in(const BlockSystem& system) {
-  if (is_in_ || !system.stage().paces_itself()) return false;
-  is_in_ = true;
+  if (was_put_in_ || !system.stage().paces_itself()) return false;
+  was_put_in_ = true;
+  steps_left_ = most_steps;
   return true;
 }
 
 void SettlingCushion::add_to(const BlockSystem& system, std::span<const int> contacts, BlockMatrix& matrix) const {
-  if (!is_in_) return;
+  if (!is_in()) return;
   const double share = share_of_stiffness(system);
   for (const int contact : contacts) {
     const auto i = static_cast<std::size_t>(contact);
@@ -48,7 +50,7 @@ void SettlingCushion::add_to(const BlockSystem& system, std::span<const int> con
 }
 
 double SettlingCushion::work(const BlockSystem& system, std::span<const int> contacts) const {
-  if (!is_in_) return 0;
+  if (!is_in()) return 0;
   double work = 0;
   for (const int contact : contacts) {
     const auto i = static_cast<std::size_t>(contact);

@@ -11,8 +11,9 @@
 // step alone, they are nothing once the motion has died down: equilibrium is the same with them and without. Slip is
 // free: blocks that slide to where they come to lie would take many steps else.
 //
-// They come with the first step of a stage that does not settle, and stay for the stage; where steps settle there are
-// none.
+// They come with the first step of a stage that does not settle, and stay for a hundred steps: rocks are at rest by then,
+// and where springs are a million times as stiff as their blocks cushions that are as stiff would hold them for good.
+// Where steps settle there are none.
 #pragma once
 
 #include <span>
@@ -28,7 +29,9 @@ class SettlingCushion {
   // Of a stage that finds its own steps, and whose step did not settle: from now on there are cushions. False where
   // there were some, or can be none.
   [[nodiscard]] bool put_in(const BlockSystem& system);
-  [[nodiscard]] bool is_in() const { return is_in_; }
+  [[nodiscard]] bool is_in() const { return steps_left_ > 0; }
+  // A step with cushions is over.
+  void wear() { --steps_left_; }
 
   // Adds the cushions to the matrix of a step that is about to be solved. `contacts`: places of those that can open.
   void add_to(const BlockSystem& system, std::span<const int> contacts, BlockMatrix& matrix) const;
@@ -39,12 +42,13 @@ class SettlingCushion {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [is_in] = self;
-    archive(is_in);
+    auto& [was_put_in, steps_left] = self;
+    archive(was_put_in, steps_left);
   }
 
  private:
-  bool is_in_ = false;
+  bool was_put_in_ = false;
+  int steps_left_ = 0;
 };
 
 }  // namespace dda

@@ -346,10 +346,7 @@ void GeneralStep::accept() {
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
-  if (cushion_.is_in()) {
-    cushion_.wear();
-    base_is_current_ = false;
-  }
+  if (cushion_.wears()) base_is_current_ = false;
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
   accept_bonded();  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);

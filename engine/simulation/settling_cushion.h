@@ -30,8 +30,8 @@ class SettlingCushion {
   // there were some, or can be none.
   [[nodiscard]] bool put_in(const BlockSystem& system);
   [[nodiscard]] bool is_in() const { return steps_left_ > 0; }
-  // A step with cushions is over.
-  void wear() { --steps_left_; }
+  // At the end of a step: whether there were cushions in it, which are not those of the next.
+  bool wears() { return is_in() && steps_left_-- > 0; }
 
   // Adds the cushions to the matrix of a step that is about to be solved. `contacts`: places of those that can open.
   void add_to(const BlockSystem& system, std::span<const int> contacts, BlockMatrix& matrix) const;

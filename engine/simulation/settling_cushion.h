@@ -11,9 +11,9 @@
 // step alone, they are nothing once the motion has died down: equilibrium is the same with them and without. Slip is
 // free: blocks that slide to where they come to lie would take many steps else.
 //
-// They come with the first step of a stage that does not settle, and stay for a hundred steps: rocks are at rest by then,
-// and where springs are a million times as stiff as their blocks cushions that are as stiff would hold them for good.
-// Where steps settle there are none.
+// They come with the first step of a stage that does not settle, and stay for a hundred steps: rocks are at rest by
+// then, and where springs are a million times as stiff as their blocks cushions that are as stiff would hold them for
+// good. Where steps settle there are none.
 #pragma once
 
 #include <span>

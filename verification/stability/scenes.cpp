@@ -70,13 +70,15 @@ Json pulse(const Setting& setting) {
   return scene;
 }
 
+constexpr int light_rows = wall_rows / 2;
+
 Json bricks(const Setting& setting, const std::string& name, double bottom, const std::string& material) {
   return {{"grid",
            {{"name", name},
             {"material", material},
             {"origin", {0, bottom}},
             {"columns", 3},
-            {"rows", wall_rows / 2},
+            {"rows", light_rows},
             {"block_width", wall_width / 3},
             {"block_height", row_height(setting)},
             {"pattern", "running_bond"}}}};
@@ -87,7 +89,7 @@ Json wall(const Setting& setting) {
   scene["gravity"] = weight_pull;
   scene["joints"]["default"] = dry(setting, 35);
   scene["blocks"] = {box("base", -1, -base_depth, wall_width + 1, 0), bricks(setting, "below", 0, "light"),
-                     bricks(setting, "above", wall_rows / 2 * row_height(setting), "heavy")};
+                     bricks(setting, "above", light_rows * row_height(setting), "heavy")};
   scene["fixed"] = {"base"};
   scene["measurements"] = {{{"quantity", "reaction"}, {"block", "base"}}};
   scene["steps"] = {{{"name", "settle"}, {"integrator", "static"}}, moving_stage(setting)};

@@ -202,9 +202,14 @@ class ExcavatedRock : public testing::TestWithParam<Kind> {
   }
 };
 
+// How much motions may differ, as a share of the largest. The balance holds to 1e-10 of the largest contact force, and
+// joints without strength make more of that in forty steps, as much as round-off has it: 1e-10, 7e-9, 4e-9, 2e-7 and
+// 2e-8 with five kernels of a BLAS library (SkylakeX, Haswell, Sandybridge, Nehalem, Prescott).
+double likeness(const Kind& kind) { return std::string(kind.name) == "dry" ? 1e-5 : 1e-8; }
+
 // Both take a step as long as they have as many contacts. Returns how many steps that was: round-off decides of a
 // corner that just comes near enough to an edge whether it is a contact now or a step later.
-int step_together(Simulation& removed, Simulation& never) {
+int step_together(Simulation& removed, Simulation& never, double likeness) {
   int steps = 0;
   const auto alike = [&] { return removed.contacts().elements.size() == never.contacts().elements.size(); };
   EXPECT_EQ(removed.step(), Status::ok);  // settles
@@ -214,7 +219,7 @@ int step_together(Simulation& removed, Simulation& never) {
     if (!alike()) break;
     ++steps;
     const double moved = largest_motion(never);
-    EXPECT_LT(largest_difference(removed, never), 1e-8 * moved) << "after " << steps << " steps";
+    EXPECT_LT(largest_difference(removed, never), likeness * moved) << "after " << steps << " steps";
   } while (!never.finished() && !testing::Test::HasFailure());
   return steps;
 }
@@ -224,7 +229,7 @@ TEST_P(ExcavatedRock, MovesAsIfTheOpeningHadAlwaysBeenThere) {
   with_each_rock([&parted](int seed, const Kind& kind) {
     Simulation never(model_of(seed, kind, Removed::never));
     Simulation removed(model_of(seed, kind, Removed::at_once));
-    const int steps = step_together(removed, never);
+    const int steps = step_together(removed, never, likeness(kind));
     EXPECT_GE(steps, moving / 2);
     if (steps < moving) ++parted;
     EXPECT_GT(largest_motion(never), 1e-5);
@@ -232,7 +237,7 @@ TEST_P(ExcavatedRock, MovesAsIfTheOpeningHadAlwaysBeenThere) {
     EXPECT_GT(removed.energy().removed, 0);
     expect_both_forms_of_release(removed);
   });
-  EXPECT_LE(parted, 2);  // seen: two of 104, one of them in its last step
+  EXPECT_LE(parted, 5);  // seen: none to two of 26, with the kernels of likeness()
 }
 
 TEST_P(ExcavatedRock, StaysWhileTheTractionsStay) {

@@ -203,7 +203,7 @@ void LinearStep::foresee_increment() {
 void LinearStep::accept() {
   const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
-  if (rayleigh_.acts()) s.audit.damping_worked(rayleigh_.work(*operators_, s.coefficients, s.increment));
+  if (rayleigh_.acts()) book_damping();
   move_blocks(Kinematics::small, s);
   if (s.plan.supports) accept_supports(s);
   sum_internal_forces(s.forces.internal_new);
@@ -211,6 +211,14 @@ void LinearStep::accept() {
   const double factor = finish_step(work, stored_energy(), s);
   if (factor != 1) momentum_ *= factor;
   if (s.plan.is_static) inertia_force_.setZero();
+}
+
+// What dampers take of all motion, and what the held blocks bring in of it.
+void LinearStep::book_damping() {
+  BlockSystem& s = system_;
+  const Eigen::VectorXd& force = rayleigh_.force_in_step(*operators_, s.coefficients, s.increment);
+  s.audit.damping_worked(dot(s.increment, force));
+  s.audit.held_blocks_moved_against(s.held.work(force));
 }
 
 // M a1 from the change of M v, as a1 follows from that of v. Returns the work against it, see energy_audit.h.

@@ -55,6 +55,7 @@ class LinearStep : public Step {
   [[nodiscard]] Status solve();
   void foresee_increment();
   void accept();
+  void book_damping();
   [[nodiscard]] double follow_inertia_force();
   void sum_internal_forces(Eigen::VectorXd& force);
   [[nodiscard]] double elastic_energy() const;

@@ -26,11 +26,13 @@ void RayleighDamping::take_off_known(const LinearOperators& operators, const Eig
   rhs -= known_;
 }
 
-double RayleighDamping::work(const LinearOperators& operators, const StepCoefficients& step, const Eigen::VectorXd& d) {
+const Eigen::VectorXd& RayleighDamping::force_in_step(const LinearOperators& operators, const StepCoefficients& step,
+                                                      const Eigen::VectorXd& d) {
   product_.resize(d.size());
   operators.inertia_times.multiply(d, product_);
   force_of(operators, d, product_, force_);
-  return d.dot(known_) + step.damping * d.dot(force_);
+  force_ = known_ + step.damping * force_;
+  return force_;
 }
 
 }  // namespace dda

@@ -29,8 +29,9 @@ class RayleighDamping {
   void take_off_known(const LinearOperators& operators, const Eigen::VectorXd& carried,
                       const Eigen::VectorXd& mass_times_carried, Eigen::VectorXd& rhs);
 
-  // What the step with this increment lost (J per m of thickness): d . C (damping d + damping_v v0 + damping_a a0).
-  [[nodiscard]] double work(const LinearOperators& operators, const StepCoefficients& step, const Eigen::VectorXd& d);
+  // What the balance of the step with this increment had: C (damping d + damping_v v0 + damping_a a0), in N.
+  [[nodiscard]] const Eigen::VectorXd& force_in_step(const LinearOperators& operators, const StepCoefficients& step,
+                                                     const Eigen::VectorXd& d);
 
  private:
   double mass_ = 0;        // 1/s

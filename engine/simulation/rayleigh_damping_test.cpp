@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <random>
 
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"
@@ -111,6 +112,40 @@ TEST(RayleighDamping, AWaveLosesItsShareOverEachWavelength) {
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
     EXPECT_GT(simulation.energy().damping, 0);
   }
+}
+
+// A grid on its lower left block, which is shaken, with loads drawn at random.
+Model shaken_grid(InterfaceLaw law, const Integrator& integrator, MotionKind kind, unsigned seed) {
+  Model model = grid_of(3, bond(law));
+  model.gravity = {0, -10};
+  HeldBlock& held = model.held_blocks.emplace_back();
+  held.amplitude = kind == MotionKind::displacement ? Vec2(1e-4, -5e-5) : Vec2(2, -1);
+  held.kind = kind;
+  held.history = SineCycles{150, 10, 0};
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> force(-1e5, 1e5);
+  for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
+    model.point_loads.push_back(
+        {i, model.blocks[static_cast<std::size_t>(i)].shape.outer[2], {force(random), force(random)}, Constant{}});
+  model.stages = {stage_of(integrator, 2e-5, 300)};
+  model.stages[0].material_damping.mass = mass_damping;
+  model.stages[0].material_damping.stiffness = stiffness_damping;
+  return model;
+}
+
+// What the held block does against the damping of its joints comes in like all it does.
+TEST(RayleighDamping, EnergyBalancesWhereABlockIsShaken) {
+  unsigned seed = 1;
+  for (const InterfaceLaw law : {InterfaceLaw::consistent, InterfaceLaw::classical})
+    for (const MotionKind kind : {MotionKind::displacement, MotionKind::velocity, MotionKind::acceleration})
+      for (const Integrator& integrator : dynamic_integrators()) {
+        Simulation simulation = simulation_of(shaken_grid(law, integrator, kind, ++seed));
+        ASSERT_TRUE(simulation.plan().linear);
+        run(simulation, 300);
+        const EnergyLedger& energy = simulation.energy();
+        EXPECT_GT(energy.damping, 1e-4 * energy.scale()) << integrator.name;
+        EXPECT_LT(std::abs(energy.relative_residual()), 1e-11) << integrator.name;
+      }
 }
 
 }  // namespace

@@ -34,8 +34,13 @@ Eigen::VectorXd acceleration_of(const BlockMatrix& inertia, const Eigen::VectorX
 }
 
 bool jumps_are_softened(const BlockSystem& s, std::size_t stage) {
-  const std::vector<Stage>& stages = s.model.stages;
-  return stage < stages.size() && s.model.with_acting_corrections(stages[stage]).correct_block_dispersion;
+  return s.model.with_acting_corrections(s.model.stages[stage]).correct_block_dispersion;
+}
+
+// The stage that begins goes on without what softened jumps in the one before.
+bool softening_ends(const BlockSystem& s) {
+  const std::size_t stage = s.clock.stage;
+  return stage > 0 && jumps_are_softened(s, stage - 1) && !jumps_are_softened(s, stage);
 }
 
 }  // namespace
@@ -61,7 +66,7 @@ void LinearStep::set_step_size(double dt) {
 
 void LinearStep::begin() {
   BlockSystem& s = system_;
-  const bool corrections_end = jumps_are_softened(s, s.clock.stage - 1) && !jumps_are_softened(s, s.clock.stage);
+  const bool corrections_end = softening_ends(s);
   if (corrections_end) sum_forces_of_states();
   if (s.plan.loads) s.loads_at(s.state.time, s.forces.load_old);
   for (Eigen::VectorXd* vector : {&momentum_, &inertia_force_, &elastic_force_, &internal_at_rest_})

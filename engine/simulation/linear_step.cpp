@@ -171,15 +171,10 @@ void LinearStep::form_rhs() {
     if (system_.plan.gravity) here.of(rhs_) += here.of(system_.external.weight());
   });
   add_dashpot_and_support_rhs(system_, rhs_);
-  if (rayleigh_.acts()) take_off_known_damping();
-}
-
-void LinearStep::take_off_known_damping() {
-  const StepCoefficients& c = system_.coefficients;
+  if (!rayleigh_.acts()) return;
   const State& state = system_.state;
-  carried_ = c.damping_v * flat(state.velocity) + c.damping_a * flat(state.acceleration);
-  mass_times_carried_ = c.damping_v * momentum_ + c.damping_a * inertia_force_;
-  rayleigh_.take_off_known(*operators_, carried_, mass_times_carried_, rhs_);
+  rayleigh_.take_off_known(*operators_, c, {flat(state.velocity), flat(state.acceleration), momentum_, inertia_force_},
+                           rhs_);
 }
 
 Status LinearStep::solve() {

@@ -20,9 +20,11 @@ void RayleighDamping::force_of(const LinearOperators& operators, const Eigen::Ve
   force = mass_ * mass_times_x + stiffness_ * force;
 }
 
-void RayleighDamping::take_off_known(const LinearOperators& operators, const Eigen::VectorXd& carried,
-                                     const Eigen::VectorXd& mass_times_carried, Eigen::VectorXd& rhs) {
-  force_of(operators, carried, mass_times_carried, known_);
+void RayleighDamping::take_off_known(const LinearOperators& operators, const StepCoefficients& step,
+                                     const MotionAtStart& start, Eigen::VectorXd& rhs) {
+  carried_ = step.damping_v * start.velocity + step.damping_a * start.acceleration;
+  mass_times_carried_ = step.damping_v * start.momentum + step.damping_a * start.inertia_force;
+  force_of(operators, carried_, mass_times_carried_, known_);
   rhs -= known_;
 }
 

@@ -11,6 +11,12 @@
 
 namespace dda {
 
+// What a step starts from, 6 numbers a block.
+struct MotionAtStart {
+  Eigen::Map<const Eigen::VectorXd> velocity, acceleration;
+  const Eigen::VectorXd &momentum, &inertia_force;  // M v, M a
+};
+
 class RayleighDamping {
  public:
   // From the start of a stage on; it acts in dynamic stages.
@@ -24,19 +30,21 @@ class RayleighDamping {
   void force_of(const LinearOperators& operators, const Eigen::VectorXd& x, const Eigen::VectorXd& mass_times_x,
                 Eigen::VectorXd& force) const;
 
-  // Takes C (damping_v v0 + damping_a a0), the part of the balance that is known, off the right-hand side. `carried`:
-  // that mean of v0 and a0; `mass_times_carried`: M times it.
-  void take_off_known(const LinearOperators& operators, const Eigen::VectorXd& carried,
-                      const Eigen::VectorXd& mass_times_carried, Eigen::VectorXd& rhs);
+  // Takes C (damping_v v0 + damping_a a0), the part of the balance that is known, off the right-hand side.
+  void take_off_known(const LinearOperators& operators, const StepCoefficients& step, const MotionAtStart& start,
+                      Eigen::VectorXd& rhs);
 
   // What the balance of the step with this increment had: C (damping d + damping_v v0 + damping_a a0), in N.
   [[nodiscard]] const Eigen::VectorXd& force_in_step(const LinearOperators& operators, const StepCoefficients& step,
                                                      const Eigen::VectorXd& d);
 
  private:
-  double mass_ = 0;        // 1/s
-  double stiffness_ = 0;   // s
-  Eigen::VectorXd known_;  // N, in the step
+  double mass_ = 0;       // 1/s
+  double stiffness_ = 0;  // s
+
+  // Within a step.
+  Eigen::VectorXd carried_, mass_times_carried_;  // damping_v v0 + damping_a a0, and M times that
+  Eigen::VectorXd known_;                         // N, C times that
   Eigen::VectorXd product_, force_;
 };
 

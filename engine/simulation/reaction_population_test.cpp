@@ -190,6 +190,43 @@ TEST(ReactionPopulation, OfDampedBondedRock) {
   }
 }
 
+// Nothing but its contacts acts on the floor then: what holds it is what it gives them, by whichever measurement.
+TEST(ReactionPopulation, OfAFloorIsWhatItsContactsCarry) {
+  for (unsigned seed = 0; seed < seeds; ++seed) {
+    Numbers random(seed + 2000);
+    Stage stage = stage_of(thesis_integrator(), 1e-4, 40);
+    JointMaterial joint = bond(seed % 2 == 0 ? InterfaceLaw::consistent : InterfaceLaw::classical);
+    if (seed % 3 == 0) {
+      joint = {};
+      joint.friction_angle = 0.5;
+      joint.contact_damping = 0.5;
+    } else {
+      stage.material_damping = {0, random.between(1e-5, 1e-3)};
+    }
+    Model model = wall(joint, stage, random);
+    model.supports.clear();
+    model.measurements[0].supports.clear();
+    std::erase_if(model.point_loads, [](const PointLoad& load) { return load.block == 0; });
+    Measurement& contact = measure(model, Quantity::contact_force);
+    contact.blocks = {0};
+    for (int block = 1; block < static_cast<int>(model.blocks.size()); ++block) contact.others.push_back(block);
+    Measurement& cut = measure(model, Quantity::resultant);  // the floor is on its left
+    cut.from = {5, 0};
+    cut.to = {-2, 0};
+    cut.about = elsewhere;
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, 40);
+    const std::vector<double> values = sampled(simulation);
+    const double unit = std::hypot(values[0], values[1]);
+    EXPECT_GT(unit, 1e3) << seed;
+    for (const std::size_t i : {0U, 1U}) {
+      EXPECT_NEAR(values[3 + i], -values[i], 1e-9 * unit) << seed;
+      EXPECT_NEAR(values[7 + i], -values[i], 1e-9 * unit) << seed;
+    }
+    EXPECT_NEAR(values[9], -values[2], 1e-9 * unit) << seed;
+  }
+}
+
 // The same under joints that can open and slide, with dashpots and a bolt to the floor.
 TEST(ReactionPopulation, OfDryJointsWithDashpots) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite})

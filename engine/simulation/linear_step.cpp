@@ -80,10 +80,12 @@ void LinearStep::begin() {
   energy_offset_ = contact + strain_energy(s.terms, s.state) - elastic_energy();
   if (s.clock.stage > 0) s.audit.geometry_followed(stored_energy());  // inertia may be another than before
   if (s.plan.is_static) return;
+  set_held_rates(s.model, s.state);  // dampers act on them from the first moment on
   inertia_force_ = accelerating_forces(s);
   if (rayleigh_.acts()) {
     rayleigh_.force_of(*operators_, flat(s.state.velocity), momentum_, next_momentum_);
     inertia_force_ -= next_momentum_;
+    if (s.plan.moving_supports) rayleigh_.add_drive(s, s.state.time, inertia_force_);
   }
   s.held.clear(inertia_force_);
   if (inertia_force_.isZero(0)) return;
@@ -175,6 +177,7 @@ void LinearStep::form_rhs() {
   const State& state = system_.state;
   rayleigh_.take_off_known(*operators_, c, {flat(state.velocity), flat(state.acceleration), momentum_, inertia_force_},
                            rhs_);
+  if (system_.plan.moving_supports) rayleigh_.add_drive_in_step(system_, rhs_);
 }
 
 Status LinearStep::solve() {
@@ -213,12 +216,13 @@ void LinearStep::accept() {
   if (s.plan.is_static) inertia_force_.setZero();
 }
 
-// What dampers take of all motion, and what the held blocks bring in of it.
+// What dampers take of all motion, and what held blocks and feet of supports bring in of it.
 void LinearStep::book_damping() {
   BlockSystem& s = system_;
   const Eigen::VectorXd& force = rayleigh_.force_in_step(*operators_, s.coefficients, s.increment);
-  s.audit.damping_worked(dot(s.increment, force));
-  s.audit.held_blocks_moved_against(s.held.work(force));
+  const double on_feet = s.plan.moving_supports ? rayleigh_.work_on_feet(s) : 0;
+  s.audit.damping_worked(dot(s.increment, force) - on_feet);
+  s.audit.held_blocks_moved_against(s.held.work(force) - on_feet);
 }
 
 // M a1 from the change of M v, as a1 follows from that of v. Returns the work against it, see energy_audit.h.

@@ -41,15 +41,18 @@ InterfaceState rate_of(const BlockSystem& system, std::size_t i) {
 }
 
 // On the rows of an interface, beyond what its state keeps: dashpots and material damping.
-Vec4 damping_force(const BlockSystem& system, std::size_t i) {
+Vec4 damping_of_contact(const BlockSystem& system, std::size_t i) {
   const double damping = damping_of_stiffness(system);
   if (damping == 0) return system.contacts.states[i].dashpot;
   return damping * rate_of(system, i).force;
 }
 
 // The same of the spring of a support, in x and y.
-Vec2 damping_force(const BlockSystem& system, const SupportElement& support) {
-  return damping_of_stiffness(system) * (support.stiffness * (support.rows * system.state.velocity[at(support.block)]));
+Vec2 damping_of_support(const BlockSystem& system, std::size_t i) {
+  const SupportElement& support = system.supports[i];
+  const Vec2 velocity = support.rows * system.state.velocity[at(support.block)] -
+                        prescribed_velocity(system.model.supports[i], system.state.time);
+  return damping_of_stiffness(system) * (support.stiffness * velocity);
 }
 
 // The cubic law's normal force is the one its reconstruction has at the interface, as for tractions.
@@ -88,11 +91,12 @@ Vec3 resisted_by_dampers(const BlockSystem& system, int block) {
   if (!has_dampers(system)) return sum;
   for (std::size_t i = 0; i < system.contacts.elements.size(); ++i) {
     const InterfaceElement& element = system.contacts.elements[i];
-    if (element.block_a == block) sum -= on_block(element, element.rows_a, damping_force(system, i));
-    if (element.block_b == block) sum -= on_block(element, element.rows_b, damping_force(system, i));
+    if (element.block_a == block) sum -= on_block(element, element.rows_a, damping_of_contact(system, i));
+    if (element.block_b == block) sum -= on_block(element, element.rows_b, damping_of_contact(system, i));
   }
-  for (const SupportElement& support : system.supports)
-    if (support.block == block) sum += support.rows.leftCols<3>().transpose() * damping_force(system, support);
+  for (std::size_t i = 0; i < system.supports.size(); ++i)
+    if (system.supports[i].block == block)
+      sum += system.supports[i].rows.leftCols<3>().transpose() * damping_of_support(system, i);
   return sum;
 }
 
@@ -178,7 +182,7 @@ ForceAndMoment reaction(const Simulation& simulation, const Measurement& measure
   for (const int i : measurement.supports) {
     const SupportElement& support = system.supports[at(i)];
     const Vec2 spring = support.stiffness * support.gap;
-    const Vec6 force = -support.rows.transpose() * (spring + damping_force(system, support));
+    const Vec6 force = -support.rows.transpose() * (spring + damping_of_support(system, at(i)));
     sum += moved_to(measurement.about, system, support.block, force.head<3>());
   }
   for (const int block : measurement.blocks) {

@@ -1,11 +1,15 @@
 // Rayleigh damping of a linear scene: forces -C v with C = a M + b K, over all inertia and stiffness there is, that of
 // joints and supports among it. Every vibration of angular frequency w then has the damping ratio a/(2 w) + b w/2, and
 // a wave of that frequency loses the share 1 - exp(-2 pi ratio) of its amplitude over each wavelength.
+//
+// The dampers b k of supports stand on the feet of their springs: where these move, they resist the motion of the block
+// against them alone.
 #pragma once
 
 #include <Eigen/Core>
 
 #include "engine/model/settings.h"
+#include "engine/simulation/block_system.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/step_coefficients.h"
 
@@ -34,9 +38,17 @@ class RayleighDamping {
   void take_off_known(const LinearOperators& operators, const StepCoefficients& step, const MotionAtStart& start,
                       Eigen::VectorXd& rhs);
 
+  // Adds what feet of supports that move drive the blocks with by their dampers: at the velocities of a moment (s), and
+  // in the balance of the step, for which it has to follow take_off_known().
+  void add_drive(const BlockSystem& system, double time, Eigen::VectorXd& force) const;
+  void add_drive_in_step(const BlockSystem& system, Eigen::VectorXd& rhs);
+
   // What the balance of the step with this increment had: C (damping d + damping_v v0 + damping_a a0), in N.
   [[nodiscard]] const Eigen::VectorXd& force_in_step(const LinearOperators& operators, const StepCoefficients& step,
                                                      const Eigen::VectorXd& d);
+  // The work that the dampers do on the feet in that step (J per m of thickness); after force_in_step(), before the
+  // state moves.
+  [[nodiscard]] double work_on_feet(const BlockSystem& system) const;
 
  private:
   double mass_ = 0;       // 1/s

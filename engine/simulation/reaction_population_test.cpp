@@ -113,6 +113,10 @@ Model wall(const JointMaterial& joint, const Stage& stage, Numbers& random) {
     const Ring& corners = model.blocks[at(block)].shape.outer;
     PointSupport support{
         block, corners[at(random.below(4))], true, random.chance(0.5), random.between(1e7, 1e9), Vec2::Zero(), {}};
+    if (random.chance(0.5)) {
+      support.amplitude = random.vector(5e-5);
+      support.history = SineCycles{random.between(50, 300), 50, 0};
+    }
     model.supports.push_back(support);
     reaction.supports.push_back(static_cast<int>(model.supports.size()) - 1);
   }

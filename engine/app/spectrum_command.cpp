@@ -43,13 +43,13 @@ double damping_of(const std::string& text) {
   const double ratio = number_in(text, Dimension::dimensionless, "--damping");
   if (!(ratio >= 0 && ratio < 1))
     throw InputError("", "--damping", text, "shares of critical damping from 0 to below 1, like 0.05,0.02");
-  return ratio;
+  return ratio + 0.0;  // no "-0" in the headings
 }
 
 std::size_t count_of(const std::string& text) {
   const auto count = csv_number(text);
-  if (!count || !(*count >= 1 && *count <= static_cast<double>(most_periods)) || *count != std::floor(*count))
-    throw InputError("", "--count", text, fmt::format("a whole number from 1 to {}", most_periods));
+  if (!count || !(*count >= 2 && *count <= static_cast<double>(most_periods)) || *count != std::floor(*count))
+    throw InputError("", "--count", '"' + text + '"', fmt::format("a whole number from 2 to {}", most_periods));
   return static_cast<std::size_t>(*count);
 }
 
@@ -100,7 +100,8 @@ PeriodRange given_range(const std::vector<std::string>& periods) {
   if (periods.size() == 2)
     range = {number_in(periods[0], Dimension::time, "--periods"), number_in(periods[1], Dimension::time, "--periods")};
   if (!(range.shortest >= shortest_period && range.longest > range.shortest && range.longest <= longest_period))
-    throw InputError("", "--periods", given, "SHORTEST,LONGEST in s, two times above 0, the shorter one first");
+    throw InputError("", "--periods", '"' + given + '"',
+                     "SHORTEST,LONGEST in s, two times above 0, the shorter one first");
   return range;
 }
 

@@ -102,9 +102,9 @@ TEST_F(Spectrum, Refuses) {
   refuse({"--measurement", "force"}, "--measurement is \"force\" in Pa, expected a displacement");
   for (const char* bad : {"1", "-0.1", "nan", "x", "0.05,2"})
     refuse({"--measurement", "a", "--damping", bad}, "--damping");
-  for (const char* bad : {"1", "2,1", "0,1", "1,2,3", "1Hz,2Hz", "-1,1", "1e-300,1"})
+  for (const char* bad : {"", "1", "2,1", "0,1", "1,2,3", "1Hz,2Hz", "-1,1", "1e-300,1"})
     refuse({"--measurement", "a", "--periods", bad}, "--periods");
-  for (const char* bad : {"0", "1.5", "1e9", "ten"}) refuse({"--measurement", "a", "--count", bad}, "--count");
+  for (const char* bad : {"", "0", "1", "1.5", "1e9", "ten"}) refuse({"--measurement", "a", "--count", bad}, "--count");
   refuse({"--measurement", "a", "--out", path("results")}, "--out");
   expect_refusal({"spectrum", path("nothing"), "--measurement", "a"}, "histories.csv: the file is missing");
   write("results/histories.csv", "time [s],a [m/s2]\n0,0\n1,0\n");

@@ -82,11 +82,11 @@ class Follower {
   double largest_ = 0;  // m
 };
 
-// So short that no part has more than one extremum. Of periods far below the interval, whose oscillators go with the
-// ground, the ends of many parts will do.
+// So short that no part has more than one extremum. Oscillators of periods below an eighth of the interval go with the
+// ground but for a share that is less than the period over the interval, and some parts will do.
 int parts_of(double interval, double period) {
   constexpr double parts_of_period = 8;
-  constexpr double most = 1000;
+  constexpr double most = 64;
   return static_cast<int>(std::ceil(std::min(parts_of_period * interval / period, most)));
 }
 

@@ -66,8 +66,8 @@ void keep_angular_momentum(double wanted, const Inertia& inertia, Vec6& rates) {
 }
 
 // Changes the inertia of a block and leaves it its angular momentum, and what its acceleration makes of that.
-// (`squares` by value: those of the block itself may be handed over.)
-void change_inertia(std::size_t i, Vec3 squares, double beyond, Inertia& inertia, State& state) {
+// `squares` may be the block's own.
+void change_inertia(std::size_t i, const Vec3& squares, double beyond, Inertia& inertia, State& state) {
   const bool held = inertia.mass == 0;
   const double of_velocity = momentum(inertia, state.velocity[i])(2);
   const double of_acceleration = momentum(inertia, state.acceleration[i])(2);

@@ -129,9 +129,8 @@ std::string counted(std::int64_t number, const char* what) {
 // A wave with the damping ratio r is exp(-2 pi r) of itself a wavelength further on.
 std::string damping_sentence(const StageAdvice& stage, double frequency) {
   return fmt::format(
-      "damping: {:.3g} % of critical at {:.6g} Hz; a wave loses {:.3g} % of its amplitude over a wavelength, which is "
-      "not "
-      "counted below",
+      "damping: {:.3g} % of critical at {:.6g} Hz; a wave loses {:.3g} % of its amplitude over a wavelength, "
+      "which is not counted below",
       100 * stage.damping_ratio, frequency, -100 * std::expm1(-2 * std::numbers::pi * stage.damping_ratio));
 }
 

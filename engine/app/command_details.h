@@ -14,6 +14,7 @@ inline constexpr auto program_details =
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
     "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda report results                    what came of it, on one page\n"
+    "  dda spectrum results --measurement a  how oscillators would swing on ground that moves so\n"
     "  dda run --help                        more on a command\n\n"
     "Exit codes: 0 done, 1 a result could not be written, 2 bad input, 3 the run ended before its time,\n"
     "128 + signal the run was stopped (130 after Ctrl-C).\n";

@@ -20,6 +20,7 @@
 #include "engine/app/report_command.h"
 #include "engine/app/run_command.h"
 #include "engine/app/scene_report.h"
+#include "engine/app/spectrum_command.h"
 #include "engine/app/view_command.h"
 #include "engine/core/error.h"
 #include "engine/core/quantity.h"
@@ -101,6 +102,7 @@ struct Arguments {
   CutRequest cut;
   ViewOptions view;
   ReportOptions report;
+  SpectrumRequest spectrum;
   KeyBlocksRequest key_blocks;
   FosRequest fos;
 };
@@ -267,7 +269,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
   const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
   if (unknown_command)
     return "the command is \"" + std::string(argv[1]) +
-           "\", expected check, advise, cut, keyblocks, fos, run, view, report or schema";
+           "\", expected check, advise, cut, keyblocks, fos, run, view, report, spectrum or schema";
   return error.what();
 }
 
@@ -303,6 +305,10 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
     report_run(arguments.report, out);
     return 0;
   }
+  if (app.got_subcommand("spectrum")) {
+    write_spectrum(arguments.spectrum, out);
+    return 0;
+  }
   out << scene_schema();
   return 0;
 }
@@ -324,6 +330,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   add_run(app, arguments);
   add_view(app, arguments);
   add_report(app, arguments.report);
+  add_spectrum(app, arguments.spectrum);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);
   try {
     app.parse(argc, argv);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/app/block_sheet.h"
+#include "engine/app/moving_part.h"
 #include "engine/app/report_peaks.h"
 #include "engine/app/report_tables.h"
 #include "engine/app/run_request.h"
@@ -38,23 +39,6 @@ constexpr auto style =
     ".plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 12px; }\n"
     ".plot { width: 100%; } .picture { max-width: 1000px; } .picture svg { width: 100%; height: auto; }\n"
     "section { overflow-x: auto; } @media print { body { background: #fff; } section { break-inside: avoid; } }\n";
-
-// Stages that end at equilibrium take no time in which anything moves; what they begin with is not plotted beside what
-// follows, whose time would be lost beside theirs.
-double first_moment(const Json& summary) {
-  for (const Json& stage : summary.value("stages", Json::array()))
-    if (!stage.value("settles", false)) return stage.value("begin_s", 0.0);
-  return 0;
-}
-
-Histories from(double time, Histories histories) {
-  const auto first = std::ranges::lower_bound(histories.times, time) - histories.times.begin();
-  if (first + 1 >= static_cast<std::ptrdiff_t>(histories.times.size())) return histories;
-  histories.times.erase(histories.times.begin(), histories.times.begin() + first);
-  for (HistoryColumn& column : histories.columns)
-    column.values.erase(column.values.begin(), column.values.begin() + first);
-  return histories;
-}
 
 bool is_zero(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return value == 0; });

@@ -13,9 +13,8 @@ std::string penetration_warning(const Simulation& simulation) {
   if (deepest.share <= tolerated_penetration) return "";
   const auto name = [&](int block) { return simulation.model().blocks[static_cast<std::size_t>(block)].name; };
   return fmt::format(
-      "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller one; "
-      "take "
-      "stiffer joints or a smaller dt",
+      "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller "
+      "one; take stiffer joints or a smaller dt",
       name(deepest.block_a), name(deepest.block_b), deepest.depth, deepest.time, 100 * deepest.share);
 }
 

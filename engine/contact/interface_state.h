@@ -39,11 +39,12 @@ struct InterfaceState {
   std::array<bool, 2> residual{false, false};
   std::array<double, 2> dilation{0, 0};  // m, normal, by the slip
   std::array<double, 2> seat{0, 0};      // m, normal, until it opens
+  Vec4 dashpot = Vec4::Zero();           // N per m of thickness: what dashpots added to `force`, mean of the last step
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [gap, force, status, broken, slip, residual, dilation, seat] = self;
-    archive(gap, force, status, broken, slip, residual, dilation, seat);
+    auto& [gap, force, status, broken, slip, residual, dilation, seat, dashpot] = self;
+    archive(gap, force, status, broken, slip, residual, dilation, seat, dashpot);
   }
 
   // The distance at which an end closes, m.

@@ -15,10 +15,11 @@ inline constexpr auto contacts_name = "contacts.pvd";
 inline constexpr auto bolts_name = "bolts.pvd";
 inline constexpr auto checkpoint_name = "checkpoint.bin";
 inline constexpr auto summary_name = "summary.json";
-inline constexpr auto request_name = "run.json";      // what the run was asked for
-inline constexpr auto profile_name = "profile.json";  // where the time went, of dda run --profile
-inline constexpr auto page_name = "view.html";        // what dda view makes of it
-inline constexpr auto report_name = "report.html";    // what dda report makes of it
+inline constexpr auto request_name = "run.json";       // what the run was asked for
+inline constexpr auto profile_name = "profile.json";   // where the time went, of dda run --profile
+inline constexpr auto page_name = "view.html";         // what dda view makes of it
+inline constexpr auto report_name = "report.html";     // what dda report makes of it
+inline constexpr auto spectrum_name = "spectrum.csv";  // what dda spectrum makes of it
 
 // Of the state at the end of a stage, counted from 0, where a run keeps it.
 std::string stage_file_name(std::size_t stage);

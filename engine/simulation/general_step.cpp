@@ -73,8 +73,7 @@ void form_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
 
 // Of a stretch of the projected law, at one end at least.
 bool gapes(const InterfaceElement& element, const InterfaceState& state) {
-  if (element.law != InterfaceLaw::projected) return false;
-  return state.status[0] == ContactStatus::open || state.status[1] == ContactStatus::open;
+  return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
 }
 
 }  // namespace
@@ -384,7 +383,8 @@ void GeneralStep::accept_contacts() {
     const std::size_t i = trials.place(k);
     const InterfaceElement& element = s.contacts.elements[i];
     const InterfaceState before = s.contacts.states[i];
-    const InterfaceState after = finish_trial(element, before, trials[k]);
+    InterfaceState after = finish_trial(element, before, trials[k]);
+    after.dashpot = weight * dashpot_force(element, trials[k]);
     const Vec4 dropped = trials[k].force - after.force;
     const bool drops = trials[k].force != after.force;
     if (drops && !s.held.empty())  // the rest of their work is in audit_held_blocks
@@ -392,7 +392,7 @@ void GeneralStep::accept_contacts() {
     const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
     if (before.status != after.status || before.slip != after.slip || drops || gaps_are_foreseen || bends)
       s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
-                                weight * dashpot_force(element, trials[k]));
+                                after.dashpot);
     s.contacts.states[i] = after;
   }
 }

@@ -66,12 +66,14 @@ void keep_angular_momentum(double wanted, const Inertia& inertia, Vec6& rates) {
 }
 
 // Changes the inertia of a block and leaves it its angular momentum, and what its acceleration makes of that.
-template <typename Change>
-void change_inertia(std::size_t i, const Change& change, Inertia& inertia, State& state) {
-  if (inertia.mass == 0) return change();  // held
+// `squares` may be the block's own.
+void change_inertia(std::size_t i, const Vec3& squares, double beyond, Inertia& inertia, State& state) {
+  const bool held = inertia.mass == 0;
   const double of_velocity = momentum(inertia, state.velocity[i])(2);
   const double of_acceleration = momentum(inertia, state.acceleration[i])(2);
-  change();
+  inertia.squares = squares;
+  inertia.beyond = beyond;
+  if (held) return;
   keep_angular_momentum(of_velocity, inertia, state.velocity[i]);
   keep_angular_momentum(of_acceleration, inertia, state.acceleration[i]);
 }
@@ -107,8 +109,7 @@ void keep_angular_momenta(const Model& model, State& state, BlockTerms& terms) {
     Inertia& inertia = terms.inertia[i];
     if (inertia.mass == 0) continue;  // held
     const double beyond = trace(deformed_squares(model, state, i)) - trace(inertia.squares);
-    change_inertia(
-        i, [&] { inertia.beyond = beyond; }, inertia, state);
+    change_inertia(i, inertia.squares, beyond, inertia, state);
   }
 }
 
@@ -132,8 +133,7 @@ void follow_blocks(const Model& model, const State& acting, bool measure, State&
     if (measure || shape_has_changed(area, squares, terms.area[i], inertia.squares)) {
       terms.area[i] = area;
       const double beyond = inertia.beyond + trace(inertia.squares) - trace(squares);
-      change_inertia(
-          i, [&] { inertia.beyond = beyond, inertia.squares = squares; }, inertia, state);
+      change_inertia(i, squares, beyond, inertia, state);
     }
   }
 }

@@ -34,8 +34,13 @@ Eigen::VectorXd acceleration_of(const BlockMatrix& inertia, const Eigen::VectorX
 }
 
 bool jumps_are_softened(const BlockSystem& s, std::size_t stage) {
-  const std::vector<Stage>& stages = s.model.stages;
-  return stage < stages.size() && s.model.with_acting_corrections(stages[stage]).correct_block_dispersion;
+  return s.model.with_acting_corrections(s.model.stages[stage]).correct_block_dispersion;
+}
+
+// The stage that begins goes on without what softened jumps in the one before.
+bool softening_ends(const BlockSystem& s) {
+  const std::size_t stage = s.clock.stage;
+  return stage > 0 && jumps_are_softened(s, stage - 1) && !jumps_are_softened(s, stage);
 }
 
 }  // namespace
@@ -61,7 +66,7 @@ void LinearStep::set_step_size(double dt) {
 
 void LinearStep::begin() {
   BlockSystem& s = system_;
-  const bool corrections_end = jumps_are_softened(s, s.clock.stage - 1) && !jumps_are_softened(s, s.clock.stage);
+  const bool corrections_end = softening_ends(s);
   if (corrections_end) sum_forces_of_states();
   if (s.plan.loads) s.loads_at(s.state.time, s.forces.load_old);
   for (Eigen::VectorXd* vector : {&momentum_, &inertia_force_, &elastic_force_, &internal_at_rest_})
@@ -75,10 +80,12 @@ void LinearStep::begin() {
   energy_offset_ = contact + strain_energy(s.terms, s.state) - elastic_energy();
   if (s.clock.stage > 0) s.audit.geometry_followed(stored_energy());  // inertia may be another than before
   if (s.plan.is_static) return;
+  set_held_rates(s.model, s.state);  // dampers act on them from the first moment on
   inertia_force_ = accelerating_forces(s);
   if (rayleigh_.acts()) {
     rayleigh_.force_of(*operators_, flat(s.state.velocity), momentum_, next_momentum_);
     inertia_force_ -= next_momentum_;
+    if (s.plan.moving_supports) rayleigh_.add_drive(s, s.state.time, inertia_force_);
   }
   s.held.clear(inertia_force_);
   if (inertia_force_.isZero(0)) return;
@@ -166,15 +173,11 @@ void LinearStep::form_rhs() {
     if (system_.plan.gravity) here.of(rhs_) += here.of(system_.external.weight());
   });
   add_dashpot_and_support_rhs(system_, rhs_);
-  if (rayleigh_.acts()) take_off_known_damping();
-}
-
-void LinearStep::take_off_known_damping() {
-  const StepCoefficients& c = system_.coefficients;
+  if (!rayleigh_.acts()) return;
   const State& state = system_.state;
-  carried_ = c.damping_v * flat(state.velocity) + c.damping_a * flat(state.acceleration);
-  mass_times_carried_ = c.damping_v * momentum_ + c.damping_a * inertia_force_;
-  rayleigh_.take_off_known(*operators_, carried_, mass_times_carried_, rhs_);
+  rayleigh_.take_off_known(*operators_, c, {flat(state.velocity), flat(state.acceleration), momentum_, inertia_force_},
+                           rhs_);
+  if (system_.plan.moving_supports) rayleigh_.add_drive_in_step(system_, rhs_);
 }
 
 Status LinearStep::solve() {
@@ -203,7 +206,7 @@ void LinearStep::foresee_increment() {
 void LinearStep::accept() {
   const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
-  if (rayleigh_.acts()) s.audit.damping_worked(rayleigh_.work(*operators_, s.coefficients, s.increment));
+  if (rayleigh_.acts()) book_damping();
   move_blocks(Kinematics::small, s);
   if (s.plan.supports) accept_supports(s);
   sum_internal_forces(s.forces.internal_new);
@@ -211,6 +214,15 @@ void LinearStep::accept() {
   const double factor = finish_step(work, stored_energy(), s);
   if (factor != 1) momentum_ *= factor;
   if (s.plan.is_static) inertia_force_.setZero();
+}
+
+// What dampers take of all motion, and what held blocks and feet of supports bring in of it.
+void LinearStep::book_damping() {
+  BlockSystem& s = system_;
+  const Eigen::VectorXd& force = rayleigh_.force_in_step(*operators_, s.coefficients, s.increment);
+  const double on_feet = s.plan.moving_supports ? rayleigh_.work_on_feet(s) : 0;
+  s.audit.damping_worked(dot(s.increment, force) - on_feet);
+  s.audit.held_blocks_moved_against(s.held.work(force) - on_feet);
 }
 
 // M a1 from the change of M v, as a1 follows from that of v. Returns the work against it, see energy_audit.h.

@@ -42,7 +42,7 @@ class LinearStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, operators, matrix, rayleigh, momentum, inertia_force, elastic_force, internal_at_rest, energy_offset,
-           next_momentum, rhs, carried, mass_times_carried, message] = self;
+           next_momentum, rhs, message] = self;
     archive(momentum, inertia_force, elastic_force, internal_at_rest, energy_offset);
     // The others follow from the system, or are written before they are read.
   }
@@ -55,12 +55,12 @@ class LinearStep : public Step {
   [[nodiscard]] Status solve();
   void foresee_increment();
   void accept();
+  void book_damping();
   [[nodiscard]] double follow_inertia_force();
   void sum_internal_forces(Eigen::VectorXd& force);
   [[nodiscard]] double elastic_energy() const;
   [[nodiscard]] double contact_energy() const;
   void sum_forces_of_states();
-  void take_off_known_damping();
 
   BlockSystem& system_;
   std::optional<LinearOperators> operators_;  // only in a linear stage
@@ -73,7 +73,6 @@ class LinearStep : public Step {
 
   // Within a step, 6 entries a block.
   Eigen::VectorXd next_momentum_, rhs_;
-  Eigen::VectorXd carried_, mass_times_carried_;  // of a step with Rayleigh damping, see there
   std::string message_;
 };
 

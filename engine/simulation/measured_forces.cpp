@@ -23,11 +23,41 @@ ForceAndMoment moved_to(const Vec2& about, const BlockSystem& system, int block,
   return force + Vec3(0, 0, cross(centroid - about, force.head<2>()));
 }
 
-// Forces on the rows of an interface. The cubic law's normal force is the one its reconstruction has at the interface,
-// as for tractions.
-Vec4 carried(const Simulation& simulation, std::size_t i) {
+// s, of the material damping in force: springs with the stiffness K resist velocities v with this times K v.
+double damping_of_stiffness(const BlockSystem& system) {
+  if (!system.plan.linear || system.plan.is_static) return 0;
+  return system.stage_in_force().material_damping.stiffness;
+}
+
+// What a second of the velocities of now would make an interface of a linear scene carry more.
+InterfaceState rate_of(const BlockSystem& system, std::size_t i) {
+  const InterfaceElement& element = system.contacts.elements[i];
+  const auto stress_rate = [&](int block) -> Vec3 {
+    return system.terms.elasticity[at(block)] * system.state.velocity[at(block)].tail<3>();
+  };
+  return linear_state(element, Vec4::Zero(), system.state.velocity[at(element.block_a)],
+                      system.state.velocity[at(element.block_b)], stress_rate(element.block_a),
+                      stress_rate(element.block_b));
+}
+
+// On the rows of an interface, beyond what its state keeps: dashpots and material damping.
+Vec4 damping_of_contact(const BlockSystem& system, std::size_t i) {
+  const double damping = damping_of_stiffness(system);
+  if (damping == 0) return system.contacts.states[i].dashpot;
+  return damping * rate_of(system, i).force;
+}
+
+// The same of the spring of a support, in x and y.
+Vec2 damping_of_support(const BlockSystem& system, std::size_t i) {
+  const SupportElement& support = system.supports[i];
+  const Vec2 velocity = support.rows * system.state.velocity[at(support.block)] -
+                        prescribed_velocity(system.model.supports[i], system.state.time);
+  return damping_of_stiffness(system) * (support.stiffness * velocity);
+}
+
+// The cubic law's normal force is the one its reconstruction has at the interface, as for tractions.
+Vec4 at_interface(const Simulation& simulation, std::size_t i, const InterfaceState& state) {
   const ContactSet& contacts = simulation.contacts();
-  const InterfaceState state = simulation.interface_state(i);
   Vec4 force = state.force;
   if (contacts.elements[i].law == InterfaceLaw::cubic)
     force(0) = contacts.elements[i].length *
@@ -35,10 +65,39 @@ Vec4 carried(const Simulation& simulation, std::size_t i) {
   return force;
 }
 
+// Forces on the rows of an interface.
+Vec4 carried(const Simulation& simulation, std::size_t i) {
+  const BlockSystem& system = simulation.system();
+  const Vec4 force = at_interface(simulation, i, simulation.interface_state(i));
+  const double damping = damping_of_stiffness(system);
+  if (damping == 0) return force + system.contacts.states[i].dashpot;
+  return force + damping * at_interface(simulation, i, rate_of(system, i));
+}
+
 // On one of the two blocks, whose rows these are, about its centroid.
 Vec3 on_block(const InterfaceElement& element, const Mat46& rows, const Vec4& force) {
   if (is_lone_vertex(element)) return -rows.topLeftCorner<2, 3>().transpose() * force.head<2>();
   return -rows.leftCols<3>().transpose() * force;
+}
+
+bool has_dampers(const BlockSystem& system) {
+  return damping_of_stiffness(system) != 0 ||
+         std::ranges::any_of(system.model.joints, [](const JointMaterial& joint) { return joint.contact_damping > 0; });
+}
+
+// What a block has to overcome of dampers in its contacts and supports, about its centroid.
+Vec3 resisted_by_dampers(const BlockSystem& system, int block) {
+  Vec3 sum = Vec3::Zero();
+  if (!has_dampers(system)) return sum;
+  for (std::size_t i = 0; i < system.contacts.elements.size(); ++i) {
+    const InterfaceElement& element = system.contacts.elements[i];
+    if (element.block_a == block) sum -= on_block(element, element.rows_a, damping_of_contact(system, i));
+    if (element.block_b == block) sum -= on_block(element, element.rows_b, damping_of_contact(system, i));
+  }
+  for (std::size_t i = 0; i < system.supports.size(); ++i)
+    if (system.supports[i].block == block)
+      sum += system.supports[i].rows.leftCols<3>().transpose() * damping_of_support(system, i);
+  return sum;
 }
 
 bool is_left_of(const Measurement& line, const Vec2& point, double tolerance) {
@@ -122,11 +181,13 @@ ForceAndMoment reaction(const Simulation& simulation, const Measurement& measure
   ForceAndMoment sum = ForceAndMoment::Zero();
   for (const int i : measurement.supports) {
     const SupportElement& support = system.supports[at(i)];
-    const Vec6 force = -support.rows.transpose() * (support.stiffness * support.gap);
+    const Vec2 spring = support.stiffness * support.gap;
+    const Vec6 force = -support.rows.transpose() * (spring + damping_of_support(system, at(i)));
     sum += moved_to(measurement.about, system, support.block, force.head<3>());
   }
   for (const int block : measurement.blocks) {
-    const Vec3 force = system.forces.internal_old.segment<3>(6 * block) - system.forces.load_old.segment<3>(6 * block);
+    const Vec3 internal = system.forces.internal_old.segment<3>(6 * block);
+    const Vec3 force = internal + resisted_by_dampers(system, block) - system.forces.load_old.segment<3>(6 * block);
     sum += moved_to(measurement.about, system, block, force);
   }
   return sum;

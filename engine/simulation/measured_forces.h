@@ -1,7 +1,9 @@
 // Forces that measurements add up: of supports and held blocks, between two sets of blocks, and across a line.
 //
 // All of them are what the engine's own balance M a = loads + weight - internal forces is made of: the forces conjugate
-// to the translation and turn of blocks. So sums over free bodies balance to round-off, whatever the joints.
+// to the translation and turn of blocks. So sums over free bodies balance to round-off, whatever the joints. Dampers of
+// joints and supports are in them: material damping with the velocities of now, dashpots of contacts with the mean of
+// the last step.
 #pragma once
 
 #include <cstddef>

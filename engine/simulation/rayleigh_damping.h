@@ -1,15 +1,25 @@
 // Rayleigh damping of a linear scene: forces -C v with C = a M + b K, over all inertia and stiffness there is, that of
 // joints and supports among it. Every vibration of angular frequency w then has the damping ratio a/(2 w) + b w/2, and
 // a wave of that frequency loses the share 1 - exp(-2 pi ratio) of its amplitude over each wavelength.
+//
+// The dampers b k of supports stand on the feet of their springs: where these move, they resist the motion of the block
+// against them alone.
 #pragma once
 
 #include <Eigen/Core>
 
 #include "engine/model/settings.h"
+#include "engine/simulation/block_system.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/step_coefficients.h"
 
 namespace dda {
+
+// What a step starts from, 6 numbers a block.
+struct MotionAtStart {
+  Eigen::Map<const Eigen::VectorXd> velocity, acceleration;
+  const Eigen::VectorXd &momentum, &inertia_force;  // M v, M a
+};
 
 class RayleighDamping {
  public:
@@ -24,18 +34,29 @@ class RayleighDamping {
   void force_of(const LinearOperators& operators, const Eigen::VectorXd& x, const Eigen::VectorXd& mass_times_x,
                 Eigen::VectorXd& force) const;
 
-  // Takes C (damping_v v0 + damping_a a0), the part of the balance that is known, off the right-hand side. `carried`:
-  // that mean of v0 and a0; `mass_times_carried`: M times it.
-  void take_off_known(const LinearOperators& operators, const Eigen::VectorXd& carried,
-                      const Eigen::VectorXd& mass_times_carried, Eigen::VectorXd& rhs);
+  // Takes C (damping_v v0 + damping_a a0), the part of the balance that is known, off the right-hand side.
+  void take_off_known(const LinearOperators& operators, const StepCoefficients& step, const MotionAtStart& start,
+                      Eigen::VectorXd& rhs);
 
-  // What the step with this increment lost (J per m of thickness): d . C (damping d + damping_v v0 + damping_a a0).
-  [[nodiscard]] double work(const LinearOperators& operators, const StepCoefficients& step, const Eigen::VectorXd& d);
+  // Adds what feet of supports that move drive the blocks with by their dampers: at the velocities of a moment (s), and
+  // in the balance of the step, for which it has to follow take_off_known().
+  void add_drive(const BlockSystem& system, double time, Eigen::VectorXd& force) const;
+  void add_drive_in_step(const BlockSystem& system, Eigen::VectorXd& rhs);
+
+  // What the balance of the step with this increment had: C (damping d + damping_v v0 + damping_a a0), in N.
+  [[nodiscard]] const Eigen::VectorXd& force_in_step(const LinearOperators& operators, const StepCoefficients& step,
+                                                     const Eigen::VectorXd& d);
+  // The work that the dampers do on the feet in that step (J per m of thickness); after force_in_step(), before the
+  // state moves.
+  [[nodiscard]] double work_on_feet(const BlockSystem& system) const;
 
  private:
-  double mass_ = 0;        // 1/s
-  double stiffness_ = 0;   // s
-  Eigen::VectorXd known_;  // N, in the step
+  double mass_ = 0;       // 1/s
+  double stiffness_ = 0;  // s
+
+  // Within a step.
+  Eigen::VectorXd carried_, mass_times_carried_;  // damping_v v0 + damping_a a0, and M times that
+  Eigen::VectorXd known_;                         // N, C times that
   Eigen::VectorXd product_, force_;
 };
 

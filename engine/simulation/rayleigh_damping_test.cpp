@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <random>
 
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"
@@ -111,6 +112,91 @@ TEST(RayleighDamping, AWaveLosesItsShareOverEachWavelength) {
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
     EXPECT_GT(simulation.energy().damping, 0);
   }
+}
+
+// A grid on its lower left block, which is shaken, with loads drawn at random.
+Model shaken_grid(InterfaceLaw law, const Integrator& integrator, MotionKind kind, unsigned seed) {
+  Model model = grid_of(3, bond(law));
+  model.gravity = {0, -10};
+  HeldBlock& held = model.held_blocks.emplace_back();
+  held.amplitude = kind == MotionKind::displacement ? Vec2(1e-4, -5e-5) : Vec2(2, -1);
+  held.kind = kind;
+  held.history = SineCycles{150, 10, 0};
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> force(-1e5, 1e5);
+  for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
+    model.point_loads.push_back(
+        {i, model.blocks[static_cast<std::size_t>(i)].shape.outer[2], {force(random), force(random)}, Constant{}});
+  model.stages = {stage_of(integrator, 2e-5, 300)};
+  model.stages[0].material_damping.mass = mass_damping;
+  model.stages[0].material_damping.stiffness = stiffness_damping;
+  return model;
+}
+
+// What the held block does against the damping of its joints comes in like all it does.
+TEST(RayleighDamping, EnergyBalancesWhereABlockIsShaken) {
+  unsigned seed = 1;
+  for (const InterfaceLaw law : {InterfaceLaw::consistent, InterfaceLaw::classical})
+    for (const MotionKind kind : {MotionKind::displacement, MotionKind::velocity, MotionKind::acceleration})
+      for (const Integrator& integrator : dynamic_integrators()) {
+        Simulation simulation = simulation_of(shaken_grid(law, integrator, kind, ++seed));
+        ASSERT_TRUE(simulation.plan().linear);
+        run(simulation, 300);
+        const EnergyLedger& energy = simulation.energy();
+        EXPECT_GT(energy.damping, 1e-4 * energy.scale()) << integrator.name;
+        EXPECT_LT(std::abs(energy.relative_residual()), 1e-11) << integrator.name;
+      }
+}
+
+// Two blocks that move on evenly with what drives them, a block that is held or the feet of supports: nothing deforms,
+// and dampers of joints and supports have nothing to do.
+Model moving_evenly(bool on_supports, const Integrator& integrator) {
+  const Vec2 velocity(0.3, -0.2);
+  Model model = bar_of(on_supports ? 2 : 3, bond(InterfaceLaw::consistent));
+  for (Block& block : model.blocks) block.initial_velocity = velocity;
+  if (on_supports) {
+    for (const Vec2& corner : model.blocks[0].shape.outer) {
+      PointSupport& support = model.supports.emplace_back(
+          PointSupport{0, corner, true, true, 1e10, velocity, Constant{}, MotionKind::velocity});
+      if (corner.y() > 0) support.direction = Vec2(0.6, 0.8);
+    }
+  } else {
+    model.blocks[0].initial_velocity.setZero();
+    model.held_blocks = {HeldBlock{0, velocity, 0, Vec2::Zero(), Constant{}, MotionKind::velocity}};
+  }
+  model.stages = {stage_of(integrator, 1e-4, 100)};
+  model.stages[0].material_damping.stiffness = 1e-4;
+  return model;
+}
+
+TEST(RayleighDamping, LeavesWhatMovesAsAWholeAlone) {
+  for (const bool on_supports : {false, true})
+    for (const Integrator& integrator : dynamic_integrators()) {
+      Simulation simulation = simulation_of(moving_evenly(on_supports, integrator));
+      run(simulation, 100);
+      for (const Vec6& displacement : simulation.state().displacement) {
+        EXPECT_LT((displacement.head<2>() - 0.01 * Vec2(0.3, -0.2)).norm(), 1e-12) << integrator.name << on_supports;
+        EXPECT_LT(displacement.tail<4>().norm(), 1e-12) << integrator.name << on_supports;
+      }
+      EXPECT_LT(std::abs(simulation.energy().damping), 1e-9 * simulation.energy().kinetic) << integrator.name;
+    }
+}
+
+// The same where supports are shaken: what their feet do against the dampers comes in.
+TEST(RayleighDamping, EnergyBalancesWhereSupportsAreShaken) {
+  for (const MotionKind kind : {MotionKind::displacement, MotionKind::velocity, MotionKind::acceleration})
+    for (const Integrator& integrator : dynamic_integrators()) {
+      Model model = held_grid(2e-5, 300, integrator);
+      for (PointSupport& support : model.supports) {
+        support.amplitude = kind == MotionKind::displacement ? Vec2(1e-4, -5e-5) : Vec2(2, -1);
+        support.kind = kind;
+        support.history = SineCycles{150, 10, 0};
+      }
+      Simulation simulation = simulation_of(std::move(model));
+      run(simulation, 300);
+      EXPECT_GT(std::abs(simulation.energy().external_work), 1e-4 * simulation.energy().scale()) << integrator.name;
+      EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11) << integrator.name;
+    }
 }
 
 }  // namespace

@@ -31,7 +31,11 @@ class SettlingCushion {
   [[nodiscard]] bool put_in(const BlockSystem& system);
   [[nodiscard]] bool is_in() const { return steps_left_ > 0; }
   // At the end of a step: whether there were cushions in it, which are not those of the next.
-  bool wears() { return is_in() && steps_left_-- > 0; }
+  bool wears() {
+    if (!is_in()) return false;
+    --steps_left_;
+    return true;
+  }
 
   // Adds the cushions to the matrix of a step that is about to be solved. `contacts`: places of those that can open.
   void add_to(const BlockSystem& system, std::span<const int> contacts, BlockMatrix& matrix) const;

@@ -17,7 +17,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3431'4e53'4144'44ULL;  // "DDASN14", read as a little-endian number
+constexpr std::uint64_t kind = 0x3531'4e53'4144'44ULL;  // "DDASN15", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>

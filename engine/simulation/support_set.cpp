@@ -36,6 +36,11 @@ Vec2 prescribed_displacement(const PointSupport& support, double time) {
   return motion_at(support.kind, support.history, time).displacement * support.amplitude;
 }
 
+Vec2 prescribed_velocity(const PointSupport& support, double time) {
+  if (support.amplitude.isZero(0)) return Vec2::Zero();
+  return motion_at(support.kind, support.history, time).velocity * support.amplitude;
+}
+
 std::vector<SupportElement> make_supports(const Model& model, const State& state) {
   std::vector<SupportElement> supports;
   for (const PointSupport& support : model.supports) {

@@ -52,8 +52,9 @@ void foresee_nothing(std::vector<SupportElement>& supports);
 // Follows a held point by the increments `d` of all blocks to `time`, along the directions of the step's start.
 void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support);
 
-// Prescribed displacement of support `index` at `time`, m.
+// Prescribed displacement and velocity at `time`, m and m/s.
 Vec2 prescribed_displacement(const PointSupport& support, double time);
+Vec2 prescribed_velocity(const PointSupport& support, double time);
 
 // Adds the internal forces (stiffness * gap) of all supports to `force`.
 void add_support_force(const std::vector<SupportElement>& supports, Eigen::VectorXd& force);

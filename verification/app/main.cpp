@@ -81,8 +81,8 @@ void add_sweep(CLI::App& app, Arguments& arguments) {
   CLI::App* sweep =
       app.add_subcommand("sweep",
                          "Runs a grid of parameters over the thesis' bar, each job a process of its own: results.csv "
-                         "and plots/ of measured "
-                         "and predicted errors.\nExit code 1 if a job failed; each is told on standard error.");
+                         "and plots/ of measured and predicted errors.\nExit code 1 if a job failed; each is told on "
+                         "standard error.");
   sweep->add_option("spec", arguments.sweep.spec, "JSON file of the grid; verification/sweep/README.md")
       ->required()
       ->type_name("SPEC");
@@ -123,8 +123,7 @@ void add_precision(CLI::App& app, Arguments& arguments) {
       "work-precision",
       "Error against CPU time: every interface law and integrator over block size and time step, for the thesis' bar "
       "and a pulse in a plate, beside plain explicit finite elements.\nWrites work_precision.csv, work_precision.md "
-      "and "
-      "plots/. Exit code 1 if a run failed.");
+      "and plots/. Exit code 1 if a run failed.");
   precision->add_option("--out", arguments.precision.folder, "folder for all files; made if it is not there")
       ->required();
   precision->add_option("--rounds", arguments.precision.rounds, "runs of every job, of which the least CPU time counts")

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/geometry/overlap.h"
+#include "engine/model/state.h"
 #include "verification/exact/pulsed_row.h"
 #include "verification/stability/scenes.h"
 
@@ -166,9 +167,8 @@ class PileAnswer final : public Answer {
 
   static dda::Polygon shape_now(const Simulation& simulation, std::size_t block) {
     dda::Polygon shape = simulation.model().blocks[block].shape;
-    const Vec2 centre = simulation.model().blocks[block].moments.centroid;
     for (Vec2& corner : shape.outer)
-      corner = centre + moved(simulation, block) + simulation.state().deformation[block] * (corner - centre);
+      corner = dda::current_position(simulation.model(), simulation.state(), static_cast<int>(block), corner);
     return shape;
   }
 

@@ -102,9 +102,9 @@ std::string to_page(const StabilityChart& chart) {
   document.title = "Stability chart";
   document.subtitle =
       "What becomes of four small problems when penalty (contact spring over Young's modulus), time step, mass ratio "
-      "and "
-      "aspect of blocks go to their extremes, under every integrator. Made by `dda-verify stability --out DIR`, some "
-      "minutes on one core, which leaves every cell with its figures in `stability.json`; `--quick` takes the corners.";
+      "and aspect of blocks go to their extremes, under every integrator. Made by `dda-verify stability --out DIR`, "
+      "some minutes on one core, which leaves every cell with its figures in `stability.json`; `--quick` takes the "
+      "corners.";
   document.sections.push_back(
       {"Penalty over time step",
        {Figure{"images/stability_steps.svg", "Penalty from 1e-3 to 1e6 E over dt from 1e-7 to 0.1 s"},

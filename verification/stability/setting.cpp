@@ -30,6 +30,25 @@ Setting ordinary(const ChartGrid& grid, Problem problem, const std::string& inte
   return setting;
 }
 
+struct Axis {
+  double Setting::*quantity;
+  const std::vector<double>& values;
+};
+
+// Every problem and integrator with all pairs of values, the others being ordinary.
+std::vector<Setting> all_settings(const ChartGrid& grid, const Axis& outer, const Axis& inner) {
+  std::vector<Setting> settings;
+  for (const Problem problem : all_problems)
+    for (const std::string& integrator : grid.integrators)
+      for (const double outer_value : outer.values)
+        for (const double inner_value : inner.values) {
+          Setting& setting = settings.emplace_back(ordinary(grid, problem, integrator));
+          setting.*outer.quantity = outer_value;
+          setting.*inner.quantity = inner_value;
+        }
+  return settings;
+}
+
 }  // namespace
 
 std::string name_of(Problem problem) {
@@ -64,29 +83,11 @@ ChartGrid chart_grid(bool quick) {
 }
 
 std::vector<Setting> step_settings(const ChartGrid& grid) {
-  std::vector<Setting> settings;
-  for (const Problem problem : all_problems)
-    for (const std::string& integrator : grid.integrators)
-      for (const double penalty : grid.penalties)
-        for (const double dt : grid.dts) {
-          Setting& setting = settings.emplace_back(ordinary(grid, problem, integrator));
-          setting.penalty = penalty;
-          setting.dt = dt;
-        }
-  return settings;
+  return all_settings(grid, {&Setting::penalty, grid.penalties}, {&Setting::dt, grid.dts});
 }
 
 std::vector<Setting> block_settings(const ChartGrid& grid) {
-  std::vector<Setting> settings;
-  for (const Problem problem : all_problems)
-    for (const std::string& integrator : grid.integrators)
-      for (const double mass_ratio : grid.mass_ratios)
-        for (const double aspect : grid.aspects) {
-          Setting& setting = settings.emplace_back(ordinary(grid, problem, integrator));
-          setting.mass_ratio = mass_ratio;
-          setting.aspect = aspect;
-        }
-  return settings;
+  return all_settings(grid, {&Setting::mass_ratio, grid.mass_ratios}, {&Setting::aspect, grid.aspects});
 }
 
 }  // namespace verify

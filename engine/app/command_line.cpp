@@ -40,7 +40,8 @@ struct Range {
 constexpr Range frequencies{1e-6, 1e9};
 constexpr Range lengths{1e-6, 1e9};
 constexpr Range times{1e-12, 1e12};
-constexpr Range shares{1e-9, 1e9};
+// Errors of waves that are asked for: what is predicted of a wave that is all wrong says nothing.
+constexpr Range errors_wanted{1e-9, 0.99};
 
 // A positive number in SI or with a unit, as in scenes.
 double positive_quantity(const std::string& text, Dimension dimension, const Range& range, const char* option) {
@@ -48,12 +49,11 @@ double positive_quantity(const std::string& text, Dimension dimension, const Ran
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool plain = error == std::errc() && end == text.data() + text.size();
   if (!plain) value = parse_quantity(text, dimension, option);
-  if (!(value > 0) || !std::isfinite(value))
-    throw InputError("", option, text, expected_quantity(dimension) + " above 0");
-  if (value < range.least || value > range.greatest)
-    throw InputError("", option, text,
-                     fmt::format("from {:g} to {:g} {}", range.least, range.greatest, si_unit(dimension)));
-  return value;
+  if (value >= range.least && value <= range.greatest) return value;
+  const std::string_view unit = si_unit(dimension);
+  throw InputError("", option, text,
+                   fmt::format("{}, from {:g} to {:g}{}{}", expected_quantity(dimension), range.least, range.greatest,
+                               unit.empty() ? "" : " ", unit));
 }
 
 // For options that count; the library's own range check prints the limits of its number type.
@@ -228,7 +228,8 @@ void advise_scene(const Arguments& arguments, std::ostream& out) {
   if (!arguments.distance.empty())
     options.question.distance = positive_quantity(arguments.distance, Dimension::length, lengths, "--distance");
   if (!arguments.wanted_error.empty())
-    options.question.error = positive_quantity(arguments.wanted_error, Dimension::dimensionless, shares, "--error");
+    options.question.error =
+        positive_quantity(arguments.wanted_error, Dimension::dimensionless, errors_wanted, "--error");
   advise_scene(options, out);
 }
 

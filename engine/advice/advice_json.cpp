@@ -35,7 +35,11 @@ Json limits_of(const WaveAdvice& wave) {
   return {{"dt_s", or_null(wave.limits->dt)},
           {"block_m", blocks(wave.limits->scale)},
           {"both_dt_s", or_null(wave.limits->both_dt)},
-          {"both_block_m", blocks(wave.limits->both_scale)}};
+          {"both_block_m", blocks(wave.limits->both_scale)},
+          {"finest_dt_tried_s", wave.limits->finest.dt},
+          {"finest_block_tried_m", blocks(wave.limits->finest.scale)},
+          {"coarsest_dt_tried_s", wave.limits->coarsest.dt},
+          {"coarsest_block_tried_m", blocks(wave.limits->coarsest.scale)}};
 }
 
 Json to_json(const WaveAdvice& wave) {

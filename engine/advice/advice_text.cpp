@@ -65,29 +65,36 @@ std::string blocks_of(const WaveAdvice& wave, double scale) {
   return fmt::format("{:.3g} m ({:.2g} times these)", scale * wave.block_size, scale);
 }
 
+// A limit that is the coarsest that was tried is not one of the mesh.
+std::string limit_of(const std::string& value, double limit, double coarsest) {
+  return value + (limit == coarsest ? ", the coarsest tried," : "");
+}
+
+std::string dt_of(const WaveLimits& limits) {
+  if (!limits.dt) return fmt::format("no dt down to {:.3g} s is small enough", limits.finest.dt);
+  return limit_of(fmt::format("dt up to {:.3g} s", *limits.dt), *limits.dt, limits.coarsest.dt);
+}
+
+std::string blocks_of(const WaveAdvice& wave, const WaveLimits& limits) {
+  if (!limits.scale)
+    return fmt::format("no blocks down to {:.3g} m are small enough", limits.finest.scale * wave.block_size);
+  return limit_of("blocks up to " + blocks_of(wave, *limits.scale), *limits.scale, limits.coarsest.scale);
+}
+
 void add_limits(const Advice& advice, const WaveAdvice& wave, Text& text) {
   if (!wave.limits) return;
   const WaveLimits& limits = *wave.limits;
-  const double wanted = 100 * advice.wanted_error;
+  const std::string wanted = fmt::format("  for {:.4g} %: ", 100 * advice.wanted_error);
   if (wave.own_layers) {
-    text.line("  for {:.4g} %: {} with these layers", wanted,
-              limits.dt ? fmt::format("dt up to {:.3g} s", *limits.dt) : "no dt is small enough");
-    return;
-  }
-  if (limits.dt || limits.scale) {
-    text.line("  for {:.4g} %: {}; {}", wanted,
-              limits.dt ? fmt::format("dt up to {:.3g} s with these blocks", *limits.dt)
-                        : "with these blocks no dt is small enough",
-              limits.scale ? fmt::format("blocks up to {} with this dt", blocks_of(wave, *limits.scale))
-                           : "with this dt no blocks are small enough");
+    text.line("{}{} with these layers", wanted, dt_of(limits));
+  } else if (limits.dt || limits.scale) {
+    text.line("{}{} with these blocks; {} with this dt", wanted, dt_of(limits), blocks_of(wave, limits));
   } else if (limits.both_dt) {
-    text.line("  for {:.4g} %: smaller blocks and a smaller dt together: {} and {:.3g} s", wanted,
+    text.line("{}smaller blocks and a smaller dt together: {} and {:.3g} s", wanted,
               blocks_of(wave, *limits.both_scale), *limits.both_dt);
   } else {
-    text.line(
-        "  for {:.4g} %: no blocks and dt down to a thousandth of a wave; what jumps or has kinks holds all "
-        "frequencies",
-        wanted);
+    text.line("{}no blocks down to {:.3g} m and dt down to {:.3g} s{}", wanted, limits.finest.scale * wave.block_size,
+              limits.finest.dt, wave.asked_history ? "; what jumps or has kinks holds all frequencies" : "");
   }
 }
 

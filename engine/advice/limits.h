@@ -20,10 +20,11 @@ struct WaveLimits {
   std::optional<double> scale;  // of the blocks, with dt as it is
   // Where neither alone is enough: blocks and a dt that are.
   std::optional<double> both_dt, both_scale;
+  CoarseBounds finest, coarsest;  // that were tried; what lies beyond is not known
 };
 
-// Looks from coarse to fine down to a thousandth, in steps of a factor 2, and then between the last two. An error that
-// passes zero between two that are too large does not count: four fifths of a value must be within as well.
+// Looks from coarse to fine down to a thousandth (2^-10), in steps of a factor 2, and then between the last two. An
+// error that passes zero between two that are too large does not count: four fifths of a value must be within as well.
 WaveLimits find_limits(const ErrorOf& error_of, double dt, const CoarseBounds& coarse, double wanted);
 
 }  // namespace dda

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dda {
@@ -34,6 +35,23 @@ TEST(Limits, NoneWhereNothingHelps) {
   EXPECT_FALSE(limits.dt || limits.scale || limits.both_dt || limits.both_scale);
   const WaveLimits lost = find_limits([](double, double) { return std::optional<double>(); }, 0.2, coarse, 0.01);
   EXPECT_FALSE(lost.dt || lost.both_dt);
+  EXPECT_EQ(lost.finest.dt, coarse.dt / 1024);
+  EXPECT_EQ(lost.finest.scale, coarse.scale / 1024);
+}
+
+// The finest that is said to have been tried was.
+TEST(Limits, AreLookedForDownToTheLeast) {
+  double least_dt = 1, least_scale = 10;
+  const auto error = [&](double dt, double scale) {
+    least_dt = std::min(least_dt, dt);
+    least_scale = std::min(least_scale, scale);
+    return std::optional(dt <= coarse.dt / 1024 ? 0.0 : 0.5);
+  };
+  const WaveLimits limits = find_limits(error, 0.2, coarse, 0.01);
+  ASSERT_TRUE(limits.dt.has_value());
+  EXPECT_GE(*limits.dt, limits.finest.dt);
+  EXPECT_LE(least_dt, limits.finest.dt);
+  EXPECT_LE(least_scale, limits.finest.scale);
 }
 
 // An error that passes zero at one dt between larger ones is no reason to take that dt.

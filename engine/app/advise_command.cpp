@@ -9,7 +9,6 @@
 namespace dda {
 
 void advise_scene(const AdviseOptions& options, std::ostream& out) {
-  if (options.question.error >= 1) throw InputError("", "--error", "1 or more", "a share below 1, e.g. 1%");
   try {
     const Advice advice = advise(Simulation(read_scene(options.scene)), options.question);
     out << (options.json ? to_json_text(advice) : to_text(advice));

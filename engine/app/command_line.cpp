@@ -23,6 +23,7 @@
 #include "engine/app/spectrum_command.h"
 #include "engine/app/view_command.h"
 #include "engine/core/error.h"
+#include "engine/core/option_values.h"
 #include "engine/core/quantity.h"
 #include "engine/scene/scene.h"
 
@@ -40,7 +41,8 @@ struct Range {
 constexpr Range frequencies{1e-6, 1e9};
 constexpr Range lengths{1e-6, 1e9};
 constexpr Range times{1e-12, 1e12};
-constexpr Range shares{1e-9, 1e9};
+// Errors of waves that are asked for: what is predicted of a wave that is all wrong says nothing.
+constexpr Range errors_wanted{1e-9, 0.99};
 
 // A positive number in SI or with a unit, as in scenes.
 double positive_quantity(const std::string& text, Dimension dimension, const Range& range, const char* option) {
@@ -48,12 +50,11 @@ double positive_quantity(const std::string& text, Dimension dimension, const Ran
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool plain = error == std::errc() && end == text.data() + text.size();
   if (!plain) value = parse_quantity(text, dimension, option);
-  if (!(value > 0) || !std::isfinite(value))
-    throw InputError("", option, text, expected_quantity(dimension) + " above 0");
-  if (value < range.least || value > range.greatest)
-    throw InputError("", option, text,
-                     fmt::format("from {:g} to {:g} {}", range.least, range.greatest, si_unit(dimension)));
-  return value;
+  if (value >= range.least && value <= range.greatest) return value;
+  const std::string_view unit = si_unit(dimension);
+  throw InputError("", option, text,
+                   fmt::format("{}, from {:g} to {:g}{}{}", expected_quantity(dimension), range.least, range.greatest,
+                               unit.empty() ? "" : " ", unit));
 }
 
 // For options that count; the library's own range check prints the limits of its number type.
@@ -85,9 +86,6 @@ CLI::Validator number_from(double least, double greatest) {
       "");
 }
 
-const CLI::Validator a_name([](const std::string& text) { return text.empty() ? "is empty, expected a name" : ""; },
-                            "");
-
 struct Arguments {
   std::string scene;
   std::string folder;
@@ -109,7 +107,7 @@ struct Arguments {
 
 void add_check(CLI::App& app, Arguments& arguments) {
   CLI::App* check = app.add_subcommand("check", "Validate a scene and print what will be run")->footer(check_details);
-  check->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json")->check(a_name);
+  check->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
   check
       ->add_option("--frequency", arguments.frequency,
                    "of the waves to predict, e.g. 100Hz; default: target_frequency, or the highest sine")
@@ -119,7 +117,7 @@ void add_check(CLI::App& app, Arguments& arguments) {
 void add_advise(CLI::App& app, Arguments& arguments) {
   CLI::App* advise =
       app.add_subcommand("advise", "Say how wrong waves will be and why, and what it costs")->footer(advise_details);
-  advise->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json")->check(a_name);
+  advise->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
   advise
       ->add_option("--frequency", arguments.frequency,
                    "of a steady wave, e.g. 100Hz; default: the history of the first load that has one")
@@ -135,11 +133,8 @@ void add_advise(CLI::App& app, Arguments& arguments) {
 
 void add_run(CLI::App& app, Arguments& arguments) {
   CLI::App* run = app.add_subcommand("run", "Run a scene into a folder of results")->footer(run_details);
-  run->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json")->check(a_name);
-  run->add_option("--out", arguments.folder, "folder for the results; made if need be")
-      ->required()
-      ->type_name("DIR")
-      ->check(a_name);
+  run->add_option("scene", arguments.scene, "scene file (JSON)")->required()->type_name("SCENE.json");
+  run->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
   CLI::Option* frames =
       run->add_option("--frames", arguments.frames, "number of frames over the run, besides that of the start")
           ->type_name("N")
@@ -155,8 +150,7 @@ void add_run(CLI::App& app, Arguments& arguments) {
       ->type_name("TIME");
   run->add_option("--from", arguments.run.from,
                   "begin where a run of the same blocks was at the end of a stage, its last by default")
-      ->type_name("DIR[:STAGE]")
-      ->check(a_name);
+      ->type_name("DIR[:STAGE]");
   run->add_flag("--resume", arguments.run.resume, "go on from DIR/checkpoint.bin, to the last bit as if never stopped");
   run->add_option("--threads", arguments.run.threads, "that share the work; default one a core; same results with any")
       ->type_name("N")
@@ -169,11 +163,8 @@ void add_run(CLI::App& app, Arguments& arguments) {
 void add_view(CLI::App& app, Arguments& arguments) {
   ViewOptions& options = arguments.view;
   CLI::App* view = app.add_subcommand("view", "Show a run that has frames: a page, or a picture")->footer(view_details);
-  view->add_option("folder", options.folder, "what dda run --frames wrote")
-      ->required()
-      ->type_name("DIR")
-      ->check(a_name);
-  view->add_option("--out", options.file, "the file to write; default DIR/view.html")->type_name("FILE")->check(a_name);
+  view->add_option("folder", options.folder, "what dda run --frames wrote")->required()->type_name("DIR");
+  view->add_option("--out", options.file, "the file to write; default DIR/view.html")->type_name("FILE");
   view->add_option("--quantity", options.quantity, "what blocks are coloured by; default mean_stress")
       ->type_name("NAME");
   view->add_option("--max-size", options.most_megabytes, "largest page in MB; default 50; longer runs are thinned")
@@ -197,10 +188,8 @@ void add_view(CLI::App& app, Arguments& arguments) {
 
 void add_report(CLI::App& app, ReportOptions& options) {
   CLI::App* report = app.add_subcommand("report", "Write what came of a run on one page")->footer(report_details);
-  report->add_option("folder", options.folder, "what dda run wrote")->required()->type_name("DIR")->check(a_name);
-  report->add_option("--out", options.file, "the file to write; default DIR/report.html")
-      ->type_name("FILE")
-      ->check(a_name);
+  report->add_option("folder", options.folder, "what dda run wrote")->required()->type_name("DIR");
+  report->add_option("--out", options.file, "the file to write; default DIR/report.html")->type_name("FILE");
 }
 
 void add_cut(CLI::App& app, Arguments& arguments) {
@@ -208,21 +197,15 @@ void add_cut(CLI::App& app, Arguments& arguments) {
   cut->add_option("scene", arguments.scene,
                   "scene file (JSON) with rock, or a drawing (.dxf, .csv, .xlsx, .geojson, .dc)")
       ->required()
-      ->type_name("SCENE.json|DRAWING")
-      ->check(a_name);
-  cut->add_option("--out", arguments.folder, "folder for the results; made if need be")
-      ->required()
-      ->type_name("DIR")
-      ->check(a_name);
+      ->type_name("SCENE.json|DRAWING");
+  cut->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
   cut->add_option("--export", arguments.cut.exported, "the blocks as a drawing, too: .dxf, .geojson or .dc")
-      ->type_name("FILE")
-      ->check(a_name);
+      ->type_name("FILE");
   cut->add_option("--layer", arguments.cut.layers, "what a layer of a drawing is, e.g. \"bed joints=rock\"; any number")
       ->type_name("NAME=MEANING")
       ->allow_extra_args(false);
   cut->add_option("--unit", arguments.cut.unit, "of a drawing's coordinates, e.g. mm; default what it says, else m")
-      ->type_name("UNIT")
-      ->check(a_name);
+      ->type_name("UNIT");
 }
 
 void check_scene(const Arguments& arguments, std::ostream& out) {
@@ -247,7 +230,8 @@ void advise_scene(const Arguments& arguments, std::ostream& out) {
   if (!arguments.distance.empty())
     options.question.distance = positive_quantity(arguments.distance, Dimension::length, lengths, "--distance");
   if (!arguments.wanted_error.empty())
-    options.question.error = positive_quantity(arguments.wanted_error, Dimension::dimensionless, shares, "--error");
+    options.question.error =
+        positive_quantity(arguments.wanted_error, Dimension::dimensionless, errors_wanted, "--error");
   advise_scene(options, out);
 }
 
@@ -266,7 +250,8 @@ int run(Arguments& arguments, std::ostream& out, std::ostream& errors) {
 
 // What is wrong with the command line. The library says of an unknown command only that one is required.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
-  const bool unknown_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
+  const auto is_meant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
+  const bool unknown_command = argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_meant).empty();
   if (unknown_command)
     return "the command is \"" + std::string(argv[1]) +
            "\", expected check, advise, cut, keyblocks, fos, run, view, report, spectrum or schema";
@@ -332,7 +317,9 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   add_report(app, arguments.report);
   add_spectrum(app, arguments.spectrum);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->footer(schema_details);
+  expect_values(app);
   try {
+    refuse_values_left_out(argc, argv);
     app.parse(argc, argv);
     return carry_out(app, arguments, out, errors);
   } catch (const CLI::Success& request) {

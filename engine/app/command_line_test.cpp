@@ -38,8 +38,8 @@ TEST_F(CommandLine, MistakesInTheCommandItself) {
       {"solve", "scene.json"},
       "the command is \"solve\", expected check, advise, cut, keyblocks, fos, run, view, report, spectrum or schema");
   expect_refusal({"run", path("scene.json")}, "--out is required");
-  expect_refusal({"run", path("scene.json"), "--out", ""}, "--out: is empty, expected a name");
-  expect_refusal({"check", ""}, "is empty, expected a name");
+  expect_refusal({"run", path("scene.json"), "--out", ""}, "--out: is empty, expected a value");
+  expect_refusal({"check", ""}, "scene: is empty, expected a value");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "0"}, "--frames");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frames", "abc"},
                  "--frames: is \"abc\", expected a whole number above 0");
@@ -48,12 +48,13 @@ TEST_F(CommandLine, MistakesInTheCommandItself) {
                  "excludes");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "5Hz"},
                  "--frame-interval is \"5Hz\", expected a finite number with a unit of time");
-  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "-1ms"}, "above 0");
+  expect_refusal({"run", path("scene.json"), "--out", path("out"), "--frame-interval", "-1ms"},
+                 "from 1e-12 to 1e+12 s");
   expect_refusal({"check", path("scene.json"), "--frequency", "0"}, "--frequency is 0, expected");
   expect_refusal({"check", path("scene.json"), "--colour"}, "--colour");
-  expect_refusal({"advise", path("scene.json"), "--frequency", "1e300"},
-                 "--frequency is 1e300, expected from 1e-06 to 1e+09 Hz");
-  expect_refusal({"advise", path("scene.json"), "--distance", "1e300"}, "--distance is 1e300, expected from");
+  expect_refusal({"advise", path("scene.json"), "--frequency", "1e300"}, ", from 1e-06 to 1e+09 Hz");
+  expect_refusal({"advise", path("scene.json"), "--distance", "1e300"},
+                 "--distance is 1e300, expected a finite number");
   expect_refusal({"run", path("scene.json"), "--out", path("out"), "--checkpoint-interval", "0"},
                  "--checkpoint-interval is 0, expected");
 }

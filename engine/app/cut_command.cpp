@@ -23,12 +23,27 @@ namespace {
 
 constexpr double worth_telling = 1;  // s, before what is being done is shown
 
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code missing;
+  return std::filesystem::equivalent(a, b, missing);
+}
+
+// What is read may be all that somebody has of it.
+void expect_source_kept(const CutRequest& request) {
+  const std::filesystem::path scene = request.folder / "scene.json";
+  if (is_same_file(request.scene, scene))
+    throw InputError("", "--out", request.folder.string() + ", whose scene.json is the scene to cut", "another folder");
+  if (!request.exported.empty() && is_same_file(request.scene, request.exported))
+    throw InputError("", "--export", request.exported.string() + ", which is the drawing to cut", "another name");
+}
+
 // Nothing is cut that could not be written.
 void check_outputs(const CutRequest& request) {
   const std::filesystem::path& folder = request.folder;
   if (folder.empty()) throw InputError("", "--out", "empty", "a folder");
   if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
     throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
+  expect_source_kept(request);
   if (request.exported.empty()) return;
   if (!is_block_format(request.exported))
     throw InputError("", "--export", request.exported.string(), "a name that ends in .dxf, .geojson or .dc");

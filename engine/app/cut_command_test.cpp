@@ -15,6 +15,13 @@ const std::string plan =
 class Cut : public CommandLine {
  protected:
   Cut() { write("plan.csv", plan); }
+
+  // Of the plan, exported as DXF.
+  std::string text_of_blocks() {
+    const Outcome cut = call({"cut", path("plan.csv"), "--out", path("first"), "--export", path("first.dxf")});
+    EXPECT_EQ(cut.code, 0) << cut.errors;
+    return text("first.dxf");
+  }
 };
 
 TEST_F(Cut, ADrawingBecomesASceneThatRunsAndADrawingOfItsBlocks) {
@@ -33,7 +40,7 @@ TEST_F(Cut, ADrawingBecomesASceneThatRunsAndADrawingOfItsBlocks) {
   const Outcome check = call({"check", path("out/scene.json")});
   EXPECT_EQ(check.code, 0) << check.errors;
   write("again.json", R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
- "blocks": {"rock": {"drawing": {"file": "blocks.dxf", "layers": {"rock": "rock", "joint_default": "ignored"}},
+ "blocks": {"rock": {"drawing": {"file": "blocks.dxf", "layers": {"block_rock": "rock", "joint_default": "ignored"}},
                      "boundary": [[0, 0], [4, 0], [4, 4], [0, 4]]}}, "steps": {"dt": 1e-3, "duration": 1e-3}})");
   const Outcome again = call({"cut", path("again.json"), "--out", path("again"), "--export", path("again.geojson")});
   ASSERT_EQ(again.code, 0) << again.errors;
@@ -62,6 +69,52 @@ TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
                  "blocks.pdf, expected a name that ends in .dxf, .geojson or .dc");
   expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--export", path("missing/blocks.dxf")},
                  "missing/blocks.dxf, expected a name in a folder that exists");
+}
+
+TEST_F(Cut, WhatIsReadIsNotWrittenOver) {
+  write("plan.dxf", text_of_blocks());
+  const std::string before = text("plan.dxf");
+  expect_refusal({"cut", path("plan.dxf"), "--out", path("out"), "--export", path("plan.dxf")},
+                 "plan.dxf, which is the drawing to cut, expected another name");
+  EXPECT_EQ(text("plan.dxf"), before);
+  ASSERT_EQ(call({"cut", path("plan.dxf"), "--out", path("made")}).code, 0);
+  expect_refusal({"cut", path("made/scene.json"), "--out", path("made")},
+                 "made, whose scene.json is the scene to cut, expected another folder");
+}
+
+// A scene says what a drawing of blocks cannot; what would cut them is refused.
+TEST_F(Cut, WordsOfASceneBesideADrawingOfBlocks) {
+  write("blocks.dxf", text_of_blocks());
+  const auto scene = [this](const std::string& rock, const std::string& joints) {
+    write("again.json",
+          R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}}, "joints": {)" +
+              joints + R"(}, "blocks": {"rock": {"drawing": "blocks.dxf")" + rock +
+              R"(}}, "steps": {"dt": 1e-3, "duration": 1e-3}})");
+    return std::vector<std::string>{"cut", path("again.json"), "--out", path("out")};
+  };
+  expect_refusal(scene(R"(, "merge": {"area": 1})", ""),
+                 "blocks.rock.merge is given beside a drawing of blocks, which are not cut again, expected regions");
+  expect_refusal(scene("", R"("bedding": {"friction_angle": "30 deg"})"),
+                 "joints.bedding is in no entry of joint_pairs");
+  EXPECT_EQ(call(scene("", R"("default": {"friction_angle": "30 deg"})")).code, 0);
+}
+
+TEST_F(Cut, NamesOfADrawingMustBeThoseOfItsScene) {
+  std::string bedding = plan;
+  bedding.replace(bedding.find("rock,0,1"), 4, "joint bedding");
+  write("bedding.csv", bedding);
+  const auto scene = [this](const std::string& joints) {
+    write("named.json",
+          R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}}, "joints": {)" +
+              joints +
+              R"(}, "blocks": {"rock": {"drawing": "bedding.csv"}}, "steps": {"dt": 1e-3, "duration": 1e-3}})");
+    return std::vector<std::string>{"cut", path("named.json"), "--out", path("out")};
+  };
+  expect_refusal(scene(""),
+                 "bedding.csv line 6 (layer joint bedding) is of the joint \"bedding\", expected one of the scene's");
+  const Outcome cut = call(scene(R"("bedding": {"friction_angle": "30 deg"})"));
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_EQ(nlohmann::json::parse(text("out/scene.json"))["joint_lines"][0]["joint"], "bedding");
 }
 
 TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {

@@ -17,8 +17,10 @@ constexpr std::array<std::string_view, 8> strokes{"#3d4a57", "#c2410c", "#1d6fb8
 Box box_around(const CutScene& scene) {
   Box box;
   for (const CutEntry& entry : scene.entries) {
-    const Box own = bounding_box(entry.rock.plan.boundary);
-    box = expanded(expanded(box, own.lower), own.upper);
+    for (const Vec2& corner : entry.rock.plan.boundary) box = expanded(box, corner);
+    for (const CutBlock& block : entry.cut.blocks) {
+      for (const Vec2& corner : block.shape.outer) box = expanded(box, corner);
+    }
   }
   return box;
 }

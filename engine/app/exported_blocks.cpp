@@ -12,10 +12,10 @@ BlockDrawing drawing_of_blocks(const CutScene& scene) {
     std::map<std::string, int> counts;
     for (const CutBlock& block : entry.cut.blocks) {
       const std::string& group = group_name(entry.rock, block);
-      drawing.blocks.push_back({group, fmt::format("{} {}", group, ++counts[group]), block.shape});
+      drawing.blocks.push_back(
+          {group, fmt::format("{} {}", group, ++counts[group]), block.shape, material_name(scene, entry, block)});
     }
-    for (const CutJoint& run : entry.cut.joints)
-      drawing.joints.push_back({"joint " + joint_name(scene, run), run.from, run.to});
+    for (const CutJoint& run : entry.cut.joints) drawing.joints.push_back({joint_name(scene, run), run.from, run.to});
   }
   return drawing;
 }

@@ -6,7 +6,7 @@
 
 namespace dda {
 
-// Blocks on layers named as their groups, joints on "joint NAME".
+// Blocks with their groups and materials, and all joints between them, the default one too.
 BlockDrawing drawing_of_blocks(const CutScene& scene);
 
 }  // namespace dda

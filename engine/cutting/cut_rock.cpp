@@ -13,6 +13,7 @@
 #include "engine/cutting/check_plan.h"
 #include "engine/cutting/fill_rock.h"
 #include "engine/cutting/finish_blocks.h"
+#include "engine/cutting/given_blocks.h"
 #include "engine/cutting/line_report.h"
 #include "engine/cutting/materials.h"
 #include "engine/cutting/merging.h"
@@ -93,6 +94,7 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   const auto say = [&](std::string_view what) {
     if (options.progress) options.progress(what);
   };
+  if (!plan.blocks.empty()) return given_rock(plan, options.tolerance);
   check_plan(plan);
   if (!plan.fills.empty()) return cut_filled(plan, options);
   CutRock rock;

@@ -23,6 +23,7 @@ struct CutBlock {
   Polygon shape;     // outer ring counter-clockwise, from its leftmost vertex on; neighbours share their corners' bits
   int opening = -1;  // of the plan, which will take it out; -1: none
   std::string material;  // as the plan names it; empty: that of all blocks
+  std::string group;     // of a block that was given as it is; empty: that of its opening, else of all blocks
 };
 
 // A straight run along which blocks touch.

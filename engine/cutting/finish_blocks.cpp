@@ -1,6 +1,7 @@
 #include "engine/cutting/finish_blocks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <numeric>
@@ -8,8 +9,10 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/cutting/block_order.h"
 #include "engine/cutting/corners.h"
 #include "engine/cutting/line_report.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
@@ -22,12 +25,9 @@ using NodeRings = std::vector<NodeRing>;  // of a block, the outer one first
 // Where nodes are in the end: two that are nearer than the tolerance become one.
 class Places {
  public:
-  explicit Places(const Arrangement& arrangement) : same_as_(at(arrangement.nodes())), moved_(at(arrangement.nodes())) {
+  explicit Places(const Arrangement& arrangement) : same_as_(at(arrangement.nodes())) {
     std::iota(same_as_.begin(), same_as_.end(), 0);
-    for (int node = 0; node < arrangement.nodes(); ++node) {
-      positions_.push_back(arrangement.position(node));
-      moved_[at(node)] = arrangement.is_parted(node);
-    }
+    for (int node = 0; node < arrangement.nodes(); ++node) positions_.push_back(arrangement.position(node));
   }
 
   [[nodiscard]] int node(int drawn) const {
@@ -35,27 +35,21 @@ class Places {
     return drawn;
   }
   [[nodiscard]] const Vec2& position(int drawn) const { return positions_[at(node(drawn))]; }
-  [[nodiscard]] bool is_moved(int drawn) const { return moved_[at(drawn)] || moved_[at(node(drawn))]; }
 
   // Puts `node` where `into` is, and that at `position`. The answer undoes it.
   auto close(int node, int into, const Vec2& position) {
-    auto undo = [this, node, into, old = positions_[at(into)], node_moved = moved_[at(node)] == true,
-                 into_moved = moved_[at(into)] == true] {
+    auto undo = [this, node, into, old = positions_[at(into)]] {
       same_as_[at(node)] = node;
       positions_[at(into)] = old;
-      moved_[at(node)] = node_moved;
-      moved_[at(into)] = into_moved;
     };
     same_as_[at(node)] = into;
     positions_[at(into)] = position;
-    moved_[at(node)] = moved_[at(into)] = true;
     return undo;
   }
 
  private:
   std::vector<int> same_as_;
   std::vector<Vec2> positions_;
-  std::vector<bool> moved_;
 };
 
 NodeRing without_repeats(const NodeRing& ring) {
@@ -199,29 +193,15 @@ class ShortEdges {
   std::map<int, std::vector<std::size_t>> blocks_at_;
 };
 
-bool comes_first(const Vec2& a, const Vec2& b) { return std::tuple(a.x(), a.y()) < std::tuple(b.x(), b.y()); }
-
-void start_at_leftmost(Ring& ring) {
-  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), comes_first), ring.end());
-}
-
-// Blocks begin at their leftmost corner and are sorted by it, so that their order does not depend on that of the lines.
 void fill_blocks(const std::vector<NodeRings>& rings, const Places& places, const std::vector<Outline>& outlines,
                  const std::vector<FacePlace>& face_places, CutRock& rock) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     CutBlock block;
     block.shape = polygon_of(rings[i], places);
-    start_at_leftmost(block.shape.outer);
-    for (Ring& hole : block.shape.holes) start_at_leftmost(hole);
-    std::sort(block.shape.holes.begin(), block.shape.holes.end(),
-              [](const Ring& a, const Ring& b) { return comes_first(a.front(), b.front()); });
     block.opening = face_places[at(outlines[i].group)].opening;
     rock.blocks.push_back(std::move(block));
   }
-  std::sort(rock.blocks.begin(), rock.blocks.end(), [](const CutBlock& a, const CutBlock& b) {
-    return std::lexicographical_compare(a.shape.outer.begin(), a.shape.outer.end(), b.shape.outer.begin(),
-                                        b.shape.outer.end(), comes_first);
-  });
+  put_in_order(rock.blocks);
 }
 
 // An edge between blocks, along a straight.
@@ -252,13 +232,43 @@ std::vector<Contact> contacts_of(const Arrangement& arrangement, const FaceGroup
   return contacts;
 }
 
-// Contacts that follow each other on a straight make one run, unless the node between them is not quite on it any more.
+// Those that no corner of a block parts are one.
+std::vector<Contact> along_edges(const std::vector<Contact>& contacts, const Corners& corners) {
+  std::vector<Contact> edges;
+  for (const Contact& contact : contacts) {
+    const bool goes_on = !edges.empty() && edges.back().straight == contact.straight &&
+                         edges.back().to == contact.from && corners.is_superfluous(contact.from);
+    if (goes_on)
+      edges.back().to = contact.to;
+    else
+      edges.push_back(contact);
+  }
+  return edges;
+}
+
+// m, by which nodes of a run may lie beside its straight: twice what welding moves them with the default tolerance, and
+// a fifth of what scenes allow a joint line to leave the blocks along it (point_tolerance).
+double aside_allowed(const RockPlan& plan) {
+  constexpr double of_diagonal = 2e-8;
+  const Box box = bounding_box(plan.boundary);
+  return of_diagonal * (box.upper - box.lower).norm();
+}
+
+// Contacts that follow each other on a straight make one run, unless a node of theirs is not quite on it any more: a
+// run from a node that moved aside to one far away would pass those between.
 void fill_joints(const std::vector<Contact>& contacts, const Places& places, const PlanPieces& pieces,
                  const RockPlan& plan, CutRock& rock) {
+  const double aside = aside_allowed(plan);
+  const auto is_on_straight = [&](int node, int straight) {
+    const Straight& line = pieces.straights[at(straight)];
+    const Vec2 along = (line.to - line.from).normalized();
+    return std::abs(cross(along, places.position(node) - line.from)) <= aside;
+  };
   for (std::size_t first = 0, last = 0; first < contacts.size(); first = last + 1) {
     last = first;
     const auto goes_on = [&](const Contact& each, const Contact& next) {
-      return next.straight == each.straight && next.from == each.to && !places.is_moved(each.to);
+      return next.straight == each.straight && next.from == each.to && is_on_straight(each.from, each.straight) &&
+             is_on_straight(each.to, each.straight) && is_on_straight(next.to, each.straight);
     };
     while (last + 1 < contacts.size() && goes_on(contacts[last], contacts[last + 1])) ++last;
     const int from = places.node(contacts[first].from);
@@ -279,7 +289,7 @@ void finish_blocks(const Arrangement& arrangement, const FaceGroups& groups, con
   Places places(arrangement);
   ShortEdges(arrangement, corners, rings, rock.tolerance).close(places, rock.cleaned);
   fill_blocks(rings, places, outlines, face_places, rock);
-  fill_joints(contacts_of(arrangement, groups, pieces, plan), places, pieces, plan, rock);
+  fill_joints(along_edges(contacts_of(arrangement, groups, pieces, plan), corners), places, pieces, plan, rock);
 }
 
 }  // namespace dda

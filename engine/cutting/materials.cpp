@@ -29,7 +29,7 @@ void assign_materials(const RockPlan& plan, CutRock& rock) {
   std::vector<Box> boxes;
   for (const PlanRegion& region : plan.regions) boxes.push_back(bounding_box(region.outline));
   for (CutBlock& block : rock.blocks) {
-    block.material = plan.material;
+    if (block.material.empty()) block.material = plan.material;
     if (plan.regions.empty()) continue;
     const Vec2 inside = point_inside(block.shape);
     for (std::size_t i = 0; i < plan.regions.size(); ++i) {

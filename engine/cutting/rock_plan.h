@@ -50,6 +50,14 @@ struct PlanFill {
   std::string origin;
 };
 
+// A block that is given as it is, not cut.
+struct PlanBlock {
+  Polygon shape;         // rings may turn either way
+  std::string group;     // its blocks are numbered together, and can be taken out together
+  std::string material;  // empty: that of the plan
+  std::string origin;
+};
+
 // A place that a drawing marks: a fixed point, a load point, a measuring point, a hole point, a blast.
 struct PlanPoint {
   Vec2 at = Vec2::Zero();
@@ -65,6 +73,8 @@ struct PlanMark {
   std::string origin;
 };
 
+// Either rock to cut, with a boundary, or blocks. With blocks there are no boundary, holes, openings and fills, and
+// lines say which joints are along edges of blocks.
 struct RockPlan {
   Ring boundary;  // the first vertex is not repeated
   std::vector<Ring> holes;
@@ -74,6 +84,7 @@ struct RockPlan {
   std::vector<PlanOpening> openings;
   std::vector<PlanRegion> regions;
   std::vector<PlanFill> fills;
+  std::vector<PlanBlock> blocks;
   std::vector<PlanPoint> points;
   std::vector<PlanMark> marks;
 };

@@ -169,20 +169,16 @@ TEST(ReadDc, HolePointsInRandomLinesLeaveTheOtherBlocks) {
   }
 }
 
-// What is written is cut into the same blocks.
-TEST(WriteBlocks, DcIsReadBack) {
-  RockPlan plan;
-  plan.boundary = {{0, 0}, {7, 0}, {7, 5}, {3, 6.1}, {0, 5}};
-  plan.boundary_origin = "boundary";
-  plan.lines.push_back({{{-1, 1}, {8, 2.3}}, "bedding", "lines[0]", false});
-  plan.lines.push_back({{{2, -1}, {3.3, 7}}, "cross", "lines[1]", false});
-  plan.lines.push_back({{{3, 7}, {6, -1}}, "bedding", "lines[2]", false});
-  const CutRock rock = cut_rock(plan);
+std::string dc_of(const CutRock& rock) {
   BlockDrawing drawing;
-  for (const CutBlock& block : rock.blocks) drawing.blocks.push_back({"rock", "rock", block.shape});
+  for (const CutBlock& block : rock.blocks) drawing.blocks.push_back({"rock", "rock", block.shape, ""});
   for (const CutJoint& run : rock.joints) drawing.joints.push_back({run.joint, run.from, run.to});
-  const LineDrawing read = read_dc(block_file("a.dc", drawing), "a.dc", 0);
-  const CutRock again = cut_rock(plan_of(read, {}));
+  return block_file("a.dc", drawing);
+}
+
+// What is written is cut into the same blocks.
+void expect_back_from_dc(const CutRock& rock) {
+  const CutRock again = cut_rock(plan_of(read_dc(dc_of(rock), "a.dc", 0), {}));
   ASSERT_EQ(again.blocks.size(), rock.blocks.size());
   for (std::size_t i = 0; i < rock.blocks.size(); ++i) {
     const AreaMoments a = area_moments(rock.blocks[i].shape);
@@ -190,6 +186,31 @@ TEST(WriteBlocks, DcIsReadBack) {
     EXPECT_NEAR(a.area, b.area, 1e-12);
     EXPECT_LT((a.centroid - b.centroid).norm(), 1e-12);
   }
+}
+
+TEST(WriteBlocks, DcIsReadBack) {
+  RockPlan plan;
+  plan.boundary = {{0, 0}, {7, 0}, {7, 5}, {3, 6.1}, {0, 5}};
+  plan.boundary_origin = "boundary";
+  plan.lines.push_back({{{-1, 1}, {8, 2.3}}, "bedding", "lines[0]", false});
+  plan.lines.push_back({{{2, -1}, {3.3, 7}}, "cross", "lines[1]", false});
+  plan.lines.push_back({{{3, 7}, {6, -1}}, "bedding", "lines[2]", false});
+  expect_back_from_dc(cut_rock(plan));
+}
+
+// Two gaps inside that meet in a corner, and one at the edge of the rock.
+TEST(WriteBlocks, DcLeavesOutWhatWasLeftOut) {
+  RockPlan plan;
+  plan.boundary = {{0, 0}, {6, 0}, {6, 5}, {0, 5}};
+  plan.boundary_origin = "boundary";
+  plan.lines.push_back({{{-1, 1.3}, {7, 2.3}}, "bedding", "lines[0]", false});
+  plan.lines.push_back({{{1, -1}, {1.7, 7}}, "cross", "lines[1]", false});
+  plan.openings.push_back({"a", {{2, 1}, {3, 1}, {3, 2}, {2, 2}}, "", true, "a"});
+  plan.openings.push_back({"b", {{3, 2}, {4, 2}, {4, 3}, {3.5, 2.5}}, "", true, "b"});
+  plan.openings.push_back({"c", {{5, 0}, {5.5, 0}, {5.5, 1}, {5, 1}}, "", true, "c"});
+  const CutRock rock = cut_rock(plan);
+  expect_back_from_dc(rock);
+  EXPECT_NE(dc_of(rock).find("\n0\n0\n0\n0\n0\n2\n"), std::string::npos);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/dxf_names.h"
 #include "engine/drawing/line_drawing.h"
 #include "engine/drawing/number_text.h"
 
@@ -95,6 +96,18 @@ const DxfGroup* DxfEntity::find(int code) const {
 std::string DxfEntity::text(int code, std::string_view otherwise) const {
   const DxfGroup* group = find(code);
   return readable(group == nullptr ? otherwise : group->value);
+}
+
+std::string DxfEntity::extended(const std::string& key) const {
+  constexpr int application = 1001;
+  constexpr int string = 1000;
+  bool ours = false;
+  for (const DxfGroup& group : groups_) {
+    if (group.code == application) ours = group.value == dxf_application;
+    if (ours && group.code == string && group.value.starts_with(key))
+      return readable(dxf_unescaped(group.value.substr(key.size())));
+  }
+  return "";
 }
 
 double DxfEntity::number_of(const DxfGroup& group) const {

@@ -28,6 +28,8 @@ class DxfEntity {
   [[nodiscard]] Vec2 point(int x_code) const;  // y has the code 10 further on
   [[nodiscard]] std::vector<double> numbers(int code) const;
   [[nodiscard]] double number_of(const DxfGroup& group) const;
+  // What follows `key` in the extended data of our own; empty where there is none.
+  [[nodiscard]] std::string extended(const std::string& key) const;
 
  private:
   [[nodiscard]] const DxfGroup* find(int code) const;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/dxf_names.h"
 
 namespace dda {
 namespace {
@@ -25,6 +26,7 @@ DrawnLine line_of(const DxfEntity& entity, const DxfPlacement& placement) {
   DrawnLine line;
   line.layer = layer_of(entity, placement);
   line.origin = entity.origin();
+  line.material = entity.extended(dxf_material_key);
   return line;
 }
 
@@ -183,7 +185,9 @@ void add_spline(const DxfEntity& entity, const DxfPlacement& placement, Pencil& 
 
 std::string layer_of(const DxfEntity& entity, const DxfPlacement& placement) {
   const std::string layer = entity.text(8, "0");
-  return layer == "0" ? placement.layer : layer;
+  if (layer == "0") return placement.layer;
+  const std::string in_full = entity.extended(dxf_layer_key);
+  return !in_full.empty() && dxf_name(in_full) == layer ? in_full : layer;
 }
 
 Mat2 seen_from_above(const DxfEntity& entity) {

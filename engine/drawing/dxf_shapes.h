@@ -17,6 +17,7 @@ struct DxfPlacement {
   [[nodiscard]] Vec2 at(const Vec2& point) const { return turn * point + shift; }
 };
 
+// The name in full where extended data has it, unless the entity was put on another layer since.
 std::string layer_of(const DxfEntity& entity, const DxfPlacement& placement);
 
 // The plane an entity is drawn in by its extrusion: seen from above, or from below, which mirrors x. InputError for any

@@ -69,7 +69,7 @@ void LayerTable::read_row(const std::vector<std::string_view>& cells, const std:
   const bool line = has_lines_ && given({x1, y1, x2, y2});
   const bool point = has_points_ && given({x, y});
   if (!line && !point) throw InputError("", here, "without coordinates", "those of a line or a point");
-  if (line) pencil_.add(DrawnLine{name, here, place(x1, y1), {{place(x2, y2), nullptr}}});
+  if (line) pencil_.add(DrawnLine{name, here, place(x1, y1), {{place(x2, y2), nullptr}}, ""});
   if (point) pencil_.add(DrawnPoint{name, here, place(x, y)});
 }
 

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+
 #include "engine/core/error.h"
 
 namespace dda {
@@ -14,11 +17,42 @@ const std::vector<std::string>& role_names() {
   return names;
 }
 
+namespace {
+
+struct Beginning {
+  LayerRole role;
+  std::string_view words;
+};
+constexpr std::array<Beginning, 3> beginnings{
+    {{LayerRole::block, "block "}, {LayerRole::block_hole, "hole of "}, {LayerRole::rock, "joint "}}};
+
+bool is_gap(char c) { return c == ' ' || c == '_' || c == '-'; }
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool begins_with(std::string_view layer, std::string_view words) {
+  const auto same = [](char a, char b) { return b == ' ' ? is_gap(a) : lower(a) == b; };
+  return layer.size() > words.size() && std::ranges::equal(layer.substr(0, words.size()), words, same);
+}
+
+}  // namespace
+
+std::optional<NamedLayer> named_layer(std::string_view layer) {
+  for (const auto& [role, words] : beginnings) {
+    if (begins_with(layer, words)) return NamedLayer{role, std::string(layer.substr(words.size()))};
+  }
+  return std::nullopt;
+}
+
+std::string layer_for(const NamedLayer& named) {
+  const auto* const found = std::ranges::find(beginnings, named.role, &Beginning::role);
+  return std::string(found->words) + named.name;
+}
+
 std::string bare_layer(std::string_view name) {
   std::string letters;
   for (const char c : name) {
-    if (c == ' ' || c == '_' || c == '-') continue;
-    letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (!is_gap(c)) letters += lower(c);
   }
   return letters;
 }
@@ -31,9 +65,14 @@ Layers::Layers(const std::map<std::string, LayerUse>& table) {
   for (const auto& [name, use] : table) uses_[bare_layer(name)] = use;
 }
 
-const LayerUse& Layers::use_of(const std::string& layer, const std::string& origin) const {
+const LayerUse& Layers::use_of(const std::string& layer, const std::string& origin) {
   const auto found = uses_.find(bare_layer(layer));
   if (found != uses_.end()) return found->second;
+  if (const auto named = named_layer(layer)) {
+    const bool is_default_joint = named->name == default_joint_name;
+    const bool has_joint = named->role == LayerRole::rock && !is_default_joint;
+    return named_uses_.try_emplace(layer, LayerUse{named->role, has_joint ? named->name : "", false}).first->second;
+  }
   std::vector<std::string> names(role_names().begin(), role_names().end() - 1);
   throw InputError("", origin, fmt::format("on the unknown layer \"{}\"", layer),
                    fmt::format("one of {}, or an entry of \"layers\" (--layer) for it", fmt::join(names, ", ")));

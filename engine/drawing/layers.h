@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,26 @@ enum class LayerRole {
   load_point,
   measure_point,
   ignored,
+  // Of drawings of blocks, by the beginning of the layer's name alone: tables have no words for them.
+  block,       // outlines of blocks, each closed in itself
+  block_hole,  // of holes in blocks
 };
+
+// A layer that says what it is by the beginning of its name, as drawings do that dda cut wrote: "block NAME" has
+// outlines of the blocks of a group, "hole of NAME" those of holes in them, "joint NAME" joints (their role is rock).
+struct NamedLayer {
+  LayerRole role = LayerRole::block;
+  std::string name;
+};
+
+// Nothing for a layer whose name does not begin so. Blanks, hyphens and underscores are one, as in other names of
+// layers.
+std::optional<NamedLayer> named_layer(std::string_view layer);
+
+std::string layer_for(const NamedLayer& named);
+
+// The name by which drawings and scenes know the joint of all lines that name none.
+inline constexpr std::string_view default_joint_name = "default";
 
 struct LayerUse {
   LayerRole role = LayerRole::ignored;
@@ -35,16 +55,18 @@ struct LayerUse {
 const std::vector<std::string>& role_names();
 
 // Which layer means what: by a table of one's own first, then by the names of Appendix A, whether they are written with
-// capitals, blanks, hyphens or underscores; AutoCAD's own "Defpoints" is ignored.
+// capitals, blanks, hyphens or underscores, then by the beginning of named layers; AutoCAD's own "Defpoints" is
+// ignored.
 class Layers {
  public:
   explicit Layers(const std::map<std::string, LayerUse>& table);
 
   // InputError for a layer that has no meaning; `origin` is what lies on it.
-  [[nodiscard]] const LayerUse& use_of(const std::string& layer, const std::string& origin) const;
+  [[nodiscard]] const LayerUse& use_of(const std::string& layer, const std::string& origin);
 
  private:
-  std::map<std::string, LayerUse> uses_;  // by bare name
+  std::map<std::string, LayerUse> uses_;        // by bare name
+  std::map<std::string, LayerUse> named_uses_;  // of named layers, by their whole name
 };
 
 // A name as layers are compared: in lower case without blanks, hyphens and underscores.

@@ -22,6 +22,7 @@ struct DrawnLine {
   std::string origin;  // where it was drawn, for messages: "plan.dxf line 214"
   Vec2 start = Vec2::Zero();
   std::vector<DrawnPiece> pieces;  // one or more; a closed line ends where it starts, to the bit
+  std::string material;            // of the block that it outlines, where the drawing says it
 };
 
 struct DrawnPoint {

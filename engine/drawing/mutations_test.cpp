@@ -4,6 +4,7 @@
 #include "engine/cutting/cut_rock.h"
 #include "engine/drawing/drawing_test_support.h"
 #include "engine/drawing/read_formats.h"
+#include "engine/drawing/write_blocks.h"
 #include "engine/drawing/xlsx_test_support.h"
 
 namespace dda {
@@ -56,7 +57,7 @@ Tally read_mutations(const std::string& seed, std::size_t from, Reader reader, i
     const std::string text = mutator.mutate(seed, from);
     try {
       const RockPlan plan = plan_of(reader(text, "plan", 0), shapes_options());
-      if (i % 4 == 0 && !plan.boundary.empty()) cut_rock(plan);
+      if (i % 4 == 0 && (!plan.boundary.empty() || !plan.blocks.empty())) cut_rock(plan);
       ++tally.taken;
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
@@ -119,6 +120,17 @@ TEST(Mutations, OfGeoJson) {
  "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [0, 4], [0, 0]]]}},
  {"type": "Feature", "properties": {"layer": "rock"}, "geometry": {"type": "LineString", "coordinates": [[0, 1], [4, 1]]}}]})",
       0, read_geojson, 4000));
+}
+
+// Drawings of blocks, with holes and extended data.
+TEST(Mutations, OfExportedBlocks) {
+  const BlockDrawing blocks{
+      {{"a wall", "a wall 1", {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 1}}}}, "stone"},
+       {"a wall", "a wall 2", {{{1, 1}, {2, 1}, {1, 2}}, {}}, "stone"}},
+      {{"bed", {1, 1}, {2, 1}}, {"default", {1, 1}, {1, 2}}}};
+  const std::string dxf = block_file("blocks.dxf", blocks);
+  expect_both(read_mutations(dxf, dxf.find("ENTITIES"), read_dxf, 4000));
+  expect_both(read_mutations(block_file("blocks.geojson", blocks), 0, read_geojson, 4000));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/drawn_blocks.h"
 #include "engine/drawing/enclosed_rock.h"
 #include "engine/drawing/join_lines.h"
 #include "engine/drawing/straighten.h"
@@ -78,6 +79,7 @@ class Planner {
   }
 
   RockPlan plan() {
+    if (!outlines_.empty() || !holes_.empty()) return plan_of_blocks();
     add_boundary();
     add_joints();
     for (const LayerRole role : {LayerRole::tunnel, LayerRole::removable_hole, LayerRole::blast}) add_openings(role);
@@ -94,8 +96,32 @@ class Planner {
       const LayerUse& use = layers_.use_of(line.layer, line.origin);
       const std::string origin = on_layer(line.origin, line.layer);
       if (!takes_lines(use.role)) throw InputError("", origin, "a line", "points on this layer");
-      if (use.role != LayerRole::ignored) lines_.push_back({&use, line.layer, {std::move(chords[i]), origin}});
+      if (use.role == LayerRole::block || use.role == LayerRole::block_hole)
+        add_ring_of_block(line, std::move(chords[i]), use.role, origin);
+      else if (use.role != LayerRole::ignored)
+        lines_.push_back({&use, line.layer, {std::move(chords[i]), origin}});
     }
+  }
+
+  void add_ring_of_block(const DrawnLine& line, std::vector<Vec2> chords, LayerRole role, const std::string& origin) {
+    std::vector<DrawnRing>& rings = role == LayerRole::block ? outlines_ : holes_;
+    rings.push_back(
+        {closed_ring(std::move(chords), origin, reach_), named_layer(line.layer)->name, line.material, origin});
+  }
+
+  // Joints run along blocks, which are not cut again: a line that would cut has no place beside them.
+  RockPlan plan_of_blocks() {
+    for (const RoleLine& line : lines_) {
+      const LayerRole role = line.use->role;
+      if (role != LayerRole::rock && role != LayerRole::absorbing_boundary)
+        throw InputError("", line.line.origin, "a line of layer " + name_of(role) + " beside blocks",
+                         "joints along blocks, absorbing boundaries and points");
+    }
+    plan_.blocks = blocks_with_holes(std::move(outlines_), std::move(holes_));
+    add_joints();
+    add_points();
+    add_marks();
+    return std::move(plan_);
   }
 
   void sort_point(const DrawnPoint& point) {
@@ -240,6 +266,7 @@ class Planner {
   Layers layers_;
   std::vector<RoleLine> lines_;
   std::vector<RolePoint> points_;
+  std::vector<DrawnRing> outlines_, holes_;  // of blocks
   RockPlan plan_;
 };
 

@@ -14,8 +14,8 @@ struct DrawingOptions {
 };
 
 // Boundary, holes, lines, openings, points and marks by the layers of the drawing; layers of points and marks go by the
-// words of role_names(). The boundary stays empty where no layer has one. Throws InputError, whose field says where in
-// the drawing.
+// words of role_names(). The boundary stays empty where no layer has one. A drawing of blocks gives these, and the
+// joints along them. Throws InputError, whose field says where in the drawing.
 RockPlan plan_of(const LineDrawing& drawing, const DrawingOptions& options);
 
 }  // namespace dda

@@ -131,7 +131,7 @@ class DcReader {
     const Vec2 from = place("the start of a line");
     const Vec2 to = place("the end of a line");
     const int material = numbers_.whole("the joint material of a line");
-    pencil_.add(DrawnLine{fmt::format("joint {}", material), numbers_.here(), from, {{to, nullptr}}});
+    pencil_.add(DrawnLine{fmt::format("joint {}", material), numbers_.here(), from, {{to, nullptr}}, ""});
   }
 
   void pass_material_line() {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/layers.h"
 #include "engine/drawing/read_formats.h"
 
 namespace dda {
@@ -73,6 +74,7 @@ class GeoJsonReader {
     const json& layer = member(member(feature, "properties"), "layer");
     if (!layer.is_string()) fail("without a layer", "\"properties\": {\"layer\": NAME}");
     layer_ = text_of(layer);
+    material_ = text_of(member(member(feature, "properties"), "material"));
     read_geometry(member(feature, "geometry"));
   }
 
@@ -85,10 +87,12 @@ class GeoJsonReader {
       add_line(coordinates);
     else if (type == "MultiPoint")
       for_each(coordinates, [this](const json& part) { add_point(part); });
-    else if (type == "MultiLineString" || type == "Polygon")
+    else if (type == "MultiLineString")
       for_each(coordinates, [this](const json& part) { add_line(part); });
+    else if (type == "Polygon")
+      add_polygon(coordinates);
     else if (type == "MultiPolygon")
-      for_each(coordinates, [this](const json& polygon) { for_each(polygon, [this](const json& p) { add_line(p); }); });
+      for_each(coordinates, [this](const json& polygon) { add_polygon(polygon); });
     else if (type == "GeometryCollection")
       for_each(member(geometry, "geometries"), [this](const json& part) { read_geometry(part); });
     else
@@ -109,8 +113,20 @@ class GeoJsonReader {
 
   void add_point(const json& position) { pencil_.add(DrawnPoint{layer_, origin_, place(position)}); }
 
+  // The first ring is the outline, the others are holes in it.
+  void add_polygon(const json& rings) {
+    const std::string layer = layer_;
+    const auto named = named_layer(layer);
+    const bool is_block = named && named->role == LayerRole::block;
+    for_each(rings, [&](const json& ring) {
+      add_line(ring);
+      if (is_block) layer_ = layer_for({LayerRole::block_hole, named->name});
+    });
+    layer_ = layer;
+  }
+
   void add_line(const json& positions) {
-    DrawnLine line{layer_, origin_, {}, {}};
+    DrawnLine line{layer_, origin_, {}, {}, material_};
     bool first = true;
     for (const json& position : list(positions, "positions")) {
       if (std::exchange(first, false))
@@ -124,7 +140,7 @@ class GeoJsonReader {
   LineDrawing& drawing_;
   Pencil pencil_;
   double metres_;
-  std::string layer_, origin_;
+  std::string layer_, origin_, material_;
 };
 
 }  // namespace

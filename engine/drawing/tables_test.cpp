@@ -84,29 +84,5 @@ TEST(ReadGeoJson, WhatIsWrongIsSaidInOneSentence) {
   for (const auto& each : all) expect_refused([&] { read_geojson(each.first, "plan.geojson", 0); }, each.second);
 }
 
-const BlockDrawing two_blocks{
-    {{"rock", "rock 1", {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}},
-     {"tunnel \xC3\xB6st", "tunnel 1", {{{1, 0}, {4, 0}, {4, 3}}, {{{2, 0.5}, {3, 0.5}, {3, 1}}}}}},
-    {{"joint default", {1, 0}, {1, 1}}}};
-
-TEST(WriteBlocks, DxfIsReadBack) {
-  const LineDrawing read = read_dxf(block_file("blocks.dxf", two_blocks), "blocks.dxf", 0);
-  EXPECT_EQ(read.unit, "m");
-  ASSERT_EQ(read.lines.size(), 4U);
-  EXPECT_TRUE(is_closed(read.lines[0]));
-  EXPECT_EQ(read.lines[0].pieces.size(), 4U);
-  EXPECT_EQ(read.lines[1].layer, "tunnel___st");
-  EXPECT_EQ(read.lines[2].start, Vec2(2, 0.5));
-  EXPECT_EQ(read.lines[3].pieces[0].end, Vec2(1, 1));
-}
-
-TEST(WriteBlocks, GeoJsonHasHoles) {
-  const std::string text = block_file("blocks.geojson", two_blocks);
-  const LineDrawing read = read_geojson(text, "blocks.geojson", 0);
-  ASSERT_EQ(read.lines.size(), 4U);
-  EXPECT_EQ(read.lines[2].layer, "tunnel \xC3\xB6st");
-  EXPECT_EQ(nlohmann::json::parse(text)["features"][1]["geometry"]["coordinates"].size(), 2U);
-}
-
 }  // namespace
 }  // namespace dda

@@ -10,13 +10,14 @@
 namespace dda {
 
 struct ExportedBlock {
-  std::string layer;
+  std::string group;
   std::string name;
-  Polygon shape;
+  Polygon shape;  // outer ring counter-clockwise, holes clockwise
+  std::string material;
 };
 
 struct ExportedJoint {
-  std::string layer;
+  std::string joint;
   Vec2 from, to;
 };
 
@@ -28,10 +29,11 @@ struct BlockDrawing {
 // Whether the name of the file says in which format to write: .dxf, .geojson or .dc.
 bool is_block_format(const std::filesystem::path& file);
 
-// The text of the file. DXF is that of release 12, which every program reads, in m: blocks are closed polylines, holes
-// too, on layers whose names keep letters, digits, "-" and "_". GeoJSON has polygons with their holes and lines, in m.
-// The file for dc has the outline of all blocks as lines of joint material 1, and joints by their layers from 1 on in
-// the order of their first lines.
+// The text of the file, in m, on the layers of layer_for(), so that read_drawing() and plan_of() give the same blocks
+// again. DXF is that of release 12, which every program reads: blocks are closed polylines, holes too, on layers whose
+// names keep letters, digits, "-" and "_"; names in full and materials are extended data. GeoJSON has polygons with
+// their holes and lines. The file for dc has the outline of all blocks as lines of joint material 1, joints by their
+// names from 1 on in the order of their first lines, and a hole point in each gap between blocks.
 std::string block_file(const std::filesystem::path& file, const BlockDrawing& drawing);
 
 }  // namespace dda

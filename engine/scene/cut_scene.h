@@ -21,7 +21,13 @@ struct CutScene {
   std::vector<CutEntry> entries;         // the rocks of the scene, in order
   std::string text;                      // of the new scene
   std::vector<std::string> joint_names;  // of the scene, the default first
+  std::vector<std::string> material_names;
 };
+
+inline const std::string& material_name(const CutScene& scene, const CutEntry& entry, const CutBlock& block) {
+  return block.material.empty() ? scene.material_names[static_cast<std::size_t>(entry.rock.group.material)]
+                                : block.material;
+}
 
 // The scene's name of the joint along `run`.
 inline const std::string& joint_name(const CutScene& scene, const CutJoint& run) {

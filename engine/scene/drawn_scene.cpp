@@ -11,6 +11,7 @@
 #include "engine/drawing/layers.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
+#include "engine/scene/read_drawn_plan.h"
 
 namespace dda {
 namespace {
@@ -27,7 +28,10 @@ class MarkedPlaces {
  public:
   MarkedPlaces(const Rock& rock, const std::vector<Block>& blocks, json& scene)
       : plan_(rock.plan), blocks_(blocks), scene_(scene), index_(boxes_of(blocks)) {
-    const Box box = bounding_box(plan_.boundary);
+    Box box;
+    for (const Block& block : blocks) {
+      for (const Vec2& corner : block.shape.outer) box = expanded(box, corner);
+    }
     bottom_ = box.lower.y();
     tolerance_ = share_of_diagonal * (box.upper - box.lower).norm();
   }
@@ -90,15 +94,20 @@ class MarkedPlaces {
   }
 
   void hold_bottom() {
-    const Ring& ring = plan_.boundary;
+    const bool level = std::ranges::any_of(blocks_, [this](const Block& block) { return is_on_bottom(block); });
+    if (!level)
+      return leave_alone("without gravity, as nothing holds it: it has neither fix points nor a level bottom");
+    scene_["supports"] = json::array({json{{"edge", "bottom"}}});
+    held_ = "held along its bottom";
+  }
+
+  [[nodiscard]] bool is_on_bottom(const Block& block) const {
+    const Ring& ring = block.shape.outer;
     const auto low = [&](const Vec2& point) { return point.y() <= bottom_ + tolerance_; };
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (!low(ring[i]) || !low(ring[(i + 1) % ring.size()])) continue;
-      scene_["supports"] = json::array({json{{"edge", "bottom"}}});
-      held_ = "held along its bottom";
-      return;
+      if (low(ring[i]) && low(ring[(i + 1) % ring.size()])) return true;
     }
-    leave_alone("without gravity, as nothing holds it: it has neither fix points nor a level bottom");
+    return false;
   }
 
   [[nodiscard]] std::string loads() const {
@@ -121,17 +130,29 @@ class MarkedPlaces {
   std::string held_;
 };
 
+json assumed_rock() { return {{"density", "2.6 t/m3"}, {"young", "20 GPa"}, {"poisson", 0.25}}; }
+
+json assumed_joint() { return {{"friction_angle", "35 deg"}}; }
+
 }  // namespace
 
 json scene_around(const std::filesystem::path& drawing, const DrawingWords& words) {
-  json rock = {{"file", drawing.string()}, {"layers", words.layers}};
-  if (!words.unit.empty()) rock["unit"] = words.unit;
+  json file = {{"file", drawing.string()}, {"layers", words.layers}};
+  if (!words.unit.empty()) file["unit"] = words.unit;
+  json rock = {{"drawing", std::move(file)}};
+  const DrawnNames names = drawn_names(drawing, drawing.string());
+  json materials = json::object();
+  for (const std::string& name : names.materials) materials[name] = assumed_rock();
+  if (materials.empty()) materials["rock"] = assumed_rock();
+  if (materials.size() > 1) rock["material"] = materials.begin().key();
+  json joints = {{"default", assumed_joint()}};
+  for (const std::string& name : names.joints) joints[name] = assumed_joint();
   return {{"dda", 1},
           {"title", readable(drawing.stem().string())},
           {"gravity", "9.81 m/s2"},
-          {"materials", {{"rock", {{"density", "2.6 t/m3"}, {"young", "20 GPa"}, {"poisson", 0.25}}}}},
-          {"joints", {{"default", {{"friction_angle", "35 deg"}}}}},
-          {"blocks", {{"rock", {{"drawing", std::move(rock)}}}}},
+          {"materials", std::move(materials)},
+          {"joints", std::move(joints)},
+          {"blocks", {{"rock", std::move(rock)}}},
           {"steps",
            {{{"name", "gravity"},
              {"integrator", "static"},

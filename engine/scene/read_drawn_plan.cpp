@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
 
+#include "engine/core/error.h"
 #include "engine/drawing/plan_of_drawing.h"
 #include "engine/drawing/read_drawing.h"
 #include "engine/scene/places.h"
@@ -56,9 +57,38 @@ DrawingOptions read_options(const Field& field, const LineDrawing& drawing, cons
 }
 
 // Names of groups come from layers.
-void check_name(const PlanOpening& opening) {
-  const nlohmann::json name = opening.name;
-  static_cast<void>(Field(name, opening.origin).name());
+void check_name(const std::string& group, const std::string& origin) {
+  const nlohmann::json name = group;
+  static_cast<void>(Field(name, origin).name());
+}
+
+// Names of joints that come from layers are those of the scene.
+void take_joints(const Model& model, std::vector<PlanLine>& lines) {
+  std::map<std::string, bool> bonded;
+  std::vector<std::string> names;
+  for (const JointMaterial& joint : model.joints) {
+    bonded[joint.name] = joint.bonded;
+    names.push_back(joint.name);
+  }
+  for (PlanLine& line : lines) {
+    if (line.joint.empty()) continue;
+    const auto found = bonded.find(line.joint);
+    if (found == bonded.end())
+      throw InputError("", line.origin, "of the joint \"" + line.joint + "\"",
+                       fmt::format("one of the scene's joints: {}", fmt::join(names, ", ")));
+    line.construction = found->second;
+  }
+}
+
+void check_blocks(const Model& model, const std::vector<PlanBlock>& blocks) {
+  std::set<std::string> names;
+  for (const Material& material : model.materials) names.insert(material.name);
+  for (const PlanBlock& block : blocks) {
+    check_name(block.group, block.origin);
+    if (!block.material.empty() && !names.contains(block.material))
+      throw InputError("", block.origin, "of the material \"" + block.material + "\"",
+                       fmt::format("one of the scene's materials: {}", fmt::join(names, ", ")));
+  }
 }
 
 std::vector<std::string> remarks_on(const LineDrawing& drawing, double metres) {
@@ -84,8 +114,30 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
   DrawingOptions options = field.is_object() ? read_options(field, drawing, model) : DrawingOptions{};
   options.reach = reach;
   DrawnPlan drawn{plan_of(drawing, options), remarks_on(drawing, metres)};
-  for (const PlanOpening& opening : drawn.plan.openings) check_name(opening);
+  for (const PlanOpening& opening : drawn.plan.openings) check_name(opening.name, opening.origin);
+  take_joints(model, drawn.plan.lines);
+  check_blocks(model, drawn.plan.blocks);
+  if (!drawn.plan.blocks.empty())
+    drawn.remarks.push_back(
+        fmt::format("{}: {} blocks, taken as they are drawn", drawing.name, drawn.plan.blocks.size()));
   return drawn;
+}
+
+DrawnNames drawn_names(const std::filesystem::path& file, const std::string& name) {
+  DrawnNames names;
+  const LineDrawing drawing = read_drawing(file, name);
+  if (drawing.encloses) return names;  // joints have numbers there, which a scene's table may give names
+  for (const DrawnLine& line : drawing.lines) {
+    if (!line.material.empty()) names.materials.insert(line.material);
+    const auto named = named_layer(line.layer);
+    if (named && named->role == LayerRole::rock && named->name != default_joint_name) names.joints.insert(named->name);
+  }
+  return names;
+}
+
+DrawnNames drawn_names(const Field& field, const std::filesystem::path& folder) {
+  const std::string file = (field.is_object() ? field.at("file") : field).text();
+  return drawn_names(folder / file, file);
 }
 
 std::vector<Field> layer_entries(const Field& drawing) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "engine/cutting/rock_plan.h"
 #include "engine/model/model.h"
@@ -17,6 +20,17 @@ struct DrawnPlan {
 // `field` is the name of a file, relative to `folder`, or {"file": ..., "layers": ..., ...}. Ends of lines within
 // `reach` (m) belong together; 0: the drawing's default. Of errors in the drawing the field is its name and the line.
 DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folder, const Model& model, double reach);
+
+// What a drawing names by itself, without the table of a scene.
+struct DrawnNames {
+  std::set<std::string> joints;  // but the default one
+  std::set<std::string> materials;
+};
+// `name` stands for the file in messages.
+DrawnNames drawn_names(const std::filesystem::path& file, const std::string& name);
+
+// The same of the drawing of a scene's rock, relative to `folder`.
+DrawnNames drawn_names(const Field& field, const std::filesystem::path& folder);
 
 // Entries of "layers" that may name a joint.
 std::vector<Field> layer_entries(const Field& drawing);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <numbers>
 #include <set>
@@ -187,9 +188,22 @@ std::vector<Field> joint_users(const Field& scene) {
   return users;
 }
 
+// Names that drawings give to joints by themselves.
+std::set<std::string> joints_of_drawings(const Field& scene, const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  const Field blocks = scene.at("blocks");
+  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
+    const auto rock = entry.find("rock");
+    const auto drawing = rock ? rock->find("drawing") : std::nullopt;
+    if (drawing) names.merge(drawn_names(*drawing, folder).joints);
+  }
+  return names;
+}
+
 // A joint under another name than "default" that nothing uses would silently do nothing.
-// Misspelt references come first: they are why joints seem to be without use.
-void refuse_unused_joints(const Field& scene, const Field& joints) {
+// Misspelt references come first: they are why joints seem to be without use. Drawings are read only where it is of
+// use.
+void refuse_unused_joints(const Field& scene, const Field& joints, const std::filesystem::path& folder) {
   std::vector<std::string> names = {"default"};
   for (const auto& [name, field] : joints.members())
     if (name != "default") names.push_back(name);
@@ -197,6 +211,8 @@ void refuse_unused_joints(const Field& scene, const Field& joints) {
   for (const Field& user : joint_users(scene)) {
     if (const auto joint = user.find("joint")) used.insert(names[joint->choice(names)]);
   }
+  const auto is_used = [&](const auto& member) { return used.contains(member.first); };
+  if (!std::ranges::all_of(joints.members(), is_used)) used.merge(joints_of_drawings(scene, folder));
   for (const auto& [name, field] : joints.members()) {
     if (!used.contains(name))
       field.fail("in no entry of joint_pairs, joint_lines or rock", "\"default\" or a name that they use");
@@ -212,12 +228,12 @@ void read_materials(const Field& scene, Model& model) {
   }
 }
 
-void read_joints(const Field& scene, const Scheme& scheme, Model& model) {
+void read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder, Model& model) {
   model.joints = {preset_joint(scheme)};
   model.joints[0].name = "default";
   const auto joints = scene.find("joints");
   if (!joints) return;
-  refuse_unused_joints(scene, *joints);
+  refuse_unused_joints(scene, *joints, folder);
   for (const auto& [name, field] : joints->members()) {
     const JointMaterial joint = read_joint(name, field, scheme);
     if (name == "default") {

@@ -57,9 +57,20 @@ void read_boundary(const Field& field, RockPlan& plan) {
   if (const auto why = defect({plan.boundary, {}})) boundary->fail(*why, "a closed line that does not meet itself");
 }
 
+void refuse_what_cuts(const Field& field) {
+  for (const char* key : {"boundary", "holes", "joint_sets", "lines", "openings", "fill", "merge"}) {
+    if (const auto found = field.find(key))
+      found->fail("given beside a drawing of blocks, which are not cut again",
+                  "regions alone, or the drawing that the blocks came from");
+  }
+}
+
 // Adds to what a drawing says.
 void read_plan(const Field& field, const Model& model, RockPlan& plan) {
-  read_boundary(field, plan);
+  if (plan.blocks.empty())
+    read_boundary(field, plan);
+  else
+    refuse_what_cuts(field);
   if (const auto holes = field.find("holes")) {
     for (const Field& hole : holes->items()) plan.holes.push_back(read_ring(hole));
   }
@@ -120,6 +131,7 @@ Rock read_rock(const Field& field, const std::filesystem::path& folder, const Mo
 }
 
 const std::string& group_name(const Rock& rock, const CutBlock& block) {
+  if (!block.group.empty()) return block.group;
   return block.opening < 0 ? rock.group.name : rock.plan.openings[static_cast<std::size_t>(block.opening)].name;
 }
 

@@ -27,7 +27,7 @@ Rock read_rock(const Field& field, const std::filesystem::path& folder, const Mo
 // Cuts the plan. Errors name fields of the scene.
 CutRock cut(const Rock& rock);
 
-// Name of the group of a block: that of its opening, else that of the rock.
+// Name of the group of a block: that a drawing of blocks gives it, that of its opening, else that of the rock.
 const std::string& group_name(const Rock& rock, const CutBlock& block);
 
 // Appends the blocks, "GROUP 1", "GROUP 2", ... from left to right in each group, the group of each, and a joint line

@@ -18,7 +18,7 @@ namespace {
 BlockFacts read_blocks_and_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
                                   Model& model) {
   read_materials(scene, model);
-  read_joints(scene, scheme, model);
+  read_joints(scene, scheme, folder, model);
   BlockFacts facts = read_blocks(scene, folder, model);
   read_joint_pairs(scene, facts.groups, model);
   read_gravity(scene, model);

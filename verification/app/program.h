@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/core/option_values.h"
 #include "verification/thesis/calibrate_command.h"
 
 namespace verify {
@@ -30,11 +31,16 @@ inline void add_calibrate_options(CLI::App& command, CalibrateCommand& calibrate
 template <class CarryOut>
 int run_program(CLI::App& app, int argc, char** argv, const CarryOut& carry_out) {
   const auto say = [&app](const std::string& why) { std::cerr << app.get_name() << ": " << why << "\n"; };
+  dda::expect_values(app);
   try {
+    dda::refuse_values_left_out(argc, argv);
     app.parse(argc, argv);
     return carry_out();
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : bad_input;
+    say(std::string(error.what()) + "; " + app.get_name() + " --help says more");
+    return bad_input;
   } catch (const dda::InputError& error) {
     say(error.what());
     return bad_input;

@@ -28,12 +28,19 @@ bool has_linear_pieces(const InterfaceSprings& springs, const InterfaceTrial& tr
          springs.dashpot.isZero(0) && trial.hardening[0] == 0 && trial.hardening[1] == 0;
 }
 
+// N per m of thickness, at the normal force that the trial has.
+double sliding_shear(const EndStrength& strength, int end, const InterfaceTrial& trial) {
+  const auto e = static_cast<std::size_t>(end);
+  if (trial.rule.capacity_is_given) return trial.capacity[e];
+  const double cohesion = trial.residual[e] ? strength.residual_cohesion : 0;
+  return cohesion - strength.friction_now(trial.residual[e]) * trial.force(2 * end);
+}
+
 // Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to
 // stick.
 void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStrength& strength, int end,
             InterfaceTrial& trial) {
   const Eigen::Index n = 2 * end;
-  const auto e = static_cast<std::size_t>(end);
   if (piece == ContactPiece::open) {
     trial.force.segment<2>(n).setZero();
     trial.active.segment<2>(n).setZero();
@@ -47,8 +54,7 @@ void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStreng
     respond_as_stuck(springs, end, trial);
     return;
   }
-  const double cohesion = trial.residual[e] ? strength.residual_cohesion : 0;
-  trial.force(n + 1) = direction_of(piece) * (cohesion - strength.friction_now(trial.residual[e]) * trial.force(n));
+  trial.force(n + 1) = direction_of(piece) * sliding_shear(strength, end, trial);
   trial.active(n + 1) = 0;
 }
 
@@ -138,6 +144,7 @@ bool stay_on_pieces(const InterfaceSprings& springs, const EndStrength& strength
 Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                          const ContactPieces& pieces) {
   Mat2 slopes = Mat2::Zero();
+  if (trial.rule.capacity_is_given) return slopes;
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;

@@ -40,7 +40,8 @@ bool stay_on_pieces(const InterfaceSprings& springs, const EndStrength& strength
                     InterfaceTrial& trial, ContactPieces& pieces);
 
 // Slopes of the shear forces of both ends (rows) over their normal gaps (columns) that capacities make where ends slide
-// (N/m per m of thickness); 0 elsewhere. Ends that press each for itself leave the other's gap out.
+// (N/m per m of thickness); 0 elsewhere, and where capacities are given. Ends that press each for itself leave the
+// other's gap out.
 Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                          const ContactPieces& pieces);
 

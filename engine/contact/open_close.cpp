@@ -196,7 +196,11 @@ void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& 
 
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) let_go_of_opening(springs, trial);
-  follow_pressure(springs, strength, trial);
+  if (trial.rule.capacity_is_given) {
+    respond(springs, trial);
+  } else {
+    follow_pressure(springs, strength, trial);
+  }
 }
 
 double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial, double t) {
@@ -220,7 +224,7 @@ double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial,
 double update_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   const Vec4 before = trial.force;
   if (trial.rule.sticks) let_go_of_opening(springs, trial);
-  set_capacity(springs, strength, trial);
+  if (!trial.rule.capacity_is_given) set_capacity(springs, strength, trial);
   respond(springs, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();
 }

@@ -24,10 +24,11 @@ namespace dda {
 
 // How a stage and its time step look at contacts.
 struct ContactRule {
-  bool conserves_energy = false;  // normal forces whose work over the step is the change of the springs' energy
-  bool sticks = false;            // closed contacts do not slide and joints do not break: unlimited strength in shear
-  double touching = 0;            // m; contacts with a smaller gap at the start of the step stick, if `sticks`
-  double dashpot_rate = 0;        // 1/s: a dashpot's force in the balance is dashpot * dashpot_rate * change of gap
+  bool conserves_energy = false;   // normal forces whose work over the step is the change of the springs' energy
+  bool sticks = false;             // closed contacts do not slide and joints do not break: unlimited strength in shear
+  double touching = 0;             // m; contacts with a smaller gap at the start of the step stick, if `sticks`
+  double dashpot_rate = 0;         // 1/s: a dashpot's force in the balance is dashpot * dashpot_rate * change of gap
+  bool capacity_is_given = false;  // by the normal forces at the start of the step, whatever they are at its end
 };
 
 // An interface in the course of a step. What broken ends answer, for the change of the gap from g0 to g1:
@@ -93,10 +94,11 @@ double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial,
 // Shear of an end that does not slide, whatever its capacity.
 void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& trial);
 
-// respond() with the capacities of the normal forces there.
+// respond() with the capacities of the normal forces there, unless they are given.
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
-// Sets capacities to those of the normal forces; returns the largest change of a force that this makes at this gap.
+// Sets capacities to those of the normal forces, unless they are given; returns the largest change of a force that this
+// makes at this gap.
 double update_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Sets dilations to those of the slips; returns the largest change of a force that this makes at this gap. For

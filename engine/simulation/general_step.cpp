@@ -111,6 +111,7 @@ void GeneralStep::leave_out(const std::vector<bool>& absent) {
 void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
   cushion_ = {};
+  settling_friction_ = {};
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
   list_contacts();
@@ -145,9 +146,28 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
   can_be_cut_ = can_be_cut;
   if (dt != system_.coefficients.dt) set_step_size(dt);
   if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
-  Status status = solve_far_enough(system_.end_of_step(dt));
-  if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough(system_.end_of_step(dt));
-  if (status == Status::ok) accept();
+  const std::int64_t passes_before = system_.costs.counters.open_close_iterations;
+  const Status status = settling_friction_.is_given() ? solve_with_given_friction(dt) : solve_or_ease(dt);
+  if (status != Status::ok) return status;
+  accept();
+  settling_friction_.settled(system_.costs.counters.open_close_iterations - passes_before);
+  return status;
+}
+
+// What does not settle in a static stage is tried with cushions, and with the friction of the step before.
+Status GeneralStep::solve_or_ease(double dt) {
+  const double end = system_.end_of_step(dt);
+  Status status = solve_far_enough(end);
+  if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough(end);
+  if (status != Status::not_converged || !can_be_cut_ || !settling_friction_.give(system_)) return status;
+  system_.increment.setZero();  // what did not settle is no place to begin
+  return solve_with_given_friction(dt);
+}
+
+Status GeneralStep::solve_with_given_friction(double dt) {
+  rule_.capacity_is_given = true;
+  const Status status = solve_far_enough(system_.end_of_step(dt));
+  rule_.capacity_is_given = false;
   return status;
 }
 

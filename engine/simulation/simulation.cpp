@@ -191,8 +191,8 @@ bool Simulation::is_over() {
   constexpr std::int64_t most_settling_steps = 500;  // walls take some 5, loose stones that look for the ground 60
   BlockSystem& s = *system_;
   const double asked = s.stage().equilibrium;
-  const bool is_balanced = s.plan.is_static && asked > 0 && out_of_balance() <= asked &&
-                           nothing_prescribed_changes_until(s.end_of_stage(), s);
+  const bool is_balanced = s.plan.is_static && asked > 0 && !stage_step().is_provisional() &&
+                           out_of_balance() <= asked && nothing_prescribed_changes_until(s.end_of_stage(), s);
   const bool is_over = is_balanced || s.clock.step >= (is_settling() ? most_settling_steps : s.stage().steps());
   if (is_balanced || (is_settling() && is_over)) s.state.time = s.end_of_stage();
   return is_over;
@@ -201,6 +201,7 @@ bool Simulation::is_over() {
 Status Simulation::end_stage() {
   BlockSystem& s = *system_;
   const Stage& ended = s.stage();
+  if (stage_step().is_provisional()) release_shear_of_contacts(s);
   if (s.plan.is_static) static_out_of_balance_[s.clock.stage] = out_of_balance();
   const std::string problem = s.plan.is_static ? equilibrium_problem(s, in_situ_force_) : "";
   std::ranges::move(let_go_of_loose_blocks(s), std::back_inserter(loose_blocks_));

@@ -28,6 +28,9 @@ class Step {
   virtual void hand_over() = 0;
   virtual void take_over() {}
 
+  // The last step left something for the next: forces may be in balance and yet be no equilibrium.
+  [[nodiscard]] virtual bool is_provisional() const { return false; }
+
   [[nodiscard]] virtual StoredEnergy stored_energy() const = 0;
   [[nodiscard]] virtual const std::string& message() const = 0;
 };

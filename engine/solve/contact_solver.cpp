@@ -21,10 +21,23 @@ const StepSolution& ContactSolver::solve(const StepProblem& problem) {
   at_.bolts.start(problem.bolts);
   if (at_.matrix.is_amended()) at_.matrix.outdate();
   convex_.start(problem.guess);
-  at_.increment.setZero();
   rises_ = 0;
+  if (problem.contacts.rule.capacity_is_given) {
+    begin_at(problem.guess);
+    return go_on(problem);
+  }
+  at_.increment.setZero();
   if (problem.held.move && friction_.has_something_to_settle(at_)) move_held_blocks();
   return go_on(problem);
+}
+
+// Where capacities are given there is one answer, and the way to it is the shorter the nearer it begins.
+void ContactSolver::begin_at(const Eigen::VectorXd& increment) {
+  at_.increment = increment;
+  if (!at_.problem->held.empty()) at_.problem->held.put(at_.increment);
+  convex_.go_on_from(at_);
+  at_.bolts.aim(at_.increment);
+  at_.bolts.follow(1);
 }
 
 const StepSolution& ContactSolver::go_on(const StepProblem& problem) {
@@ -79,7 +92,23 @@ Status ContactSolver::settle() {
   }
 }
 
+// Newton's method with whole steps is quickest, and goes in circles at times. Steps cut where the potential is least
+// lead out of these; the more of them there were the more follow, so that in the end there are only such, which is
+// sure.
+Status ContactSolver::settle_with_given_capacities() {
+  constexpr int most_cut_steps = 128;
+  for (int cut_steps = 1; cut_steps <= most_cut_steps; cut_steps *= 2) {
+    if (friction_.has_something_to_settle(at_) && friction_.find_balance(at_)) return Status::ok;
+    convex_.go_on_from(at_);
+    const Status status = convex_.settle(at_, cut_steps);
+    solution_.failure = convex_.failure();
+    if (solution_.failure != Failure::unsettled) return status;
+  }
+  return Status::not_converged;
+}
+
 Status ContactSolver::settle_contacts() {
+  if (at_.problem->contacts.rule.capacity_is_given) return settle_with_given_capacities();
   if (friction_.has_something_to_settle(at_)) {
     if (friction_.find_balance(at_)) return Status::ok;
     if (!at_.problem->to_the_end) {
@@ -88,7 +117,7 @@ Status ContactSolver::settle_contacts() {
     }
     convex_.restart(at_);
   }
-  const Status status = convex_.settle(at_);
+  const Status status = convex_.settle(at_, at_.problem->max_passes);
   solution_.failure = convex_.failure();
   return status;
 }

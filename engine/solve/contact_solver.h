@@ -74,9 +74,11 @@ class ContactSolver {
   }
 
  private:
+  void begin_at(const Eigen::VectorXd& increment);
   void move_held_blocks();
   [[nodiscard]] Status settle();
   [[nodiscard]] Status settle_contacts();
+  [[nodiscard]] Status settle_with_given_capacities();
   void note_restless();
 
   Iterate at_;

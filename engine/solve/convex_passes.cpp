@@ -59,9 +59,15 @@ void ConvexPasses::restart(Iterate& at) {
   at.bolts.restart();
 }
 
-Status ConvexPasses::settle(Iterate& at) {
+void ConvexPasses::go_on_from(Iterate& at) {
+  target_ = at.increment;
+  at.matrix.outdate();
+  for (std::size_t k = 0; k < at.contacts.size(); ++k) at.contacts.measure(k, at.increment);
+}
+
+Status ConvexPasses::settle(Iterate& at, int most_passes) {
   failure_ = Failure::none;
-  for (int pass = 0; pass < at.problem->max_passes; ++pass) {
+  for (int pass = 0; pass < most_passes; ++pass) {
     if (!at.problem->contacts.elements.empty()) ++at.costs.counters.open_close_iterations;
     const Status status = solve_pass(at);
     if (status != Status::ok) return status;

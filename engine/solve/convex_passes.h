@@ -23,8 +23,12 @@ class ConvexPasses {
   // Back to the start of the step, but for what broke or rose since.
   void restart(Iterate& at);
 
-  // Moves the iterate to where forces and capacities stand still. Anything but ok: see `failure`.
-  [[nodiscard]] Status settle(Iterate& at);
+  // Takes the iterate as it is, and its contacts at what they answer there.
+  void go_on_from(Iterate& at);
+
+  // Moves the iterate to where forces and capacities stand still, in this many passes at most. Anything but ok: see
+  // `failure`.
+  [[nodiscard]] Status settle(Iterate& at, int most_passes);
   [[nodiscard]] Failure failure() const { return failure_; }
 
  private:

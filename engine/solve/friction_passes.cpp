@@ -27,6 +27,9 @@ constexpr double piece_tolerance = 10;
 constexpr double patience = 10;
 constexpr double local_overhead = 0.05;
 
+// Where capacities are given there is something else to try soon: see ContactSolver.
+constexpr double patience_with_given_capacities = 3;
+
 // When the balance has not come nearer for this many passes but is near (this share of the largest force), every other
 // pass goes half its way: a few ends that drive each other in a circle fall out of step. Farther away half steps lead
 // astray.
@@ -108,11 +111,12 @@ bool FrictionPasses::find_balance(Iterate& at) {
   // As a whole at first: what a step does is to depend on the state alone, and not on the round-off of steps before.
   if (at.bring_matrix_up_to_date(changed) != Status::ok) return false;
   form_residual(at);
+  const double most_work = at.problem->contacts.rule.capacity_is_given ? patience_with_given_capacities : patience;
   double best = imbalance_;
   int best_pass = 0;
   double work = 0;  // since then, in passes over all blocks
   for (int pass = 0; !is_balanced(at); ++pass) {
-    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > patience) return false;
+    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > most_work) return false;
     if (pass > 0 && prepare_pass(at, changed) != Status::ok) return false;
     ++at.costs.counters.open_close_iterations;
     const double enough = last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);

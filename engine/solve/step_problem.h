@@ -27,7 +27,7 @@ struct StepProblem {
   const BlockMatrix& base;
   std::uint64_t base_version;  // another one than in the problem before: the values of `base` have changed
   const Eigen::VectorXd& rhs;
-  const Eigen::VectorXd& guess;   // of the increments, for an iterative linear solver
+  const Eigen::VectorXd& guess;   // of the increments, for iterative linear solvers and where capacities are given
   double factor;                  // of the integrator, on forces at the end of the step
   std::span<const double> areas;  // of the blocks, m2: moments count as forces at the arm of a block's size
   ChangingContacts contacts;

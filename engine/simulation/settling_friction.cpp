@@ -1,0 +1,28 @@
+#include "engine/simulation/settling_friction.h"
+
+namespace dda {
+namespace {
+
+// Steps that take friction as given come in runs of so many: to try otherwise costs ten to forty passes in vain as long
+// as much still moves, and a few more such steps cost less.
+constexpr int steps_in_a_run = 5;
+
+// A step of no more passes had next to nothing to change, and ends the run.
+constexpr std::int64_t passes_at_rest = 3;
+
+}  // namespace
+
+bool SettlingFriction::give(const BlockSystem& system) {
+  const bool is_convex = system.stage().unlimited_strength;
+  if (!system.stage().paces_itself() || is_convex || system.plan.dilation || system.clock.step == 0) return false;
+  if (steps_left_ == 0) steps_left_ = steps_in_a_run;
+  return true;
+}
+
+void SettlingFriction::settled(std::int64_t passes) {
+  was_given_ = is_given();
+  if (!was_given_) return;
+  steps_left_ = passes <= passes_at_rest ? 0 : steps_left_ - 1;
+}
+
+}  // namespace dda

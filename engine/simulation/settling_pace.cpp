@@ -19,6 +19,8 @@ constexpr double shrinking = 8;
 
 // Steps that took more passes than this are long enough.
 constexpr std::int64_t easy = 30;
+// Of steps that settle at any length.
+constexpr std::int64_t easy_when_sure = 60;
 
 double transit_time(const Model& model) {
   double slowest = std::numeric_limits<double>::infinity();
@@ -47,8 +49,8 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
   dt_ = first_step(model, stage, contacts_can_change);
 }
 
-void SettlingPace::settled(std::int64_t passes) {
-  if (passes <= easy) dt_ = std::min(growth * dt_, longest * transit_);
+void SettlingPace::settled(std::int64_t passes, bool is_sure) {
+  if (passes <= (is_sure ? easy_when_sure : easy)) dt_ = std::min(growth * dt_, longest * transit_);
 }
 
 bool SettlingPace::shorten() {

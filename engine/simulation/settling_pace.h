@@ -27,19 +27,20 @@ class SettlingPace {
 
   [[nodiscard]] double dt() const { return dt_; }  // s, of the next step
 
-  // Takes a step as long as it can be, by `advance(dt)`.
-  template <typename Advance>
-  [[nodiscard]] Status step(const Counters& counters, const Advance& advance) {
+  // Takes a step as long as it can be, by `advance(dt)`. `is_sure()`: the step taken was of those that settle at any
+  // length.
+  template <typename Advance, typename IsSure>
+  [[nodiscard]] Status step(const Counters& counters, const Advance& advance, const IsSure& is_sure) {
     while (true) {
       const std::int64_t passes_before = counters.open_close_iterations;
       const Status status = advance(dt_);
-      if (status == Status::ok) settled(counters.open_close_iterations - passes_before);
+      if (status == Status::ok) settled(counters.open_close_iterations - passes_before, is_sure());
       if (status != Status::not_converged || !shorten()) return status;
     }
   }
 
   // A step of dt() settled in that many passes of the open-close iteration.
-  void settled(std::int64_t passes);
+  void settled(std::int64_t passes, bool is_sure = false);
   // One did not; false when there is no shorter one to try.
   [[nodiscard]] bool shorten();
   [[nodiscard]] bool is_shortest() const;

@@ -10,6 +10,7 @@
 
 #include "engine/contact/foreseen_gap.h"
 #include "engine/core/phase_clock.h"
+#include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/initial_acceleration.h"
@@ -44,16 +45,6 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
 
 // Blocks that spin are pulled apart.
 bool feels_spin(const StepPlan& plan) { return plan.finite_kinematics && !plan.is_static; }
-
-// Of a bonded interface at the end of a step of these increments, before the state moves.
-Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i, const Vec4& gap) {
-  const auto stress = [&](int block) -> Vec3 {
-    const auto b = static_cast<std::size_t>(block);
-    return system.state.stress[b] + system.terms.elasticity[b] * increment.segment<3>(6 * block + 3);
-  };
-  const InterfaceElement& element = system.contacts.elements[i];
-  return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
-}
 
 // Of the balance: loads, weight and momentum less what the blocks' stresses exert at the start.
 void form_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
@@ -146,34 +137,21 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
   can_be_cut_ = can_be_cut;
   if (dt != system_.coefficients.dt) set_step_size(dt);
   if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
-  const std::int64_t passes_before = system_.costs.counters.open_close_iterations;
-  const Status status = settling_friction_.is_given() ? solve_with_given_friction(dt) : solve_or_ease(dt);
-  if (status != Status::ok) return status;
-  accept();
-  settling_friction_.settled(system_.costs.counters.open_close_iterations - passes_before);
-  return status;
-}
-
-// What does not settle in a static stage is tried with cushions, and with the friction of the step before.
-Status GeneralStep::solve_or_ease(double dt) {
   const double end = system_.end_of_step(dt);
   Status status = solve_far_enough(end);
   if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough(end);
-  if (status != Status::not_converged || !can_be_cut_ || !settling_friction_.give(system_)) return status;
-  system_.increment.setZero();  // what did not settle is no place to begin
-  return solve_with_given_friction(dt);
-}
-
-Status GeneralStep::solve_with_given_friction(double dt) {
-  rule_.capacity_is_given = true;
-  const Status status = solve_far_enough(system_.end_of_step(dt));
-  rule_.capacity_is_given = false;
+  if (status == Status::not_converged && can_be_cut && settling_friction_.give(system_)) {
+    system_.increment.setZero();  // what did not settle is no place to begin
+    status = solve_far_enough(end);
+  }
+  if (status == Status::ok) accept();
   return status;
 }
 
 // A step is solved with the contacts that were looked for, and solved again where what came out moves blocks beyond
 // them.
 Status GeneralStep::solve_far_enough(double end) {
+  rule_.capacity_is_given = settling_friction_.is_given();
   pose(end);
   for (int round = 0; round < most_rounds; ++round) {
     const Status status = solve();
@@ -366,8 +344,9 @@ void GeneralStep::accept() {
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
   if (cushion_.wears()) base_is_current_ = false;
+  settling_friction_.settled(s);
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
-  accept_bonded();  // by the stresses of the start
+  accept_bonded(bonded_, s);  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
   // What only a matrix built anew may see: the next step follows the geometry.
@@ -383,15 +362,6 @@ void GeneralStep::accept() {
   if (!more_are_loose) return;
   s.drag.hold_loose(s.model.blocks.size(), s.held);
   base_is_current_ = false;
-}
-
-void GeneralStep::accept_bonded() {
-  for (const int index : bonded_) {
-    const auto i = static_cast<std::size_t>(index);
-    InterfaceState& state = system_.contacts.states[i];
-    state.gap += gap_increment(system_.contacts.elements[i], system_.increment);
-    state.force = bonded_force(system_, solver_.increment(), i, state.gap);
-  }
 }
 
 void GeneralStep::accept_contacts() {

@@ -71,8 +71,6 @@ class GeneralStep : public Step {
   void list_contacts();
 
   void pose(double end);
-  [[nodiscard]] Status solve_or_ease(double dt);
-  [[nodiscard]] Status solve_with_given_friction(double dt);
   [[nodiscard]] Status solve_far_enough(double end);
   [[nodiscard]] bool moves_further_than_seen();
   void follow_geometry();
@@ -86,7 +84,6 @@ class GeneralStep : public Step {
 
   void accept();
   void accept_contacts();
-  void accept_bonded();
 
   BlockSystem& system_;
   ContactSolver solver_;

@@ -1,5 +1,9 @@
 #include "engine/simulation/settling_friction.h"
 
+#include <cstdint>
+
+#include "engine/simulation/block_system.h"
+
 namespace dda {
 namespace {
 
@@ -14,14 +18,16 @@ constexpr std::int64_t passes_at_rest = 3;
 
 bool SettlingFriction::give(const BlockSystem& system) {
   const bool is_convex = system.stage().unlimited_strength;
-  if (!system.stage().paces_itself() || is_convex || system.plan.dilation || system.clock.step == 0) return false;
-  if (steps_left_ == 0) steps_left_ = steps_in_a_run;
+  if (is_given() || !system.stage().paces_itself() || is_convex || system.plan.dilation || system.clock.step == 0)
+    return false;
+  steps_left_ = steps_in_a_run;
   return true;
 }
 
-void SettlingFriction::settled(std::int64_t passes) {
+void SettlingFriction::settled(const BlockSystem& system) {
   was_given_ = is_given();
   if (!was_given_) return;
+  const std::int64_t passes = system.costs.counters.open_close_iterations - system.clock.passes_before_step;
   steps_left_ = passes <= passes_at_rest ? 0 : steps_left_ - 1;
 }
 

@@ -8,20 +8,20 @@
 // But a step that took friction as given proves nothing, so no stage ends with one.
 #pragma once
 
-#include "engine/core/counters.h"
-#include "engine/simulation/block_system.h"
-
 namespace dda {
+
+struct BlockSystem;
 
 class SettlingFriction {
  public:
-  // The step that begins takes it as given, without trying otherwise.
+  // The step under way takes it as given.
   [[nodiscard]] bool is_given() const { return steps_left_ > 0; }
-  // A step did not settle otherwise. False where friction must follow the forces: in other stages, and in the first
-  // step of a stage, at whose start nothing may press yet.
+  // The step under way did not settle otherwise: it and the next ones take it as given. False where they did already,
+  // and where friction must follow the forces: in other stages, and in the first step of one, at whose start nothing
+  // may press yet.
   [[nodiscard]] bool give(const BlockSystem& system);
-  // A step was accepted, after this many passes.
-  void settled(std::int64_t passes);
+  // The step under way is accepted.
+  void settled(const BlockSystem& system);
   // The last step accepted took it as given.
   [[nodiscard]] bool was_given() const { return was_given_; }
 

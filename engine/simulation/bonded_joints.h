@@ -1,0 +1,19 @@
+// Bonded interfaces in a step of a scene that is not linear: they are part of its constant matrix.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "engine/core/types.h"
+#include "engine/simulation/block_system.h"
+
+namespace dda {
+
+// Of the interface at place `i` at the end of a step of these increments, before the state moves; `gap`: there.
+Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i, const Vec4& gap);
+
+// Gaps and forces of the interfaces at these places follow system.increment, before the blocks' stresses do.
+void accept_bonded(const std::vector<int>& bonded, BlockSystem& system);
+
+}  // namespace dda

@@ -303,7 +303,7 @@ TEST(ContactSolver, SurePassesFindWhatQuickOnesFind) {
     at.increment = Eigen::VectorXd::Zero(made.rhs.size());
     ConvexPasses convex;
     convex.start(made.guess);
-    ASSERT_EQ(convex.settle(at), Status::ok) << seed;
+    ASSERT_EQ(convex.settle(at, made.max_passes), Status::ok) << seed;
     const Solved quick(made);
     EXPECT_LT((at.increment - quick.solver.increment()).norm(), 1e-9) << seed;
   }

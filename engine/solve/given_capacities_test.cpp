@@ -1,0 +1,113 @@
+// Steps whose friction is given by their start: convex problems, with one answer wherever the way to it begins.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "engine/contact/contact_set.h"
+#include "engine/solve/contact_solver.h"
+#include "engine/solve/solve_problems.h"
+
+namespace dda {
+namespace {
+
+constexpr double kn = HandMadeProblem::normal_spring;
+constexpr double ks = HandMadeProblem::shear_spring;
+
+struct Solved {
+  explicit Solved(const HandMadeProblem& made) : solver(costs) {
+    solver.begin(made.base, SolverKind::dense, 1);
+    solution = solver.solve(made.problem());
+  }
+
+  Costs costs;
+  ContactSolver solver;
+  StepSolution solution;
+};
+
+void press(double gap, InterfaceState& state) {
+  state.gap(0) = gap;
+  state.force(0) = kn * gap;
+}
+
+// Pressed by 40 N at the start and by 120 N at the end of the step: friction is that of 40 N.
+TEST(GivenCapacities, FrictionIsThatOfTheStart) {
+  HandMadeProblem made = block_on_floor({100, -100});
+  press(-0.1, made.states[0]);
+  made.rule.capacity_is_given = true;
+  const Solved solved(made);
+  ASSERT_EQ(solved.solution.status, Status::ok);
+  const Vec2 moved = solved.solver.increment().segment<2>(6);
+  EXPECT_NEAR(moved.x(), (100 - 0.5 * 40) / 100, 1e-10);
+  EXPECT_NEAR(moved.y(), -100 / (100 + kn), 1e-10);
+  EXPECT_NEAR(solved.solver.contacts()[0].force(0), -120, 1e-8);
+}
+
+double between(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution(low, high)(random);
+}
+
+// A heap of blocks, each with some contacts to those below; the first is held. What opens takes its load elsewhere, and
+// friction is more than Coulomb's law has a sure answer for.
+HandMadeProblem heap(unsigned seed) {
+  std::mt19937_64 random(seed);
+  const int blocks = 12;
+  std::vector<std::pair<int, int>> pairs;
+  for (int b = 1; b < blocks; ++b) {
+    pairs.emplace_back(b - 1, b);
+    if (b > 1) pairs.emplace_back(b - 2, b);
+  }
+  HandMadeProblem made(blocks, pairs, 0.1);
+  made.hold(0, Vec6::Zero());
+  for (const auto& [a, b] : pairs) {
+    for (int end = 0; end < 2; ++end) {
+      const auto arm = [&] { return Vec2(between(random, -0.5, 0.5), between(random, -0.5, 0.5)); };
+      const std::size_t k = made.add_contact(a, b, arm(), arm(), between(random, 0.2, 2));
+      press(between(random, -0.2, 0.1), made.states[k]);
+      made.states[k].force(0) = std::min(0.0, made.states[k].force(0));
+    }
+  }
+  for (int b = 1; b < blocks; ++b)
+    made.rhs.segment<2>(6 * b) = Vec2(between(random, -50, 50), between(random, -100, 30));
+  made.rule.capacity_is_given = true;
+  return made;
+}
+
+// The laws by hand, at given increments: what is left of the balance. Given friction is that of ends which open, too, or
+// the problem would not be convex.
+double largest_residual(const HandMadeProblem& made, const Eigen::VectorXd& d) {
+  Eigen::VectorXd left(d.size());
+  made.base.multiply(d, left);
+  left -= made.rhs;
+  for (std::size_t k = 0; k < made.elements.size(); ++k) {
+    const Vec4 gap = made.states[k].gap + gap_increment(made.elements[k], d);
+    const double capacity = -made.strengths[k].friction * made.states[k].force(0);
+    Vec4 force = Vec4::Zero();
+    force(0) = kn * std::min(0.0, gap(0));
+    force(1) = std::clamp(ks * gap(1), -capacity, capacity);
+    add_interface_force(made.elements[k], force - made.states[k].force, Vec4::Zero(), left);
+  }
+  left.head<6>().setZero();  // held
+  return left.cwiseAbs().maxCoeff();
+}
+
+TEST(GivenCapacities, HeapsHaveOneAnswerWhereverTheWayBegins) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    HandMadeProblem made = heap(seed);
+    const Solved solved(made);
+    ASSERT_EQ(solved.solution.status, Status::ok) << seed;
+    const double largest = solved.solver.contacts().largest_force();
+    // Balances hold to 1e-10 of the largest contact force; moments and strains are forces at arms of half a metre.
+    EXPECT_LT(largest_residual(made, solved.solver.increment()), 1e-8 * largest) << seed;
+    std::mt19937_64 random(seed);
+    for (double& entry : made.guess) entry = between(random, -10, 10);
+    const Solved from_elsewhere(made);
+    ASSERT_EQ(from_elsewhere.solution.status, Status::ok) << seed;
+    const Eigen::VectorXd apart = from_elsewhere.solver.increment() - solved.solver.increment();
+    EXPECT_LT(apart.cwiseAbs().maxCoeff(), 1e-6 * solved.solver.increment().cwiseAbs().maxCoeff()) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace dda

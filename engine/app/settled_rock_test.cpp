@@ -1,0 +1,85 @@
+// Rock of three joint sets around an opening that nothing supports: it settles by itself, loose stones are named, and
+// what has settled obeys Coulomb's law at every contact, by whatever steps it came there.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+
+#include "engine/contact/contact_set.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/simulation.h"
+
+namespace dda {
+namespace {
+
+using nlohmann::json;
+
+json wall(double left, double bottom, double right, double top) {
+  return {
+      {"polygon", {{"group", "walls"}, {"vertices", {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}}}};
+}
+
+constexpr double friction_degrees = 32;
+
+json tunnel_in_three_sets(int seed) {
+  std::mt19937_64 random(static_cast<unsigned>(seed));
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11U) * 0x1p-53;
+  };
+  const double strike = between(0, 180);
+  const double spacing = between(0.8, 1.3);
+  json sets = json::array();
+  for (int k = 0; k < 3; ++k) {
+    double dip = strike + 60 * k + between(-18, 18);
+    while (dip > 90) dip -= 180;
+    sets.push_back({{"dip", {{"mean", fmt::format("{:.3f} deg", dip)}, {"deviation", "6 deg"}}},
+                    {"spacing", {{"mean", spacing * between(0.8, 1.6)}, {"distribution", "exponential"}}},
+                    {"joint", "default"}});
+  }
+  const json rock = {
+      {"boundary", {{0, 0}, {12, 0}, {12, 10}, {0, 10}}},
+      {"joint_sets", sets},
+      {"openings", {{{"name", "tunnel"}, {"circle", {{"centre", {6, 5}}, {"radius", between(1.2, 2)}}}}}},
+      {"seed", seed}};
+  return {{"dda", 1},
+          {"materials", {{"rock", {{"density", 2600}, {"young", 5e9}, {"poisson", 0.2}}}}},
+          {"joints", {{"default", {{"friction_angle", fmt::format("{} deg", friction_degrees)}}}}},
+          {"blocks", {{{"rock", rock}}, wall(-1, -1, 13, 0), wall(-1, 0, 0, 10), wall(12, 0, 13, 10)}},
+          {"fixed", {"walls"}},
+          {"gravity", 9.81},
+          {"steps", {{{"integrator", "static"}}, {{"duration", 0.002}}}}};
+}
+
+// How much shear of any end is beyond its friction, as a share of the largest normal force.
+double beyond_friction(const Simulation& simulation) {
+  const double friction = std::tan(friction_degrees * M_PI / 180);
+  double largest = 0;
+  double beyond = 0;
+  for (const InterfaceState& state : simulation.contacts().states) {
+    for (const int n : {0, 2}) {
+      largest = std::max(largest, -state.force(n));
+      beyond = std::max(beyond, std::abs(state.force(n + 1)) + friction * state.force(n));
+    }
+  }
+  return beyond / largest;
+}
+
+class SettledRock : public testing::TestWithParam<int> {};
+
+TEST_P(SettledRock, ObeysFrictionAndGoesOn) {
+  Simulation simulation(parse_scene(tunnel_in_three_sets(GetParam()).dump(), fmt::format("seed {}", GetParam())));
+  while (stages_done(simulation) == 0) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  EXPECT_LT(simulation.static_out_of_balance()[0], 1e-9);
+  EXPECT_LT(beyond_friction(simulation), 1e-9);  // ten times what the balance of a step leaves
+  while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SettledRock, testing::Range(1, 13));
+
+}  // namespace
+}  // namespace dda

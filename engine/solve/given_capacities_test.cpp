@@ -74,8 +74,8 @@ HandMadeProblem heap(unsigned seed) {
   return made;
 }
 
-// The laws by hand, at given increments: what is left of the balance. Given friction is that of ends which open, too, or
-// the problem would not be convex.
+// The laws by hand, at given increments: what is left of the balance. Given friction is that of ends which open, too,
+// or the problem would not be convex.
 double largest_residual(const HandMadeProblem& made, const Eigen::VectorXd& d) {
   Eigen::VectorXd left(d.size());
   made.base.multiply(d, left);

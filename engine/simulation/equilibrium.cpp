@@ -7,18 +7,32 @@
 #include <numeric>
 
 #include "engine/simulation/block_system.h"
+#include "engine/solve/friction_passes.h"
 
 namespace dda {
 namespace {
 
 constexpr std::size_t most_named = 3;
 
+// Of the entries of one block. Moments count as forces at the arm of its size, or balance would be asked for the more
+// strictly the larger a scene.
+double largest_of(const BlockSystem& system, const Eigen::VectorXd& forces, std::size_t block) {
+  return largest_entry(forces, block, system.terms.area[block]);
+}
+
+// Not a number where an entry is none.
+double largest_of_all(const BlockSystem& system, const Eigen::VectorXd& forces) {
+  double largest = 0;
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i) largest = std::max(largest, largest_of(system, forces, i));
+  return largest + 0 * forces.sum();
+}
+
 // Unbalanced forces as shares of the largest load, those of held blocks zero.
 Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_force) {
   Eigen::VectorXd unbalanced = system.unbalanced_forces();
   system.held.clear(unbalanced);
-  double scale = std::max(in_situ_force, system.forces.load_old.cwiseAbs().maxCoeff());
-  if (system.plan.gravity) scale = std::max(scale, system.external.weight().cwiseAbs().maxCoeff());
+  double scale = std::max(in_situ_force, largest_of_all(system, system.forces.load_old));
+  if (system.plan.gravity) scale = std::max(scale, largest_of_all(system, system.external.weight()));
   if (scale > 0) unbalanced /= scale;
   return unbalanced;
 }
@@ -26,12 +40,12 @@ Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_forc
 }  // namespace
 
 double out_of_balance(const BlockSystem& system, double in_situ_force) {
-  return unbalanced_shares(system, in_situ_force).cwiseAbs().maxCoeff();
+  return largest_of_all(system, unbalanced_shares(system, in_situ_force));
 }
 
 std::vector<int> blocks_out_of_balance(const BlockSystem& system, double in_situ_force, double share) {
   const Eigen::VectorXd shares = unbalanced_shares(system, in_situ_force);
-  const auto largest = [&](int block) { return shares.segment<6>(6 * block).cwiseAbs().maxCoeff(); };
+  const auto largest = [&](int block) { return largest_of(system, shares, static_cast<std::size_t>(block)); };
   std::vector<int> blocks(system.model.blocks.size());
   std::iota(blocks.begin(), blocks.end(), 0);
   std::erase_if(blocks, [&](int block) { return largest(block) <= share; });

@@ -24,7 +24,8 @@ struct UnbalancedBlock {
   }
 };
 
-// Largest unbalanced force of any unknown over the largest load, weight or `in_situ_force` (N per m of thickness).
+// Largest unbalanced force of any unknown over the largest load, weight or `in_situ_force` (N per m of thickness);
+// moments over the root of the block's area.
 double out_of_balance(const BlockSystem& system, double in_situ_force);
 
 // Blocks that are out of balance by more than `share` of that, the worst first.

@@ -17,8 +17,7 @@ class SettlingFriction {
   // The step under way takes it as given.
   [[nodiscard]] bool is_given() const { return steps_left_ > 0; }
   // The step under way did not settle otherwise: it and the next ones take it as given. False where they did already,
-  // and where friction must follow the forces: in other stages, and in the first step of one, at whose start nothing
-  // may press yet.
+  // and where friction must follow the forces: in other stages, and in the first steps of one.
   [[nodiscard]] bool give(const BlockSystem& system);
   // The step under way is accepted.
   void settled(const BlockSystem& system);

@@ -58,6 +58,22 @@ std::string remedy_against_gain(const Model& model) {
   return damps ? "a smaller dt, or damping" : "generalized_alpha 0 or thesis, or a smaller dt";
 }
 
+bool has_material_damping(const Model& model) {
+  return std::ranges::any_of(model.stages, [](const Stage& stage) { return stage.material_damping.acts(); });
+}
+
+// Dampers take energy. Where a velocity jumps, as that of a support that moves off at once, steps that are too long for
+// the damping give it back, and the integrator's own losses hide that.
+std::string gift_of_dampers(const Simulation& simulation) {
+  const EnergyLedger& energy = simulation.energy();
+  if (!has_material_damping(simulation.model()) || -energy.damping < ruinous_gain * energy.scale()) return "";
+  return fmt::format(
+      "damping gave {:.3g} J/m, {:.2g} % of the largest energy, which it can only take: a velocity jumps, and dt is "
+      "too "
+      "long for the damping of what it excites; take a smaller dt, or let the velocity grow over some steps",
+      -energy.damping, 100 * -energy.damping / energy.scale());
+}
+
 }  // namespace
 
 EnergyVerdict judge_energy(const Simulation& simulation) {
@@ -70,6 +86,7 @@ EnergyVerdict judge_energy(const Simulation& simulation) {
     return {Status::gained_energy,
             fmt::format("{}; most of the motion is that of {}; take {}", added,
                         named_with_places(simulation.model(), liveliest_blocks(simulation)), remedy)};
+  if (const std::string gift = gift_of_dampers(simulation); !gift.empty()) return {Status::inaccurate, gift};
   const double residual = std::abs(energy.relative_residual());
   if (!(residual <= tolerated_residual))
     return {Status::inaccurate,

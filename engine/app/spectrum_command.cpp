@@ -126,6 +126,16 @@ struct Peak {
   double acceleration = 0, period = 0;
 };
 
+// Another name than those of a run's own tables, which would be gone.
+void check_name(const std::filesystem::path& file) {
+  const std::filesystem::path name = file.filename();
+  const bool is_of_a_run = name == histories_name || name == energies_name || name == peaks_name;
+  if (file.extension() != ".csv" || is_of_a_run)
+    throw InputError("", "--out", file.string(), "a name that ends in .csv and is none of a run's own files");
+  if (const std::string kind = why_unwritable(file); !kind.empty())
+    throw InputError("", "--out", file.string() + ", which is " + kind, "a file, or a name that is free");
+}
+
 // The rows of the file; `peaks`: the largest Sa of every damping.
 std::string table_of(const MotionRecord& record, const std::vector<double>& periods, const std::vector<double>& ratios,
                      std::vector<Peak>& peaks) {
@@ -184,8 +194,7 @@ void add_spectrum(CLI::App& app, SpectrumRequest& request) {
 
 void write_spectrum(const SpectrumRequest& request, std::ostream& out) {
   const std::filesystem::path file = request.file.empty() ? request.folder / spectrum_name : request.file;
-  if (const std::string kind = why_unwritable(file); !kind.empty())
-    throw InputError("", "--out", file.string() + ", which is " + kind, "a file, or a name that is free");
+  check_name(file);
   std::vector<double> ratios;
   for (const std::string& text : request.damping) ratios.push_back(damping_of(text));
   const std::size_t count = count_of(request.count);

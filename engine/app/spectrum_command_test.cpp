@@ -67,14 +67,15 @@ TEST_F(Spectrum, OfAShakenBlock) {
 // Straight lines between rows of 1 ms, at periods of 50 ms and more: (2 pi dt/T)^2/12 of the motion, 1.3e-3.
 TEST_F(Spectrum, IsTheSameOfAccelerationVelocityAndDisplacement) {
   run_shaker();
-  for (const char* name : {"a", "v", "u"})
+  for (const std::string name : {"a", "v", "u"})
     ASSERT_EQ(call({"spectrum", path("results"), "--measurement", name, "--periods", "0.05,1", "--count", "20", "--out",
-                    path(name)})
+                    path(name + ".csv")})
                   .code,
               0);
-  const auto expected = rows_of("a");
-  for (const char* name : {"v", "u"}) {
-    const auto rows = rows_of(name);
+  const auto expected = rows_of("a.csv");
+  for (const std::string name : {"v", "u"}) {
+    const auto rows = rows_of(name + ".csv");
+    ASSERT_EQ(rows.size(), expected.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       EXPECT_NEAR(rows[i][4], expected[i][4], 3e-3 * expected[i][4]) << name << " " << rows[i][0];
   }
@@ -106,6 +107,9 @@ TEST_F(Spectrum, Refuses) {
     refuse({"--measurement", "a", "--periods", bad}, "--periods");
   for (const char* bad : {"", "0", "1", "1.5", "1e9", "ten"}) refuse({"--measurement", "a", "--count", bad}, "--count");
   refuse({"--measurement", "a", "--out", path("results")}, "--out");
+  for (const char* own :
+       {"results/histories.csv", "results/peaks.csv", "results/summary.json", "results/checkpoint.bin"})
+    refuse({"--measurement", "a", "--out", path(own)}, "expected a name that ends in .csv and is none of a run's own");
   expect_refusal({"spectrum", path("nothing"), "--measurement", "a"}, "histories.csv: the file is missing");
   write("results/histories.csv", "time [s],a [m/s2]\n0,0\n1,0\n");
   refuse({"--measurement", "a"}, "the number of rows in motion is 2, expected more than ten");

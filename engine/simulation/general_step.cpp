@@ -144,8 +144,12 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
     system_.increment.setZero();  // what did not settle is no place to begin
     status = solve_far_enough(end);
   }
-  if (status == Status::ok) accept();
-  return status;
+  if (status != Status::ok) {
+    settling_friction_.take_back();
+    return status;
+  }
+  accept();
+  return Status::ok;
 }
 
 // A step is solved with the contacts that were looked for, and solved again where what came out moves blocks beyond

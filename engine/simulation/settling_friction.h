@@ -19,6 +19,8 @@ class SettlingFriction {
   // The step under way did not settle otherwise: it and the next ones take it as given. False where they did already,
   // and where friction must follow the forces: in other stages, and in the first steps of one.
   [[nodiscard]] bool give(const BlockSystem& system);
+  // The step under way did not settle so either: a shorter one is tried with friction that follows the forces.
+  void take_back() { steps_left_ = 0; }
   // The step under way is accepted.
   void settled(const BlockSystem& system);
   // The last step accepted took it as given.

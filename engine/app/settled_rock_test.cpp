@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-json wall(double left, double bottom, double right, double top) {
+json held_wall(double left, double bottom, double right, double top) {
   return {
       {"polygon", {{"group", "walls"}, {"vertices", {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}}}};
 }
@@ -49,7 +49,7 @@ json tunnel_in_three_sets(int seed) {
   return {{"dda", 1},
           {"materials", {{"rock", {{"density", 2600}, {"young", 5e9}, {"poisson", 0.2}}}}},
           {"joints", {{"default", {{"friction_angle", fmt::format("{} deg", friction_degrees)}}}}},
-          {"blocks", {{{"rock", rock}}, wall(-1, -1, 13, 0), wall(-1, 0, 0, 10), wall(12, 0, 13, 10)}},
+          {"blocks", {{{"rock", rock}}, held_wall(-1, -1, 13, 0), held_wall(-1, 0, 0, 10), held_wall(12, 0, 13, 10)}},
           {"fixed", {"walls"}},
           {"gravity", 9.81},
           {"steps", {{{"integrator", "static"}}, {{"duration", 0.002}}}}};

@@ -12,11 +12,11 @@
 namespace dda {
 namespace {
 
-constexpr double kn = HandMadeProblem::normal_spring;
-constexpr double ks = HandMadeProblem::shear_spring;
+constexpr double normal_spring = HandMadeProblem::normal_spring;
+constexpr double shear_spring = HandMadeProblem::shear_spring;
 
-struct Solved {
-  explicit Solved(const HandMadeProblem& made) : solver(costs) {
+struct GivenStep {
+  explicit GivenStep(const HandMadeProblem& made) : solver(costs) {
     solver.begin(made.base, SolverKind::dense, 1);
     solution = solver.solve(made.problem());
   }
@@ -28,7 +28,7 @@ struct Solved {
 
 void press(double gap, InterfaceState& state) {
   state.gap(0) = gap;
-  state.force(0) = kn * gap;
+  state.force(0) = normal_spring * gap;
 }
 
 // Pressed by 40 N at the start and by 120 N at the end of the step: friction is that of 40 N.
@@ -36,15 +36,15 @@ TEST(GivenCapacities, FrictionIsThatOfTheStart) {
   HandMadeProblem made = block_on_floor({100, -100});
   press(-0.1, made.states[0]);
   made.rule.capacity_is_given = true;
-  const Solved solved(made);
+  const GivenStep solved(made);
   ASSERT_EQ(solved.solution.status, Status::ok);
   const Vec2 moved = solved.solver.increment().segment<2>(6);
   EXPECT_NEAR(moved.x(), (100 - 0.5 * 40) / 100, 1e-10);
-  EXPECT_NEAR(moved.y(), -100 / (100 + kn), 1e-10);
+  EXPECT_NEAR(moved.y(), -100 / (100 + normal_spring), 1e-10);
   EXPECT_NEAR(solved.solver.contacts()[0].force(0), -120, 1e-8);
 }
 
-double between(std::mt19937_64& random, double low, double high) {
+double drawn_between(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution(low, high)(random);
 }
 
@@ -62,14 +62,14 @@ HandMadeProblem heap(unsigned seed) {
   made.hold(0, Vec6::Zero());
   for (const auto& [a, b] : pairs) {
     for (int end = 0; end < 2; ++end) {
-      const auto arm = [&] { return Vec2(between(random, -0.5, 0.5), between(random, -0.5, 0.5)); };
-      const std::size_t k = made.add_contact(a, b, arm(), arm(), between(random, 0.2, 2));
-      press(between(random, -0.2, 0.1), made.states[k]);
+      const auto arm = [&] { return Vec2(drawn_between(random, -0.5, 0.5), drawn_between(random, -0.5, 0.5)); };
+      const std::size_t k = made.add_contact(a, b, arm(), arm(), drawn_between(random, 0.2, 2));
+      press(drawn_between(random, -0.2, 0.1), made.states[k]);
       made.states[k].force(0) = std::min(0.0, made.states[k].force(0));
     }
   }
   for (int b = 1; b < blocks; ++b)
-    made.rhs.segment<2>(6 * b) = Vec2(between(random, -50, 50), between(random, -100, 30));
+    made.rhs.segment<2>(6 * b) = Vec2(drawn_between(random, -50, 50), drawn_between(random, -100, 30));
   made.rule.capacity_is_given = true;
   return made;
 }
@@ -84,8 +84,8 @@ double largest_residual(const HandMadeProblem& made, const Eigen::VectorXd& d) {
     const Vec4 gap = made.states[k].gap + gap_increment(made.elements[k], d);
     const double capacity = -made.strengths[k].friction * made.states[k].force(0);
     Vec4 force = Vec4::Zero();
-    force(0) = kn * std::min(0.0, gap(0));
-    force(1) = std::clamp(ks * gap(1), -capacity, capacity);
+    force(0) = normal_spring * std::min(0.0, gap(0));
+    force(1) = std::clamp(shear_spring * gap(1), -capacity, capacity);
     add_interface_force(made.elements[k], force - made.states[k].force, Vec4::Zero(), left);
   }
   left.head<6>().setZero();  // held
@@ -95,14 +95,14 @@ double largest_residual(const HandMadeProblem& made, const Eigen::VectorXd& d) {
 TEST(GivenCapacities, HeapsHaveOneAnswerWhereverTheWayBegins) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     HandMadeProblem made = heap(seed);
-    const Solved solved(made);
+    const GivenStep solved(made);
     ASSERT_EQ(solved.solution.status, Status::ok) << seed;
     const double largest = solved.solver.contacts().largest_force();
     // Balances hold to 1e-10 of the largest contact force; moments and strains are forces at arms of half a metre.
     EXPECT_LT(largest_residual(made, solved.solver.increment()), 1e-8 * largest) << seed;
     std::mt19937_64 random(seed);
-    for (double& entry : made.guess) entry = between(random, -10, 10);
-    const Solved from_elsewhere(made);
+    for (double& entry : made.guess) entry = drawn_between(random, -10, 10);
+    const GivenStep from_elsewhere(made);
     ASSERT_EQ(from_elsewhere.solution.status, Status::ok) << seed;
     const Eigen::VectorXd apart = from_elsewhere.solver.increment() - solved.solver.increment();
     EXPECT_LT(apart.cwiseAbs().maxCoeff(), 1e-6 * solved.solver.increment().cwiseAbs().maxCoeff()) << seed;

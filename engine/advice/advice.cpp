@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/advice/chain_errors.h"
+#include "engine/advice/explicit_offer.h"
 #include "engine/advice/load_history.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/model/quantity_names.h"
@@ -49,10 +50,16 @@ const char* to_text(WaveKind kind) {
 
 double size_along(const Lattice& lattice, const Vec2& direction) { return extent_along(lattice.ring, direction); }
 
+// Four steps in a period, and no longer than is stable where steps are explicit.
+double coarsest_dt(double period, double stable_dt) {
+  return stable_dt > 0 ? std::min(period / 4, stable_dt) : period / 4;
+}
+
 class Adviser {
  public:
   Adviser(const Simulation& simulation, const AdviceQuestion& question)
-      : model_(simulation.model()),
+      : simulation_(simulation),
+        model_(simulation.model()),
         contacts_(simulation.contacts()),
         drawn_(make_contacts(model_)),
         question_(question) {
@@ -98,16 +105,18 @@ class Adviser {
     advice.integrator = stage.integrator.name;
     advice.dt = stage.dt;
     advice.chi = plan.chi;
-    advice.solver = to_string(plan.solver);
+    advice.solver = plan.explicit_steps ? "explicit" : to_string(plan.solver);
     advice.cost = cost_of(size, plan, stage.steps());
+    advice.stable_dt = simulation_.stability_limit(index);
+    if (question_.limits) advice.explicit_instead = explicit_offer(model_, index, size, advice.cost);
     if (stage.integrator.is_static || !frequency_) return advice;
     if (stage.material_damping.acts()) advice.damping_ratio = stage.material_damping.ratio_at(*frequency_);
-    if (way_) advice.waves.push_back(along_way(stage));
+    if (way_) advice.waves.push_back(along_way(stage, advice.stable_dt));
     if (way_ && way_->kind == WaveKind::bar) return advice;
     for (const Lattice& lattice : lattices_)
       for (const WaveKind kind : lattice.row ? std::vector{WaveKind::bar} : std::vector{WaveKind::p, WaveKind::s})
         for (const Direction& direction : directions_for(lattice))
-          advice.waves.push_back(of_wave(lattice, stage, kind, direction));
+          advice.waves.push_back(of_wave(lattice, stage, kind, direction, advice.stable_dt));
     return advice;
   }
 
@@ -135,7 +144,7 @@ class Adviser {
     }
   }
 
-  [[nodiscard]] WaveAdvice along_way(const Stage& stage) const {
+  [[nodiscard]] WaveAdvice along_way(const Stage& stage, double stable_dt) const {
     const ChainQuestion question(model_, *way_, stage, way_distance());
     WaveAdvice advice;
     for (const Material& material : model_.materials) {
@@ -158,7 +167,7 @@ class Adviser {
     advice.history = question.history_errors(load_->history);
     if (!advice.history)
       advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
-    if (question_.limits) advice.limits = limits_of(question, stage);
+    if (question_.limits) advice.limits = limits_of(question, stage, stable_dt);
     return advice;
   }
 
@@ -181,12 +190,12 @@ class Adviser {
   }
 
   // Layers stay as they are: they belong to the scene.
-  [[nodiscard]] WaveLimits limits_of(const ChainQuestion& question, const Stage& stage) const {
+  [[nodiscard]] WaveLimits limits_of(const ChainQuestion& question, const Stage& stage, double stable_dt) const {
     const auto error_of = [&](double dt, double scale) -> std::optional<double> {
       if (scale != 1) return std::nullopt;
       return largest(question.with_dt(dt).total_history_errors(load_->history));
     };
-    return find_limits(error_of, stage.dt, {load_->history.period / 4, 1}, question_.error);
+    return find_limits(error_of, stage.dt, {coarsest_dt(load_->history.period, stable_dt), 1}, question_.error);
   }
 
   [[nodiscard]] double distance_for(double wavelength) const {
@@ -199,7 +208,7 @@ class Adviser {
   }
 
   [[nodiscard]] WaveAdvice of_wave(const Lattice& lattice, const Stage& stage, WaveKind kind,
-                                   const Direction& direction) const {
+                                   const Direction& direction, double stable_dt) const {
     WaveAdvice advice;
     advice.material = lattice.material.name;
     advice.kind = to_text(kind);
@@ -214,11 +223,11 @@ class Adviser {
     advice.steady = steady_errors(question, *frequency_);
     advice.asked_history = load_.has_value();
     if (load_) foretell_history(question, lattice, advice);
-    if (question_.limits) advice.limits = limits_of(question, advice);
+    if (question_.limits) advice.limits = limits_of(question, advice, stable_dt);
     return advice;
   }
 
-  [[nodiscard]] WaveLimits limits_of(const WaveQuestion& question, const WaveAdvice& advice) const {
+  [[nodiscard]] WaveLimits limits_of(const WaveQuestion& question, const WaveAdvice& advice, double stable_dt) const {
     const auto error_of = [&](double dt, double scale) -> std::optional<double> {
       WaveQuestion changed = question;
       changed.stage.dt = dt;
@@ -226,7 +235,7 @@ class Adviser {
       return load_ ? history_error(changed) : steady_error(changed);
     };
     const double period = load_ ? load_->history.period : 1 / *frequency_;
-    const CoarseBounds coarse{period / 4, advice.speed * period / 4 / advice.block_size};
+    const CoarseBounds coarse{coarsest_dt(period, stable_dt), advice.speed * period / 4 / advice.block_size};
     return find_limits(error_of, question.stage.dt, coarse, question_.error);
   }
 
@@ -243,6 +252,7 @@ class Adviser {
     return std::max(std::abs(errors->speed), std::abs(errors->amplitude));
   }
 
+  const Simulation& simulation_;
   const Model& model_;
   const ContactSet& contacts_;  // as they are followed
   const ContactSet drawn_;      // joints as drawn, along which waves are predicted

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/advice/cost.h"
+#include "engine/advice/explicit_offer.h"
 #include "engine/advice/limits.h"
 #include "engine/advice/wave_errors.h"
 #include "engine/simulation/simulation.h"
@@ -48,8 +49,10 @@ struct StageAdvice {
   double chi = 0;
   std::string solver;
   StageCost cost;
-  double damping_ratio = 0;       // of the material, at the frequency of the waves
-  std::vector<WaveAdvice> waves;  // none in static stages
+  double stable_dt = 0;  // s, up to which explicit steps are stable; 0 where steps are implicit
+  std::optional<ExplicitOffer> explicit_instead;  // where explicit steps would be cheaper than these
+  double damping_ratio = 0;                       // of the material, at the frequency of the waves
+  std::vector<WaveAdvice> waves;                  // none in static stages
 };
 
 struct Advice {

@@ -62,6 +62,10 @@ Json to_json(const WaveAdvice& wave) {
           {"limits", limits_of(wave)}};
 }
 
+Json offer_of(const std::optional<ExplicitOffer>& offer) {
+  return offer ? Json{{"dt_s", offer->dt}, {"rough_cpu_s", offer->seconds}} : Json(nullptr);
+}
+
 Json to_json(const StageAdvice& stage) {
   Json waves = Json::array();
   for (const WaveAdvice& wave : stage.waves) waves.push_back(to_json(wave));
@@ -76,6 +80,8 @@ Json to_json(const StageAdvice& stage) {
           {"solver_iterations", stage.cost.iterations},
           {"rough_cpu_s", stage.cost.seconds},
           {"sliding_cpu_s", sliding_of(stage.cost)},
+          {"stable_dt_s", stage.stable_dt > 0 ? Json(stage.stable_dt) : Json(nullptr)},
+          {"explicit_instead", offer_of(stage.explicit_instead)},
           {"damping_ratio", stage.damping_ratio},
           {"waves", waves}};
 }

@@ -147,9 +147,19 @@ void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
     text.line("stage \"{}\": as many steps to equilibrium as it needs, {}", stage.name, stage.solver);
     return;
   }
-  text.line("stage \"{}\": {} steps of {:.6g} s, {}; chi = {:.3g}, so {}", stage.name, stage.cost.steps, stage.dt,
-            stage.integrator, stage.chi, stage.solver);
-  add_cost(stage.cost, text);
+  if (stage.stable_dt > 0) {
+    text.line("stage \"{}\": {} steps of {:.6g} s, {}: explicit, stable up to {:.6g} s", stage.name, stage.cost.steps,
+              stage.dt, stage.integrator, stage.stable_dt);
+    text.line("  cost: roughly {:.2g} s of CPU time", stage.cost.seconds);
+  } else {
+    text.line("stage \"{}\": {} steps of {:.6g} s, {}; chi = {:.3g}, so {}", stage.name, stage.cost.steps, stage.dt,
+              stage.integrator, stage.chi, stage.solver);
+    add_cost(stage.cost, text);
+  }
+  if (stage.explicit_instead)
+    text.line(
+        "  would help: \"integrator\": \"central_difference\" with dt up to {:.2g} s, roughly {:.2g} s of CPU time",
+        stage.explicit_instead->dt, stage.explicit_instead->seconds);
   if (stage.damping_ratio > 0) text.line("  {}", damping_sentence(stage, *advice.frequency));
   for (const WaveAdvice& wave : stage.waves) add_wave(advice, wave, text);
 }

@@ -104,7 +104,7 @@ void Chain::fold(const LinearOperators& operators) {
 
 void Chain::set_drive(const Model& model, const WaveCorrections& waves, const std::vector<SupportElement>& supports) {
   const ChainLayer& first = path_.layers.front();
-  load_filter_ = waves.load_filter(first.block);
+  load_filter_ = waves.face_load_filter(first.block);
   if (path_.driven_as_whole) {
     push_.head<2>() = particles_;
     unit_ = path_.layers[1].impedance;

@@ -15,6 +15,7 @@ constexpr double per_cached_nonzero = 4e-10, per_nonzero = 9e-10;  // of a facto
 constexpr double per_block_factored = 5e-7;
 constexpr double simplicial_rate = 1.2e9, supernodal_rate = 6e9;  // floating-point operations a second
 constexpr double per_pcg_block = 6.5e-9;                          // a 6x6 block in an iteration
+constexpr double per_explicit_block = 7e-8;  // product, accelerations, update and energies of an explicit step
 // Where contacts can change: a step at rest looks at every contact once; a pass of the open-close iteration judges it,
 // brings its part of the matrix and of the factor up to date and solves.
 constexpr double per_contact_at_rest = 4.5e-8;
@@ -67,6 +68,14 @@ StageCost changing_cost(const SceneSize& size, const StepPlan& plan, std::int64_
   return cost;
 }
 
+// No system: a product and what is done block by block.
+StageCost explicit_cost(const SceneSize& size, std::int64_t steps) {
+  StageCost cost;
+  cost.steps = steps;
+  cost.seconds = static_cast<double>(steps) * (per_step + per_explicit_block * static_cast<double>(size.blocks));
+  return cost;
+}
+
 }  // namespace
 
 SceneSize size_of(const ContactSet& contacts, const BlockMatrix& matrix) {
@@ -78,6 +87,7 @@ SceneSize size_of(const ContactSet& contacts, const BlockMatrix& matrix) {
 
 StageCost cost_of(const SceneSize& size, const StepPlan& plan, std::int64_t steps) {
   if (plan.contacts_can_change) return changing_cost(size, plan, steps);
+  if (plan.explicit_steps) return explicit_cost(size, steps);
   StageCost cost;
   cost.steps = steps;
   const auto count = static_cast<double>(steps);

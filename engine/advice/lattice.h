@@ -58,7 +58,7 @@ struct LatticeMatrices {
 
   // The unknowns' share of a force (N) on the block, and how its history is filtered, as a run has it.
   [[nodiscard]] Vec6 load(const Vec2& offset, const Vec2& force) const;
-  [[nodiscard]] LoadFilter load_filter() const { return waves.load_filter(0); }
+  [[nodiscard]] LoadFilter load_filter() const { return waves.face_load_filter(0); }
 };
 
 // By the stage's inertia options and dt. `present` leaves out neighbours where it is false; empty: all are there.

@@ -1,5 +1,3 @@
-#include "engine/app/energy_verdict.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/app/run_verdict.h"
 #include "engine/simulation/block_system.h"
 
 namespace dda {
@@ -62,21 +61,26 @@ bool has_material_damping(const Model& model) {
   return std::ranges::any_of(model.stages, [](const Stage& stage) { return stage.material_damping.acts(); });
 }
 
-// Dampers take energy. Where a velocity jumps, as that of a support that moves off at once, steps that are too long for
-// the damping give it back, and the integrator's own losses hide that.
+// Dampers take energy. Where a support jumps within a step, those that are too long for the damping give it back, and
+// the integrator's own losses hide that. It is measured by what loads and motions brought, as what is there may be of
+// it.
 std::string gift_of_dampers(const Simulation& simulation) {
   const EnergyLedger& energy = simulation.energy();
-  if (!has_material_damping(simulation.model()) || -energy.damping < ruinous_gain * energy.scale()) return "";
+  const double brought = std::abs(energy.external_work) + std::abs(energy.gravity_work) + energy.initial_kinetic +
+                         energy.initial_strain + energy.initial_contact;
+  const double given = -energy.damping;
+  if (!has_material_damping(simulation.model()) || given < tolerated_residual * energy.scale()) return "";
+  if (given < ruinous_gain * std::min(brought, energy.scale())) return "";
   return fmt::format(
       "damping gave {:.3g} J/m, {:.2g} % of the largest energy, which it can only take: a velocity jumps, and dt is "
       "too "
       "long for the damping of what it excites; take a smaller dt, or let the velocity grow over some steps",
-      -energy.damping, 100 * -energy.damping / energy.scale());
+      given, 100 * given / energy.scale());
 }
 
 }  // namespace
 
-EnergyVerdict judge_energy(const Simulation& simulation) {
+RunVerdict judge_energy(const Simulation& simulation) {
   const EnergyLedger& energy = simulation.energy();
   const double gain = energy.gain();
   const std::string added =

@@ -49,6 +49,19 @@ SafetyQuestion question_of(const FosRequest& request, const Model& model) {
   return {time_of_loads(model), request.most, request.width};
 }
 
+SafetyReport answer(const FosRequest& request, const SafetyQuestion& question, const Model& model,
+                    std::ostream& progress) {
+  try {
+    return factor_of_safety(model, question, [&progress](const SafetyTrial& trial) {
+      progress << fmt::format("strength over {:.4g}: {}\n", trial.factor, trial.stands ? "stands" : "fails");
+      progress.flush();
+    });
+  } catch (const InputError& error) {  // of stages that the scene does not have
+    throw InputError(request.scene.string(), "in the static stages of dda fos, " + error.field(), error.value(),
+                     error.expected());
+  }
+}
+
 }  // namespace
 
 void add_fos(CLI::App& app, FosRequest& request) {
@@ -68,10 +81,7 @@ void find_factor_of_safety(const FosRequest& request, std::ostream& out, std::os
     throw InputError("", "--out", request.folder.string() + ", which is a file", "a folder");
   const Model model = read_scene(request.scene);
   const SafetyQuestion question = question_of(request, model);
-  const SafetyReport report = factor_of_safety(model, question, [&progress](const SafetyTrial& trial) {
-    progress << fmt::format("strength over {:.4g}: {}\n", trial.factor, trial.stands ? "stands" : "fails");
-    progress.flush();
-  });
+  const SafetyReport report = answer(request, question, model, progress);
   std::string text = fos_text(report, question, model);
   if (!request.folder.empty()) {
     const FolderLock lock(request.folder);

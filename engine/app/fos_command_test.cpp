@@ -42,6 +42,27 @@ TEST_F(FosCommand, FindsTheSameEveryTime) {
   EXPECT_EQ(text("one/fos.json"), text("two/fos.json"));
 }
 
+// Joints that only exist in small kinematics are looked at in these.
+TEST_F(FosCommand, FindsTheFactorOfProjectedJoints) {
+  nlohmann::json scene = nlohmann::json::parse(leaning_box);
+  scene["joints"]["default"]["law"] = "projected";
+  scene["steps"] = {{"integrator", "static"}, {"kinematics", "small"}};
+  write("scene.json", scene.dump());
+  ASSERT_EQ(call({"fos", path("scene.json"), "--width", "0.001", "--out", path("out")}).code, 0);
+  EXPECT_NEAR(nlohmann::json::parse(text("out/fos.json"))["factor_of_safety"].get<double>(), 2, 0.002);
+}
+
+// What the search does not take is said of the scene's file, and that the stages are those of the search.
+TEST_F(FosCommand, SaysWhatTheSearchDoesNotTake) {
+  nlohmann::json scene = nlohmann::json::parse(leaning_box);
+  scene["gravity"] = 9.81;
+  scene["blocks"][1]["polygon"]["vertices"] = {{-2, 0}, {4, 0}, {4, 1}, {-2, 1}};
+  scene["viscous_boundaries"] = {{{"edge", "left"}, {"free_field", true}}, {{"edge", "right"}, {"free_field", true}}};
+  write("scene.json", scene.dump());
+  expect_refusal({"fos", path("scene.json"), "--out", path("out")},
+                 path("scene.json") + ": in the static stages of dda fos, ");
+}
+
 TEST_F(FosCommand, RefusesWhatIsWrongBeforeItWritesAnything) {
   write("scene.json", leaning_box);
   expect_refusal({"fos", path("none.json")}, "the scene file is missing");

@@ -15,11 +15,11 @@
 
 #include "engine/advice/remarks.h"
 #include "engine/app/branch_origin.h"
-#include "engine/app/energy_verdict.h"
 #include "engine/app/frame_clock.h"
 #include "engine/app/run_files.h"
 #include "engine/app/run_position.h"
 #include "engine/app/run_request.h"
+#include "engine/app/run_verdict.h"
 #include "engine/app/run_warnings.h"
 #include "engine/app/stop_signal.h"
 #include "engine/core/error.h"
@@ -58,7 +58,7 @@ class Run {
         clock_(options.profile ? std::make_unique<PhaseClock>() : nullptr),
         setting_up_(Phase::set_up),
         scene_text_(scene_text(options.scene)),
-        simulation_(parse_scene(scene_text_, options.scene.string(), options.scene.parent_path())),
+        simulation_(simulation_of_scene()),
         begun_from_(begin_from_origin()),
         probes_(checked_probes()),
         lock_(checked_folder()),
@@ -71,10 +71,11 @@ class Run {
     const StopSignal stop_signal;
     prepare_folder();
     RunFiles files(simulation_, probes_, file_options(), resumed_);
+    call_at_ends_of_stages([&] { files.at_end_of_stage(); }, simulation_);
     call_between_stages([&] { files.after_stage(); }, simulation_);
     if (!options_.quiet) announce(out);
     Status status = step_to_the_end(files);
-    const EnergyVerdict verdict = judge_energy(simulation_);
+    const RunVerdict verdict = judge_run(simulation_);
     if (status == Status::ok) status = verdict.status;
     const std::string message = reason(status, verdict);
     finish(files, status, message);
@@ -87,6 +88,14 @@ class Run {
   }
 
  private:
+  [[nodiscard]] Simulation simulation_of_scene() const {
+    try {
+      return Simulation(parse_scene(scene_text_, options_.scene.string(), options_.scene.parent_path()));
+    } catch (const InputError& error) {
+      throw error.in_file(options_.scene.string());
+    }
+  }
+
   // How many stages were done before this run.
   std::size_t begin_from_origin() {
     if (!options_.from) return 0;
@@ -201,7 +210,7 @@ class Run {
     return status;
   }
 
-  [[nodiscard]] std::string reason(Status status, const EnergyVerdict& verdict) const {
+  [[nodiscard]] std::string reason(Status status, const RunVerdict& verdict) const {
     if (status == Status::ok) return warnings(verdict.message);
     if (status == Status::stopped) return "stopped by the user; --resume goes on";
     if (status == verdict.status) return fmt::format("{}: {}", to_string(status), verdict.message);
@@ -239,8 +248,11 @@ class Run {
     summary.wall_s = wall_seconds() - began_;
     summary.phases = phases_;
     summary.stages = stage_spans(simulation_.model());
+    for (std::size_t i = 0; i < summary.stages.size(); ++i)
+      summary.stages[i].stable_dt_s = simulation_.stability_limit(i);
     summary.out_of_balance = static_stages();
-    summary.solver = to_string(simulation_.plan().solver);
+    const StepPlan& plan = simulation_.plan();
+    summary.solver = plan.explicit_steps ? "explicit" : to_string(plan.solver);
     summary.blocks =
         static_cast<std::int64_t>(simulation_.model().blocks.size()) - std::ranges::count(simulation_.absent(), true);
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());

@@ -82,8 +82,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
       columns_(columns_of(simulation.model())),
       values_(columns_.size()),
       energies_every_(std::max(options_.rows_every, simulation.steps_in_all_stages() / most_energy_rows)),
-      settles_(simulation.is_settling()),
-      stages_done_(stages_done(simulation)) {
+      settles_(simulation.is_settling()) {
   std::filesystem::create_directories(options_.folder);
   const auto rows = [&](std::int64_t RunPosition::*count) {
     return resumed ? std::optional((*resumed).*count) : std::nullopt;
@@ -126,20 +125,25 @@ void RunFiles::follow_peaks(const std::optional<RunPosition>& resumed) {
 }
 
 // A stage that paces itself has a row and a frame of its end alone. The stage before it has those of its own end, which
-// are of the same time: with them a run that begins from there starts.
+// are of the same time.
 void RunFiles::after_step() {
   if (peaks_) peaks_->after_step(simulation_);
-  const std::size_t done = stages_done(simulation_);
-  if (!settles_ || done > stages_done_) {
-    const std::int64_t step = simulation_.state().step;
-    if (settles_ || step % options_.rows_every == 0) sample();
-    if (settles_ || step % energies_every_ == 0) sample_energies();
-    write_frame_when_due();
-  }
+  if (!settles_ && simulation_.state().step != ended_step_) write_what_is_due();
   settles_ = simulation_.is_settling();
-  stages_done_ = done;
   const std::chrono::duration<double> since_checkpoint = std::chrono::steady_clock::now() - last_checkpoint_;
   if (since_checkpoint.count() > options_.checkpoint_interval) write_checkpoint();
+}
+
+void RunFiles::at_end_of_stage() {
+  ended_step_ = simulation_.state().step;
+  write_what_is_due();
+}
+
+void RunFiles::write_what_is_due() {
+  const std::int64_t step = simulation_.state().step;
+  if (settles_ || step % options_.rows_every == 0) sample();
+  if (settles_ || step % energies_every_ == 0) sample_energies();
+  write_frame_when_due();
 }
 
 void RunFiles::sample() {

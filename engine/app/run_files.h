@@ -43,6 +43,10 @@ class RunFiles {
   // To be called after every step: writes the row, frame and checkpoint that are due.
   void after_step();
 
+  // To be called at the end of every stage (call_at_ends_of_stages), within its last step: writes the row and the frame
+  // that are due of that step while all is there that they show.
+  void at_end_of_stage();
+
   // To be called between two stages and after the last one. Keeps the state between two for other runs to begin from.
   void after_stage();
 
@@ -58,6 +62,7 @@ class RunFiles {
  private:
   void open_bolt_frames();
   void follow_peaks(const std::optional<RunPosition>& resumed);
+  void write_what_is_due();
   void sample();
   void sample_energies();
   [[nodiscard]] RunPosition position() const;
@@ -81,7 +86,7 @@ class RunFiles {
   std::vector<double> frame_times_;
   std::optional<FrameClock> frame_clock_;
   bool settles_ = false;            // after the last step, see Simulation::is_settling()
-  std::size_t stages_done_ = 0;     // after the last step
+  std::int64_t ended_step_ = -1;    // the last of a stage
   std::int64_t written_step_ = -1;  // of the last row
   std::chrono::steady_clock::time_point last_checkpoint_;
 };

@@ -199,8 +199,9 @@ std::string removal_of(const Model& model, const Stage& stage) {
                      stage.removal.relaxation ? "; what they exerted on the others fades" : ", at once");
 }
 
-void add_stage(const Model& model, std::size_t index, const ContactSet& contacts, const BlockMatrix& matrix,
-               Text& text) {
+void add_stage(const Simulation& simulation, std::size_t index, const BlockMatrix& matrix, Text& text) {
+  const Model& model = simulation.model();
+  const ContactSet& contacts = simulation.contacts();
   const Stage& stage = model.stages[index];
   const BlockTerms terms = make_block_terms(model, stage);
   const double dt = first_step(model, stage, contacts.can_change);
@@ -212,6 +213,11 @@ void add_stage(const Model& model, std::size_t index, const ContactSet& contacts
   const auto put_in = std::ranges::count(model.bolts, static_cast<int>(index), &Bolt::first_stage);
   if (index > 0 && put_in > 0) text.plain(fmt::format("  puts in {}", count(static_cast<std::size_t>(put_in), "bolt")));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
+  if (const double limit = simulation.stability_limit(index); limit > 0)
+    text.plain(fmt::format("  stable: up to dt = {:.6g} s, of which this is {:.3g} %", limit, 100 * stage.dt / limit));
+  if (const MaterialDamping& damping = stage.material_damping; damping.acts())
+    text.plain(fmt::format("  damping of the material: {:.4g} 1/s of inertia, {:.4g} s of stiffness", damping.mass,
+                           damping.stiffness));
   for (const std::string& line : warn_of_recordings(model, index)) text.plain("  " + line);
 }
 
@@ -266,7 +272,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   if (const Simulation* columns = simulation.free_field_columns()) add_free_field(model, *columns, text);
   add_size(model, contacts, matrix, text);
   for (const std::string& remark : remarks_on(model, contacts)) text.line("remark", "{}", remark);
-  for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(model, i, contacts, matrix, text);
+  for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(simulation, i, matrix, text);
   add_waves(simulation, frequency, text);
   return text.take();
 }

@@ -118,7 +118,7 @@ PeriodRange range_of(const SpectrumRequest& request, const MotionRecord& record)
 std::string heading(const std::vector<double>& ratios) {
   std::string line = "period [s],frequency [Hz]";
   for (const double ratio : ratios)
-    line += fmt::format(",Sd {0:.6g} % [m],Sv {0:.6g} % [m/s],Sa {0:.6g} % [m/s2]", 100 * ratio);
+    line += fmt::format(",Sd {0:.12g} % [m],Sv {0:.12g} % [m/s],Sa {0:.12g} % [m/s2]", 100 * ratio);
   return line + "\n";
 }
 
@@ -196,7 +196,11 @@ void write_spectrum(const SpectrumRequest& request, std::ostream& out) {
   const std::filesystem::path file = request.file.empty() ? request.folder / spectrum_name : request.file;
   check_name(file);
   std::vector<double> ratios;
-  for (const std::string& text : request.damping) ratios.push_back(damping_of(text));
+  for (const std::string& text : request.damping) {
+    ratios.push_back(damping_of(text));
+    if (std::ranges::count(ratios, ratios.back()) > 1)
+      throw InputError("", "--damping", text + " a second time", "shares that differ, like 0.05,0.02");
+  }
   const std::size_t count = count_of(request.count);
   const MotionRecord record = record_of(request);
   const PeriodRange range = range_of(request, record);
@@ -204,7 +208,7 @@ void write_spectrum(const SpectrumRequest& request, std::ostream& out) {
   write_file(file, table_of(record, spaced_evenly_in_logarithm(range, count), ratios, peaks));
   out << fmt::format("{}: {} periods from {:.4g} to {:.4g} s\n", file.string(), count, range.shortest, range.longest);
   for (std::size_t i = 0; i < ratios.size(); ++i)
-    out << fmt::format("damping {:.6g} %: Sa is largest at {:.4g} s, {:.4g} m/s2\n", 100 * ratios[i], peaks[i].period,
+    out << fmt::format("damping {:.12g} %: Sa is largest at {:.4g} s, {:.4g} m/s2\n", 100 * ratios[i], peaks[i].period,
                        peaks[i].acceleration);
   out << unresolved(range, resolved_periods(record.times));
 }

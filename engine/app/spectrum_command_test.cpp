@@ -101,7 +101,7 @@ TEST_F(Spectrum, Refuses) {
   refuse({"--measurement", "b"},
          "--measurement is \"b\", expected a displacement, velocity or acceleration of the run");
   refuse({"--measurement", "force"}, "--measurement is \"force\" in Pa, expected a displacement");
-  for (const char* bad : {"1", "-0.1", "nan", "x", "0.05,2"})
+  for (const char* bad : {"1", "-0.1", "nan", "x", "0.05,2", "0.05,5 %"})
     refuse({"--measurement", "a", "--damping", bad}, "--damping");
   for (const char* bad : {"", "1", "2,1", "0,1", "1,2,3", "1Hz,2Hz", "-1,1", "1e-300,1"})
     refuse({"--measurement", "a", "--periods", bad}, "--periods");

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/contact/pair_motion.h"
 #include "engine/geometry/box_pairs.h"
 
 namespace dda {
@@ -31,6 +30,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 ContactSearch::ContactSearch(const Model& model, const State& state) : outlines_(make_outlines(model, state)) {
   for (const Block& block : model.blocks) sizes_.push_back(std::sqrt(block.moments.area));
+  smallest_size_ = *std::min_element(sizes_.begin(), sizes_.end());
   room_.assign(sizes_.size(), 0);
   list_pairs();
 }
@@ -76,10 +76,23 @@ void ContactSearch::forget_slowly() {
   for (double& each : wider_) fade(each, 0.0);
 }
 
+MovingBox ContactSearch::moving_box(int block, const Model& model, const State& state, const Eigen::VectorXd& d) const {
+  return {outlines_.boxes[at(block)], current_centroid(model, state, block), d.segment<6>(6 * block)};
+}
+
+double ContactSearch::largest_motion(const Eigen::VectorXd& d) const {
+  double largest = 0;
+  for (int i = 0; i < outlines_.blocks(); ++i) {
+    if (is_absent(at(i))) continue;
+    const Vec6 own = d.segment<6>(6 * i);
+    const Box& box = outlines_.boxes[at(i)];
+    largest = std::max(largest, own.head<2>().norm() + own.tail<4>().lpNorm<1>() * (box.upper - box.lower).norm());
+  }
+  return largest;
+}
+
 bool ContactSearch::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
-  const auto moving = [&](int block) {
-    return MovingBox{outlines_.boxes[at(block)], current_centroid(model, state, block), d.segment<6>(6 * block)};
-  };
+  const auto moving = [&](int block) { return moving_box(block, model, state, d); };
   bool wider = false;
   std::vector<double> motion(sizes_.size());
   for (int i = 0; i < outlines_.blocks(); ++i) {

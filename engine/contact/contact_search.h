@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/contact/outlines.h"
+#include "engine/contact/pair_motion.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
@@ -27,6 +28,9 @@ class ContactSearch {
   // Follows the blocks. Contacts are found from further away by `lift` (m), the most by which dilation holds some open.
   // Returns true when the list of pairs was made anew.
   bool update(const Model& model, const State& state, double lift = 0);
+
+  // Contacts are chosen for what the velocities of `state` make of the next `time`, s.
+  void foresee(const Model& model, const State& state, double time) { foresee_motion(model, state, time, outlines_); }
 
   // Blocks that are absent touch nothing from now on; `absent` says so of each.
   void leave_out(const std::vector<bool>& absent);
@@ -44,13 +48,18 @@ class ContactSearch {
   // A contact is found while its gap is below this share of the smaller block's size, or what `widen` made of that.
   static constexpr double reach = 0.02;
 
+  [[nodiscard]] double smallest_size() const { return smallest_size_; }
+
+  // At least the largest displacement (m) of any point that increments `d` make.
+  [[nodiscard]] double largest_motion(const Eigen::VectorXd& d) const;
+
   // Looks at what increments `d` (6 a block) make of the geometry of `state`, which must be the one of the last update.
   // True when contacts could be missed in that motion: the next update and find then look far enough for it.
   bool widen(const Model& model, const State& state, const Eigen::VectorXd& d);
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [outlines, sizes, absent, lift, grown, room, must_list, just_widened, pairs, wider] = self;
+    auto& [outlines, sizes, smallest_size, absent, lift, grown, room, must_list, just_widened, pairs, wider] = self;
     archive.each(grown);
     archive(room, must_list, just_widened, pairs,
             wider);  // sizes are the drawing's; what is absent follows from the stage; outlines and lift are brought
@@ -61,10 +70,12 @@ class ContactSearch {
   void list_pairs();
   void forget_slowly();
   [[nodiscard]] double reach_of(std::size_t pair) const;
+  [[nodiscard]] MovingBox moving_box(int block, const Model& model, const State& state, const Eigen::VectorXd& d) const;
   [[nodiscard]] bool is_absent(std::size_t block) const { return !absent_.empty() && absent_[block]; }
 
   Outlines outlines_;
   std::vector<double> sizes_;
+  double smallest_size_ = 0;
   std::vector<bool> absent_;  // empty where no block is
   double lift_ = 0;
   std::vector<Box> grown_;    // boxes of the broad phase

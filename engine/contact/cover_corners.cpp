@@ -55,6 +55,14 @@ bool is_at(const CoverEnd& end, double round_off) {
   return end.cover->beyond > 0 || (end.cover->beyond == 0 && end.gap() >= -round_off);
 }
 
+// How long a cover keeps the blocks apart in the foreseen motion: those that do to its end, by their gap then; those
+// that close, by when; those that are closed, by their gap. Without motion the order of gaps.
+std::pair<int, double> stay(const CoverEnd& end) {
+  const double gap = end.gap(), coming = end.cover->coming_gap;
+  if (gap <= 0) return {0, gap};
+  return coming < 0 ? std::pair(1, gap / (gap - coming)) : std::pair(2, coming);
+}
+
 // Whether a cover whose end is reached still counts among the others of its corner.
 bool counts_at(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
   bool is_farthest = end.gap() >= -round_off;
@@ -62,9 +70,9 @@ bool counts_at(const CoverEnd& end, double round_off, std::span<const CoverEnd> 
     if (other.cover == end.cover) continue;
     if (make_a_reflex_corner(end, other)) return true;
     if (!other.cover->counts || !other.is_near()) continue;
-    const bool is_first = other.gap() == end.gap() && &other < &end;
+    const bool is_first = stay(other) == stay(end) && &other < &end;
     const bool takes_its_place = end.cover->beyond > 0 && other.cover->beyond <= 0 && are_parallel(other, end);
-    if (other.gap() > end.gap() || is_first || takes_its_place) is_farthest = false;
+    if (stay(other) > stay(end) || is_first || takes_its_place) is_farthest = false;
   }
   return is_farthest;
 }

@@ -1,9 +1,11 @@
 // Which covers count where the entrance block has a corner: where a vertex of one block meets a vertex of the other.
 //
 // The covers that end in a corner go on beyond it, and a step may lead over it. At a convex corner the blocks are apart
-// as soon as one cover says so: the one with the largest gap counts. At a reflex corner, which a vertex in a notch
-// makes, they are apart only if both say so: both count. Two covers in line, of corners above each other, are one, and
-// so are the ends of a common stretch that is shorter than the blocks are pressed in.
+// as soon as one cover says so: the one with the largest gap counts, and where the foreseen motion of the step closes
+// gaps the one that stays open, or is the last to close: that is what the blocks meet. A block that slides off a ledge
+// would hit the upright side of a block further down that it passes over within the step. At a reflex corner, which a
+// vertex in a notch makes, they are apart only if both say so: both count. Two covers in line, of corners above each
+// other, are one, and so are the ends of a common stretch that is shorter than the blocks are pressed in.
 #pragma once
 
 #include <vector>

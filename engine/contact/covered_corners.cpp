@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/contact/pair_motion.h"
+#include "engine/geometry/segment.h"
+
 namespace dda {
 namespace {
 
@@ -70,34 +73,114 @@ class CoveredCorners {
   std::vector<std::pair<int, std::size_t>> by_block_;
 };
 
-// The end of the contact's edge that its vertex is at, where the blocks share no more than corners; else -1.
+std::pair<int, int> blocks_of(const VertexContact& contact) {
+  return std::minmax(contact.edge_block, contact.vertex_block);
+}
+
+// Whether they are sorted in.
+bool contains(const std::vector<std::pair<int, int>>& pairs, const std::pair<int, int>& pair) {
+  return std::binary_search(pairs.begin(), pairs.end(), pair);
+}
+
+// The least distance (m) of a vertex from another one on the way that is foreseen for the step.
+double least_distance(const Outlines& outlines, int vertex, int other) {
+  const Vec2 apart = outlines.current[at(vertex)] - outlines.current[at(other)];
+  const Vec2 way = outlines.coming[at(vertex)] - outlines.coming[at(other)];
+  const double squared = way.squaredNorm();
+  const double share = squared > 0 ? std::clamp(-apart.dot(way) / squared, 0.0, 1.0) : 0;
+  return (apart + share * way).norm();
+}
+
+// The end of the contact's edge that its vertex is at, or comes past, where the blocks share no more than corners; else
+// -1.
 int shared_corner(const Outlines& outlines, const VertexContact& contact, double near) {
   const int end = outlines.next[at(contact.edge)];
-  const Vec2& vertex = outlines.current[at(contact.vertex)];
   for (const int corner : {contact.edge, end})
-    if ((outlines.current[at(corner)] - vertex).norm() <= near && common_length(outlines, contact) <= near)
+    if (least_distance(outlines, contact.vertex, corner) <= near && common_length(outlines, contact) <= near)
       return corner;
   return -1;
 }
 
+// A corner of a block and the edges that meet there, as increments of the blocks move them.
+class MovedCorner {
+ public:
+  MovedCorner(const Outlines& outlines, int block, int corner, const std::vector<Vec2>& centroids,
+              const Eigen::VectorXd& d) {
+    const Vec6 increments = d.segment<6>(6 * block);
+    const auto moved = [&](int vertex) -> Vec2 {
+      const Vec2& place = outlines.current[at(vertex)];
+      return place + displacement_of(increments, place - centroids[at(block)]);
+    };
+    before_ = moved(outlines.previous[at(corner)]);
+    place_ = moved(corner);
+    after_ = moved(outlines.next[at(corner)]);
+  }
+
+  [[nodiscard]] const Vec2& place() const { return place_; }
+
+  // How deep a point near the corner is in the block, m; negative outside.
+  [[nodiscard]] double depth_of(const Vec2& point) const {
+    const Vec2 in = place_ - before_, out = after_ - place_;
+    const double behind_in = cross(in, point - place_) / in.norm(),
+                 behind_out = cross(out, point - place_) / out.norm();
+    return cross(in, out) > 0 ? std::min(behind_in, behind_out) : std::max(behind_in, behind_out);
+  }
+
+ private:
+  Vec2 before_, place_, after_;
+};
+
+int nearer_end(const Outlines& outlines, const VertexContact& contact) {
+  const Vec2& vertex = outlines.current[at(contact.vertex)];
+  const int end = outlines.next[at(contact.edge)];
+  const bool at_end =
+      (outlines.current[at(end)] - vertex).norm() < (outlines.current[at(contact.edge)] - vertex).norm();
+  return at_end ? end : contact.edge;
+}
+
 }  // namespace
 
-void take_out_covered(const Outlines& outlines, const std::vector<double>& size, const std::vector<Carrier>& joints,
-                      std::vector<VertexContact>& found) {
+std::vector<VertexContact> take_out_covered(const Outlines& outlines, const std::vector<double>& size,
+                                            const std::vector<Carrier>& joints,
+                                            const std::vector<std::pair<int, int>>& uncovered,
+                                            std::vector<VertexContact>& found) {
   std::vector<std::pair<std::size_t, int>> corners;
   for (std::size_t i = 0; i < found.size(); ++i) {
+    if (contains(uncovered, blocks_of(found[i]))) continue;
     const double near = in_line * std::min(size[at(found[i].edge_block)], size[at(found[i].vertex_block)]);
     const int corner = shared_corner(outlines, found[i], near);
     if (corner >= 0) corners.emplace_back(i, corner);
   }
-  if (corners.empty()) return;
+  std::vector<VertexContact> taken;
+  if (corners.empty()) return taken;
   const CoveredCorners covered(outlines, size, joints, found);
   std::vector<char> out(found.size(), 0);
   for (const auto& [i, corner] : corners) out[i] = covered.cover(found[i], corner) ? 1 : 0;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (out[i] == 0) found[kept++] = found[i];
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (out[i] != 0)
+      taken.push_back(found[i]);
+    else
+      found[kept++] = found[i];
+  }
   found.resize(kept);
+  return taken;
+}
+
+std::vector<std::pair<int, int>> pressed_into_each_other(const Outlines& outlines, const std::vector<double>& size,
+                                                         const std::vector<VertexContact>& covered,
+                                                         const std::vector<Vec2>& centroids, const Eigen::VectorXd& d) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const VertexContact& contact : covered) {
+    const double near = in_line * std::min(size[at(contact.edge_block)], size[at(contact.vertex_block)]);
+    const MovedCorner of_vertex(outlines, contact.vertex_block, contact.vertex, centroids, d);
+    const MovedCorner of_edge(outlines, contact.edge_block, nearer_end(outlines, contact), centroids, d);
+    if (std::max(of_edge.depth_of(of_vertex.place()), of_vertex.depth_of(of_edge.place())) > near)
+      pairs.push_back(blocks_of(contact));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
 }
 
 }  // namespace dda

@@ -6,9 +6,16 @@
 //        |______w____         come along the common side of B and D, and its corner passes w. In the same way D cannot
 //           C   |  D          hit A's side where C carries D in line with it.
 //
+// The same goes for a corner that slides along B on to D, within a step: on its way it meets no side of D.
+//
 // Left in, such contacts hang a block of a regular grid up on its neighbours, whatever the friction.
+//
+// That holds for where the blocks are. A step that opens the joints between moves such corners into each other all the
+// same: they are looked at with its motion, and count as contacts from then on if so.
 #pragma once
 
+#include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/outlines.h"
@@ -28,8 +35,17 @@ struct Carrier {
 // penetration that a run warns of.
 inline constexpr double in_line = 1e-3;
 
-// Takes them out of `found`, which stays sorted. `size`: of each block, m. `joints`: carriers besides `found`.
-void take_out_covered(const Outlines& outlines, const std::vector<double>& size, const std::vector<Carrier>& joints,
-                      std::vector<VertexContact>& found);
+// Takes them out of `found`, which stays sorted, and returns them. `size`: of each block, m. `joints`: carriers besides
+// `found`. Those between the pairs of blocks `uncovered` (smaller first, sorted) stay.
+std::vector<VertexContact> take_out_covered(const Outlines& outlines, const std::vector<double>& size,
+                                            const std::vector<Carrier>& joints,
+                                            const std::vector<std::pair<int, int>>& uncovered,
+                                            std::vector<VertexContact>& found);
+
+// The pairs (smaller first, sorted) whose corners, covered at the start of a step, are deeper in each other than
+// `in_line` says after increments `d` (6 a block). `centroids`: of all blocks at the start, m.
+std::vector<std::pair<int, int>> pressed_into_each_other(const Outlines& outlines, const std::vector<double>& size,
+                                                         const std::vector<VertexContact>& covered,
+                                                         const std::vector<Vec2>& centroids, const Eigen::VectorXd& d);
 
 }  // namespace dda

@@ -41,7 +41,7 @@ struct Corners {
     std::vector<Carrier> joints;
     std::vector<VertexContact> found = search.find(bonded);
     if (with_joints) move_to_joints(search.outlines(), found, joints);
-    take_out_covered(search.outlines(), search.sizes(), joints, found);
+    take_out_covered(search.outlines(), search.sizes(), joints, {}, found);
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     std::set<std::pair<int, int>> pairs;
     for (const VertexContact& contact : found)
@@ -107,6 +107,38 @@ TEST(CoveredCorners, AreThoseOfThirdBlocksAlone) {
   gap.there[lower_left] = true;
   gap.shift[lower_left] = {-1.5e-3, 0};
   EXPECT_TRUE(has_diagonal(gap.pairs())) << "carried from below, on both sides of a gap";
+}
+
+// Looked at with the motion of a step, in which they go at each other by more than sides in line can differ.
+TEST(CoveredCorners, AreUncoveredByAStepThatPressesThemIntoEachOther) {
+  const std::vector<Vec2> low{{-1, 0}, {0, 0}, {-1, -1}, {0, -1}};
+  std::vector<Polygon> boxes;
+  for (const Vec2& corner : low)
+    boxes.push_back({box_ring(corner.x(), corner.y(), corner.x() + 1, corner.y() + 1), {}});
+  const Model model = model_of(boxes);
+  const ContactSearch search(model, initial_state(model));
+  std::vector<VertexContact> found = search.find({});
+  const std::size_t all = found.size();
+  const auto covered = take_out_covered(search.outlines(), search.sizes(), {}, {}, found);
+  ASSERT_EQ(covered.size() + found.size(), all);
+  ASSERT_FALSE(covered.empty());
+  std::vector<Vec2> centroids;
+  for (const Block& block : model.blocks) centroids.push_back(block.moments.centroid);
+  const auto pressed = [&](const Vec2& of_upper_left) {
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(24);
+    d.head<2>() = of_upper_left;
+    return pressed_into_each_other(search.outlines(), search.sizes(), covered, centroids, d);
+  };
+  EXPECT_TRUE(pressed({0.9e-3, -0.9e-3}).empty());
+  EXPECT_TRUE(pressed({0.1, 0.1}).empty()) << "along its neighbour below";
+  EXPECT_TRUE(pressed({-0.1, -0.1}).empty()) << "away from both";
+  const auto two = pressed({1.1e-3, -1.2e-3});
+  ASSERT_EQ(two.size(), 1U);
+  EXPECT_EQ(two[0], std::pair(upper_left, lower_right));
+  const std::size_t before = found.size();
+  found = search.find({});
+  take_out_covered(search.outlines(), search.sizes(), {}, two, found);
+  EXPECT_GT(found.size(), before) << "those of the pair stay";
 }
 
 TEST(CoveredCorners, LedgesCarry) {

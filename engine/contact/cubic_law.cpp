@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/block_across.h"
+
 namespace dda {
 namespace {
-
-const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
 
 // True when the interface runs across the centroid line of two blocks that reach equally far from it.
 bool is_square_to_chain(const Model& model, const Interface& interface) {
@@ -25,6 +25,91 @@ bool is_square_to_chain(const Model& model, const Interface& interface) {
          std::abs(block_of(model, interface.block_a).moments.area - slice) < 1e-6 * slice &&
          std::abs(block_of(model, interface.block_b).moments.area - slice) < 1e-6 * slice;
 }
+
+// Which blocks belong to a chain whose sides are free: strains across it follow from those along it only where nothing
+// presses or holds the sides. Blocks pass strains across on to their neighbours, so what touches one side of one block
+// concerns the whole chain.
+class ChainBlocks {
+ public:
+  ChainBlocks(const Model& model, const std::vector<Interface>& interfaces)
+      : model_(model),
+        outward_(model.blocks.size(), Vec2::Zero()),
+        neighbours_(model.blocks.size()),
+        in_chain_(model.blocks.size(), true) {
+    for (const Interface& interface : interfaces) {
+      add(interface.block_a, interface.block_b, -interface.normal, interface.length);
+      add(interface.block_b, interface.block_a, interface.normal, interface.length);
+    }
+    for (const HeldBlock& held : model.held_blocks) leave(held.block);
+    for (const EdgeLoad& load : model.edge_loads) touch_along(load.block, load.to - load.from);
+    for (const ViscousEdge& edge : model.viscous_edges) touch_along(edge.block, edge.to - edge.from);
+    for (const PointLoad& load : model.point_loads) touch_at(load.block, load.point, across(load));
+    for (const PointSupport& support : model.supports) touch_at(support.block, support.point, across(support));
+  }
+
+  [[nodiscard]] bool has(int block) const { return in_chain_[at(block)]; }
+
+ private:
+  static constexpr double angle_tolerance = 1e-6;
+
+  static std::size_t at(int block) { return static_cast<std::size_t>(block); }
+
+  void leave(int block) { in_chain_[at(block)] = false; }
+
+  void leave_with_chain(int first) {
+    std::vector<int> waiting = {first};
+    while (!waiting.empty()) {
+      const int block = waiting.back();
+      waiting.pop_back();
+      if (!has(block)) continue;
+      leave(block);
+      const std::vector<int>& next = neighbours_[at(block)];
+      waiting.insert(waiting.end(), next.begin(), next.end());
+    }
+  }
+
+  // `outward`: along the chain, away from this neighbour.
+  void add(int block, int neighbour, const Vec2& outward, double length) {
+    Vec2& known = outward_[at(block)];
+    if (known.isZero()) known = outward;
+    neighbours_[at(block)].push_back(neighbour);
+    if (length == 0 || std::abs(known.dot(outward)) <= 1 - 1e-12) leave(block);
+  }
+
+  void touch_along(int block, const Vec2& edge) {
+    if (std::abs(outward_[at(block)].dot(edge.normalized())) > angle_tolerance) leave_with_chain(block);
+  }
+
+  // A force across the chain strains a block that way, unless it acts on the chain's axis or on its end face.
+  void touch_at(int block, const Vec2& point, bool acts_across) {
+    if (!acts_across) return;
+    const AreaMoments& moments = block_of(model_, block).moments;
+    const Vec2& along = outward_[at(block)];
+    const Vec2 offset = point - moments.centroid;
+    const double tolerance = angle_tolerance * std::sqrt(moments.area);
+    const double face = extent_along(block_of(model_, block).shape.outer, along) / 2;
+    const bool on_end_face = neighbours_[at(block)].size() == 1 && offset.dot(along) > face - tolerance;
+    if (std::abs(offset.dot(along.unitOrthogonal())) > tolerance && !on_end_face) leave_with_chain(block);
+  }
+
+  [[nodiscard]] bool is_across(int block, const Vec2& direction) const {
+    const Vec2& along = outward_[at(block)];
+    return !along.isZero() && std::abs(along.unitOrthogonal().dot(direction)) > angle_tolerance * direction.norm();
+  }
+
+  [[nodiscard]] bool across(const PointLoad& load) const { return is_across(load.block, load.force); }
+
+  [[nodiscard]] bool across(const PointSupport& support) const {
+    if (!support.direction.isZero()) return is_across(support.block, support.direction);
+    return (support.holds_x && is_across(support.block, Vec2::UnitX())) ||
+           (support.holds_y && is_across(support.block, Vec2::UnitY()));
+  }
+
+  const Model& model_;
+  std::vector<Vec2> outward_;  // along the chain, away from the first neighbour; zero where there is none
+  std::vector<std::vector<int>> neighbours_;
+  std::vector<bool> in_chain_;
+};
 
 }  // namespace
 
@@ -45,27 +130,14 @@ double side_free_ratio(const Material& material) {
 }
 
 std::vector<bool> cubic_candidates(const Model& model, const std::vector<Interface>& interfaces) {
-  std::vector<Vec2> chain(model.blocks.size(), Vec2::Zero());  // direction of the chain through each block
-  std::vector<bool> in_chain(model.blocks.size(), true);
-  const auto touch_side = [&](int block, const Vec2& along_edge) {
-    const auto i = static_cast<std::size_t>(block);
-    if (std::abs(chain[i].dot(along_edge.normalized())) > 1e-6) in_chain[i] = false;
-  };
-  for (const Interface& interface : interfaces) {
-    for (const int block : {interface.block_a, interface.block_b}) {
-      const auto i = static_cast<std::size_t>(block);
-      if (chain[i].isZero()) chain[i] = interface.normal;
-      in_chain[i] = in_chain[i] && interface.length > 0 && std::abs(chain[i].dot(interface.normal)) > 1 - 1e-12;
-    }
-  }
-  for (const HeldBlock& held : model.held_blocks) in_chain[static_cast<std::size_t>(held.block)] = false;
-  for (const EdgeLoad& load : model.edge_loads) touch_side(load.block, load.to - load.from);
-  for (const ViscousEdge& edge : model.viscous_edges) touch_side(edge.block, edge.to - edge.from);
+  const auto is_cubic = [](const JointMaterial& joint) { return joint.law == InterfaceLaw::cubic; };
+  if (std::ranges::none_of(model.joints, is_cubic)) return std::vector<bool>(interfaces.size(), false);
+  const ChainBlocks chains(model, interfaces);
   std::vector<bool> candidates;
   for (const Interface& interface : interfaces) {
-    const auto a = static_cast<std::size_t>(interface.block_a);
-    const auto b = static_cast<std::size_t>(interface.block_b);
-    candidates.push_back(in_chain[a] && in_chain[b] && model.blocks[a].material == model.blocks[b].material &&
+    const Block& a = block_of(model, interface.block_a);
+    const Block& b = block_of(model, interface.block_b);
+    candidates.push_back(chains.has(interface.block_a) && chains.has(interface.block_b) && a.material == b.material &&
                          is_square_to_chain(model, interface));
   }
   return candidates;

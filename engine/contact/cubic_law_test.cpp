@@ -157,11 +157,39 @@ TEST(CubicCandidates, NotBesideAnotherMaterialOrALoadedSide) {
   EXPECT_EQ(laws_of(mixed), (std::vector{InterfaceLaw::cubic, InterfaceLaw::cubic, InterfaceLaw::consistent}));
   Model loaded = cubic_bar();
   loaded.edge_loads.push_back({0, Vec2(0, 1), Vec2(1, 1), Vec2(0, -1), {}});
-  EXPECT_EQ(laws_of(loaded), (std::vector{InterfaceLaw::consistent, InterfaceLaw::cubic, InterfaceLaw::cubic}));
+  EXPECT_EQ(laws_of(loaded), std::vector(3, InterfaceLaw::consistent));
   Model pushed = cubic_bar();
   pushed.edge_loads.push_back({0, Vec2(0, 1), Vec2(0, 0), Vec2(1, 0), {}});
   pushed.viscous_edges.push_back({3, Vec2(4, 0), Vec2(4, 1), 1, 1});
   EXPECT_EQ(laws_of(pushed), std::vector(3, InterfaceLaw::cubic));
+}
+
+// A bar turned by `angle` with one support at (x, y) of its own axes that holds along (along, across).
+Model supported_bar(double angle, const Vec2& point, const Vec2& direction) {
+  Model model = cubic_bar();
+  place(model, angle, Vec2(3, 4));
+  PointSupport support;
+  support.block = std::clamp(static_cast<int>(point.x()), 0, 3);
+  support.point = rotation(angle) * point + Vec2(3, 4);
+  support.stiffness = 1e9;
+  support.direction = rotation(angle) * direction;
+  model.supports.push_back(support);
+  return model;
+}
+
+TEST(CubicCandidates, NotInAChainWhoseSidesAreHeld) {
+  const Vec2 across(0, 1);
+  for (const double angle : angles) {
+    for (const Vec2& side : {Vec2(2.5, 0), Vec2(1, 1), Vec2(0.2, 1), Vec2(3.9, 0), Vec2(3.5, 0.7)}) {
+      EXPECT_EQ(laws_of(supported_bar(angle, side, across)), std::vector(3, InterfaceLaw::consistent)) << side;
+      EXPECT_EQ(laws_of(supported_bar(angle, side, Vec2(1, 0))), std::vector(3, InterfaceLaw::cubic)) << side;
+      Model loaded = supported_bar(angle, side, Vec2(1, 0));
+      loaded.point_loads.push_back({loaded.supports[0].block, loaded.supports[0].point, rotation(angle) * across, {}});
+      EXPECT_EQ(laws_of(loaded), std::vector(3, InterfaceLaw::consistent)) << side;
+    }
+    for (const Vec2& elsewhere : {Vec2(0, 0), Vec2(0, 1), Vec2(4, 0), Vec2(4, 0.3), Vec2(2.2, 0.5)})
+      EXPECT_EQ(laws_of(supported_bar(angle, elsewhere, across)), std::vector(3, InterfaceLaw::cubic)) << elsewhere;
+  }
 }
 
 TEST(CubicCandidates, NotInAGridNorBetweenUnequalBlocks) {

@@ -48,10 +48,18 @@ class Side {
     const Vec2 normal = Vec2(along.y(), -along.x()) / length;
     if (!faces(vertex, normal)) return;
     const bool at_end = beyond >= -round_off_ && beyond <= std::max(round_off_, entrance_slack * std::abs(gap));
+    const double coming = normal.dot(outlines_.coming[at(vertex)] - coming_of(edge, place / length));
     found.push_back({{edge_block_, vertex_block_, edge, vertex, normal, gap},
                      at_end ? 0 : beyond,
                      place < length / 2 ? edge : outlines_.next[at(edge)],
+                     gap + coming,
                      true});
+  }
+
+  // Of the point at this share of the edge's length, or of the end beyond which it lies.
+  [[nodiscard]] Vec2 coming_of(int edge, double share) const {
+    const Vec2& first = outlines_.coming[at(edge)];
+    return first + std::clamp(share, 0.0, 1.0) * (outlines_.coming[at(outlines_.next[at(edge)])] - first);
   }
 
   // Whether both edges of the vertex leave on the normal's side, but for the slack, and do not face the same way as the

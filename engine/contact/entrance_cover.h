@@ -21,7 +21,8 @@ struct Cover {
   double beyond =
       0;           // m, by which the vertex' foot lies past the edge's nearer end; 0 at the end, negative on the edge
   int corner = 0;  // that end: a vertex of the edge's block
-  bool counts = true;  // as a contact
+  double coming_gap = 0;  // m, after the motion that is foreseen
+  bool counts = true;     // as a contact
 };
 
 // Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat

@@ -49,7 +49,8 @@ Vec4 consistent_stiffness(const Model& model, const Interface& interface) {
   const double unit = 2 * share * interface.length / across;
   const double volume = unit * stiffer(model, interface, plane_modulus);
   const double shear = unit * stiffer(model, interface, isochoric_modulus);
-  return {joint.penalty * volume, joint.penalty * shear, joint.stabilisation * shear, joint.stabilisation * shear};
+  const double ends = stabilisation_of(joint) * shear;
+  return {joint.penalty * volume, joint.penalty * shear, ends, ends};
 }
 
 // Stiffness of the cubic law: rows 0 and 2 from the reconstruction, 1 by Nitsche's penalty, and on 3 the bending

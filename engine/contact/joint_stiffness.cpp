@@ -26,6 +26,14 @@ double longest_step(const Model& model) {
   return dt;
 }
 
+// m, of the joint, for which each spring of an interface stands; of moving contacts at least what a point stands for.
+double length_of_spring(const Model& model, const Interface& interface) {
+  if (interface.length > 0) return interface.share;
+  const double smaller =
+      std::min(block_size(block_of(model, interface.block_a)), block_size(block_of(model, interface.block_b)));
+  return std::max(interface.share, point_share * smaller);
+}
+
 double chosen_spring(const Model& model, const Interface& interface) {
   const double across =
       std::min(thickness(block_of(model, interface.block_a)), thickness(block_of(model, interface.block_b)));
@@ -33,7 +41,7 @@ double chosen_spring(const Model& model, const Interface& interface) {
                                    model.expected_pressure / (penetration_target * across));
   const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));
   const double dt = longest_step(model);
-  const double wanted = per_area * interface.share;
+  const double wanted = per_area * length_of_spring(model, interface);
   return dt > 0 ? std::min(wanted, largest_chi * mass / (dt * dt)) : wanted;
 }
 
@@ -45,11 +53,12 @@ Springs springs_of(const Model& model, const Interface& interface) {
   if (joint.automatic_stiffness) {
     normal = chosen_spring(model, interface);
   } else if (joint.normal_stiffness > 0) {
-    normal = joint.normal_stiffness * interface.share;
+    normal = joint.normal_stiffness * length_of_spring(model, interface);
   } else if (normal == 0) {
     normal = joint.spring_over_young * softer_young(model, interface);
   }
-  return {normal, joint.shear_stiffness > 0 ? joint.shear_stiffness * interface.share : joint.shear_to_normal * normal};
+  return {normal, joint.shear_stiffness > 0 ? joint.shear_stiffness * length_of_spring(model, interface)
+                                            : joint.shear_to_normal * normal};
 }
 
 StiffnessErrors stiffness_errors(const Model& model, const Interface& interface) {

@@ -7,6 +7,7 @@
 
 #include "engine/contact/acting_frame.h"
 #include "engine/contact/covered_corners.h"
+#include "engine/contact/shared_face.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
@@ -157,21 +158,46 @@ void measure(const InterfaceElement& element, double distance, InterfaceState& s
 MovingContacts::MovingContacts(const Model& model, const State& state, ContactSet& contacts)
     : search_(model, state), surfaces_(model, search_.outlines()) {
   stretches_ = contacts.interfaces.size();
-  keep_ends(model, state, contacts, true);
-  drop_stretches(model, contacts, true);
+  end_stretches(model, state, true, contacts);
   refresh(model, state, state, contacts);
   lost_ends_.clear();
 }
 
-bool MovingContacts::follow(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
+bool MovingContacts::follow(const Model& model, const State& state, const State& acting, double ahead,
+                            ContactSet& contacts) {
   double lift = 0;
   for (const InterfaceState& each : contacts.states) lift = std::max({lift, each.held_open(0), each.held_open(1)});
   const bool new_pairs = search_.update(model, state, lift);
-  keep_ends(model, state, contacts, false);
-  drop_stretches(model, contacts, false);
+  search_.foresee(model, state, ahead);
+  end_stretches(model, state, false, contacts);
   refresh(model, state, acting, contacts);
   lost_ends_.clear();
   return new_pairs;
+}
+
+bool MovingContacts::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
+  constexpr double unseen = in_line / 10;  // of the smallest block: what moves by less is seen in time by later steps
+  if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
+  const bool wider = search_.widen(model, state, d);
+  if (covered_.empty()) return wider;
+  std::vector<Vec2> centroids;
+  for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
+    centroids.push_back(current_centroid(model, state, i));
+  const auto pressed = pressed_into_each_other(search_.outlines(), search_.sizes(), covered_, centroids, d);
+  uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());
+  std::sort(uncovered_.begin(), uncovered_.end());
+  return wider || !pressed.empty();
+}
+
+// Corners that are no longer near each other are looked at afresh when they meet again.
+void MovingContacts::forget_corners_apart(const std::vector<VertexContact>& found) {
+  if (uncovered_.empty()) return;
+  std::vector<std::pair<int, int>> near;
+  for (const VertexContact& contact : found)
+    near.emplace_back(std::min(contact.edge_block, contact.vertex_block),
+                      std::max(contact.edge_block, contact.vertex_block));
+  std::sort(near.begin(), near.end());
+  std::erase_if(uncovered_, [&](const auto& pair) { return !std::binary_search(near.begin(), near.end(), pair); });
 }
 
 void MovingContacts::leave_out(const std::vector<bool>& absent, ContactSet& contacts) {
@@ -184,14 +210,39 @@ void MovingContacts::leave_out(const std::vector<bool>& absent, ContactSet& cont
   search_.leave_out(absent);
 }
 
-// Forces, slip and dilation of stretches that are dry (at the start) or broken at both ends (later) go on in the vertex
-// contacts that take their place. They are sorted by their pair of blocks, so that first_state() finds them quickly.
-void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones) {
+// Stretches that vertex contacts take the place of: dry ones and lone vertices at the start, later those broken at both
+// ends. The stretches of a pair end together, since no vertex contacts are looked for between blocks that have one.
+std::vector<char> MovingContacts::ending_stretches(const Model& model, const ContactSet& contacts,
+                                                   bool dry_ones) const {
+  std::vector<std::pair<int, int>> held;
+  for (std::size_t i = 0; i < stretches_; ++i) {
+    const Interface& interface = contacts.interfaces[i];
+    const auto& broken = contacts.states[i].broken;
+    const bool holds = interface.length > 0 && !is_dry(joint_of(model, interface));
+    if (holds && (dry_ones || !broken[0] || !broken[1])) held.push_back(pair_of(interface));
+  }
+  std::sort(held.begin(), held.end());
+  std::vector<char> ends(stretches_);
+  for (std::size_t i = 0; i < stretches_; ++i)
+    ends[i] = std::binary_search(held.begin(), held.end(), pair_of(contacts.interfaces[i])) ? 0 : 1;
+  return ends;
+}
+
+void MovingContacts::end_stretches(const Model& model, const State& state, bool dry_ones, ContactSet& contacts) {
+  const std::vector<char> ends = ending_stretches(model, contacts, dry_ones);
+  keep_ends(model, state, contacts, dry_ones, ends);
+  drop_stretches(ends, contacts);
+}
+
+// Forces, slip and dilation of stretches that end go on in the vertex contacts that take their place. They are sorted
+// by their pair of blocks, so that first_state() finds them quickly.
+void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones,
+                               const std::vector<char>& ends) {
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
     const InterfaceState& whole = contacts.states[i];
-    const bool is_broken = whole.broken[0] && whole.broken[1];
-    if (dry_ones ? !is_dry(joint_of(model, interface)) : !is_broken) continue;
+    const bool has_failed = !is_dry(joint_of(model, interface));
+    if (ends[i] == 0 || (dry_ones && has_failed)) continue;
     const Vec4 force = dry_ones ? in_situ_force(model, interface) : whole.force;
     const Vec2 normal = current_frame(model, state, interface).normal;
     for (std::size_t end = 0; end < 2; ++end) {
@@ -200,7 +251,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
       own.force.head<2>() = force.segment<2>(static_cast<Eigen::Index>(2 * end));
       own.status = {whole.status[end], ContactStatus::open};
       own.broken = {true, true};
-      own.residual = {!dry_ones, !dry_ones};
+      own.residual = {has_failed || whole.residual[end], has_failed};
       own.slip[0] = whole.slip[end];
       own.dilation[0] = whole.dilation[end];
       lost_ends_.push_back(
@@ -211,23 +262,29 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
                    [](const StretchEnd& a, const StretchEnd& b) { return pair_of(a) < pair_of(b); });
 }
 
-// The end of a stretch that was where the contact is.
-const InterfaceState* MovingContacts::lost_end(const Model& model, const Interface& interface) const {
+// The end of a stretch that was where the contact is; of two that met at a vertex within a face the forces of both.
+std::optional<InterfaceState> MovingContacts::lost_end(const Model& model, const Interface& interface) const {
   const std::pair<int, int> pair = pair_of(interface);
   auto end = std::lower_bound(lost_ends_.begin(), lost_ends_.end(), pair,
                               [](const StretchEnd& each, const auto& wanted) { return pair_of(each) < wanted; });
+  std::optional<InterfaceState> found;
   for (; end != lost_ends_.end() && pair_of(*end) == pair; ++end) {
     if ((end->place - interface.from).norm() > point_tolerance(model)) continue;
     const double sense = end->block_a == interface.block_a ? 1 : -1;
-    if (sense * end->normal.dot(interface.normal) >= same_direction) return &end->state;
+    if (sense * end->normal.dot(interface.normal) < same_direction) continue;
+    if (found) {
+      found->force += end->state.force;
+    } else {
+      found = end->state;
+    }
   }
-  return nullptr;
+  return found;
 }
 
 InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface,
                                            const InterfaceElement& element, double distance) const {
   InterfaceState state = new_state(joint_of(model, interface));
-  if (const InterfaceState* end = lost_end(model, interface)) {
+  if (const std::optional<InterfaceState> end = lost_end(model, interface)) {
     state = *end;
     seat(element, distance, state);
   } else {
@@ -236,7 +293,7 @@ InterfaceState MovingContacts::first_state(const Model& model, const Interface& 
   return state;
 }
 
-Interface MovingContacts::interface_of(const Model& model, const VertexContact& contact) const {
+Interface MovingContacts::interface_of(const Model& model, const VertexContact& contact, double share) const {
   const Outlines& outlines = search_.outlines();
   Interface interface;
   interface.block_a = contact.edge_block;
@@ -245,20 +302,14 @@ Interface MovingContacts::interface_of(const Model& model, const VertexContact& 
       model.blocks[at(contact.vertex_block)].moments.centroid + outlines.reference[at(contact.vertex)];
   interface.normal = contact.normal;
   interface.joint = surfaces_.joint_of(model, outlines, contact);
-  if (!depends_on_length(joint_of(model, interface))) return interface;
-  const double smaller = std::min(size_of(contact.edge_block), size_of(contact.vertex_block));
-  interface.share = std::max(common_length(outlines, contact) / 2, point_share * smaller);
+  if (depends_on_length(joint_of(model, interface))) interface.share = share;
   return interface;
 }
 
-// Removes stretches that are dry (at the start) or broken at both ends (later); vertex contacts take their place.
-void MovingContacts::drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones) {
+void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& contacts) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stretches_; ++i) {
-    const auto& broken = contacts.states[i].broken;
-    const bool drop = dry_ones ? is_dry(joint_of(model, contacts.interfaces[i])) || contacts.interfaces[i].length == 0
-                               : broken[0] && broken[1];
-    if (drop) continue;
+    if (ends[i] != 0) continue;
     contacts.interfaces[kept] = contacts.interfaces[i];
     contacts.elements[kept] = contacts.elements[i];
     contacts.strengths[kept] = contacts.strengths[i];
@@ -292,7 +343,15 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   }
   std::sort(bonded.begin(), bonded.end());
   std::vector<VertexContact> found = search_.find(bonded);
-  take_out_covered(search_.outlines(), search_.sizes(), joints, found);
+  covered_ = take_out_covered(search_.outlines(), search_.sizes(), joints, uncovered_, found);
+  forget_corners_apart(found);
+  const bool by_length = std::ranges::any_of(model.joints, depends_on_length);
+  const auto goes_by_length = [&](const VertexContact& contact) {
+    return depends_on_length(model.joints[at(surfaces_.joint_of(model, search_.outlines(), contact))]);
+  };
+  if (by_length) drop_within_faces(search_.outlines(), search_.sizes(), goes_by_length, found);
+  const std::vector<double> shares =
+      by_length ? shares_of_faces(search_.outlines(), search_.sizes(), found) : std::vector<double>(found.size());
   std::vector<InterfaceState> states(contacts.states.begin(),
                                      contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_));
   const Succession succession(known_, found, search_.outlines());
@@ -302,7 +361,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   contacts.strengths.resize(total);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t entry = stretches_ + i;
-    const Interface interface = interface_of(model, found[i]);
+    const Interface interface = interface_of(model, found[i], shares[i]);
     contacts.interfaces[entry] = interface;
     contacts.elements[entry] = make_element(model, interface, InterfaceLaw::classical);
     set_geometry(model, acting_frame(model, acting, search_.outlines(), found[i]), contacts.elements[entry]);

@@ -1,8 +1,9 @@
 // Keeps a ContactSet in step with blocks that move: dry contacts are vertex-edge contacts found anew as geometry
-// changes, with their history; joints with strength stay the stretches they were found as until both their ends are
-// broken.
+// changes, with their history; joints with strength stay the stretches they were found as until both ends of all
+// between their two blocks are broken.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,21 +22,20 @@ class MovingContacts {
   MovingContacts(const Model& model, const State& state, ContactSet& contacts);
 
   // Brings `contacts` to the current geometry. Known contacts keep status, shear and slip; normal gaps are measured.
-  // Arms and directions of forces are those in `acting`, where the blocks are when the forces act.
-  // Returns true when the list of pairs that can touch changed.
-  bool follow(const Model& model, const State& state, const State& acting, ContactSet& contacts);
+  // Arms and directions of forces are those in `acting`, where the blocks are when the forces act. `ahead` (s) is how
+  // far the motion is foreseen, for which contacts at corners are chosen. Returns true when the list of pairs that can
+  // touch changed.
+  bool follow(const Model& model, const State& state, const State& acting, double ahead, ContactSet& contacts);
   bool follow(const Model& model, const State& state, ContactSet& contacts) {
-    return follow(model, state, state, contacts);
+    return follow(model, state, state, 0, contacts);
   }
 
   // Takes out the contacts of blocks that are absent, which touch nothing from now on.
   void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
 
-  // True when increments `d` from `state` move blocks further against each other than contacts were looked for: the
-  // next `follow` looks far enough.
-  bool widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
-    return search_.widen(model, state, d);
-  }
+  // True when increments `d` from `state` move blocks further against each other than contacts were looked for, or into
+  // each other at corners that a third block covered: the next `follow` looks far enough and has those.
+  bool widen(const Model& model, const State& state, const Eigen::VectorXd& d);
 
   // Pairs of blocks that can touch before the next change of the list.
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return search_.pairs(); }
@@ -44,8 +44,9 @@ class MovingContacts {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [search, surfaces, lost_ends, stretches, known] = self;
-    archive(search, stretches, known);  // surfaces are the drawing's; no end is lost between steps
+    auto& [search, surfaces, lost_ends, stretches, known, covered, uncovered] = self;
+    // Surfaces are the drawing's; no end is lost between steps.
+    archive(search, stretches, known, covered, uncovered);
   }
 
  private:
@@ -57,19 +58,25 @@ class MovingContacts {
     InterfaceState state;
   };
 
-  void drop_stretches(const Model& model, ContactSet& contacts, bool dry_ones);
-  void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones);
+  [[nodiscard]] std::vector<char> ending_stretches(const Model& model, const ContactSet& contacts, bool dry_ones) const;
+  void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones,
+                 const std::vector<char>& ends);
+  void drop_stretches(const std::vector<char>& ends, ContactSet& contacts);
+  void end_stretches(const Model& model, const State& state, bool dry_ones, ContactSet& contacts);
   void refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts);
-  [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact) const;
-  [[nodiscard]] const InterfaceState* lost_end(const Model& model, const Interface& interface) const;
+  void forget_corners_apart(const std::vector<VertexContact>& found);
+  [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact, double share) const;
+  [[nodiscard]] std::optional<InterfaceState> lost_end(const Model& model, const Interface& interface) const;
   [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface,
                                            const InterfaceElement& element, double distance) const;
 
   ContactSearch search_;
   SurfaceJoints surfaces_;
-  std::vector<StretchEnd> lost_ends_;  // between the loss of a stretch and the next search
-  std::size_t stretches_ = 0;          // leading entries of the ContactSet that are joints with strength
-  std::vector<VertexContact> known_;   // the others, in the same order
+  std::vector<StretchEnd> lost_ends_;           // between the loss of a stretch and the next search
+  std::size_t stretches_ = 0;                   // leading entries of the ContactSet that are joints with strength
+  std::vector<VertexContact> known_;            // the others, in the same order
+  std::vector<VertexContact> covered_;          // what the last search has taken out
+  std::vector<std::pair<int, int>> uncovered_;  // blocks whose corners are contacts all the same; smaller first, sorted
 };
 
 }  // namespace dda

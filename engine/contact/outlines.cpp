@@ -1,6 +1,9 @@
 #include "engine/contact/outlines.h"
 
+#include <algorithm>
 #include <cstddef>
+
+#include "engine/contact/pair_motion.h"
 
 namespace dda {
 namespace {
@@ -26,6 +29,7 @@ Outlines make_outlines(const Model& model, const State& state) {
     outlines.starts.push_back(static_cast<int>(outlines.reference.size()));
   }
   outlines.current.resize(outlines.reference.size());
+  outlines.coming.assign(outlines.reference.size(), Vec2::Zero());
   outlines.boxes.resize(model.blocks.size());
   update_outlines(model, state, outlines);
   return outlines;
@@ -41,6 +45,21 @@ void update_outlines(const Model& model, const State& state, Outlines& outlines)
       box = expanded(box, outlines.current[vertex]);
     }
     outlines.boxes[block] = box;
+  }
+}
+
+void foresee_motion(const Model& model, const State& state, double time, Outlines& outlines) {
+  if (time == 0) {
+    std::ranges::fill(outlines.coming, Vec2(0, 0));
+    return;
+  }
+  for (std::size_t block = 0; block < outlines.boxes.size(); ++block) {
+    const Vec6 increments = time * state.velocity[block];
+    const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
+    for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {
+      const auto vertex = static_cast<std::size_t>(i);
+      outlines.coming[vertex] = displacement_of(increments, outlines.current[vertex] - centroid);
+    }
   }
 }
 

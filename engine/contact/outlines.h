@@ -17,6 +17,7 @@ struct Outlines {
   std::vector<Vec2> reference;  // offsets from the block's reference centroid, m
   std::vector<int> next, previous;
   std::vector<Vec2> current;  // positions, m
+  std::vector<Vec2> coming;   // displacements foreseen for the step, m; zero where none are
   std::vector<Box> boxes;     // of each block's current outer ring
 
   [[nodiscard]] int blocks() const { return static_cast<int>(boxes.size()); }
@@ -31,5 +32,8 @@ struct Outlines {
 Outlines make_outlines(const Model& model, const State& state);
 
 void update_outlines(const Model& model, const State& state, Outlines& outlines);
+
+// Foresees what the velocities of `state` make of `time` (s), to first order.
+void foresee_motion(const Model& model, const State& state, double time, Outlines& outlines);
 
 }  // namespace dda

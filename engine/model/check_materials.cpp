@@ -44,7 +44,7 @@ void check_joint(const Item& item, const JointMaterial& joint) {
   item.positive("spring over Young's modulus", joint.spring_over_young);
   item.not_negative("shear to normal spring", joint.shear_to_normal);
   item.not_negative("contact damping", joint.contact_damping);
-  item.not_negative("stabilisation", joint.stabilisation);
+  item.not_negative("stabilisation", stabilisation_of(joint));
   if (joint.penalty > 1 && joint.penalty <= std::numeric_limits<double>::max()) return;
   item.fail("penalty", fmt::format("{}", joint.penalty), "a finite number above 1");
 }

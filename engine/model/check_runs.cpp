@@ -5,7 +5,9 @@ namespace dda::model_checks {
 namespace {
 
 void check_integrator(const Item& item, const Integrator& integrator) {
-  item.positive("integrator beta", integrator.beta);
+  item.not_negative("integrator beta", integrator.beta);
+  if (integrator.is_explicit() && (integrator.gamma != 0.5 || integrator.alpha_m != 0 || integrator.alpha_f != 0))
+    item.fail("integrator beta", "0", "a positive number, or central differences: gamma 1/2 and no alpha");
   item.within("integrator gamma", integrator.gamma, 0, 2);
   item.within("integrator alpha_m", integrator.alpha_m, -1, 0.5);
   item.within("integrator alpha_f", integrator.alpha_f, 0, 0.5);
@@ -32,12 +34,30 @@ void check_stage(const Item& item, const Stage& stage) {
   item.within("max step reductions", stage.max_step_reductions, 0, 60);
 }
 
+// What explicit steps cannot do.
+void check_explicit_stage(const Item& item, const Model& model, const Stage& stage) {
+  const auto refuse = [&](const std::string& where, const std::string& expected) {
+    item.fail("integrator", "\"central_difference\" " + where, expected);
+  };
+  if (!model.stays_linear())
+    refuse("where blocks can part or move far",
+           "another one: it is for scenes without bolts, whose joints are all bonded and whose stages all have small "
+           "kinematics");
+  if (stage.material_damping.stiffness > 0)
+    refuse("with damping in proportion to stiffness",
+           "no \"damping\" (there is \"damping_rate\"), or another integrator");
+  if (!model.free_field_sides.empty()) refuse("beside free-field sides", "another one");
+  if (!stage.lateral_inertia) refuse("with lateral_inertia false", "true: strains without inertia need implicit steps");
+  if (stage.strain_inertia == 0) refuse("with strain inertia 0", "a positive one");
+}
+
 }  // namespace
 
 void check_stages(const Model& model) {
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
     const Item item("stages", i, model.stages[i].name);
     check_stage(item, model.stages[i]);
+    if (model.stages[i].integrator.is_explicit()) check_explicit_stage(item, model, model.stages[i]);
     if (model.stages[i].material_damping.acts() && !model.stays_linear())
       item.fail("damping", "given",
                 "none: it is for scenes without bolts, whose joints are all bonded and whose stages all "

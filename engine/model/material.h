@@ -72,9 +72,18 @@ struct JointMaterial {
   double contact_damping = 0;
 
   // Consistent law: both in units of (plane modulus * interface length / block size across the interface).
-  double penalty = 4;          // must exceed 1 for stability
-  double stabilisation = 0.1;  // of the end-to-end difference of the gap, which mid-edge alone leaves free
+  double penalty = 4;  // must exceed 1 for stability
+  // Of the end-to-end difference of the gap, which mid-edge alone leaves free. Not given: default_stabilisation, and in
+  // rows one block wide, where it is all that resists bending, for the normal gap what a beam has
+  // (engine/contact/row_bending.h).
+  std::optional<double> stabilisation = {};
 };
+
+inline constexpr double default_stabilisation = 0.1;
+
+inline double stabilisation_of(const JointMaterial& joint) {
+  return joint.stabilisation.value_or(default_stabilisation);
+}
 
 // Held by friction alone, from the start.
 inline bool is_dry(const JointMaterial& joint) {

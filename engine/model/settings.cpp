@@ -25,6 +25,8 @@ Integrator energy_conserving_integrator() {
   return midpoint;
 }
 
+Integrator central_difference_integrator() { return {"central_difference", 0, 0.5, 0, 0, false}; }
+
 Integrator with_contacts(const Integrator& integrator) {
   const auto is_scheme_of = [&](const Integrator& other) {
     return integrator.beta == other.beta && integrator.gamma == other.gamma && integrator.alpha_m == other.alpha_m &&

@@ -20,6 +20,9 @@ struct Integrator {
   double alpha_f = 0;
   bool is_static = false;  // velocities are zeroed at the start of every step (Shi's static mode)
 
+  // beta = 0: the motion of a step follows from what acts at its start, with no system to solve (ADR 49).
+  [[nodiscard]] bool is_explicit() const { return beta == 0; }
+
   // Contacts that open or close within a step do as much work as their springs store or give back, whatever the step.
   bool conserves_contact_energy = false;
 };
@@ -30,6 +33,9 @@ Integrator hht_integrator(double alpha);  // Hilber, Hughes & Taylor 1977, 0 <= 
 Integrator generalized_alpha_integrator(double rho_inf);  // Chung & Hulbert 1993, 0 <= rho_inf <= 1
 // The implicit midpoint rule with contact forces that conserve energy: elastic impacts give back what they took.
 Integrator energy_conserving_integrator();
+// Central differences, beta = 0, gamma = 1/2: second order, no damping, stable up to 2 over the largest frequency. For
+// stages in which nothing can change (Model::stays_linear).
+Integrator central_difference_integrator();
 Integrator static_integrator();  // Eq. 5 with velocities zeroed
 
 // What an integrator is where contacts open, close and slide. The trapezoidal rule moves as the midpoint rule does but

@@ -33,10 +33,11 @@ void add(FnvHash& hash, const JointMaterial& joint) {
   hash.add_number(law);
   hash.add_number(bonded);
   hash.add_number(automatic_stiffness);
+  hash.add_number(stabilisation.has_value());
   for (const double value :
        {friction_angle, cohesion, tensile_strength, residual_friction_angle.value_or(friction_angle), residual_cohesion,
         dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal, normal_stiffness,
-        shear_stiffness, contact_damping, penalty, stabilisation}) {
+        shear_stiffness, contact_damping, penalty, stabilisation_of(joint)}) {
     hash.add_number(value);
   }
 }

@@ -92,7 +92,8 @@ Json to_json(const RunSummary& summary) {
                               {"end_s", stage.end_s},
                               {"settles", stage.settles},
                               {"dt_s", stage.dt_s},
-                              {"dt_reason", stage.dt_reason}});
+                              {"dt_reason", stage.dt_reason},
+                              {"stable_dt_s", stage.stable_dt_s > 0 ? Json(stage.stable_dt_s) : Json(nullptr)}});
   json["static_stages"] = Json::array();
   for (const auto& [name, share] : summary.out_of_balance)
     json["static_stages"].push_back({{"name", name}, {"out_of_balance", share}});

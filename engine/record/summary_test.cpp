@@ -72,7 +72,7 @@ TEST(Summary, HoldsEverything) {
   summary.from = "settled:gravity";
   summary.time_s = 0.1;
   summary.steps = 12;
-  summary.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  summary.counters = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   summary.energy = balanced_ledger();
   summary.energy_at_end = {{"gravity", balanced_ledger()}, {"quake", balanced_ledger()}};
   summary.energy_at_end[1].second.radiated += 100;
@@ -95,14 +95,14 @@ TEST(Summary, HoldsEverything) {
     "status": "stopped", "message": "stopped by the user", "title": "bar", "from": "settled:gravity", "time_s": 0.1, "steps": 12,
     "blocks": 200, "contacts": 199, "solver": "cholesky", "cpu_s": 1.5, "wall_s": 2.5,
     "phases": {"solve": 1.25, "assembly": 0.25},
-    "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true, "dt_s": 0, "dt_reason": ""},
+    "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true, "dt_s": 0, "dt_reason": "", "stable_dt_s": null},
                {"name": "quake", "begin_s": 100, "end_s": 102.5, "settles": false, "dt_s": 1e-3,
-                "dt_reason": "blocks of 1 m that fall"}],
+                "dt_reason": "blocks of 1 m that fall", "stable_dt_s": null}],
     "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],
     "loose_blocks": [{"stage": "gravity", "block": "sliver", "place_m": [1.5, 2.0]}],
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
-      "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "contact_searches": 9,
-      "contact_state_changes": 10},
+      "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "steps_of_given_friction": 9,
+      "contact_searches": 10, "contact_state_changes": 11},
     "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0, "bolts": 78.0,
       "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "initial_bolts": 37.0, "external_work": 272.0,
       "gravity_work": 31.0, "friction": 17.0, "plastic": 43.0, "radiated": 19.0, "dashpot": 53.0, "damping": 23.0, "numerical": 29.0,

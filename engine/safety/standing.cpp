@@ -10,8 +10,17 @@
 namespace dda {
 namespace {
 
-Stage static_stage(const char* name, double duration, bool unlimited_strength) {
+// Projected joints exist in small kinematics alone. What stands or fails does so before blocks move far.
+Kinematics kinematics_for(const Model& model) {
+  const auto needs_small = [](const JointMaterial& joint) {
+    return joint.law == InterfaceLaw::projected && !joint.bonded;
+  };
+  return std::ranges::any_of(model.joints, needs_small) ? Kinematics::small : Kinematics::finite;
+}
+
+Stage static_stage(const char* name, double duration, bool unlimited_strength, Kinematics kinematics) {
   Stage stage;
+  stage.kinematics = kinematics;
   stage.name = name;
   stage.integrator = static_integrator();
   stage.duration = duration;
@@ -83,9 +92,10 @@ class Watch {
 }  // namespace
 
 Standing standing_of(Model model, double time) {
-  Stage stand = static_stage("stand", 0, false);
+  const Kinematics kinematics = kinematics_for(model);
+  Stage stand = static_stage("stand", 0, false, kinematics);
   stand.removal.blocks = removed_blocks(model);
-  model.stages = {static_stage("load", time, true), stand};
+  model.stages = {static_stage("load", time, true, kinematics), stand};
   for (Bolt& bolt : model.bolts) bolt.first_stage = 0;
   model.peaks.reset();
   finish_model(model);

@@ -94,8 +94,8 @@ void read_consistent_law(const Field& field, JointMaterial& joint) {
     joint.penalty = penalty->quantity(Dimension::dimensionless);
     if (joint.penalty <= 1) penalty->fail("a number above 1, below which the law is unstable");
   }
-  joint.stabilisation = value_or(field, "stabilisation", joint.stabilisation,
-                                 [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
+  if (const auto stabilisation = field.find("stabilisation"))
+    joint.stabilisation = stabilisation->not_negative(Dimension::dimensionless);
 }
 
 void read_strength(const Field& field, JointMaterial& joint) {

@@ -21,8 +21,9 @@ constexpr double default_equilibrium = 1e-9;
 Integrator read_integrator(const Field& field) {
   if (field.is_text()) {
     constexpr std::array integrators = {thesis_integrator, trapezoidal_integrator, energy_conserving_integrator,
-                                        static_integrator};
-    return integrators.at(field.choice({"thesis", "trapezoidal", "energy_conserving", "static"}))();
+                                        central_difference_integrator, static_integrator};
+    return integrators.at(
+        field.choice({"thesis", "trapezoidal", "energy_conserving", "central_difference", "static"}))();
   }
   if (const auto alpha = field.find("hht")) return hht_integrator(alpha->within(0, 1.0 / 3));
   return generalized_alpha_integrator(field.at("generalized_alpha").within(0, 1));
@@ -46,6 +47,9 @@ void read_duration(const Field& field, Stage& stage) {
     return;
   }
   stage.automatic_dt = is_left_open;
+  if (dt && is_left_open && stage.integrator.is_explicit())
+    dt->fail("a time, which \"central_difference\" needs (dda says how long it may be of any that is too long)");
+  if (stage.integrator.is_explicit()) (void)field.at("dt");
   if (!is_left_open) stage.dt = dt->positive(Dimension::time);
   const Field duration = field.at("duration");
   stage.duration = duration.positive(Dimension::time);

@@ -6,6 +6,7 @@
 
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
+#include "engine/simulation/rayleigh_damping.h"
 #include "engine/terms/elasticity.h"
 
 namespace dda {
@@ -49,7 +50,7 @@ bool BlockSystem::geometry_moves() const {
 void BlockSystem::loads_at(double time, Eigen::VectorXd& force) const {
   external.loads_at(time, force);
   excavated.released.add_loads_at(model, time, force);
-  if (free_field) free_field->add_loads_at(time, force);
+  if (free_field) free_field->add_loads_at(time, acting_damping(stage_in_force()).stiffness, force);
 }
 
 void BlockSystem::sum_internal_forces(Eigen::VectorXd& force) const {

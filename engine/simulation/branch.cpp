@@ -13,6 +13,7 @@
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/branch_rule.h"
 #include "engine/simulation/excavation.h"
+#include "engine/simulation/explicit_step.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
@@ -164,6 +165,7 @@ void take_over_blocks(const BlockSystem& before, BlockSystem& s) {
   s.plan = make_plan(s.model, s.clock.in_force(), s.contacts, 0, before.plan.chi);
   s.plan.solver = before.plan.solver;
   s.plan.linear = before.plan.linear;
+  s.plan.explicit_steps = before.plan.explicit_steps;
 }
 
 // Of the stages that are over.
@@ -184,6 +186,7 @@ void go_on_from(const Simulation& settled, Simulation& fresh) {
   s.costs.counters = settled.counters();
   carry(*settled.general_, general);
   carry(*settled.linear_, *fresh.linear_);
+  carry(*settled.explicit_, *fresh.explicit_);
   renew_strengths(general.follows_contacts(), s);
   if (s.free_field) s.free_field->go_on_from(*before.free_field);
   const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);

@@ -65,7 +65,8 @@ void check(const JointMaterial& then, const JointMaterial& now) {
   expect_equal(then.shear_stiffness, shear_stiffness, field + ".shear_stiffness");
   expect_equal(then.contact_damping, contact_damping, field + ".contact_damping");
   expect_equal(then.penalty, penalty, field + ".penalty");
-  expect_equal(then.stabilisation, stabilisation, field + ".stabilisation");
+  expect_equal(stabilisation_of(then), stabilisation.value_or(default_stabilisation), field + ".stabilisation");
+  expect_equal(then.stabilisation.has_value(), stabilisation.has_value(), field + ".stabilisation");
   if (is_dry(then) != is_dry(now))
     refuse(field, is_dry(now) ? "without cohesion and tensile strength" : "with cohesion or tensile strength",
            is_dry(then) ? "none" : "some");

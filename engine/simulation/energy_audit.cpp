@@ -73,17 +73,23 @@ void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDampi
 
 void EnergyAudit::record(const StepCoefficients& step, double inertia_work, const StoredEnergy& stored,
                          const StepForces& forces, const Eigen::VectorXd& d) {
-  most_gained_ = most_gained();  // what the step before has booked after its record() is in it
   const double work_old = dot(d, forces.load_old);
   const double work_new = dot(d, forces.load_new);
-  ledger_.external_work += (work_old + work_new) / 2;
-  if (forces.weight.size() > 0) ledger_.gravity_work += dot(d, forces.weight);
-  ledger_.numerical += inertia_work - (stored.kinetic - ledger_.kinetic) + replaced_;
-  replaced_ = 0;
+  const double weight = forces.weight.size() > 0 ? dot(d, forces.weight) : 0;
   const double off_centre = 0.5 - step.load_old;  // 1/2 - alpha_f
+  double weighted = 0;
   if (off_centre != 0)
-    ledger_.numerical +=
-        off_centre * (dot(d, forces.internal_new) - dot(d, forces.internal_old) - (work_new - work_old));
+    weighted = off_centre * (dot(d, forces.internal_new) - dot(d, forces.internal_old) - (work_new - work_old));
+  record({(work_old + work_new) / 2, weight, inertia_work, weighted}, stored);
+}
+
+void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
+  most_gained_ = most_gained();  // what the step before has booked after its record() is in it
+  ledger_.external_work += works.loads;
+  ledger_.gravity_work += works.weight;
+  ledger_.numerical += works.inertia - (stored.kinetic - ledger_.kinetic) + replaced_;
+  ledger_.numerical += works.weighting;
+  replaced_ = 0;
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;

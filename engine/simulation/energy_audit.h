@@ -9,6 +9,7 @@
 // a check on solver, forces and state update together, not an identity.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -53,6 +54,12 @@ class EnergyAudit {
   // Books a step. `inertia_work`: d . M a_w.
   void record(const StepCoefficients& step, double inertia_work, const StoredEnergy& stored, const StepForces& forces,
               const Eigen::VectorXd& d);
+  // The same from sums, J per m of thickness: of loads, of weight, d . M a_w, and what the integrator's weights of
+  // forces other than those of the trapezoidal rule make of a step.
+  struct StepWorks {
+    double loads, weight, inertia, weighting = 0;
+  };
+  void record(const StepWorks& works, const StoredEnergy& stored);
 
   // Work of friction and of dashpots on one interface, and what status changes within the step make of it.
   // `extra_force`: what the balance of the step had beyond the force that `after` keeps, times the weight of forces at
@@ -66,8 +73,27 @@ class EnergyAudit {
     ledger_.numerical += numerical;
   }
 
-  // What Rayleigh damping took.
-  void damping_worked(double work) { ledger_.damping += work; }
+  // What Rayleigh damping took by the mean of its forces, and what of it is the integrator's doing, as the balance of
+  // the step had others.
+  void damping_worked(double work, double by_integrator) {
+    ledger_.damping += work;
+    ledger_.numerical += by_integrator;
+  }
+
+  // Dampers changed velocities at once, by which the kinetic energy grew, where what moves them brought in this much.
+  // What they bring beyond that is of the loads that they were in balance with.
+  void velocities_jumped(double brought, double kinetic) {
+    const double lost = std::max(0.0, brought - kinetic);
+    ledger_.kinetic += kinetic;
+    ledger_.external_work += kinetic + lost;
+    ledger_.damping += lost;
+  }
+
+  // Work against dashpots, and what damping in proportion to mass took, in a step that has summed these up itself.
+  void dampers_worked(double radiated, double damping) {
+    ledger_.radiated += radiated;
+    ledger_.damping += damping;
+  }
 
   // An interface went over to another law with this loss of stored energy (J per m of thickness).
   void interface_replaced(double loss) { replaced_ += loss; }

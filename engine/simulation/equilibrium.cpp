@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "engine/simulation/block_system.h"
-#include "engine/solve/friction_passes.h"
+#include "engine/solve/largest_entry.h"
 
 namespace dda {
 namespace {

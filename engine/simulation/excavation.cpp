@@ -7,7 +7,7 @@
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
-#include "engine/simulation/linear_step.h"
+#include "engine/simulation/linear_states.h"
 
 namespace dda {
 namespace {
@@ -49,11 +49,11 @@ void leave_out_absent(BlockSystem& s, GeneralStep& general) {
   general.leave_out(absent);
 }
 
-void excavate(BlockSystem& s, GeneralStep& general, LinearStep& linear) {
+void excavate(BlockSystem& s, GeneralStep& general) {
   const Removal& removal = s.stage().removal;
   if (removal.blocks.empty()) return;
   ContactSet at_rest = s.contacts;  // what a linear stage keeps of them
-  if (s.plan.linear) linear.write_states();
+  if (s.plan.linear) write_linear_states(s);
   if (s.plan.finite_kinematics) general.place_geometry(0);
   const StoredEnergy stored = s.stored_energy_now();
   const Eigen::VectorXd internal_before = s.forces.internal_old;

@@ -9,7 +9,6 @@ namespace dda {
 
 struct BlockSystem;
 class GeneralStep;
-class LinearStep;
 
 // Takes back what has been removed, to the first moment of a run. Contacts are then those of the drawing, as before a
 // GeneralStep begins to follow them.
@@ -20,6 +19,6 @@ void leave_out_absent(BlockSystem& system, GeneralStep& general);
 
 // At the start of a stage: removes the blocks that it takes away. Where they are to let go slowly, what they exerted
 // on the others goes on as a load that fades.
-void excavate(BlockSystem& system, GeneralStep& general, LinearStep& linear);
+void excavate(BlockSystem& system, GeneralStep& general);
 
 }  // namespace dda

@@ -15,6 +15,7 @@ const TimeFunction always = Constant{};
 
 ExternalForces::ExternalForces(const Model& model, const State& state, const WaveCorrections& waves) {
   loads_.reserve(model.point_loads.size() + model.edge_loads.size());
+  point_loads_ = model.point_loads.size();
   for (const PointLoad& load : model.point_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
   for (const EdgeLoad& load : model.edge_loads) loads_.push_back({load.block, Vec6::Zero(), &load.history});
   for (std::size_t i = 0; i < model.supports.size(); ++i) {
@@ -78,7 +79,10 @@ void ExternalForces::leave_out(const std::vector<bool>& absent) {
 }
 
 void ExternalForces::filter(const WaveCorrections& waves) {
-  for (Load& load : loads_) load.filter = waves.load_filter(load.block);
+  for (std::size_t i = 0; i < loads_.size(); ++i) {
+    const bool on_face = i >= point_loads_ && i < loads_.size() - reactions_.size();
+    loads_[i].filter = on_face ? waves.face_load_filter(loads_[i].block) : waves.load_filter(loads_[i].block);
+  }
 }
 
 void ExternalForces::loads_at(double time, Eigen::VectorXd& force) const {

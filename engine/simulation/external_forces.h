@@ -43,7 +43,7 @@ class ExternalForces {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [loads, reactions, weight] = self;
+    auto& [loads, reactions, point_loads, weight] = self;
     for (auto& load : loads) archive(load.force);
     for (auto& reaction : reactions) archive(reaction.force);
     // Filters and weight follow from the stage.
@@ -67,6 +67,7 @@ class ExternalForces {
 
   std::vector<Load> loads_;  // point loads, edge loads, reactions
   std::vector<Reaction> reactions_;
+  std::size_t point_loads_ = 0;  // among the loads, the first ones
   Eigen::VectorXd weight_;
 };
 

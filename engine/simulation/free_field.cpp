@@ -53,10 +53,14 @@ void FreeField::read_columns() {
 
 // The ties hold each side of the block as the ground beyond it would.
 FreeField::Motion FreeField::motion_of(const Contact& contact) const {
-  Vec2 force = Vec2::Zero();
-  for (const std::size_t tie : {contact.ties, contact.ties + 1})
-    force -= columns_.system().supports[tie].stiffness * columns_.system().supports[tie].gap;
-  return {columns_.state().velocity[at(contact.column_block)], force};
+  Motion motion;
+  motion.velocity = columns_.state().velocity[at(contact.column_block)];
+  for (const std::size_t index : {contact.ties, contact.ties + 1}) {
+    const SupportElement& tie = columns_.system().supports[index];
+    motion.force -= tie.stiffness * tie.gap;
+    motion.force_rate -= tie.stiffness * (tie.rows * motion.velocity);
+  }
+  return motion;
 }
 
 // A static stage that has come to rest ends before its time: what was reached last says nothing of where a step begins.
@@ -110,15 +114,16 @@ void FreeField::place(const Model& model, const State& state, const ViscousEdge&
   contact.middle = outward * displacement_rows((from + to) / 2).transpose();
 }
 
-void FreeField::add_loads_at(double time, Eigen::VectorXd& force) const {
+void FreeField::add_loads_at(double time, double stiffness_damping, Eigen::VectorXd& force) const {
   const double passed = time_ > time_old_ ? (time - time_old_) / (time_ - time_old_) : 1;
   const double share = std::clamp(passed, 0.0, 1.0);
   for (const Contact& contact : contacts_) {
     const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
     const Vec2 tied = (1 - share) * contact.old.force + share * contact.now.force - contact.force_before;
+    const Vec2 rate = (1 - share) * contact.old.force_rate + share * contact.now.force_rate;
     auto own = force.segment<6>(6 * contact.block);
     own.noalias() += contact.dashpots * velocity;
-    own.noalias() += contact.middle * tied;
+    own.noalias() += contact.middle * (tied + stiffness_damping * rate);
   }
 }
 

@@ -37,8 +37,9 @@ class FreeField {
   void update_geometry(const Model& model, const State& state, std::size_t stage);
 
   // Adds the forces of the sides at `time` to `force`, 6 entries a block; linear in time between the ends of the
-  // columns' last step.
-  void add_loads_at(double time, Eigen::VectorXd& force) const;
+  // columns' last step. `stiffness_damping` (s) is that of the material in the stage: the ground beyond a side resists
+  // rates as the column does, with so many seconds' worth of what it carries more each second.
+  void add_loads_at(double time, double stiffness_damping, Eigen::VectorXd& force) const;
 
   [[nodiscard]] const Simulation& columns() const { return columns_; }
 
@@ -56,12 +57,13 @@ class FreeField {
  private:
   struct Motion {
     Vec6 velocity = Vec6::Zero();
-    Vec2 force = Vec2::Zero();  // N, on the right side of the block
+    Vec2 force = Vec2::Zero();       // N, on the right side of the block
+    Vec2 force_rate = Vec2::Zero();  // N/s, by which the velocity changes it
 
     template <typename Self, typename Archive>
     static void visit(Self& self, Archive& archive) {
-      auto& [velocity, force] = self;
-      archive(velocity, force);
+      auto& [velocity, force, force_rate] = self;
+      archive(velocity, force, force_rate);
     }
   };
 

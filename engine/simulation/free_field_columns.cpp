@@ -124,6 +124,7 @@ class Column {
     JointMaterial joint =
         original_below == original_above ? whole_block() : joint_at(original_below, original_above, place);
     if (joint.law == InterfaceLaw::cubic) joint.law = InterfaceLaw::consistent;
+    joint.stabilisation = stabilisation_of(joint);  // the rock around the column keeps it from bending
     model().joint_of_block_pair[{std::min(below, above), std::max(below, above)}] =
         static_cast<int>(model().joints.size());
     model().joints.push_back(std::move(joint));

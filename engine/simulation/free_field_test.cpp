@@ -1,7 +1,6 @@
 // Sides that go with columns of their blocks.
 #include "engine/simulation/free_field.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,72 +12,14 @@
 #include "engine/core/error.h"
 #include "engine/geometry/rotation.h"
 #include "engine/simulation/free_field_columns.h"
+#include "engine/simulation/free_field_models.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/terms/load.h"
 
 namespace dda {
 namespace {
 
-constexpr int columns = 5;
-constexpr int rows = 6;
-
-// Viscous edges along both sides, with a free field.
-void add_sides(int first_stage, Model& model) {
-  for (const bool right : {false, true}) {
-    FreeFieldSide side;
-    side.outward = right ? 1 : -1;
-    for (int row = 0; row < rows; ++row) {
-      const double x = right ? columns : 0;
-      const int block = row * columns + (right ? columns - 1 : 0);
-      side.viscous_edges.push_back(static_cast<int>(model.viscous_edges.size()));
-      model.viscous_edges.push_back({block, {x, 1.0 * row}, {x, row + 1.0}, 1.2e7, 7e6, first_stage});
-    }
-    model.free_field_sides.push_back(side);
-  }
-}
-
-// Blocks of 1 m on a base that jerks along x and y, both sides free; the upper half lighter and softer.
-Model shaken_grid(const JointMaterial& joint) {
-  Model model;
-  model.materials = {rock(), rock()};
-  model.materials[1].young /= 2;
-  model.materials[1].density *= 0.8;
-  model.joints = {joint};
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
-      model.blocks.push_back(rectangle(fmt::format("{}.{}", row, column), column, row, 1, 1));
-      model.blocks.back().material = row < rows / 2 ? 0 : 1;
-    }
-  model.blocks.push_back(rectangle("base", 0, -1, columns, 1));
-  HeldBlock base;
-  base.block = rows * columns;
-  base.amplitude = {1, 0.4};
-  base.kind = MotionKind::acceleration;
-  base.history = SineCycles{100, 1, 0};
-  model.held_blocks = {base};
-  add_sides(0, model);
-  model.stages = {stage_of(generalized_alpha_integrator(0.8), 1e-4, 200)};
-  return model;
-}
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// Largest difference of the velocities of any row's centroids, in any of its blocks, from those of the columns; of the
-// columns' largest.
-double difference_from_columns(Simulation& simulation, int steps) {
-  double difference = 0, largest = 0;
-  for (int i = 0; i < steps; ++i) {
-    run(simulation, 1);
-    const State& whole = simulation.state();
-    const State& column = simulation.free_field_columns()->state();
-    for (int block = 0; block < rows * columns; ++block) {
-      const Vec2 expected = column.velocity[at(block / columns)].head<2>();
-      difference = std::max(difference, (whole.velocity[at(block)].head<2>() - expected).norm());
-      largest = std::max(largest, expected.norm());
-    }
-  }
-  return difference / largest;
-}
+using namespace free_field;
 
 // Every row moves as the columns do: to round-off (times the condition of the ties) where vertical joints have springs,
 // else up to what vertical joints give way in waves of 15 blocks and shorter (measured 2e-3, with margin).
@@ -304,7 +245,7 @@ TEST(FreeField, ActsInTheMiddleOfTheMovedEdge) {
   for (Mat2& deformation : state.deformation) deformation = 1.5 * rotation(0.4);
   field.update_geometry(model, state, 0);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * model.blocks.size()));
-  field.add_loads_at(0, force);
+  field.add_loads_at(0, 0, force);
   for (const bool right : {false, true}) {
     const double outward = right ? 1 : -1;
     const int block = columns + (right ? columns - 1 : 0);
@@ -323,9 +264,9 @@ TEST(FreeField, IsLinearWithinAStepOfTheColumns) {
   ASSERT_EQ(field.advance_to(2e-4, 1e-4), Status::ok);
   const auto unknowns = static_cast<Eigen::Index>(6 * model.blocks.size());
   Eigen::VectorXd first = Eigen::VectorXd::Zero(unknowns), middle = first, last = first;
-  field.add_loads_at(1e-4, first);
-  field.add_loads_at(1.5e-4, middle);
-  field.add_loads_at(2e-4, last);
+  field.add_loads_at(1e-4, 0, first);
+  field.add_loads_at(1.5e-4, 0, middle);
+  field.add_loads_at(2e-4, 0, last);
   EXPECT_GT((last - first).norm(), 0);
   EXPECT_LT((middle - (first + last) / 2).norm(), 1e-12 * last.norm());
 }

@@ -102,7 +102,7 @@ void GeneralStep::leave_out(const std::vector<bool>& absent) {
 void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
   cushion_ = {};
-  settling_friction_ = {};
+  given_friction_ = {};
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
   list_contacts();
@@ -140,12 +140,13 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
   const double end = system_.end_of_step(dt);
   Status status = solve_far_enough(end);
   if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough(end);
-  if (status == Status::not_converged && can_be_cut && settling_friction_.give(system_)) {
+  if (status == Status::not_converged &&
+      (can_be_cut ? given_friction_.give(system_) : given_friction_.give_to_shortest_part(system_))) {
     system_.increment.setZero();  // what did not settle is no place to begin
     status = solve_far_enough(end);
   }
   if (status != Status::ok) {
-    settling_friction_.take_back();
+    given_friction_.take_back();
     return status;
   }
   accept();
@@ -155,7 +156,7 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
 // A step is solved with the contacts that were looked for, and solved again where what came out moves blocks beyond
 // them.
 Status GeneralStep::solve_far_enough(double end) {
-  rule_.capacity_is_given = settling_friction_.is_given();
+  rule_.capacity_is_given = given_friction_.is_given();
   pose(end);
   for (int round = 0; round < most_rounds; ++round) {
     const Status status = solve();
@@ -183,10 +184,10 @@ void GeneralStep::pose(double end) {
 }
 
 // True when the step must be solved again: loose blocks of a static stage have got a drag, or contacts are looked for
-// from further away. Motions below half of the usual reach cannot miss any.
+// from further away.
 bool GeneralStep::moves_further_than_seen() {
-  if (largest_motion(system_) <= ContactSearch::reach / 2) return false;
-  if (system_.plan.is_static && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
+  const bool is_far = largest_motion(system_) > ContactSearch::reach / 2;
+  if (is_far && system_.plan.is_static && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
     base_is_current_ = false;
     return true;
   }
@@ -243,7 +244,7 @@ void GeneralStep::follow_contacts() {
   }
   ++s.costs.counters.contact_searches;
   const PhaseScope scope(Phase::search);
-  if (moving_->follow(s.model, s.state, acting_, s.contacts)) {
+  if (moving_->follow(s.model, s.state, acting_, s.plan.is_static ? 0 : s.coefficients.dt, s.contacts)) {
     base_ = pattern();
     solver_.set_pattern(base_);
   }
@@ -348,7 +349,8 @@ void GeneralStep::accept() {
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
   if (cushion_.wears()) base_is_current_ = false;
-  settling_friction_.settled(s);
+  given_friction_.settled(s);
+  if (given_friction_.was_given()) ++s.costs.counters.steps_of_given_friction;
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
   accept_bonded(bonded_, s);  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);

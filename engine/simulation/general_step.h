@@ -15,9 +15,9 @@
 #include "engine/core/status.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/contact_range.h"
+#include "engine/simulation/given_friction.h"
 #include "engine/simulation/penetration.h"
 #include "engine/simulation/settling_cushion.h"
-#include "engine/simulation/settling_friction.h"
 #include "engine/simulation/step.h"
 #include "engine/solve/contact_solver.h"
 
@@ -33,7 +33,7 @@ class GeneralStep : public Step {
   [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
   void hand_over() override { solver_.end(); }
   [[nodiscard]] StoredEnergy stored_energy() const override { return system_.stored_energy_now(); }
-  [[nodiscard]] bool is_provisional() const override { return settling_friction_.was_given(); }
+  [[nodiscard]] bool is_provisional() const override { return given_friction_.was_given(); }
   [[nodiscard]] const std::string& message() const override { return message_; }
 
   // The pattern of the system's matrix: blocks that touch, or can before the pattern changes, and those that bolts tie.
@@ -58,10 +58,10 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, acting, deepest, cushion, settling_friction, changing, bonded, base,
+    auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, changing, bonded, base,
            base_version, base_is_current, rule, rhs, can_be_cut, message] = self;
     if (moving) archive(*moving);
-    archive(solver, deepest, cushion, settling_friction);
+    archive(solver, deepest, cushion, given_friction);
     if (system.geometry_moves()) archive(range, moved, acting.displacement, acting.deformation);
     // The others follow from the system, or begin with every step.
   }
@@ -92,8 +92,8 @@ class GeneralStep : public Step {
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   State acting_;                          // displacements and shapes of the blocks where the step's forces act
   Penetration deepest_;
-  SettlingCushion cushion_;             // of the stage
-  SettlingFriction settling_friction_;  // of the stage
+  SettlingCushion cushion_;       // of the stage
+  GivenFriction given_friction_;  // of the stage
 
   std::vector<int> changing_, bonded_;  // interfaces that can change in a step, and the others; ascending
   BlockMatrix base_;                    // of the problem: all but the contacts that can change and bolts

@@ -19,13 +19,6 @@ void advance_motion(const StepCoefficients& step, const Vec6& d, std::size_t i, 
   state.displacement[i] += d;
 }
 
-void deform_small(const Vec6& d, Mat2& deformation) {
-  deformation(0, 0) += d(3);
-  deformation(0, 1) += d(5) / 2 - d(2);
-  deformation(1, 0) += d(5) / 2 + d(2);
-  deformation(1, 1) += d(4);
-}
-
 // Areas and inertia follow strains in steps of this size. Were they measured anew at every step, it would be with the
 // strains of its start, and blocks that vibrate under stress would gain energy from the delay; so they do where a
 // vibration is large enough to go through such a step each time (ADR 30).

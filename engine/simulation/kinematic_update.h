@@ -20,6 +20,14 @@ void advance_blocks(const StepCoefficients& step, const BlockTerms& terms, const
 // add the linear increments.
 void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, const BlockTerms& terms, State& state);
 
+// Small kinematics, of one block.
+inline void deform_small(const Vec6& d, Mat2& deformation) {
+  deformation(0, 0) += d(3);
+  deformation(0, 1) += d(5) / 2 - d(2);
+  deformation(1, 0) += d(5) / 2 + d(2);
+  deformation(1, 1) += d(4);
+}
+
 // Spins that keep their angular momentum after the blocks have changed their shapes (finite kinematics).
 void keep_angular_momenta(const Model& model, State& state, BlockTerms& terms);
 

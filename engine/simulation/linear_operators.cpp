@@ -35,6 +35,13 @@ BlockMatrix make_stiffness(const Model& model, const BlockTerms& terms, const Co
 
 }  // namespace
 
+void scale(double factor, BlockMatrix& matrix) {
+  if (factor == 1) return;
+  const BlockMatrix before = matrix;
+  matrix.set_zero();
+  add_scaled(factor, before, matrix);
+}
+
 BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
                          const WaveCorrections& waves) {
   BlockMatrix inertia(static_cast<int>(terms.inertia.size()), waves.coupled_by_inertia(model, contacts));

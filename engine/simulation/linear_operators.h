@@ -31,6 +31,9 @@ struct LinearOperators {
 BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
                          const WaveCorrections& waves);
 
+// `factor` times the matrix.
+void scale(double factor, BlockMatrix& matrix);
+
 // The step's matrix out of the operators.
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,
               BlockMatrix& matrix);

@@ -85,7 +85,7 @@ TEST(StepPlan, TellsWhichCorrectionsAct) {
     model.stages = {stage_of(integrator, 1e-4, 1)};
     model.stages[0].correct_block_dispersion = model.stages[0].correct_time_dispersion = true;
     const Simulation simulation = simulation_of(std::move(model));
-    return std::pair(simulation.plan().block_dispersion, simulation.plan().time_dispersion);
+    return std::pair(simulation.plan().waves.for_blocks, simulation.plan().waves.for_steps);
   };
   const Integrator trapezoidal = trapezoidal_integrator();
   EXPECT_EQ(said(InterfaceLaw::consistent, true, trapezoidal), std::pair(true, true));

@@ -3,19 +3,24 @@
 namespace dda {
 namespace {
 
-// Of the foot of a support, as the balance of the step has it.
-Vec2 mean_velocity(const BlockSystem& system, std::size_t support) {
-  const StepCoefficients& step = system.coefficients;
+// Of the foot of a support, at both ends of the step with these weights.
+Vec2 foot_velocity(const BlockSystem& system, std::size_t support, double load_old, double load_new) {
   const PointSupport& foot = system.model.supports[support];
-  return step.load_new * prescribed_velocity(foot, system.end_of_step(step.dt)) +
-         step.load_old * prescribed_velocity(foot, system.state.time);
+  Vec2 velocity = Vec2::Zero();
+  if (load_new != 0) velocity += load_new * prescribed_velocity(foot, system.end_of_step(system.coefficients.dt));
+  if (load_old != 0) velocity += load_old * prescribed_velocity(foot, system.state.time);
+  return velocity;
 }
 
 }  // namespace
 
+MaterialDamping acting_damping(const Stage& stage) {
+  return stage.integrator.is_static ? MaterialDamping() : stage.material_damping;
+}
+
 void RayleighDamping::begin(const Stage& stage) {
-  mass_ = stage.integrator.is_static ? 0 : stage.material_damping.mass;
-  stiffness_ = stage.integrator.is_static ? 0 : stage.material_damping.stiffness;
+  mass_ = acting_damping(stage).mass;
+  stiffness_ = acting_damping(stage).stiffness;
 }
 
 StepCoefficients RayleighDamping::in_matrix(StepCoefficients step) const {
@@ -39,15 +44,6 @@ void RayleighDamping::take_off_known(const LinearOperators& operators, const Ste
   rhs -= known_;
 }
 
-const Eigen::VectorXd& RayleighDamping::force_in_step(const LinearOperators& operators, const StepCoefficients& step,
-                                                      const Eigen::VectorXd& d) {
-  product_.resize(d.size());
-  operators.inertia_times.multiply(d, product_);
-  force_of(operators, d, product_, force_);
-  force_ = known_ + step.damping * force_;
-  return force_;
-}
-
 void RayleighDamping::add_drive(const BlockSystem& system, double time, Eigen::VectorXd& force) const {
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     const SupportElement& support = system.supports[i];
@@ -57,26 +53,86 @@ void RayleighDamping::add_drive(const BlockSystem& system, double time, Eigen::V
 }
 
 void RayleighDamping::add_drive_in_step(const BlockSystem& system, Eigen::VectorXd& rhs) {
+  const StepCoefficients& c = system.coefficients;
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     const SupportElement& support = system.supports[i];
-    const Vec2 force = stiffness_ * (support.stiffness * mean_velocity(system, i));
+    const Vec2 force = stiffness_ * (support.stiffness * foot_velocity(system, i, c.load_old, c.load_new));
     known_.segment<6>(6 * support.block) -= support.rows.transpose() * force;
     rhs.segment<6>(6 * support.block) += support.rows.transpose() * force;
   }
 }
 
-double RayleighDamping::work_on_feet(const BlockSystem& system) const {
-  const StepCoefficients& step = system.coefficients;
+double RayleighDamping::work_on_feet(const BlockSystem& system, const Eigen::Ref<const Eigen::VectorXd>& velocity,
+                                     double load_old, double load_new) const {
+  if (!system.plan.moving_supports) return 0;
   double work = 0;
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     const SupportElement& support = system.supports[i];
-    const PointSupport& foot = system.model.supports[i];
-    const Vec6 velocity =
-        carried_.segment<6>(6 * support.block) + step.damping * system.increment.segment<6>(6 * support.block);
-    const Vec2 force = stiffness_ * (support.stiffness * (support.rows * velocity - mean_velocity(system, i)));
-    work += force.dot(prescribed_displacement(foot, system.end_of_step(step.dt)) - support.prescribed);
+    const Vec2 against_foot =
+        support.rows * velocity.segment<6>(6 * support.block) - foot_velocity(system, i, load_old, load_new);
+    const Vec2 motion = prescribed_displacement(system.model.supports[i], system.end_of_step(system.coefficients.dt)) -
+                        support.prescribed;
+    work += stiffness_ * (support.stiffness * against_foot).dot(motion);
   }
   return work;
+}
+
+double RayleighDamping::power_of_feet(const BlockSystem& system, double time, const Eigen::VectorXd& velocity) const {
+  double power = 0;
+  for (std::size_t i = 0; i < system.supports.size(); ++i) {
+    const SupportElement& support = system.supports[i];
+    const Vec2 force = stiffness_ * (support.stiffness * (support.rows * velocity.segment<6>(6 * support.block)));
+    power += force.dot(prescribed_velocity(system.model.supports[i], time));
+  }
+  return power;
+}
+
+// Of C (damping d + damping_v v0 + damping_a a0) less what drives it.
+RayleighDamping::Works RayleighDamping::works_in_balance(const BlockSystem& system) {
+  const StepCoefficients& step = system.coefficients;
+  product_ = carried_ + step.damping * system.increment;
+  return {system.increment.dot(force_), system.held.work(force_),
+          work_on_feet(system, product_, step.load_old, step.load_new)};
+}
+
+// Of C v0 less what drives it. C is symmetric: d . C v0 = v0 . C d.
+RayleighDamping::Works RayleighDamping::works_of_start(const LinearOperators& operators, const MotionAtStart& start,
+                                                       const BlockSystem& system) {
+  Works works;
+  product_.setZero();
+  if (system.plan.moving_supports) add_drive(system, system.state.time, product_);
+  works.on_blocks = start.velocity.dot(of_increment_) - system.increment.dot(product_);
+  works.on_feet = work_on_feet(system, start.velocity, 1, 0);
+  if (!system.held.move) return works;
+  works.on_held_blocks = -system.held.work(product_);
+  force_of(operators, start.velocity, start.momentum, product_);
+  works.on_held_blocks += system.held.work(product_);
+  return works;
+}
+
+void RayleighDamping::book(const LinearOperators& operators, const MotionAtStart& start, BlockSystem& system) {
+  const StepCoefficients& step = system.coefficients;
+  product_.resize(system.increment.size());
+  operators.inertia_times.multiply(system.increment, product_);
+  force_of(operators, system.increment, product_, of_increment_);
+  force_ = known_ + step.damping * of_increment_;
+  // Of held blocks the momentum is what the integrator has, and not what their prescribed velocities make of it.
+  const double of_momentum = mass_ * (system.increment.dot(start.momentum) - start.velocity.dot(product_));
+  Works mean = works_in_balance(system);
+  double by_integrator = 0;
+  if (const double off_centre = 0.5 - step.load_old; off_centre != 0) {
+    Works old = works_of_start(operators, start, system);
+    old.on_blocks += of_momentum;
+    const auto centre = [&](double& work, double at_start) {
+      const double off = off_centre * (work - at_start) / step.load_new;  // of the change from start to end
+      work -= off;
+      return off;
+    };
+    by_integrator = centre(mean.on_blocks, old.on_blocks) - centre(mean.on_held_blocks, old.on_held_blocks);
+    centre(mean.on_feet, old.on_feet);
+  }
+  system.audit.damping_worked(mean.on_blocks - mean.on_feet, by_integrator);
+  system.audit.held_blocks_moved_against(mean.on_held_blocks - mean.on_feet);
 }
 
 }  // namespace dda

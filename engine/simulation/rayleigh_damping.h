@@ -21,6 +21,9 @@ struct MotionAtStart {
   const Eigen::VectorXd &momentum, &inertia_force;  // M v, M a
 };
 
+// That of a stage: none in static ones.
+[[nodiscard]] MaterialDamping acting_damping(const Stage& stage);
+
 class RayleighDamping {
  public:
   // From the start of a stage on; it acts in dynamic stages.
@@ -43,21 +46,33 @@ class RayleighDamping {
   void add_drive(const BlockSystem& system, double time, Eigen::VectorXd& force) const;
   void add_drive_in_step(const BlockSystem& system, Eigen::VectorXd& rhs);
 
-  // What the balance of the step with this increment had: C (damping d + damping_v v0 + damping_a a0), in N.
-  [[nodiscard]] const Eigen::VectorXd& force_in_step(const LinearOperators& operators, const StepCoefficients& step,
-                                                     const Eigen::VectorXd& d);
-  // The work that the dampers do on the feet in that step (J per m of thickness); after force_in_step(), before the
-  // state moves.
-  [[nodiscard]] double work_on_feet(const BlockSystem& system) const;
+  // Books what dampers take of the motion of a step, and what held blocks and feet of supports bring in of it: by the
+  // mean of their forces at its two ends, as the work of all other forces is. After take_off_known(), before the state
+  // moves.
+  void book(const LinearOperators& operators, const MotionAtStart& start, BlockSystem& system);
+
+  // What feet of supports would bring in (W per m of thickness) were the springs' dampers passed by these velocities, 6
+  // numbers a block, and the feet moved as they do at `time` (s).
+  [[nodiscard]] double power_of_feet(const BlockSystem& system, double time, const Eigen::VectorXd& velocity) const;
 
  private:
+  // Works (J per m of thickness) over the increment of a step, of forces at one moment or in the balance of the step.
+  struct Works {
+    double on_blocks = 0, on_held_blocks = 0, on_feet = 0;
+  };
+  [[nodiscard]] Works works_in_balance(const BlockSystem& system);
+  [[nodiscard]] Works works_of_start(const LinearOperators& operators, const MotionAtStart& start,
+                                     const BlockSystem& system);
+  [[nodiscard]] double work_on_feet(const BlockSystem& system, const Eigen::Ref<const Eigen::VectorXd>& velocity,
+                                    double load_old, double load_new) const;
+
   double mass_ = 0;       // 1/s
   double stiffness_ = 0;  // s
 
   // Within a step.
-  Eigen::VectorXd carried_, mass_times_carried_;  // damping_v v0 + damping_a a0, and M times that
-  Eigen::VectorXd known_;                         // N, C times that
-  Eigen::VectorXd product_, force_;
+  Eigen::VectorXd carried_, mass_times_carried_;    // damping_v v0 + damping_a a0, and M times that
+  Eigen::VectorXd known_;                           // N, C times that
+  Eigen::VectorXd product_, of_increment_, force_;  // N: C d, and what the balance had
 };
 
 }  // namespace dda

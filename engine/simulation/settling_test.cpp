@@ -44,6 +44,28 @@ TEST(Settling, LooseStoneComesToLieOnTheFloor) {
   EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
 }
 
+// Four boxes of 1 m around a point. Two of them leave while the other two go at each other over the corner, which a
+// third block covers as long as all four lie there: in one step they go 40 mm.
+TEST(Settling, CornersThatAStepUncoversMeet) {
+  for (const int steps : {2, 20}) {
+    Model model;
+    model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
+    model.joints = {JointMaterial{}};
+    model.blocks = {rectangle("upper left", -1, 0, 1, 1), rectangle("upper right", 0, 0, 1, 1),
+                    rectangle("lower left", -1, -1, 1, 1), rectangle("lower right", 0, -1, 1, 1)};
+    model.held_blocks.emplace_back().block = 3;
+    model.blocks[0].initial_velocity = {1, -1};
+    model.blocks[1].initial_velocity = {2, 2};
+    model.blocks[2].initial_velocity = {-2, -2};
+    model.stages = {stage_of(generalized_alpha_integrator(0), 0.08 / steps, steps, Kinematics::finite)};
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, steps);
+    const Vec2 moved = current_position(simulation.model(), simulation.state(), 0, {0, 0});
+    // Its corner has passed on one side or the other, but for what sides in line may differ.
+    EXPECT_LT(std::min(moved.x(), -moved.y()), 1e-3) << steps << ": " << moved.transpose();
+  }
+}
+
 // In one step the stone moves by ten times its size, and by a hundred times what contacts are usually looked for from.
 TEST(Settling, FastStoneIsStoppedByWhatItWouldPassInOneStep) {
   for (const double size : {1e-1, 1e-2, 1e-3}) {

@@ -11,11 +11,13 @@
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/excavation.h"
+#include "engine/simulation/explicit_step.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/stability_limit.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/system_matrix.h"
 
@@ -64,12 +66,14 @@ void put_in_bolts(const GeneralStep& general, BlockSystem& s) {
 
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
   BlockSystem& s = *system_;
+  stability_limits_ = checked_stability_limits(s.model);
   static_out_of_balance_.assign(s.model.stages.size(), std::numeric_limits<double>::quiet_NaN());
   energy_at_end_.resize(s.model.stages.size());
   for (const InterfaceState& state : s.contacts.states)
     in_situ_force_ = std::max(in_situ_force_, state.force.cwiseAbs().maxCoeff());
   general_ = std::make_unique<GeneralStep>(s);
   linear_ = std::make_unique<LinearStep>(s);
+  explicit_ = std::make_unique<ExplicitStep>(s);
   if (s.contacts.can_change)
     for (Stage& each : s.model.stages) each.integrator = with_contacts(each.integrator);
   s.sum_internal_forces(s.forces.internal_old);
@@ -94,12 +98,14 @@ const StepPlan& Simulation::plan() const { return system_->plan; }
 const EnergyLedger& Simulation::energy() const { return system_->audit.ledger(); }
 const Penetration& Simulation::deepest_penetration() const { return general_->deepest_penetration(); }
 
+double Simulation::stability_limit(std::size_t stage) const { return stability_limits_[stage]; }
+
 const Simulation* Simulation::free_field_columns() const {
   return system_->free_field ? &system_->free_field->columns() : nullptr;
 }
 
 InterfaceState Simulation::interface_state(std::size_t index) const {
-  return system_->plan.linear ? linear_->interface_state(index) : system_->contacts.states[index];
+  return system_->plan.linear ? linear_interface_state(*system_, index) : system_->contacts.states[index];
 }
 
 Counters Simulation::counters() const {
@@ -115,6 +121,7 @@ std::int64_t Simulation::steps_in_all_stages() const {
 }
 
 Step& Simulation::stage_step() {
+  if (system_->plan.explicit_steps) return *explicit_;
   if (system_->plan.linear) return *linear_;
   return *general_;
 }
@@ -126,7 +133,7 @@ void Simulation::begin_stage() {
   s.clock.begun = true;
   s.clock.step = 0;
   s.clock.start = s.state.time;
-  excavate(s, *general_, *linear_);
+  excavate(s, *general_);
   put_in_bolts(*general_, s);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();
@@ -134,7 +141,7 @@ void Simulation::begin_stage() {
   const double dt = first_step(s.model, s.stage(), s.contacts.can_change);
   const StepPlan next =
       make_plan(s.model, s.clock.stage, s.contacts, pattern.couplings(), stiffness_number(s.contacts, s.terms, dt));
-  const bool other_kind = next.linear != s.plan.linear;
+  const bool other_kind = next.linear != s.plan.linear || next.explicit_steps != s.plan.explicit_steps;
   if (other_kind) stage_step().hand_over();
   s.plan = next;
   if (other_kind) stage_step().take_over();
@@ -206,8 +213,9 @@ Status Simulation::end_stage() {
   if (s.plan.is_static) static_out_of_balance_[s.clock.stage] = out_of_balance();
   const std::string problem = s.plan.is_static ? equilibrium_problem(s, in_situ_force_) : "";
   std::ranges::move(let_go_of_loose_blocks(s), std::back_inserter(loose_blocks_));
-  let_go_of_supports(s);
   if (ended.unlimited_strength) release_shear_of_contacts(s);
+  if (at_ends_of_stages_) at_ends_of_stages_();
+  let_go_of_supports(s);
   if (s.plan.is_static) s.audit.has_settled();
   energy_at_end_[s.clock.stage] = s.audit.ledger();
   ++s.clock.stage;
@@ -225,6 +233,10 @@ std::size_t stages_done(const Simulation& simulation) { return simulation.system
 
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation) {
   return std::span(simulation.energy_at_end_).first(stages_done(simulation));
+}
+
+void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation) {
+  simulation.at_ends_of_stages_ = std::move(act);
 }
 
 void call_between_stages(std::function<void()> act, Simulation& simulation) {

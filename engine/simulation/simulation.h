@@ -4,7 +4,7 @@
 //   while (!simulation.finished() && simulation.step() == Status::ok) use(simulation.state());
 //
 // A simulation says which stage is under way and which dt is next: a step that does not converge is retried in halves.
-// What a step does is GeneralStep's or LinearStep's; the state only ever holds converged steps.
+// What a step does is GeneralStep's, LinearStep's or ExplicitStep's; the state only ever holds converged steps.
 #pragma once
 
 #include <cstddef>
@@ -32,13 +32,15 @@
 namespace dda {
 
 struct BlockSystem;
+class ExplicitStep;
 class GeneralStep;
 class LinearStep;
 class Step;
 
 class Simulation {
  public:
-  // The model must be finished (finish_model) and have at least one stage.
+  // The model must be finished (finish_model) and have at least one stage. Throws InputError (without a file) where
+  // explicit steps are longer than is stable.
   explicit Simulation(Model model);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -70,6 +72,9 @@ class Simulation {
   // Of all steps with contacts that can change.
   [[nodiscard]] const Penetration& deepest_penetration() const;
 
+  // The longest dt with which a stage of explicit steps is stable, s; 0 for other stages.
+  [[nodiscard]] double stability_limit(std::size_t stage) const;
+
   // Largest unbalanced force of any unknown in the last step, internal against external without inertia, divided by the
   // largest load, weight or in-situ force on an interface: what is left on the way to static equilibrium.
   [[nodiscard]] double out_of_balance() const;
@@ -94,6 +99,7 @@ class Simulation {
   [[nodiscard]] std::vector<std::byte> save() const;
   void restore(State state, std::span<const std::byte> snapshot);
 
+  friend void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation);
   friend void call_between_stages(std::function<void()> act, Simulation& simulation);
   friend std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
   friend void go_on_from(const Simulation& settled, Simulation& fresh);  // see branch.h
@@ -111,13 +117,15 @@ class Simulation {
   std::unique_ptr<BlockSystem> system_;
   std::unique_ptr<GeneralStep> general_;
   std::unique_ptr<LinearStep> linear_;
+  std::unique_ptr<ExplicitStep> explicit_;
   std::string message_;
   SettlingPace pace_;                          // of a stage that paces itself
   std::vector<double> static_out_of_balance_;  // one a stage
   std::vector<EnergyLedger> energy_at_end_;    // one a stage
   std::vector<UnbalancedBlock> loose_blocks_;
-  double in_situ_force_ = 0;  // N per m of thickness, the largest on an interface
-  std::function<void()> between_stages_;
+  std::vector<double> stability_limits_;  // s, one a stage, 0 where steps are implicit
+  double in_situ_force_ = 0;              // N per m of thickness, the largest on an interface
+  std::function<void()> at_ends_of_stages_, between_stages_;
 };
 
 // How many stages are over.
@@ -125,6 +133,10 @@ std::size_t stages_done(const Simulation& simulation);
 
 // What energy() was at the end of each of them.
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
+
+// Acts at the end of every stage, whatever came of it: supports that end with it are still there, and the next stage
+// has not taken velocities or removed blocks.
+void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation);
 
 // Acts between two stages, and after the last one: what ends with the stage has ended, and nothing of the next has
 // begun. After a stage that should have come to equilibrium and has not it does not.

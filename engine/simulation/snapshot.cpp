@@ -10,6 +10,7 @@
 #include "engine/simulation/archive.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/excavation.h"
+#include "engine/simulation/explicit_step.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/linear_step.h"
@@ -17,7 +18,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3531'4e53'4144'44ULL;  // "DDASN15", read as a little-endian number
+constexpr std::uint64_t kind = 0x3631'4e53'4144'44ULL;  // "DDASN16", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>
@@ -50,9 +51,9 @@ void check_place_in_run(const BlockSystem& s, double saved_dt) {
 
 template <typename Self, typename Archive>
 void Simulation::visit(Self& self, Archive& archive) {
-  auto& [system, general, linear, message, pace, static_out_of_balance, energy_at_end, loose_blocks, in_situ_force,
-         between_stages] = self;
-  archive(*system, *general, *linear, pace, loose_blocks);
+  auto& [system, general, linear, explicit_steps, message, pace, static_out_of_balance, energy_at_end, loose_blocks,
+         stability_limits, in_situ_force, at_ends_of_stages, between_stages] = self;
+  archive(*system, *general, *linear, *explicit_steps, pace, loose_blocks);
   archive.each(static_out_of_balance);
   archive.each(energy_at_end);  // the message is of the last step; in-situ forces are the drawing's
 }

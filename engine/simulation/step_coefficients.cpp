@@ -1,8 +1,24 @@
 #include "engine/simulation/step_coefficients.h"
 
 namespace dda {
+namespace {
+
+// Of means over the step alone: its motion and the new acceleration do not follow from one another.
+StepCoefficients central_difference_coefficients(double dt) {
+  StepCoefficients c;
+  c.dt = dt;
+  c.load_new = c.load_old = 0.5;
+  c.v_v = 1;
+  c.v_a0 = c.v_a1 = dt / 2;
+  c.weight_new_a = 0.5;
+  c.acts_at = 0.5;
+  return c;
+}
+
+}  // namespace
 
 StepCoefficients step_coefficients(const Integrator& integrator, double dt) {
+  if (integrator.is_explicit()) return central_difference_coefficients(dt);
   const double beta = integrator.beta;
   const double gamma = integrator.gamma;
   const double new_m = 1 - integrator.alpha_m;

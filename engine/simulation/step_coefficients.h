@@ -3,7 +3,8 @@
 // With d the displacement increment, the step solves
 //   (mass M + damping C + stiffness K) d
 //     = load_new F1 + load_old F0 - Fint0 + M (mass_v v0 + mass_a a0) - C (damping_v v0 + damping_a a0)
-// which is the integrator's balance (settings.h) with a1 and v1 written in d, v0, a0.
+// which is the integrator's balance (settings.h) with a1 and v1 written in d, v0, a0. Explicit steps, whose d follows
+// from v0 and a0 alone, have the weights of forces and velocities and no such system (explicit_step.h).
 #pragma once
 
 #include "engine/model/settings.h"

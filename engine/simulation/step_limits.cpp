@@ -19,10 +19,8 @@ constexpr double most_turn_in_static_steps = 0.05;
 constexpr double most_turn_in_shortest_steps = 0.3;
 
 double most_turn_now(const BlockSystem& system) {
-  const Stage& stage = system.stage();
   if (system.plan.is_static) return most_turn_in_static_steps;
-  const bool is_shortest = system.coefficients.dt <= std::ldexp(stage.dt, -stage.max_step_reductions);
-  return is_shortest ? most_turn_in_shortest_steps : most_turn;
+  return is_shortest_part(system) ? most_turn_in_shortest_steps : most_turn;
 }
 
 std::string_view remedy_of_unsettled(const Stage& stage) {
@@ -32,6 +30,11 @@ std::string_view remedy_of_unsettled(const Stage& stage) {
 }
 
 }  // namespace
+
+bool is_shortest_part(const BlockSystem& system) {
+  const Stage& stage = system.stage();
+  return system.coefficients.dt <= std::ldexp(stage.dt, -stage.max_step_reductions);
+}
 
 int most_passes(const Stage& stage) {
   constexpr int most_when_paced = 60;

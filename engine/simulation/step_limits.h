@@ -12,6 +12,9 @@ namespace dda {
 // off by its size times half the square.
 inline constexpr double most_turn = 0.01;
 
+// Whether the step under way is a part that is not cut further.
+bool is_shortest_part(const BlockSystem& system);
+
 // Of the block that moves most by system.increment, its motion in its own size (see motion_share).
 double largest_motion(const BlockSystem& system);
 

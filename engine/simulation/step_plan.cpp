@@ -50,10 +50,11 @@ StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet
                                                           [](const auto& joint) { return joint.dilation_angle > 0; });
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
   plan.linear = !plan.contacts_can_change && !plan.finite_kinematics;
+  plan.explicit_steps = plan.linear && stage.integrator.is_explicit();
   const Stage acting = model.with_acting_corrections(stage);
   const bool in_mesh = has_law(contacts, InterfaceLaw::consistent);
-  plan.block_dispersion = acting.correct_block_dispersion && in_mesh;
-  plan.time_dispersion = acting.correct_time_dispersion && (in_mesh || has_law(contacts, InterfaceLaw::cubic));
+  plan.waves.for_blocks = acting.correct_block_dispersion && in_mesh;
+  plan.waves.for_steps = acting.correct_time_dispersion && (in_mesh || has_law(contacts, InterfaceLaw::cubic));
   plan.velocity_damping = stage.velocity_factor != 1 || stage.damping_rate != 0;
   plan.is_static = stage.integrator.is_static;
   plan.chi = chi;
@@ -76,12 +77,13 @@ std::vector<std::string> StepPlan::describe() const {
   add(contacts, contacts_judged ? "contacts: open-close iteration" : "contacts: bonded, never judged");
   add(dilation, "dilation of joints that slide");
   add(linear, "linear: forces by one constant matrix");
-  add(block_dispersion, "waves: corrected for the size of blocks");
-  add(time_dispersion, "waves: corrected for the time steps");
+  add(waves.for_blocks, "waves: corrected for the size of blocks");
+  add(waves.for_steps, "waves: corrected for the time steps");
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
   add(!finite_kinematics, "geometry: as drawn, matrix built once");
   add(velocity_damping, "velocity damping");
-  lines.push_back(fmt::format("solve: {} (chi = {:.3g})", to_string(solver), chi));
+  lines.push_back(explicit_steps ? "solve: explicit, accelerations block by block"
+                                 : fmt::format("solve: {} (chi = {:.3g})", to_string(solver), chi));
   return lines;
 }
 

@@ -10,6 +10,12 @@
 
 namespace dda {
 
+// For what waves are corrected.
+struct CorrectedWaves {
+  bool for_blocks = false;  // their size
+  bool for_steps = false;
+};
+
 struct StepPlan {
   bool loads = false;
   bool gravity = false;
@@ -25,8 +31,8 @@ struct StepPlan {
   bool dilation = false;             // some joint opens as it slides
   bool finite_kinematics = false;    // geometry and matrix are rebuilt every step
   bool linear = false;               // nothing can change: forces are one product with a constant matrix
-  bool block_dispersion = false;     // waves are corrected for the size of blocks
-  bool time_dispersion = false;      // and for the time steps
+  bool explicit_steps = false;       // and no system is solved
+  CorrectedWaves waves;
   bool velocity_damping = false;
   bool is_static = false;
   double chi = 0;  // k dt^2/m

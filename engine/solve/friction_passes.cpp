@@ -8,6 +8,7 @@
 #include "engine/contact/open_close.h"
 #include "engine/core/parallel.h"
 #include "engine/core/phase_clock.h"
+#include "engine/solve/largest_entry.h"
 
 namespace dda {
 namespace {
@@ -172,12 +173,6 @@ void FrictionPasses::form_residual(const Iterate& at) {
   residual_ -= image_;
   at.problem->held.clear(residual_);
   measure_imbalance(at);
-}
-
-double largest_entry(const Eigen::VectorXd& force, std::size_t block, double area) {
-  const auto own = force.segment<6>(static_cast<Eigen::Index>(6 * block));
-  const double moments = own.tail<4>().cwiseAbs().maxCoeff() / std::sqrt(area);
-  return std::max(own.head<2>().cwiseAbs().maxCoeff(), moments);
 }
 
 // Not a number where an entry is none.

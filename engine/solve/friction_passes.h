@@ -101,7 +101,4 @@ class FrictionPasses {
   double largest_force_ = 0;  // of contacts and bolts, N per m of thickness
 };
 
-// Forces, and moments as forces at the arm of the block's size.
-double largest_entry(const Eigen::VectorXd& force, std::size_t block, double area);
-
 }  // namespace dda

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "engine/solve/friction_passes.h"
+#include "engine/solve/largest_entry.h"
 
 namespace dda {
 namespace {

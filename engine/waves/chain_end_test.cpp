@@ -79,11 +79,12 @@ TEST(ChainEnd, NotWhereSomethingHoldsTheChain) {
   EXPECT_EQ(blocks_at_ends(held), std::vector{2});
 }
 
+// On its end faces; elsewhere on its sides the chain is none (CubicCandidates).
 TEST(ChainEnd, WhatHoldsItSidewaysDoesNotMatter) {
   Model rolling = chain_of(3);
   rolling.supports = {
       {.block = 0, .point = rolling.blocks[0].shape.outer[0], .holds_x = false, .stiffness = 1, .history = {}},
-      {.block = 2, .point = rolling.blocks[2].shape.outer[0], .stiffness = 1, .history = {}, .direction = {0, 1}}};
+      {.block = 2, .point = rolling.blocks[2].shape.outer[1], .stiffness = 1, .history = {}, .direction = {0, 1}}};
   EXPECT_EQ(blocks_at_ends(rolling), (std::vector{0, 2}));
 }
 

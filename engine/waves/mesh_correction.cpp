@@ -67,6 +67,22 @@ Mat3 jump_modulus(const Material& material, double stabilisation) {
   return modulus;
 }
 
+// tau of an interface, 1/Pa.
+double step_softening(const Model& model, const Interface& interface, const JumpSoftening& softening) {
+  const Material& material = model.material_of(interface.block_a);
+  const double across = width(model, interface);
+  const double wanted = softening.for_steps / (material.density * across * across);
+  return std::min(wanted, mesh::most_step_softening / elasticity_matrix(material)(0, 0));
+}
+
+// tau times the isotropic modulus of D^2 and G^2, Pa.
+Mat3 step_modulus(const Material& material, double tau) {
+  const Mat3 elasticity = elasticity_matrix(material);
+  const double p = tau * elasticity(0, 0) * elasticity(0, 0);
+  const double g = tau * elasticity(2, 2) * elasticity(2, 2);
+  return (Mat3() << p, p - 2 * g, 0, p - 2 * g, p, 0, 0, 0, g).finished();
+}
+
 bool can_jump(const Model& model, const Interface& interface) {
   const Block& a = block_of(model, interface.block_a);
   const Block& b = block_of(model, interface.block_b);
@@ -108,17 +124,27 @@ bool is_in_mesh(const Model& model, const InterfaceElement& element) {
   return element.law == InterfaceLaw::consistent && !model.is_held(element.block_a) && !model.is_held(element.block_b);
 }
 
-InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface) {
+InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface, const JumpSoftening& softening) {
   InterfaceMatrices stiffness{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()};
   if (!can_jump(model, interface)) return stiffness;
   const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
   const Mat3 strains = strains_along(interface.normal);
-  const Mat3 jump = interface.length * width(model, interface) * strains.transpose() *
-                    jump_modulus(model.material_of(interface.block_a), joint.stabilisation) * strains;
+  const Material& material = model.material_of(interface.block_a);
+  Mat3 modulus = Mat3::Zero();
+  if (softening.for_blocks) modulus = jump_modulus(material, stabilisation_of(joint));
+  if (softening.for_steps > 0) modulus += step_modulus(material, step_softening(model, interface, softening));
+  const Mat3 jump = interface.length * width(model, interface) * strains.transpose() * modulus * strains;
   stiffness.aa.bottomRightCorner<3, 3>() = -jump;
   stiffness.bb.bottomRightCorner<3, 3>() = -jump;
   stiffness.ba.bottomRightCorner<3, 3>() = jump;
   return stiffness;
+}
+
+double jump_share(const Model& model, const Interface& interface, const JumpSoftening& softening) {
+  if (!can_jump(model, interface)) return 0;
+  const double across = width(model, interface);
+  return step_softening(model, interface, softening) * model.material_of(interface.block_a).density * across * across /
+         softening.for_steps;
 }
 
 InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt) {

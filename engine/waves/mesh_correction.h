@@ -19,7 +19,13 @@
 // where d is at most 4 area/perimeter of blocks that are not convex,
 // and the inertia of each block's dilatation is lowered by epsilon B dt^2 times its area; in a chain, whose interfaces
 // have one normal n and whose waves are those of a bar, that of the strain e_nn by epsilon (Q_bar - G) dt^2 times it.
-// Both are bounded, which K is not: at their caps short waves keep a third of their inertia, and strains a tenth.
+// Explicit steps (ADR 49) need an inertia without neighbours, and run oscillators too fast: epsilon = -1/12. Theirs is
+// made up for in K, by K - dt^2/12 K M^-1 K for long waves: with tau = dt^2/(12 rho d^2) the isotropic Q of the moduli
+// tau D^2 and tau G^2,
+//   Q_nn = Q_tt = tau D^2, Q_nt = tau (D^2 - 2 G^2), Q_shear = tau G^2,
+// is added to the other. That is softening of the same sort, of at most a third of the size below the limit of
+// stability. The implicit corrections are bounded, which K is not: at their caps short waves keep a third of their
+// inertia, and strains a tenth.
 #pragma once
 
 #include "engine/contact/interface.h"
@@ -38,6 +44,9 @@ inline constexpr double most_stabilisation = 1.0 / 3;
 // Of the mass l d rho between neighbours. Over the sides of a block l d sums up to at most four times its area, so
 // short waves would lose all of their inertia at 1/8.
 inline constexpr double most_correction = 0.08;
+// Of (c_p dt/d)^2/12, for explicit steps. Blocks as wide as the narrowest have a tenth of it less at their limit of
+// stability.
+inline constexpr double most_step_softening = 0.02;
 inline constexpr double most_strain_correction = 0.9;  // of the inertia that can be taken from these strains alone
 
 }  // namespace mesh
@@ -45,8 +54,20 @@ inline constexpr double most_strain_correction = 0.9;  // of the inertia that ca
 // Whether an interface is one of such a mesh: consistent, neither block held.
 bool is_in_mesh(const Model& model, const InterfaceElement& element);
 
+// By how much jumps are softened.
+struct JumpSoftening {
+  bool for_blocks = false;  // for the size of blocks
+  double for_steps = 0;     // for explicit steps: 1/12 times dt^2, s^2
+
+  [[nodiscard]] bool acts() const { return for_blocks || for_steps > 0; }
+};
+
 // Of the strains' jump. Zero between unlike materials, where strains do jump, and beside blocks that are not convex.
-InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface);
+InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface,
+                                 const JumpSoftening& softening = {true, 0});
+
+// The share of what explicit steps ask for that an interface has: 1, or less where it is capped.
+double jump_share(const Model& model, const Interface& interface, const JumpSoftening& softening);
 
 // Between the centroids. `period_error`: epsilon of the integrator (wave_corrections.h).
 InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);

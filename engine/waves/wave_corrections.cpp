@@ -68,8 +68,10 @@ WaveCorrections::WaveCorrections(const Model& model, const Stage& stage, const C
       ends_(free_chain_ends(model, contacts.interfaces, contacts.elements)),
       sharpening_(model.blocks.size(), 0) {
   const Stage acting = model.with_acting_corrections(stage);
-  soften_jumps_ = acting.correct_block_dispersion;
+  softening_.for_blocks = acting.correct_block_dispersion;
   if (acting.correct_time_dispersion) period_error_ = period_error(acting.integrator);
+  in_chains_only_ = acting.integrator.is_explicit();
+  if (in_chains_only_) softening_.for_steps = -period_error_ * dt_ * dt_;
   if (period_error_ != 0) find_sharpening(model, contacts);
 }
 
@@ -81,15 +83,19 @@ WaveCorrections WaveCorrections::with_all_inertia() const {
 
 void WaveCorrections::add_to_stiffness(const Model& model, const ContactSet& contacts, BlockMatrix& stiffness) const {
   for (const ChainEnd& end : ends_) stiffness.diagonal(end.block) += end_stiffness(model, end);
-  for (std::size_t i = 0; soften_jumps_ && i < contacts.elements.size(); ++i) {
+  for (std::size_t i = 0; softening_.acts() && i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (is_in_mesh(model, element)) add(element, jump_stiffness(model, contacts.interfaces[i]), stiffness);
+    if (is_in_mesh(model, element)) add(element, jump_stiffness(model, contacts.interfaces[i], softening_), stiffness);
   }
 }
 
 // Whether motion relative to each other has inertia in this interface.
 bool WaveCorrections::has_inertia(const Model& model, const InterfaceElement& element) const {
-  return is_cubic(element) || (period_error_ != 0 && is_in_mesh(model, element));
+  return is_cubic(element) || (period_error_ != 0 && !in_chains_only_ && is_in_mesh(model, element));
+}
+
+bool WaveCorrections::softened_for_steps(const Model& model, const InterfaceElement& element) const {
+  return softening_.for_steps > 0 && is_in_mesh(model, element);
 }
 
 std::vector<std::pair<int, int>> WaveCorrections::coupled_by_inertia(const Model& model,
@@ -111,7 +117,7 @@ void WaveCorrections::add_to_inertia(const Model& model, const ContactSet& conta
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
     if (has_inertia(model, contacts.elements[i]))
       add(contacts.elements[i], inertia_between(model, contacts, i), inertia);
-  if (period_error_ != 0) lower_strains(model, contacts, inertia);
+  if (period_error_ != 0 && !in_chains_only_) lower_strains(model, contacts, inertia);
   for (const ChainEnd& end : ends_)
     inertia.diagonal(end.block) += end_inertia(model, end, contacts.interfaces[end.interface], period_error_, dt_);
   if (!lateral_inertia_) remove_lateral_inertia(model, contacts, inertia);
@@ -142,21 +148,29 @@ void WaveCorrections::remove_lateral_inertia(const Model& model, const ContactSe
 
 double WaveCorrections::sharpening_beside(const Model& model, const ContactSet& contacts, std::size_t i) const {
   const Interface& interface = contacts.interfaces[i];
+  if (softened_for_steps(model, contacts.elements[i]))
+    return 2 * period_error_ * jump_share(model, interface, softening_);
   return is_cubic(contacts.elements[i]) ? cubic_load_sharpening(model, interface, period_error_, dt_)
                                         : mesh_load_sharpening(model, interface, period_error_, dt_);
 }
 
-// Interfaces at their caps have less than others; the least counts.
+// Interfaces at their caps have less than others; the least counts. Shares of one stage have one sign.
 void WaveCorrections::find_sharpening(const Model& model, const ContactSet& contacts) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (!has_inertia(model, element)) continue;
+    if (!has_inertia(model, element) && !softened_for_steps(model, element)) continue;
     const double share = sharpening_beside(model, contacts, i);
     for (const int block : {element.block_a, element.block_b}) {
       double& least = sharpening_[static_cast<std::size_t>(block)];
-      least = least == 0 ? share : std::min(least, share);
+      if (least == 0 || std::abs(share) < std::abs(least)) least = share;
     }
   }
+}
+
+LoadFilter WaveCorrections::face_load_filter(int block) const {
+  LoadFilter filter = load_filter(block);
+  if (softening_.for_steps > 0) filter.share = std::max(filter.share, period_error_);  // both are negative
+  return filter;
 }
 
 Vec6 WaveCorrections::lever_correction(int block, const Vec2& offset, const Vec2& force) const {

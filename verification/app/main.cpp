@@ -8,6 +8,7 @@
 #include "verification/chapters/thesis_command.h"
 #include "verification/differential/differential_command.h"
 #include "verification/precision/precision_command.h"
+#include "verification/rocks/rocks_command.h"
 #include "verification/stability/stability_command.h"
 #include "verification/suite/run_command.h"
 #include "verification/suite/table_command.h"
@@ -29,6 +30,7 @@ struct Arguments {
   verify::ThesisCommand thesis;
   verify::StabilityCommand stability;
   verify::DifferentialCommand differential;
+  verify::RocksCommand rocks;
 };
 
 void add_calibrate(CLI::App& app, Arguments& arguments) {
@@ -160,6 +162,20 @@ void add_stability(CLI::App& app, Arguments& arguments) {
                       "the corners of the chart under two integrators, in seconds");
 }
 
+void add_rocks(CLI::App& app, Arguments& arguments) {
+  CLI::App* rocks = app.add_subcommand(
+      "rocks",
+      "Rock cut by lot - joint sets, traces, grains, openings, excavations, slopes, shaken walls - settles and moves, "
+      "and is judged by outlines, weights, Coulomb's law and speeds.\nWrites rocks.json, rocks.md, images/ and the "
+      "scenes that are not right. Exit code 1 if a rock is wrong in silence.");
+  rocks->add_option("--out", arguments.rocks.folder, "folder for all files; made if it is not there")->required();
+  rocks->add_option("--seed", arguments.rocks.seed, "of the first rock; the others follow")->capture_default_str();
+  rocks->add_option("--count", arguments.rocks.count, "rocks")->check(CLI::PositiveNumber)->capture_default_str();
+  rocks->add_option("--seconds", arguments.rocks.seconds, "of CPU time, the most that a rock is given")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
 void add_differential(CLI::App& app, Arguments& arguments) {
   CLI::App* differential = app.add_subcommand(
       "differential",
@@ -192,6 +208,7 @@ int carry_out(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("job")) return verify::job(arguments.job, std::cout);
   if (app.got_subcommand("work-precision")) return verify::work_precision(arguments.precision, std::cout, std::cerr);
   if (app.got_subcommand("differential")) return verify::compare_scenes(arguments.differential, std::cout, std::cerr);
+  if (app.got_subcommand("rocks")) return verify::run_rocks(arguments.rocks, std::cout, std::cerr);
   if (app.got_subcommand("stability")) return verify::chart_stability(arguments.stability, std::cout, std::cerr);
   if (app.got_subcommand("collect")) return verify::collect(arguments.collected, std::cout, std::cerr);
   if (!arguments.list) return verify::run_cases(verify::all_cases(), arguments.run, std::cout, std::cerr);
@@ -216,5 +233,6 @@ int main(int argc, char** argv) {
   add_thesis(app, arguments);
   add_stability(app, arguments);
   add_differential(app, arguments);
+  add_rocks(app, arguments);
   return verify::run_program(app, argc, argv, [&app, &arguments] { return carry_out(app, arguments); });
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "verification/precision/grid.h"
+#include "verification/precision/plane_run.h"
 #include "verification/precision/robust.h"
 #include "verification/precision/summary.h"
 
@@ -46,7 +47,8 @@ constexpr double plate_passes = 2e5;     // 3 % and the runs around it
 
 bool is_accurate(const PrecisionScheme& scheme) { return scheme == accurate_scheme(Problem::bar); }
 bool is_thesis(const PrecisionScheme& scheme) { return scheme == thesis_scheme(); }
-bool is_engine(const PrecisionScheme& scheme) { return scheme.is_engine(); }
+// Of implicit steps: a pass of explicit ones is a product alone.
+bool is_engine(const PrecisionScheme& scheme) { return scheme.is_engine() && scheme != explicit_scheme(); }
 
 // What the thesis' scheme makes of `times` the passes that the accurate one needs for `error`: still more than that.
 void assert_gain(double times, double error, Norm norm, const std::vector<Measured>& accurate, Outcome& outcome) {
@@ -105,6 +107,34 @@ Outcome plate_case() {
   return outcome;
 }
 
+// Explicit steps just below their limit have the error of implicit ones of a length that adds next to nothing, and with
+// half of their length they have it still: blocks alone are left.
+Outcome explicit_plate_case() {
+  Outcome outcome;
+  const double p_speed = plane_pulse().p_speed;
+  for (const int along : {20, 28}) {
+    const double size = plane_half_side / along;
+    const auto error_with = [&](const PrecisionScheme& scheme, double number) {
+      const PrecisionResult result = run_job({Problem::plane, scheme, size, number * size / p_speed});
+      outcome.counters.steps += static_cast<std::int64_t>(result.steps);
+      outcome.counters.solves += static_cast<std::int64_t>(result.solves);
+      return result.error;
+    };
+    const double implicit_error = error_with(accurate_scheme(Problem::plane), 0.35);
+    const double half = error_with(explicit_scheme(), 0.14), whole = error_with(explicit_scheme(), 0.28);
+    outcome.assertions.push_back(
+        {fmt::format("L2 error in a plate of {0} x {0} blocks, explicit steps of c_p dt/L = 0.28 "
+                     "(error: beyond that of implicit steps of 0.35)",
+                     2 * along),
+         "-", whole, implicit_error, "accurate default, same blocks", std::max(0.0, whole / implicit_error - 1), 0.01,
+         "promised: no less accurate"});
+    outcome.assertions.push_back({fmt::format("the same over that of steps half as long, {0} x {0} blocks", 2 * along),
+                                  "-", whole / half, 1, "theory: errors of time steps are of fourth order",
+                                  whole / half - 1, 0.01, "measured 0.001"});
+  }
+  return outcome;
+}
+
 }  // namespace
 
 std::vector<Case> work_precision_cases() {
@@ -115,7 +145,12 @@ std::vector<Case> work_precision_cases() {
        "The same in a plate, P and S waves from a smooth source",
        {42},
        CaseLabel::slow,
-       plate_case}};
+       plate_case},
+      {"explicit-steps-plate",
+       "Explicit steps in a plate, P and S waves from a smooth source",
+       {42},
+       CaseLabel::slow,
+       explicit_plate_case}};
 }
 
 }  // namespace verify

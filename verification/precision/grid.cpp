@@ -53,6 +53,7 @@ void add_bar_yardstick(std::vector<PrecisionJob>& jobs, Problem problem, const P
 std::vector<double> plane_courant_numbers(const PrecisionScheme& scheme) {
   if (scheme.is_yardstick()) return {0.5, 0.7, 0.9};
   if (is_first_order(scheme)) return {0.016, 0.0625, 0.25, 1};
+  if (scheme == explicit_scheme()) return {0.14, 0.28};  // stable up to 0.287
   return {0.35, 0.7, 1, 1.4, 2};
 }
 
@@ -94,6 +95,7 @@ std::vector<PrecisionScheme> study_schemes(Problem problem) {
     schemes.push_back({"cubic", integrator});
     schemes.push_back({"cubic", integrator, 1, true});
   }
+  if (plane) schemes.push_back(explicit_scheme());
   if (!plane)
     for (const double springs : {20, 40, 100, 300})
       for (const char* integrator : {"thesis", "trapezoidal"})

@@ -48,6 +48,7 @@ std::string_view name_of(Problem problem) {
 dda::Integrator integrator_named(const std::string& name) {
   if (name == "thesis") return dda::thesis_integrator();
   if (name == "trapezoidal") return dda::trapezoidal_integrator();
+  if (name == "central_difference") return dda::central_difference_integrator();
   if (name == "energy_conserving") return dda::energy_conserving_integrator();
   if (const auto alpha = number_after("hht ", name)) return dda::hht_integrator(*alpha);
   if (const auto rho_inf = number_after("generalized_alpha ", name)) return dda::generalized_alpha_integrator(*rho_inf);
@@ -59,6 +60,8 @@ PrecisionScheme accurate_scheme(Problem problem) {
   const bool plane = problem == Problem::plane;
   return {plane ? "consistent" : "cubic", "generalized_alpha 0.85", 1, true};
 }
+
+PrecisionScheme explicit_scheme() { return {"consistent", "central_difference", 1, true}; }
 
 PrecisionScheme thesis_scheme() { return {"classical", "thesis", 1, false}; }
 

@@ -64,6 +64,8 @@ struct PrecisionResult {
 // What a scene gets that leaves scheme, joints and steps unsaid, and what the thesis did.
 [[nodiscard]] PrecisionScheme accurate_scheme(Problem problem);
 [[nodiscard]] PrecisionScheme thesis_scheme();
+// The accurate one of a plate in explicit steps, whose passes are shorter.
+[[nodiscard]] PrecisionScheme explicit_scheme();
 
 // Throws std::runtime_error if the run fails.
 [[nodiscard]] PrecisionResult run_job(const PrecisionJob& job);

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "engine/advice/remarks.h"
-#include "engine/app/energy_verdict.h"
+#include "engine/app/run_verdict.h"
 #include "engine/app/run_warnings.h"
 #include "engine/core/error.h"
 #include "engine/scene/scene.h"
@@ -57,7 +57,7 @@ std::vector<std::string> remarks_before(const dda::Simulation& simulation) {
 
 void judge(const dda::Simulation& simulation, const Watcher& watcher, const std::vector<std::string>& remarks,
            Cell& cell) {
-  const dda::EnergyVerdict verdict = dda::judge_energy(simulation);
+  const dda::RunVerdict verdict = dda::judge_run(simulation);
   if (verdict.status != dda::Status::ok) return stop(verdict.status, verdict.message, cell);
   cell.said = dda::warnings_of(simulation);
   if (!verdict.message.empty()) cell.said.push_back(verdict.message);

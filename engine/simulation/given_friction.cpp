@@ -1,8 +1,9 @@
-#include "engine/simulation/settling_friction.h"
+#include "engine/simulation/given_friction.h"
 
 #include <cstdint>
 
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/step_limits.h"
 
 namespace dda {
 namespace {
@@ -15,12 +16,15 @@ constexpr int steps_in_a_run = 5;
 // way at a friction 0.1 % higher where steps take it as given from the first on.
 constexpr std::int64_t first_step_given = 20;
 
+// Share of dt: where parts may not be that short, friction would be too late to be believed.
+constexpr double longest_part_given = 1.0 / 16;
+
 // A step of no more passes had next to nothing to change, and ends the run.
 constexpr std::int64_t passes_at_rest = 3;
 
 }  // namespace
 
-bool SettlingFriction::give(const BlockSystem& system) {
+bool GivenFriction::give(const BlockSystem& system) {
   const bool is_convex = system.stage().unlimited_strength;
   if (is_given() || !system.stage().paces_itself() || is_convex || system.plan.dilation ||
       system.clock.step < first_step_given)
@@ -29,7 +33,14 @@ bool SettlingFriction::give(const BlockSystem& system) {
   return true;
 }
 
-void SettlingFriction::settled(const BlockSystem& system) {
+bool GivenFriction::give_to_shortest_part(const BlockSystem& system) {
+  const bool is_short = system.coefficients.dt <= longest_part_given * system.stage().dt && is_shortest_part(system);
+  if (is_given() || system.plan.is_static || system.plan.dilation || !is_short) return false;
+  steps_left_ = 1;
+  return true;
+}
+
+void GivenFriction::settled(const BlockSystem& system) {
   was_given_ = is_given();
   if (!was_given_) return;
   const std::int64_t passes = system.costs.counters.open_close_iterations - system.clock.passes_before_step;

@@ -1,0 +1,53 @@
+#include "engine/advice/explicit_offer.h"
+
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "engine/simulation/stability_limit.h"
+
+namespace dda {
+namespace {
+
+constexpr double least_saving = 0.2;
+
+// What central differences are refused for (engine/model/check_runs.cpp), and static stages.
+bool can_be_explicit(const Model& model, const Stage& stage) {
+  return model.stays_linear() && !stage.integrator.is_static && !stage.integrator.is_explicit() &&
+         stage.material_damping.stiffness == 0 && model.free_field_sides.empty() && stage.lateral_inertia &&
+         stage.strain_inertia > 0;
+}
+
+// To two digits.
+double rounded_down(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::floor(value / unit) * unit;
+}
+
+// Of the stage of that number with explicit steps. 0: it cannot have them.
+double limit_of(Model model, std::size_t index) {
+  Stage& stage = model.stages[index];
+  stage.integrator = central_difference_integrator();
+  try {
+    return stability_limit(model, index);
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
+}  // namespace
+
+std::optional<ExplicitOffer> explicit_offer(const Model& model, std::size_t index, const SceneSize& size,
+                                            const StageCost& cost) {
+  const Stage& stage = model.stages[index];
+  if (!can_be_explicit(model, stage)) return std::nullopt;
+  const double limit = limit_of(model, index);
+  if (!(limit > 0) || !std::isfinite(limit)) return std::nullopt;
+  StepPlan plan;
+  plan.linear = plan.explicit_steps = true;
+  const double dt = rounded_down(limit);
+  const double seconds = cost_of(size, plan, std::llround(std::ceil(stage.duration / dt))).seconds;
+  if (seconds > (1 - least_saving) * cost.seconds) return std::nullopt;
+  return ExplicitOffer{dt, seconds};
+}
+
+}  // namespace dda

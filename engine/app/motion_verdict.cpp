@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "engine/app/run_verdict.h"
+#include "engine/simulation/small_motion.h"
+
+namespace dda {
+namespace {
+
+std::string sentence(const SmallMotionError& each, const Model& model) {
+  const auto name = [&](int block) { return model.blocks[static_cast<std::size_t>(block)].name; };
+  const std::string block =
+      fmt::format("block \"{}\" at ({:.4g}, {:.4g})", name(each.block), each.place.x(), each.place.y());
+  switch (each.fault) {
+    case SmallMotionFault::turned:
+      return fmt::format("{} has turned by {:.3g} deg, by which its lengths are wrong by {:.2g} %", block,
+                         each.amount * 180 / std::numbers::pi, 100 * each.error);
+    case SmallMotionFault::leaned:
+      return fmt::format(
+          "{} leans by {:.3g} m over its contact, {:.2g} % of the length of that, where its weight "
+          "still acts as drawn",
+          block, each.amount, 100 * each.error);
+    case SmallMotionFault::slid:
+      return each.error >= ruinous_error(each.fault)
+                 ? fmt::format("{} has slid by {:.3g} m along \"{}\", beyond the end of their common face", block,
+                               each.amount, name(each.other))
+                 : fmt::format(
+                       "{} has slid by {:.3g} m along \"{}\", {:.2g} % of a face on which forces stay where "
+                       "they were",
+                       block, each.amount, name(each.other), 100 * each.error);
+    case SmallMotionFault::passed:
+      return fmt::format(
+          "{} is or was deeper than {:.2g} m in \"{}\", {:.2g} % of the thinner one, where no contact acts", block,
+          each.amount, name(each.other), 100 * each.error);
+  }
+  return "";
+}
+
+}  // namespace
+
+RunVerdict judge_motion(const Simulation& simulation) {
+  std::vector<SmallMotionError> errors = errors_of_small_motion(simulation);
+  if (errors.empty()) return {};
+  const auto share_of_ruin = [](const SmallMotionError& each) { return each.error / ruinous_error(each.fault); };
+  const SmallMotionError worst = *std::ranges::max_element(errors, {}, share_of_ruin);
+  const bool is_ruined = share_of_ruin(worst) >= 1;
+  return {is_ruined ? Status::inaccurate : Status::ok,
+          fmt::format("{}kinematics are small, but {}; take \"kinematics\": \"finite\"",
+                      is_ruined ? "" : "warning: ", sentence(worst, simulation.model()))};
+}
+
+}  // namespace dda

@@ -1,0 +1,27 @@
+// Bending of rows one block wide under the consistent law.
+//
+// Blocks have one strain each and do not bend: a beam of them turns in its joints. Of n rows of blocks across, the
+// normal forces in the middles of the joints make 1 - 1/n^2 of the moment, and the difference of the normal gap between
+// the ends of each joint the rest, (3 `stabilisation`)/n^2 of it. In a row one block wide, n = 1, that difference is
+// all there is. A beam of bending stiffness E I turns by theta between the centroids of two blocks under the moment
+//   M = theta/(d_a/(E I)_a + d_b/(E I)_b),     d: distance of a centroid from the joint, I = (width)^3/12,
+// half blocks in series, E the modulus with free sides. Half of the difference of the gap is g = theta l/2, l the
+// length of the joint, so its stiffness is 4/l^2 times that of theta: E l/(3 d) with d = d_a + d_b for equal blocks.
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/interface.h"
+#include "engine/model/model.h"
+
+namespace dda {
+
+// Which of `interfaces` are joints of such a row: those of two blocks that have one joint at most on each of two
+// opposite faces, none elsewhere, and a cross-section that hardly changes. Held blocks are rigid, whatever touches
+// them.
+std::vector<bool> in_rows(const Model& model, const std::vector<Interface>& interfaces);
+
+// Of half the difference of the normal gap between the ends of a joint, N/m per m of thickness.
+double row_bending_stiffness(const Model& model, const Interface& interface);
+
+}  // namespace dda

@@ -1,0 +1,31 @@
+#include "engine/simulation/linear_states.h"
+
+#include <vector>
+
+namespace dda {
+
+InterfaceState linear_interface_state(const BlockSystem& system, std::size_t index) {
+  const InterfaceElement& element = system.contacts.elements[index];
+  const auto a = static_cast<std::size_t>(element.block_a);
+  const auto b = static_cast<std::size_t>(element.block_b);
+  const State& state = system.state;
+  return linear_state(element, system.contacts.states[index].gap, state.displacement[a], state.displacement[b],
+                      state.stress[a], state.stress[b]);
+}
+
+void write_linear_states(BlockSystem& system) {
+  std::vector<InterfaceState>& states = system.contacts.states;
+  for (std::size_t i = 0; i < states.size(); ++i) states[i] = linear_interface_state(system, i);
+}
+
+void keep_gaps_at_rest(BlockSystem& system) {
+  const State& state = system.state;
+  ContactSet& contacts = system.contacts;
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    contacts.states[i].gap -= element.rows_a * state.displacement[static_cast<std::size_t>(element.block_a)] +
+                              element.rows_b * state.displacement[static_cast<std::size_t>(element.block_b)];
+  }
+}
+
+}  // namespace dda

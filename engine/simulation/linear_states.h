@@ -1,0 +1,21 @@
+// States of contacts in a linear stage. There they hold their gaps at zero displacement, which is what finite
+// kinematics before it left; what they are now follows from the displacements.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/contact/interface_state.h"
+#include "engine/simulation/block_system.h"
+
+namespace dda {
+
+// The state of one interface now.
+InterfaceState linear_interface_state(const BlockSystem& system, std::size_t index);
+
+// Writes the states of all contacts as they are now.
+void write_linear_states(BlockSystem& system);
+
+// The other way: from states as they are now to gaps at zero displacement.
+void keep_gaps_at_rest(BlockSystem& system);
+
+}  // namespace dda

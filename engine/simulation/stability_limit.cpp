@@ -1,0 +1,210 @@
+#include "engine/simulation/stability_limit.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/linear/block_vectors.h"
+#include "engine/simulation/held_blocks.h"
+#include "engine/simulation/inertia_solver.h"
+
+namespace dda {
+namespace {
+
+// Of omega^2, which Lanczos' method may have missed, and with what probability it has missed more.
+constexpr double tolerance = 0.01;
+constexpr double doubt = 1e-6;
+
+// Kuczynski & Wozniakowski (1992, theorem 4.1): begun in a random direction of n dimensions, k products with a matrix
+// miss more than the share e of its largest eigenvalue with a probability below 1.648 sqrt(n) exp(-sqrt(e) (2 k - 1)).
+int products_for(double unknowns) {
+  const double wanted = std::log(1.648 * std::sqrt(unknowns) / doubt) / std::sqrt(tolerance);
+  return static_cast<int>(std::ceil((wanted + 1) / 2));
+}
+
+// Numbers between 0 and 1, always the same (Knuth's linear congruential generator, the upper bits).
+class FixedNumbers {
+ public:
+  double next() {
+    state_ = 6364136223846793005ULL * state_ + 1442695040888963407ULL;
+    return std::ldexp(static_cast<double>((state_ >> 11) + 1), -53);
+  }
+  // Normally distributed (Box & Muller 1958).
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(next()));
+    return radius * std::cos(2 * std::numbers::pi * next());
+  }
+
+ private:
+  std::uint64_t state_ = 49;
+};
+
+// M v of a v whose direction is as likely as any other in the inner product of M: L g with M = L L^T and g of normally
+// distributed numbers. Couplings between blocks are left out of L.
+Eigen::VectorXd random_momentum(const BlockMatrix& inertia, const HeldUnknowns& held) {
+  Eigen::VectorXd momentum(inertia.unknowns());
+  FixedNumbers numbers;
+  for (int i = 0; i < inertia.size(); ++i) {
+    Vec6 own;
+    for (double& each : own) each = numbers.normal();
+    const Mat6 block = inertia.diagonal(i);
+    if (!held.holds(i)) own = block.llt().matrixL() * own;
+    momentum.segment<6>(6 * i) = own;
+  }
+  held.clear(momentum);
+  return momentum;
+}
+
+// Lanczos' recurrence for M^-1 K in the inner product of M, without reorthogonalization: copies of eigenvalues that
+// this brings are copies of the same, and the largest is what is asked for.
+class Lanczos {
+ public:
+  Lanczos(const LinearOperators& operators, const HeldUnknowns& held) : operators_(operators), held_(held) {
+    const auto size = static_cast<Eigen::Index>(operators.stiffness.unknowns());
+    product_.setZero(size);
+    vector_.setZero(size);
+    momentum_.setZero(size);
+    is_regular_ = solver_.set_up(operators.inertia, held) == Status::ok;
+    force_ = random_momentum(operators.inertia, held);
+    if (is_regular_) is_regular_ = next();
+  }
+
+  // False where the inertia has no inverse, or the space is used up.
+  [[nodiscard]] bool step() {
+    if (!is_regular_) return false;
+    operators_.stiffness_times.multiply(vector_, product_);
+    held_.clear(product_);
+    const double own = dot(vector_, product_);
+    own_.push_back(own);
+    // momentum_ is M times the vector, force_ still that times the norm of the one before.
+    product_ -= own * momentum_ + norm_ * before_;
+    before_.swap(momentum_);
+    force_.swap(product_);
+    largest_ = std::max(largest_, own);
+    return is_regular_ = next();
+  }
+
+  [[nodiscard]] LargestFrequency largest() const {
+    const auto count = static_cast<Eigen::Index>(own_.size());
+    if (count == 0) return {};
+    const Eigen::Map<const Eigen::VectorXd> own(own_.data(), count), beside(norms_.data() + 1, count - 1);
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(own, beside, Eigen::EigenvaluesOnly);
+    return {solver.eigenvalues().maxCoeff(), static_cast<int>(count)};
+  }
+
+ private:
+  // The next vector from force_, and what it is in the inner product of M.
+  bool next() {
+    if (solver_.solve(force_, vector_) != Status::ok) return false;
+    held_.clear(vector_);
+    norm_ = std::sqrt(std::max(0.0, dot(vector_, force_)));
+    norms_.push_back(norm_);
+    constexpr double round_off = 1e-7;  // of the largest value; less is what all vectors of a small problem leave
+    if (!(norm_ > round_off * largest_) || !std::isfinite(norm_)) return false;
+    vector_ /= norm_;
+    momentum_ = force_ / norm_;
+    if (before_.size() == 0) before_.setZero(force_.size());
+    return true;
+  }
+
+  const LinearOperators& operators_;
+  const HeldUnknowns& held_;
+  InertiaSolver solver_;
+  Eigen::VectorXd vector_, momentum_, before_, force_, product_;
+  std::vector<double> own_, norms_;  // diagonal, and what stands beside it from the second on
+  double norm_ = 0, largest_ = 0;
+  bool is_regular_ = true;
+};
+
+std::string named(const Model& model, std::size_t stage, const char* member) {
+  return fmt::format("stages \"{}\" {}", model.stages[stage].name, member);
+}
+
+// Those of earlier stages are gone.
+std::vector<SupportElement> supports_in(const Model& model, std::size_t stage) {
+  std::vector<SupportElement> supports = make_supports(model, initial_state(model));
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    if (model.supports[i].last_stage >= 0 && model.supports[i].last_stage < static_cast<int>(stage))
+      supports[i].stiffness.setZero();
+  return supports;
+}
+
+// Of the operators of steps of dt.
+double limit_at(const Model& model, std::size_t index, double dt) {
+  Stage stage = model.stages[index];
+  stage.dt = dt;
+  const std::vector<bool> absent = model.absent_in(index);
+  ContactSet contacts = make_contacts(model);
+  if (!absent.empty()) leave_out(absent, contacts);
+  const HeldUnknowns held = make_held_unknowns(model, absent);
+  const LinearOperators operators(model, make_block_terms(model, stage), contacts, supports_in(model, index),
+                                  WaveCorrections(model, stage, contacts));
+  if (operators.inertia.couplings() > 0 && held.move)
+    throw InputError("", named(model, index, "integrator"),
+                     "\"central_difference\" where blocks of a cubic chain are moved",
+                     "another one, or consistent joints there");
+  return 2 * std::sqrt((1 - tolerance) / largest_frequency(operators, held).squared);
+}
+
+}  // namespace
+
+LargestFrequency largest_frequency(const LinearOperators& operators, const HeldUnknowns& held) {
+  Lanczos lanczos(operators, held);
+  const int products = products_for(operators.stiffness.unknowns());
+  for (int i = 0; i < products && lanczos.step(); ++i) {
+  }
+  return lanczos.largest();
+}
+
+double stability_limit(const Model& model, std::size_t stage) {
+  constexpr double close = 1e-5;  // of the limit, to where it is found
+  const double dt = model.stages[stage].dt;
+  double limit = limit_at(model, stage, dt);
+  if (dt <= limit) return limit;
+  for (double tried = dt; std::abs(limit - tried) > close * limit;) {
+    tried = limit;
+    limit = limit_at(model, stage, tried);
+  }
+  return (1 - 10 * close) * limit;
+}
+
+namespace {
+
+// Springs of supports are a thousand times as stiff as the rock unless the scene says otherwise.
+std::string remedy_against_supports(Model model, std::size_t stage, double limit) {
+  constexpr double worth_saying = 1.3;
+  if (model.supports.empty()) return "";
+  model.supports.clear();
+  const double without = stability_limit(model, stage);
+  if (without < worth_saying * limit) return "";
+  return fmt::format(
+      "; without its supports, whose springs are stiff, it would be {:.3g} s: give them a smaller "
+      "stiffness, or fix whole blocks",
+      without);
+}
+
+}  // namespace
+
+std::vector<double> checked_stability_limits(const Model& model) {
+  std::vector<double> limits(model.stages.size(), 0);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const Stage& stage = model.stages[i];
+    if (!stage.integrator.is_explicit()) continue;
+    limits[i] = stability_limit(model, i);
+    if (stage.dt <= limits[i]) continue;
+    throw InputError("", named(model, i, "dt"), fmt::format("{:.6g} s", stage.dt),
+                     fmt::format("at most {:.6g} s, up to which central differences are stable here{}", limits[i],
+                                 remedy_against_supports(model, i, limits[i])));
+  }
+  return limits;
+}
+
+}  // namespace dda

@@ -1,0 +1,31 @@
+// The longest time step with which central differences are stable: 2 over the largest frequency of a stage's stiffness
+// and inertia, by the matrices that its steps use (ADR 49). Dampers that act on velocities leave the limit where it is.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/model/model.h"
+#include "engine/simulation/linear_operators.h"
+#include "engine/solve/held_unknowns.h"
+
+namespace dda {
+
+// The largest omega^2 with K x = omega^2 M x, x zero in held blocks, by Lanczos' method from fixed random numbers. It
+// is found from below, and 1 % of it may be missing, with so many products that more than that is missing once in a
+// million times.
+struct LargestFrequency {
+  double squared = 0;  // 1/s^2
+  int products = 0;    // with the stiffness, that it took
+};
+LargestFrequency largest_frequency(const LinearOperators& operators, const HeldUnknowns& held);
+
+// The limit of a stage of the model, s: 2/omega, and half a percent less for what may be missing. The operators know
+// dt, and a longer one softens them (ADR 49): they are those of the stage's dt, or of the limit where that is less.
+// Throws InputError where the stage cannot be stepped so.
+double stability_limit(const Model& model, std::size_t stage);
+
+// Of every stage of the model, 0 for those with implicit steps. Throws InputError for one whose dt is above its limit.
+std::vector<double> checked_stability_limits(const Model& model);
+
+}  // namespace dda

@@ -1,0 +1,136 @@
+#include "verification/rocks/rock_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/overlap.h"
+#include "engine/simulation/penetration.h"
+
+namespace verify {
+namespace {
+
+using dda::InterfaceState;
+using dda::Simulation;
+using dda::Vec2;
+
+// Twice what a run calls deep is a hundredth; slabs are seen from five of these on.
+constexpr double deep = 2e-3;  // of the smaller block's size
+
+double size_of(const dda::Model& model, std::size_t block) { return std::sqrt(model.blocks[block].moments.area); }
+
+bool is_there(const Simulation& simulation, std::size_t block) {
+  return simulation.absent().empty() || !simulation.absent()[block];
+}
+
+// How far the springs between each pair of blocks are pressed in, m.
+std::map<std::pair<int, int>, double> pressed_in(const dda::ContactSet& contacts) {
+  std::map<std::pair<int, int>, double> depth;
+  for (std::size_t k = 0; k < contacts.elements.size(); ++k) {
+    double& deepest = depth[std::minmax(contacts.elements[k].block_a, contacts.elements[k].block_b)];
+    deepest = std::max(deepest, dda::penetration_depth(contacts.elements[k], contacts.states[k].gap));
+  }
+  return depth;
+}
+
+// Pairs of blocks that occupy the same ground by more than springs give way.
+RockCheck overlaps(const Simulation& simulation) {
+  const dda::Model& model = simulation.model();
+  const std::vector<dda::Polygon> outlines = outlines_now(model, simulation.state());
+  std::vector<dda::Box> boxes(outlines.size());
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (is_there(simulation, i))
+      for (const Vec2& corner : outlines[i].outer) boxes[i] = dda::expanded(boxes[i], corner);
+  const auto give = pressed_in(simulation.contacts());
+  double count = 0;
+  for (const auto& [a, b] : dda::overlapping_pairs(boxes)) {
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    if (model.is_held(a) && model.is_held(b)) continue;
+    const auto springs = give.find({a, b});
+    const double tolerance =
+        deep * std::min(size_of(model, i), size_of(model, j)) + (springs == give.end() ? 0 : springs->second);
+    if (dda::interiors_overlap(outlines[i], outlines[j], tolerance)) ++count;
+  }
+  return {"pairs of blocks in each other", count, 0};
+}
+
+// What held walls and loose blocks, which are held as well while the others settle, carry of the others' weight.
+RockCheck weight_carried(const Simulation& simulation) {
+  const dda::Model& model = simulation.model();
+  std::vector<bool> holds(model.blocks.size());
+  for (std::size_t i = 0; i < holds.size(); ++i) holds[i] = model.is_held(static_cast<int>(i));
+  for (const dda::UnbalancedBlock& loose : simulation.loose_blocks())
+    holds[static_cast<std::size_t>(loose.block)] = true;
+  Vec2 carried = Vec2::Zero(), weight = Vec2::Zero();
+  for (std::size_t i = 0; i < holds.size(); ++i)
+    if (!holds[i]) weight += model.mass_of(static_cast<int>(i)) * model.gravity;
+  const dda::ContactSet& contacts = simulation.contacts();
+  for (std::size_t k = 0; k < contacts.elements.size(); ++k) {
+    const dda::InterfaceElement& element = contacts.elements[k];
+    const dda::Vec4 force = contacts.states[k].force;
+    if (holds[static_cast<std::size_t>(element.block_a)]) carried -= (element.rows_a.transpose() * force).head<2>();
+    if (holds[static_cast<std::size_t>(element.block_b)]) carried -= (element.rows_b.transpose() * force).head<2>();
+  }
+  return {"weight that nothing carries", (carried - weight).norm() / weight.norm(), 1e-6};
+}
+
+double strength(const dda::EndStrength& end, const InterfaceState& state, std::size_t which, double normal) {
+  if (!state.broken[which] && !end.is_dry()) return end.cohesion - end.friction * normal;
+  return end.capacity(normal, state.residual[which]);
+}
+
+// The most that shear is beyond its strength at any end of a contact.
+RockCheck beyond_strength(const Simulation& simulation) {
+  const dda::ContactSet& contacts = simulation.contacts();
+  double largest = 0, beyond = 0;
+  for (std::size_t k = 0; k < contacts.states.size(); ++k) {
+    const InterfaceState& state = contacts.states[k];
+    if (contacts.elements[k].law != dda::InterfaceLaw::classical) continue;  // has means and differences, no ends
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto row = static_cast<Eigen::Index>(2 * end);
+      const double normal = state.force(row), shear = state.force(row + 1);
+      largest = std::max({largest, std::abs(normal), std::abs(shear)});
+      beyond = std::max(beyond, std::abs(shear) - strength(contacts.strengths[k], state, end, normal));
+    }
+  }
+  return {"shear beyond strength, of the largest force", largest > 0 ? beyond / largest : 0, 1e-8};
+}
+
+// Of what accelerations could have made it in the time.
+RockCheck fastest(const Simulation& simulation, double acceleration, double motion) {
+  double speed = 0;
+  for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i)
+    if (is_there(simulation, i)) speed = std::max(speed, simulation.state().velocity[i].head<2>().norm());
+  return {"fastest block, of what gravity and walls give", speed / (acceleration * motion), 1.5};
+}
+
+}  // namespace
+
+std::vector<dda::Polygon> outlines_now(const dda::Model& model, const dda::State& state) {
+  std::vector<dda::Polygon> outlines;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    dda::Polygon& outline = outlines.emplace_back(model.blocks[i].shape);
+    const auto move = [&](dda::Ring& ring) {
+      for (Vec2& corner : ring) corner = dda::current_position(model, state, static_cast<int>(i), corner);
+    };
+    move(outline.outer);
+    for (dda::Ring& hole : outline.holes) move(hole);
+  }
+  return outlines;
+}
+
+std::vector<RockCheck> settled_checks(const Simulation& simulation) {
+  return {overlaps(simulation), weight_carried(simulation), beyond_strength(simulation)};
+}
+
+std::vector<RockCheck> moved_checks(const Simulation& simulation, double motion) {
+  double acceleration = simulation.model().gravity.norm();
+  for (const dda::HeldBlock& held : simulation.model().held_blocks) acceleration += held.amplitude.norm();
+  return {overlaps(simulation),
+          fastest(simulation, acceleration, motion),
+          {"ledger of energies", std::abs(simulation.energy().relative_residual()), 1e-9}};
+}
+
+}  // namespace verify

@@ -1,0 +1,21 @@
+// `dda-verify rocks`.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+
+namespace verify {
+
+struct RocksCommand {
+  std::filesystem::path folder;
+  std::uint64_t seed = 1;
+  int count = 500;
+  double seconds = 60;  // of CPU time, the most that a rock is given
+};
+
+// Writes rocks.json, rocks.md and images/ into the folder, and the scene of every rock that is not right into scenes/.
+// Exit code: 0, or 1 if a rock is wrong.
+[[nodiscard]] int run_rocks(const RocksCommand& command, std::ostream& out, std::ostream& errors);
+
+}  // namespace verify

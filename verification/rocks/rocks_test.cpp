@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "engine/scene/scene.h"
+#include "verification/rocks/rock_checks.h"
+#include "verification/rocks/rocks_report.h"
+
+namespace verify {
+namespace {
+
+TEST(Rocks, EveryKindIsCutAndReadAndTheSameSeedGivesTheSameRock) {
+  std::set<std::string> kinds;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    const RandomRock rock = random_rock(seed);
+    kinds.insert(name_of(rock.kind));
+    EXPECT_EQ(rock.scene, random_rock(seed).scene);
+    EXPECT_GT(dda::parse_scene(rock.scene, "scene.json").blocks.size(), 5U) << seed;
+  }
+  EXPECT_EQ(kinds.size(), all_rock_kinds.size());
+}
+
+// A rock of two sets that has settled: checks that could not fail would make every rock right.
+class ChecksOfRock : public testing::Test {
+ protected:
+  ChecksOfRock() : simulation_(dda::parse_scene(random_rock(8).scene, "scene.json")) {
+    while (dda::stages_done(simulation_) == 0) EXPECT_EQ(simulation_.step(), dda::Status::ok);
+  }
+
+  static const RockCheck& named(const std::vector<RockCheck>& checks, const std::string& what) {
+    return *std::ranges::find_if(checks, [&](const RockCheck& check) { return check.what.starts_with(what); });
+  }
+
+  // The simulation with its state changed: what a wrong rule would have left.
+  template <typename Spoil>
+  dda::Simulation spoiled(const Spoil& spoil) {
+    dda::State state = simulation_.state();
+    spoil(state);
+    dda::Simulation other(simulation_.model());
+    other.restore(std::move(state), simulation_.save());
+    return other;
+  }
+
+  dda::Simulation simulation_;
+};
+
+TEST_F(ChecksOfRock, HoldWhereItHasSettled) {
+  for (const RockCheck& check : settled_checks(simulation_)) EXPECT_TRUE(check.holds()) << check.what;
+}
+
+TEST_F(ChecksOfRock, SeeABlockInItsNeighbour) {
+  const dda::Simulation moved = spoiled([&](dda::State& state) {
+    state.displacement[0].x() += 0.02 * std::sqrt(simulation_.model().blocks[0].moments.area);
+  });
+  EXPECT_FALSE(named(settled_checks(moved), "pairs of blocks").holds());
+}
+
+TEST_F(ChecksOfRock, SeeABlockThatFlies) {
+  const dda::Simulation moved = spoiled([](dda::State& state) { state.velocity[0].x() = 2; });
+  EXPECT_FALSE(named(moved_checks(moved, 0.1), "fastest block").holds());
+}
+
+TEST(Rocks, ReportsHaveEveryRockThatIsNotRight) {
+  RockResult late;
+  late.seed = 77;
+  late.outcome = RockOutcome::late;
+  late.message = "still settling";
+  EXPECT_NE(to_page({late}).find("**late**, seed 77"), std::string::npos);
+  EXPECT_NE(to_json({late}).find("\"outcome\":\"late\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace verify

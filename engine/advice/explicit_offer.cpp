@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/model/explicit_conditions.h"
 #include "engine/simulation/stability_limit.h"
 
 namespace dda {
@@ -10,11 +11,8 @@ namespace {
 
 constexpr double least_saving = 0.2;
 
-// What central differences are refused for (engine/model/check_runs.cpp), and static stages.
-bool can_be_explicit(const Model& model, const Stage& stage) {
-  return model.stays_linear() && !stage.integrator.is_static && !stage.integrator.is_explicit() &&
-         stage.material_damping.stiffness == 0 && model.free_field_sides.empty() && stage.lateral_inertia &&
-         stage.strain_inertia > 0;
+bool can_become_explicit(const Model& model, const Stage& stage) {
+  return !stage.integrator.is_static && !stage.integrator.is_explicit() && !explicit_obstacle(model, stage);
 }
 
 // To two digits.
@@ -39,7 +37,7 @@ double limit_of(Model model, std::size_t index) {
 std::optional<ExplicitOffer> explicit_offer(const Model& model, std::size_t index, const SceneSize& size,
                                             const StageCost& cost) {
   const Stage& stage = model.stages[index];
-  if (!can_be_explicit(model, stage)) return std::nullopt;
+  if (!can_become_explicit(model, stage)) return std::nullopt;
   const double limit = limit_of(model, index);
   if (!(limit > 0) || !std::isfinite(limit)) return std::nullopt;
   StepPlan plan;

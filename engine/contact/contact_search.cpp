@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/pair_motion.h"
 #include "engine/geometry/box_pairs.h"
 
 namespace dda {
@@ -76,10 +77,6 @@ void ContactSearch::forget_slowly() {
   for (double& each : wider_) fade(each, 0.0);
 }
 
-MovingBox ContactSearch::moving_box(int block, const Model& model, const State& state, const Eigen::VectorXd& d) const {
-  return {outlines_.boxes[at(block)], current_centroid(model, state, block), d.segment<6>(6 * block)};
-}
-
 double ContactSearch::largest_motion(const Eigen::VectorXd& d) const {
   double largest = 0;
   for (int i = 0; i < outlines_.blocks(); ++i) {
@@ -92,7 +89,9 @@ double ContactSearch::largest_motion(const Eigen::VectorXd& d) const {
 }
 
 bool ContactSearch::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
-  const auto moving = [&](int block) { return moving_box(block, model, state, d); };
+  const auto moving = [&](int block) -> MovingBox {
+    return {outlines_.boxes[at(block)], current_centroid(model, state, block), d.segment<6>(6 * block)};
+  };
   bool wider = false;
   std::vector<double> motion(sizes_.size());
   for (int i = 0; i < outlines_.blocks(); ++i) {

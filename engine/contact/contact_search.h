@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "engine/contact/outlines.h"
-#include "engine/contact/pair_motion.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
@@ -70,7 +69,6 @@ class ContactSearch {
   void list_pairs();
   void forget_slowly();
   [[nodiscard]] double reach_of(std::size_t pair) const;
-  [[nodiscard]] MovingBox moving_box(int block, const Model& model, const State& state, const Eigen::VectorXd& d) const;
   [[nodiscard]] bool is_absent(std::size_t block) const { return !absent_.empty() && absent_[block]; }
 
   Outlines outlines_;

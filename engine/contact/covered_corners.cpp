@@ -73,10 +73,6 @@ class CoveredCorners {
   std::vector<std::pair<int, std::size_t>> by_block_;
 };
 
-std::pair<int, int> blocks_of(const VertexContact& contact) {
-  return std::minmax(contact.edge_block, contact.vertex_block);
-}
-
 // Whether they are sorted in.
 bool contains(const std::vector<std::pair<int, int>>& pairs, const std::pair<int, int>& pair) {
   return std::binary_search(pairs.begin(), pairs.end(), pair);
@@ -104,12 +100,11 @@ int shared_corner(const Outlines& outlines, const VertexContact& contact, double
 // A corner of a block and the edges that meet there, as increments of the blocks move them.
 class MovedCorner {
  public:
-  MovedCorner(const Outlines& outlines, int block, int corner, const std::vector<Vec2>& centroids,
-              const Eigen::VectorXd& d) {
+  MovedCorner(const Outlines& outlines, int block, int corner, const Vec2& centroid, const Eigen::VectorXd& d) {
     const Vec6 increments = d.segment<6>(6 * block);
     const auto moved = [&](int vertex) -> Vec2 {
       const Vec2& place = outlines.current[at(vertex)];
-      return place + displacement_of(increments, place - centroids[at(block)]);
+      return place + displacement_of(increments, place - centroid);
     };
     before_ = moved(outlines.previous[at(corner)]);
     place_ = moved(corner);
@@ -155,26 +150,26 @@ std::vector<VertexContact> take_out_covered(const Outlines& outlines, const std:
   if (corners.empty()) return taken;
   const CoveredCorners covered(outlines, size, joints, found);
   std::vector<char> out(found.size(), 0);
-  for (const auto& [i, corner] : corners) out[i] = covered.cover(found[i], corner) ? 1 : 0;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (out[i] != 0)
-      taken.push_back(found[i]);
-    else
-      found[kept++] = found[i];
+  for (const auto& [i, corner] : corners) {
+    if (!covered.cover(found[i], corner)) continue;
+    out[i] = 1;
+    taken.push_back(found[i]);
   }
-  found.resize(kept);
+  take_out(out, found);
   return taken;
 }
 
 std::vector<std::pair<int, int>> pressed_into_each_other(const Outlines& outlines, const std::vector<double>& size,
-                                                         const std::vector<VertexContact>& covered,
-                                                         const std::vector<Vec2>& centroids, const Eigen::VectorXd& d) {
+                                                         const std::vector<VertexContact>& covered, const Model& model,
+                                                         const State& state, const Eigen::VectorXd& d) {
+  const auto corner_of = [&](int block, int corner) {
+    return MovedCorner(outlines, block, corner, current_centroid(model, state, block), d);
+  };
   std::vector<std::pair<int, int>> pairs;
   for (const VertexContact& contact : covered) {
     const double near = in_line * std::min(size[at(contact.edge_block)], size[at(contact.vertex_block)]);
-    const MovedCorner of_vertex(outlines, contact.vertex_block, contact.vertex, centroids, d);
-    const MovedCorner of_edge(outlines, contact.edge_block, nearer_end(outlines, contact), centroids, d);
+    const MovedCorner of_vertex = corner_of(contact.vertex_block, contact.vertex);
+    const MovedCorner of_edge = corner_of(contact.edge_block, nearer_end(outlines, contact));
     if (std::max(of_edge.depth_of(of_vertex.place()), of_vertex.depth_of(of_edge.place())) > near)
       pairs.push_back(blocks_of(contact));
   }

@@ -43,9 +43,9 @@ std::vector<VertexContact> take_out_covered(const Outlines& outlines, const std:
                                             std::vector<VertexContact>& found);
 
 // The pairs (smaller first, sorted) whose corners, covered at the start of a step, are deeper in each other than
-// `in_line` says after increments `d` (6 a block). `centroids`: of all blocks at the start, m.
+// `in_line` says after increments `d` (6 a block) of `state`, in which `outlines` are.
 std::vector<std::pair<int, int>> pressed_into_each_other(const Outlines& outlines, const std::vector<double>& size,
-                                                         const std::vector<VertexContact>& covered,
-                                                         const std::vector<Vec2>& centroids, const Eigen::VectorXd& d);
+                                                         const std::vector<VertexContact>& covered, const Model& model,
+                                                         const State& state, const Eigen::VectorXd& d);
 
 }  // namespace dda

@@ -122,12 +122,10 @@ TEST(CoveredCorners, AreUncoveredByAStepThatPressesThemIntoEachOther) {
   const auto covered = take_out_covered(search.outlines(), search.sizes(), {}, {}, found);
   ASSERT_EQ(covered.size() + found.size(), all);
   ASSERT_FALSE(covered.empty());
-  std::vector<Vec2> centroids;
-  for (const Block& block : model.blocks) centroids.push_back(block.moments.centroid);
   const auto pressed = [&](const Vec2& of_upper_left) {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(24);
     d.head<2>() = of_upper_left;
-    return pressed_into_each_other(search.outlines(), search.sizes(), covered, centroids, d);
+    return pressed_into_each_other(search.outlines(), search.sizes(), covered, model, initial_state(model), d);
   };
   EXPECT_TRUE(pressed({0.9e-3, -0.9e-3}).empty());
   EXPECT_TRUE(pressed({0.1, 0.1}).empty()) << "along its neighbour below";

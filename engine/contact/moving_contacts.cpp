@@ -180,10 +180,7 @@ bool MovingContacts::widen(const Model& model, const State& state, const Eigen::
   if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
   const bool wider = search_.widen(model, state, d);
   if (covered_.empty()) return wider;
-  std::vector<Vec2> centroids;
-  for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
-    centroids.push_back(current_centroid(model, state, i));
-  const auto pressed = pressed_into_each_other(search_.outlines(), search_.sizes(), covered_, centroids, d);
+  const auto pressed = pressed_into_each_other(search_.outlines(), search_.sizes(), covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());
   std::sort(uncovered_.begin(), uncovered_.end());
   return wider || !pressed.empty();
@@ -193,9 +190,7 @@ bool MovingContacts::widen(const Model& model, const State& state, const Eigen::
 void MovingContacts::forget_corners_apart(const std::vector<VertexContact>& found) {
   if (uncovered_.empty()) return;
   std::vector<std::pair<int, int>> near;
-  for (const VertexContact& contact : found)
-    near.emplace_back(std::min(contact.edge_block, contact.vertex_block),
-                      std::max(contact.edge_block, contact.vertex_block));
+  for (const VertexContact& contact : found) near.push_back(blocks_of(contact));
   std::sort(near.begin(), near.end());
   std::erase_if(uncovered_, [&](const auto& pair) { return !std::binary_search(near.begin(), near.end(), pair); });
 }

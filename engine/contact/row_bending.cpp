@@ -60,12 +60,15 @@ std::vector<bool> in_rows(const Model& model, const std::vector<Interface>& inte
     joints[static_cast<std::size_t>(interface.block_a)].add(interface.normal, interface.length);
     joints[static_cast<std::size_t>(interface.block_b)].add(-interface.normal, interface.length);
   }
+  std::vector<bool> held(model.blocks.size(), false);
+  for (const HeldBlock& each : model.held_blocks) held[static_cast<std::size_t>(each.block)] = true;
+  const auto is_held = [&](int block) -> bool { return held[static_cast<std::size_t>(block)]; };
   const auto is_in_row = [&](int block) {
-    return model.is_held(block) || is_piece_of_a_beam(model, block, joints[static_cast<std::size_t>(block)]);
+    return is_held(block) || is_piece_of_a_beam(model, block, joints[static_cast<std::size_t>(block)]);
   };
   std::vector<bool> found;
   for (const Interface& interface : interfaces) {
-    const bool both_held = model.is_held(interface.block_a) && model.is_held(interface.block_b);
+    const bool both_held = is_held(interface.block_a) && is_held(interface.block_b);
     found.push_back(interface.length > 0 && !both_held && is_in_row(interface.block_a) && is_in_row(interface.block_b));
   }
   return found;

@@ -113,20 +113,16 @@ class PairOfBlocks {
   std::vector<double> places_;  // m
 };
 
-std::pair<int, int> blocks_of(const VertexContact* contact) {
-  return std::minmax(contact->edge_block, contact->vertex_block);
-}
-
 // Calls act(index, contact, pair) for every contact.
 template <typename Act>
 void for_each_pair(const Outlines& outlines, const std::vector<double>& size,
                    const std::vector<VertexContact>& contacts, Act act) {
   std::vector<const VertexContact*> by_pair;
   for (const VertexContact& contact : contacts) by_pair.push_back(&contact);
-  std::ranges::stable_sort(by_pair, {}, blocks_of);
+  std::ranges::stable_sort(by_pair, {}, [](const VertexContact* each) { return blocks_of(*each); });
   for (auto first = by_pair.begin(); first != by_pair.end();) {
-    const std::pair<int, int> blocks = blocks_of(*first);
-    const auto last = std::find_if(first, by_pair.end(), [&](const auto* each) { return blocks_of(each) != blocks; });
+    const std::pair<int, int> blocks = blocks_of(**first);
+    const auto last = std::find_if(first, by_pair.end(), [&](const auto* each) { return blocks_of(*each) != blocks; });
     PairOfBlocks pair(outlines, std::min(size[at(blocks.first)], size[at(blocks.second)]), std::span(first, last));
     for (auto each = first; each != last; ++each) act(static_cast<std::size_t>(*each - contacts.data()), **each, pair);
     first = last;
@@ -145,10 +141,7 @@ void drop_within_faces(const Outlines& outlines, const std::vector<double>& size
   for_each_pair(outlines, size, found, [&](std::size_t i, const VertexContact& contact, PairOfBlocks& pair) {
     out[i] = is_within(contact) && pair.has_others_on_both_sides(contact) ? 1 : 0;
   });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (out[i] == 0) found[kept++] = found[i];
-  found.resize(kept);
+  take_out(out, found);
 }
 
 std::vector<double> shares_of_faces(const Outlines& outlines, const std::vector<double>& size,

@@ -15,6 +15,13 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
+void take_out(const std::vector<char>& out, std::vector<VertexContact>& contacts) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (out[i] == 0) contacts[kept++] = contacts[i];
+  contacts.resize(kept);
+}
+
 int facing_edge(const Outlines& outlines, const VertexContact& contact) {
   const Vec2 along = outlines.along(contact.edge);
   const auto runs_along = [&](int edge) { return std::abs(along.dot(outlines.along(edge).normalized())); };

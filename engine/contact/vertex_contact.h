@@ -5,6 +5,9 @@
 // (cover_corners.h). Edge-edge contact is two of them, one at each end of the common stretch.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/outlines.h"
@@ -31,6 +34,14 @@ struct VertexContact {
     return edge != other.edge ? edge < other.edge : vertex < other.vertex;
   }
 };
+
+// The two blocks, the smaller index first.
+inline std::pair<int, int> blocks_of(const VertexContact& contact) {
+  return std::minmax(contact.edge_block, contact.vertex_block);
+}
+
+// Takes out those that `out` marks, one entry for each, without a change of order.
+void take_out(const std::vector<char>& out, std::vector<VertexContact>& contacts);
 
 // Cosine between normals that are the same from step to step, or from block to block in line: far more than a step
 // turns a block.

@@ -1,5 +1,6 @@
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
+#include "engine/model/explicit_conditions.h"
 
 namespace dda::model_checks {
 namespace {
@@ -34,21 +35,9 @@ void check_stage(const Item& item, const Stage& stage) {
   item.within("max step reductions", stage.max_step_reductions, 0, 60);
 }
 
-// What explicit steps cannot do.
 void check_explicit_stage(const Item& item, const Model& model, const Stage& stage) {
-  const auto refuse = [&](const std::string& where, const std::string& expected) {
-    item.fail("integrator", "\"central_difference\" " + where, expected);
-  };
-  if (!model.stays_linear())
-    refuse("where blocks can part or move far",
-           "another one: it is for scenes without bolts, whose joints are all bonded and whose stages all have small "
-           "kinematics");
-  if (stage.material_damping.stiffness > 0)
-    refuse("with damping in proportion to stiffness",
-           "no \"damping\" (there is \"damping_rate\"), or another integrator");
-  if (!model.free_field_sides.empty()) refuse("beside free-field sides", "another one");
-  if (!stage.lateral_inertia) refuse("with lateral_inertia false", "true: strains without inertia need implicit steps");
-  if (stage.strain_inertia == 0) refuse("with strain inertia 0", "a positive one");
+  if (const auto obstacle = explicit_obstacle(model, stage))
+    item.fail("integrator", "\"central_difference\" " + obstacle->where, obstacle->expected);
 }
 
 }  // namespace

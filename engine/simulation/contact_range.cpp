@@ -10,6 +10,7 @@
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
+#include "engine/model/current_outline.h"
 
 namespace dda {
 namespace {
@@ -35,16 +36,6 @@ double slide_limit(const Model& model, const Interface& interface) {
   visit(shape.outer);
   for (const Ring& hole : shape.holes) visit(hole);
   return nearest;
-}
-
-Polygon current_outline(const Model& model, const State& state, int block) {
-  Polygon outline = model.blocks[at(block)].shape;
-  const auto move = [&](Ring& ring) {
-    for (Vec2& vertex : ring) vertex = current_position(model, state, block, vertex);
-  };
-  move(outline.outer);
-  for (Ring& hole : outline.holes) move(hole);
-  return outline;
 }
 
 bool is_open(const InterfaceElement& element, const InterfaceState& state) {
@@ -121,14 +112,13 @@ std::string ContactRange::sliding_problem(const Model& model, const State& state
 }
 
 std::string ContactRange::overlap_problem(const Model& model, const State& state, const ContactSet& contacts) const {
-  std::vector<Polygon> outlines;
+  const std::vector<Polygon> outlines = current_outlines(model, state);
   std::vector<Box> boxes;
-  for (int block = 0; block < static_cast<int>(model.blocks.size()); ++block) {
-    outlines.push_back(current_outline(model, state, block));
+  for (std::size_t block = 0; block < outlines.size(); ++block) {
     // Half the least tolerance: blocks that overlap by a whole one still have boxes in common, most that touch do not.
-    const bool is_absent = !absent_.empty() && absent_[at(block)];
+    const bool is_absent = !absent_.empty() && absent_[block];
     boxes.push_back(is_absent ? Box{}
-                              : expanded(bounding_box(outlines.back()), -overlap_tolerance * least_thickness_ / 2));
+                              : expanded(bounding_box(outlines[block]), -overlap_tolerance * least_thickness_ / 2));
   }
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
     if (holds_together(a, b, contacts)) continue;

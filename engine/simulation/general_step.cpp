@@ -186,8 +186,8 @@ void GeneralStep::pose(double end) {
 // True when the step must be solved again: loose blocks of a static stage have got a drag, or contacts are looked for
 // from further away.
 bool GeneralStep::moves_further_than_seen() {
-  const bool is_far = largest_motion(system_) > ContactSearch::reach / 2;
-  if (is_far && system_.plan.is_static && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
+  const bool is_far = system_.plan.is_static && largest_motion(system_) > ContactSearch::reach / 2;
+  if (is_far && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
     base_is_current_ = false;
     return true;
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/geometry/polygon.h"
+#include "engine/model/current_outline.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
@@ -101,8 +102,7 @@ Outcome free_spin() {
     dda::finish_model(model);
     const dda::State state = final_state(model, outcome);
     const dda::Polygon& drawn = model.blocks[0].shape;
-    dda::Polygon turned = drawn;
-    for (dda::Vec2& vertex : turned.outer) vertex = dda::current_position(model, state, 0, vertex);
+    const dda::Polygon turned = dda::current_outline(model, state, 0);
     const double turned_by = state.displacement[0](2);
     const double area = dda::area_moments(turned).area;
     const double drawn_area = model.blocks[0].moments.area;

@@ -7,6 +7,7 @@
 
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
+#include "engine/model/current_outline.h"
 #include "engine/simulation/penetration.h"
 
 namespace verify {
@@ -36,9 +37,9 @@ std::map<std::pair<int, int>, double> pressed_in(const dda::ContactSet& contacts
 }
 
 // Pairs of blocks that occupy the same ground by more than springs give way.
-RockCheck overlaps(const Simulation& simulation) {
+Check overlaps(const Simulation& simulation) {
   const dda::Model& model = simulation.model();
-  const std::vector<dda::Polygon> outlines = outlines_now(model, simulation.state());
+  const std::vector<dda::Polygon> outlines = dda::current_outlines(model, simulation.state());
   std::vector<dda::Box> boxes(outlines.size());
   for (std::size_t i = 0; i < outlines.size(); ++i)
     if (is_there(simulation, i))
@@ -57,7 +58,7 @@ RockCheck overlaps(const Simulation& simulation) {
 }
 
 // What held walls and loose blocks, which are held as well while the others settle, carry of the others' weight.
-RockCheck weight_carried(const Simulation& simulation) {
+Check weight_carried(const Simulation& simulation) {
   const dda::Model& model = simulation.model();
   std::vector<bool> holds(model.blocks.size());
   for (std::size_t i = 0; i < holds.size(); ++i) holds[i] = model.is_held(static_cast<int>(i));
@@ -82,7 +83,7 @@ double strength(const dda::EndStrength& end, const InterfaceState& state, std::s
 }
 
 // The most that shear is beyond its strength at any end of a contact.
-RockCheck beyond_strength(const Simulation& simulation) {
+Check beyond_strength(const Simulation& simulation) {
   const dda::ContactSet& contacts = simulation.contacts();
   double largest = 0, beyond = 0;
   for (std::size_t k = 0; k < contacts.states.size(); ++k) {
@@ -99,7 +100,7 @@ RockCheck beyond_strength(const Simulation& simulation) {
 }
 
 // Of what accelerations could have made it in the time.
-RockCheck fastest(const Simulation& simulation, double acceleration, double motion) {
+Check fastest(const Simulation& simulation, double acceleration, double motion) {
   double speed = 0;
   for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i)
     if (is_there(simulation, i)) speed = std::max(speed, simulation.state().velocity[i].head<2>().norm());
@@ -108,24 +109,11 @@ RockCheck fastest(const Simulation& simulation, double acceleration, double moti
 
 }  // namespace
 
-std::vector<dda::Polygon> outlines_now(const dda::Model& model, const dda::State& state) {
-  std::vector<dda::Polygon> outlines;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    dda::Polygon& outline = outlines.emplace_back(model.blocks[i].shape);
-    const auto move = [&](dda::Ring& ring) {
-      for (Vec2& corner : ring) corner = dda::current_position(model, state, static_cast<int>(i), corner);
-    };
-    move(outline.outer);
-    for (dda::Ring& hole : outline.holes) move(hole);
-  }
-  return outlines;
-}
-
-std::vector<RockCheck> settled_checks(const Simulation& simulation) {
+std::vector<Check> settled_checks(const Simulation& simulation) {
   return {overlaps(simulation), weight_carried(simulation), beyond_strength(simulation)};
 }
 
-std::vector<RockCheck> moved_checks(const Simulation& simulation, double motion) {
+std::vector<Check> moved_checks(const Simulation& simulation, double motion) {
   double acceleration = simulation.model().gravity.norm();
   for (const dda::HeldBlock& held : simulation.model().held_blocks) acceleration += held.amplitude.norm();
   return {overlaps(simulation),

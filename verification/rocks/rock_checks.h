@@ -8,13 +8,10 @@
 
 namespace verify {
 
-// Where the corners of every block are.
-[[nodiscard]] std::vector<dda::Polygon> outlines_now(const dda::Model& model, const dda::State& state);
-
 // At the end of a static stage.
-[[nodiscard]] std::vector<RockCheck> settled_checks(const dda::Simulation& simulation);
+[[nodiscard]] std::vector<Check> settled_checks(const dda::Simulation& simulation);
 
 // At the end of a stage of motion that took `motion` seconds.
-[[nodiscard]] std::vector<RockCheck> moved_checks(const dda::Simulation& simulation, double motion);
+[[nodiscard]] std::vector<Check> moved_checks(const dda::Simulation& simulation, double motion);
 
 }  // namespace verify

@@ -6,6 +6,7 @@
 #include "engine/app/run_verdict.h"
 #include "engine/app/run_warnings.h"
 #include "engine/core/error.h"
+#include "engine/model/current_outline.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/simulation.h"
 #include "verification/rocks/rock_checks.h"
@@ -24,8 +25,8 @@ class Stopwatch {
   std::clock_t begin_ = std::clock();
 };
 
-void add_checks(const std::string& when, std::vector<RockCheck> checks, RockResult& result) {
-  for (RockCheck& check : checks) {
+void add_checks(const std::string& when, std::vector<Check> checks, RockResult& result) {
+  for (Check& check : checks) {
     check.what += ", " + when;
     result.checks.push_back(std::move(check));
   }
@@ -41,7 +42,7 @@ void judge(const Simulation& simulation, double motion, RockResult& result) {
     result.message = std::string(to_string(verdict.status)) + ": " + verdict.message;
     return;
   }
-  const bool holds = std::ranges::all_of(result.checks, &RockCheck::holds);
+  const bool holds = std::ranges::all_of(result.checks, &Check::holds);
   result.outcome = holds ? RockOutcome::right : result.said.empty() ? RockOutcome::wrong : RockOutcome::warned;
 }
 
@@ -53,7 +54,7 @@ void end_early(RockOutcome outcome, const std::string& why, RockResult& result) 
 void take_picture(const Simulation& simulation, RockPicture* picture) {
   if (picture == nullptr) return;
   const dda::Model& model = simulation.model();
-  picture->moved = outlines_now(model, simulation.state());
+  picture->moved = dda::current_outlines(model, simulation.state());
   picture->is_loose.assign(model.blocks.size(), false);
   for (const dda::UnbalancedBlock& loose : simulation.loose_blocks())
     picture->is_loose[static_cast<std::size_t>(loose.block)] = true;

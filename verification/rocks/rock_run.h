@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/model/state.h"
+#include "verification/harness/check.h"
 #include "verification/rocks/random_rock.h"
 
 namespace verify {
@@ -25,23 +26,19 @@ inline constexpr std::array all_rock_outcomes{RockOutcome::right, RockOutcome::s
 
 [[nodiscard]] std::string name_of(RockOutcome outcome);
 
-// A measure and the most it may be.
-struct RockCheck {
-  std::string what;
-  double value = 0, allowed = 0;
-  [[nodiscard]] bool holds() const { return value <= allowed; }  // not for NaN
-};
-
 struct RockResult {
   std::uint64_t seed = 0;
   RockKind kind = RockKind::two_sets;
   RockOutcome outcome = RockOutcome::right;
   std::string message;
-  std::vector<RockCheck> checks;
+  std::vector<Check> checks;
   std::vector<std::string> said;  // warnings
   std::size_t blocks = 0, loose = 0;
   std::int64_t steps = 0, passes = 0;
   double settling_s = 0, cpu_s = 0;
+
+  // Of what is not right: what the run said, or the first check that fails.
+  [[nodiscard]] std::string reason() const { return message.empty() ? first_failure(checks) : message; }
 };
 
 // What pictures are made of: outlines as drawn, and where their corners were at the end.

@@ -23,12 +23,8 @@ void keep_picture(const RockResult& result, const RockPicture& picture, const st
 }
 
 void tell(const RockResult& result, std::ostream& errors) {
-  std::string why = result.message;
-  for (const RockCheck& check : result.checks)
-    if (why.empty() && !check.holds())
-      why = fmt::format("{}: {:.3g}, {:.2g} is allowed", check.what, check.value, check.allowed);
   errors << fmt::format("dda-verify: seed {}, {}: {}: {}\n", result.seed, name_of(result.kind), name_of(result.outcome),
-                        why);
+                        result.reason());
 }
 
 }  // namespace

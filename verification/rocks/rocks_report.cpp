@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
+#include "engine/view/svg_path.h"
 #include "verification/harness/markdown.h"
 
 namespace verify {
@@ -13,20 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const RockCheck& check) {
-  return {{"what", check.what},
-          {"value", std::isfinite(check.value) ? Json(check.value) : Json(nullptr)},
-          {"allowed", check.allowed},
-          {"holds", check.holds()}};
-}
-
 Json json_of(const RockResult& result) {
   Json json = {{"seed", result.seed},     {"kind", name_of(result.kind)},    {"outcome", name_of(result.outcome)},
                {"blocks", result.blocks}, {"loose", result.loose},           {"steps", result.steps},
                {"passes", result.passes}, {"settling_s", result.settling_s}, {"cpu_s", result.cpu_s}};
   if (!result.message.empty()) json["message"] = result.message;
   if (!result.said.empty()) json["said"] = result.said;
-  for (const RockCheck& check : result.checks) json["checks"].push_back(json_of(check));
+  for (const Check& check : result.checks) json["checks"].push_back(json_of(check));
   return json;
 }
 
@@ -70,22 +64,15 @@ Table table_of(const std::vector<RockResult>& results) {
   return table;
 }
 
-std::string reason_of(const RockResult& result) {
-  if (!result.message.empty()) return result.message;
-  for (const RockCheck& check : result.checks)
-    if (!check.holds()) return fmt::format("{}: {:.3g}, {:.2g} is allowed", check.what, check.value, check.allowed);
-  return "";
-}
-
 // The largest value that any rock has of each measure, and of how many it is beyond what is allowed.
 Table measures(const std::vector<RockResult>& results) {
   Table table;
   table.header = {"measure", "allowed", "largest", "beyond"};
-  std::vector<RockCheck> worst;
+  std::vector<Check> worst;
   std::vector<int> beyond;
   for (const RockResult& result : results)
-    for (const RockCheck& check : result.checks) {
-      const auto known = std::ranges::find(worst, check.what, &RockCheck::what);
+    for (const Check& check : result.checks) {
+      const auto known = std::ranges::find(worst, check.what, &Check::what);
       const auto at = static_cast<std::size_t>(known - worst.begin());
       if (known == worst.end()) {
         worst.push_back(check);
@@ -121,7 +108,7 @@ Section not_right(const std::vector<RockResult>& results) {
   for (const RockResult& result : results)
     if (result.outcome != RockOutcome::right)
       bullets.items.push_back(fmt::format("**{}**, seed {} ({}, {} blocks): {}", name_of(result.outcome), result.seed,
-                                          name_of(result.kind), result.blocks, reason_of(result)));
+                                          name_of(result.kind), result.blocks, result.reason()));
   if (bullets.items.empty()) bullets.items.emplace_back("none");
   Section section;
   section.title = "Rocks that are not right";
@@ -145,19 +132,22 @@ class Half {
   [[nodiscard]] double height() const { return scale_ * (high_ - low_).y(); }
 
   [[nodiscard]] std::string path(const dda::Polygon& outline, const char* fill) const {
-    std::string path;
+    dda::SvgPath path;
     const auto add = [&](const dda::Ring& ring) {
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        path += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", left_ + scale_ * (ring[i].x() - low_.x()),
-                            scale_ * (high_.y() - ring[i].y()));
-      path += "Z";
+      path.move_to(place_of(ring.front()));
+      for (const dda::Vec2& corner : std::span(ring).subspan(1)) path.line_to(place_of(corner));
+      path.close();
     };
     add(outline.outer);
     for (const dda::Ring& hole : outline.holes) add(hole);
-    return fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, fill);
+    return fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path.text(), fill);
   }
 
  private:
+  [[nodiscard]] dda::Vec2 place_of(const dda::Vec2& point) const {
+    return {left_ + scale_ * (point.x() - low_.x()), scale_ * (high_.y() - point.y())};
+  }
+
   double left_, scale_ = 1;
   dda::Vec2 low_, high_;
 };

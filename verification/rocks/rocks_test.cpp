@@ -28,8 +28,8 @@ class ChecksOfRock : public testing::Test {
     while (dda::stages_done(simulation_) == 0) EXPECT_EQ(simulation_.step(), dda::Status::ok);
   }
 
-  static const RockCheck& named(const std::vector<RockCheck>& checks, const std::string& what) {
-    return *std::ranges::find_if(checks, [&](const RockCheck& check) { return check.what.starts_with(what); });
+  static const Check& named(const std::vector<Check>& checks, const std::string& what) {
+    return *std::ranges::find_if(checks, [&](const Check& check) { return check.what.starts_with(what); });
   }
 
   // The simulation with its state changed: what a wrong rule would have left.
@@ -46,7 +46,7 @@ class ChecksOfRock : public testing::Test {
 };
 
 TEST_F(ChecksOfRock, HoldWhereItHasSettled) {
-  for (const RockCheck& check : settled_checks(simulation_)) EXPECT_TRUE(check.holds()) << check.what;
+  for (const Check& check : settled_checks(simulation_)) EXPECT_TRUE(check.holds()) << check.what;
 }
 
 TEST_F(ChecksOfRock, SeeABlockInItsNeighbour) {

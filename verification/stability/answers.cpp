@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/geometry/overlap.h"
-#include "engine/model/state.h"
+#include "engine/model/current_outline.h"
 #include "verification/exact/pulsed_row.h"
 #include "verification/stability/scenes.h"
 
@@ -165,19 +165,13 @@ class PileAnswer final : public Answer {
  private:
   static constexpr std::size_t held = 3;  // floor and walls
 
-  static dda::Polygon shape_now(const Simulation& simulation, std::size_t block) {
-    dda::Polygon shape = simulation.model().blocks[block].shape;
-    for (Vec2& corner : shape.outer)
-      corner = dda::current_position(simulation.model(), simulation.state(), static_cast<int>(block), corner);
-    return shape;
-  }
-
   [[nodiscard]] double overlaps(const Simulation& simulation) const {
     if (std::isnan(outside_)) return outside_;
+    const std::vector<dda::Polygon> outlines = dda::current_outlines(simulation.model(), simulation.state());
     double pairs = 0;
-    for (std::size_t i = held; i < simulation.model().blocks.size(); ++i)
+    for (std::size_t i = held; i < outlines.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
-        const dda::Polygon a = shape_now(simulation, i), b = shape_now(simulation, j);
+        const dda::Polygon &a = outlines[i], &b = outlines[j];
         const double size = std::sqrt(std::min(dda::signed_area(a.outer), dda::signed_area(b.outer)));
         if (dda::interiors_overlap(a, b, 0.01 * size)) ++pairs;
       }

@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "engine/simulation/simulation.h"
+#include "verification/harness/check.h"
 #include "verification/stability/setting.h"
 
 namespace verify {
-
-// Holds unless `value` is more than `allowed`, or no number.
-struct Check {
-  std::string what;
-  double value = 0;
-  double allowed = 0;
-
-  [[nodiscard]] bool holds() const { return value <= allowed; }
-};
 
 // Looks at a run at its start, or at the end of the static stage it begins with, and after every step from then on.
 class Answer {

@@ -1,20 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "verification/stability/chart.h"
 
 namespace verify {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const Check& check) {
-  return {{"what", check.what},
-          {"value", std::isfinite(check.value) ? Json(check.value) : Json(nullptr)},
-          {"allowed", check.allowed},
-          {"holds", check.holds()}};
-}
 
 Json json_of(const Cell& cell) {
   const Setting& setting = cell.setting;

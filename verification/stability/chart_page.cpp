@@ -39,9 +39,7 @@ Table counts(const std::vector<Cell>& cells, const std::string& caption) {
 std::string reason_of(const Cell& cell) {
   if (!cell.message.empty()) return cell.message;
   if (!cell.said.empty()) return cell.said.front();
-  for (const Check& check : cell.checks)
-    if (!check.holds()) return fmt::format("{}: {:.2g}, {:.2g} is allowed", check.what, check.value, check.allowed);
-  return "";
+  return first_failure(cell.checks);
 }
 
 // Every kind of reason with one example and how often it was given.

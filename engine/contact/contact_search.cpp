@@ -114,6 +114,14 @@ bool ContactSearch::widen(const Model& model, const State& state, const Eigen::V
   return wider;
 }
 
+void ContactSearch::find_between(int a, int b, const std::function<bool(const VertexContact&)>& is_out,
+                                 std::vector<VertexContact>& found) const {
+  const auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair{a, b});
+  const auto k = static_cast<std::size_t>(pair - pairs_.begin());
+  const double smaller = std::min(size_of(a), size_of(b));
+  find_vertex_contacts(outlines_, a, b, reach_of(k) + lift_, deepest * smaller, round_off * smaller, is_out, found);
+}
+
 std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, int>>& bonded) const {
   std::vector<VertexContact> found;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,10 @@ class ContactSearch {
 
   // Contacts now, sorted by edge and vertex. `bonded` (sorted pairs) are left out.
   [[nodiscard]] std::vector<VertexContact> find(const std::vector<std::pair<int, int>>& bonded) const;
+
+  // Appends the contacts of a listed pair (smaller first) as if the covers that `is_out` says so of were not there.
+  void find_between(int a, int b, const std::function<bool(const VertexContact&)>& is_out,
+                    std::vector<VertexContact>& found) const;
 
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
   [[nodiscard]] const Outlines& outlines() const { return outlines_; }

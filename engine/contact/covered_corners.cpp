@@ -5,20 +5,53 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/contact/entrance_cover.h"
 #include "engine/contact/pair_motion.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
 
+constexpr double round_off = 1e-9;  // of the smaller block's size: what is shared by less is not shared
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// A corner of a block, and its edge that the contact in question does not have to do with.
-struct Corner {
-  int block;
-  Vec2 point;
-  Vec2 side_normal;  // unit, outwards
+// The least distance (m) of a vertex from another one on the way that is foreseen for the step.
+double least_distance(const Outlines& outlines, int vertex, int other) {
+  const Vec2 apart = outlines.current[at(vertex)] - outlines.current[at(other)];
+  const Vec2 way = outlines.coming[at(vertex)] - outlines.coming[at(other)];
+  const double squared = way.squaredNorm();
+  const double share = squared > 0 ? std::clamp(-apart.dot(way) / squared, 0.0, 1.0) : 0;
+  return (apart + share * way).norm();
+}
+
+// Length (m) along which two edges lie on each other, or nearly.
+double length_beside(const Outlines& outlines, const VertexContact& contact) {
+  const Vec2 along = outlines.along(contact.edge).normalized();
+  const Vec2 facing = outlines.along(facing_edge(outlines, contact)).normalized();
+  return along.dot(facing) > -same_direction ? 0 : common_length(outlines, contact);
+}
+
+// The end of the contact's edge that its vertex is at, or comes past, where the blocks share no more than corners; else
+// -1.
+int shared_corner(const Outlines& outlines, const VertexContact& contact, double near) {
+  const int end = outlines.next[at(contact.edge)];
+  for (const int corner : {contact.edge, end})
+    if (least_distance(outlines, contact.vertex, corner) <= near && length_beside(outlines, contact) <= near)
+      return corner;
+  return -1;
+}
+
+// Where a vertex of one block meets a vertex of the other, and where the contact's edge goes from there.
+struct CornerPair {
+  int vertex, end;  // of the contact's vertex block and of its edge's block
+  Vec2 way;         // unit, along the edge away from its end
 };
+
+CornerPair corner_pair(const Outlines& outlines, const VertexContact& contact, int end) {
+  const Vec2 along = outlines.along(contact.edge).normalized();
+  return {contact.vertex, end, end == contact.edge ? along : Vec2(-along)};
+}
 
 class CoveredCorners {
  public:
@@ -35,34 +68,37 @@ class CoveredCorners {
     std::sort(by_block_.begin(), by_block_.end());
   }
 
-  // `end`: vertex of the contact's edge that the contact's vertex is near.
-  [[nodiscard]] bool cover(const VertexContact& contact, int end) const {
-    const Corner of_edge{contact.edge_block, outlines_.current[at(end)],
-                         normal_of(end == contact.edge ? outlines_.previous[at(end)] : end)};
-    const int facing = facing_edge(outlines_, contact);
-    const Corner of_vertex{
-        contact.vertex_block, outlines_.current[at(contact.vertex)],
-        normal_of(facing == contact.vertex ? outlines_.previous[at(contact.vertex)] : contact.vertex)};
-    return is_carried_in_line(of_vertex, of_edge) || is_carried_in_line(of_edge, of_vertex);
+  [[nodiscard]] bool cover(const VertexContact& contact) const {
+    const double size = std::min(size_[at(contact.edge_block)], size_[at(contact.vertex_block)]);
+    const int end = shared_corner(outlines_, contact, in_line * size);
+    if (end < 0) return false;
+    const CornerPair corners = corner_pair(outlines_, contact, end);
+    const bool is_beside = length_beside(outlines_, contact) > round_off * size;
+    // The vertex goes along the edge, or its end against that along the vertex' block.
+    return is_out(contact, is_beside, contact.vertex_block, corners.vertex, corners.end, corners.way, contact.normal) ||
+           is_out(contact, is_beside, contact.edge_block, corners.end, corners.vertex, -corners.way, -contact.normal);
   }
 
  private:
-  [[nodiscard]] Vec2 normal_of(int edge) const {
-    const Vec2 along = outlines_.along(edge);
-    return Vec2(along.y(), -along.x()).normalized();
-  }
-
-  // Whether a third block carries the first corner's one there, on a surface in line with the other corner's side.
-  [[nodiscard]] bool is_carried_in_line(const Corner& corner, const Corner& other) const {
-    const double depth = (corner.point - other.point).dot(other.side_normal);
-    const double near = in_line * std::min(size_[at(corner.block)], size_[at(other.block)]);
-    const auto first = std::lower_bound(by_block_.begin(), by_block_.end(), std::pair{corner.block, std::size_t{0}});
-    for (auto each = first; each != by_block_.end() && each->first == corner.block; ++each) {
+  // Whether a third block that carries `block` at its corner keeps it off the cover, which leads from the other corner
+  // along `way`: where it leads beneath that block's surface, or goes on along it and nothing lies on it yet. `normal`:
+  // of the cover, towards `block`.
+  [[nodiscard]] bool is_out(const VertexContact& contact, bool is_beside, int block, int corner, int other_corner,
+                            const Vec2& way, const Vec2& normal) const {
+    const int other = block == contact.vertex_block ? contact.edge_block : contact.vertex_block;
+    const double near = in_line * std::min(size_[at(block)], size_[at(other)]);
+    const Vec2& point = outlines_.current[at(corner)];
+    const Vec2 from_other = point - outlines_.current[at(other_corner)];
+    const auto first = std::lower_bound(by_block_.begin(), by_block_.end(), std::pair{block, std::size_t{0}});
+    for (auto each = first; each != by_block_.end() && each->first == block; ++each) {
       const Carrier& carrier = carriers_[each->second];
-      const bool is_b = carrier.block_b == corner.block;
-      if ((is_b ? carrier.block_a : carrier.block_b) == other.block) continue;
-      if ((is_b ? 1 : -1) * carrier.normal.dot(other.side_normal) < same_direction) continue;
-      if (std::abs(depth - carrier.gap) <= near && (carrier.point - corner.point).norm() <= 2 * near) return true;
+      const bool is_b = carrier.block_b == block;
+      if ((is_b ? carrier.block_a : carrier.block_b) == other) continue;
+      const Vec2 up = is_b ? carrier.normal : Vec2(-carrier.normal);
+      const bool is_hidden = up.dot(way) < -entrance_slack;
+      const bool goes_on = up.dot(normal) >= same_direction && up.dot(way) <= in_line;
+      if (!is_hidden && (is_beside || !goes_on)) continue;
+      if (std::abs(from_other.dot(up) - carrier.gap) <= near && (carrier.point - point).norm() <= 2 * near) return true;
     }
     return false;
   }
@@ -76,25 +112,6 @@ class CoveredCorners {
 // Whether they are sorted in.
 bool contains(const std::vector<std::pair<int, int>>& pairs, const std::pair<int, int>& pair) {
   return std::binary_search(pairs.begin(), pairs.end(), pair);
-}
-
-// The least distance (m) of a vertex from another one on the way that is foreseen for the step.
-double least_distance(const Outlines& outlines, int vertex, int other) {
-  const Vec2 apart = outlines.current[at(vertex)] - outlines.current[at(other)];
-  const Vec2 way = outlines.coming[at(vertex)] - outlines.coming[at(other)];
-  const double squared = way.squaredNorm();
-  const double share = squared > 0 ? std::clamp(-apart.dot(way) / squared, 0.0, 1.0) : 0;
-  return (apart + share * way).norm();
-}
-
-// The end of the contact's edge that its vertex is at, or comes past, where the blocks share no more than corners; else
-// -1.
-int shared_corner(const Outlines& outlines, const VertexContact& contact, double near) {
-  const int end = outlines.next[at(contact.edge)];
-  for (const int corner : {contact.edge, end})
-    if (least_distance(outlines, contact.vertex, corner) <= near && common_length(outlines, contact) <= near)
-      return corner;
-  return -1;
 }
 
 // A corner of a block and the edges that meet there, as increments of the blocks move them.
@@ -135,27 +152,32 @@ int nearer_end(const Outlines& outlines, const VertexContact& contact) {
 
 }  // namespace
 
-std::vector<VertexContact> take_out_covered(const Outlines& outlines, const std::vector<double>& size,
-                                            const std::vector<Carrier>& joints,
+std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             std::vector<VertexContact>& found) {
-  std::vector<std::pair<std::size_t, int>> corners;
+  const Outlines& outlines = search.outlines();
+  std::vector<std::size_t> at_corners;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (contains(uncovered, blocks_of(found[i]))) continue;
-    const double near = in_line * std::min(size[at(found[i].edge_block)], size[at(found[i].vertex_block)]);
-    const int corner = shared_corner(outlines, found[i], near);
-    if (corner >= 0) corners.emplace_back(i, corner);
+    const double near = in_line * std::min(search.size_of(found[i].edge_block), search.size_of(found[i].vertex_block));
+    if (shared_corner(outlines, found[i], near) >= 0 && !contains(uncovered, blocks_of(found[i])))
+      at_corners.push_back(i);
   }
   std::vector<VertexContact> taken;
-  if (corners.empty()) return taken;
-  const CoveredCorners covered(outlines, size, joints, found);
-  std::vector<char> out(found.size(), 0);
-  for (const auto& [i, corner] : corners) {
-    if (!covered.cover(found[i], corner)) continue;
-    out[i] = 1;
+  if (at_corners.empty()) return taken;
+  const CoveredCorners covered(outlines, search.sizes(), joints, found);
+  const auto is_covered = [&](const VertexContact& contact) { return covered.cover(contact); };
+  std::vector<std::pair<int, int>> pairs;
+  for (const std::size_t i : at_corners) {
+    if (!is_covered(found[i])) continue;
     taken.push_back(found[i]);
+    pairs.push_back(blocks_of(found[i]));
   }
-  take_out(out, found);
+  if (pairs.empty()) return taken;
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::erase_if(found, [&](const VertexContact& contact) { return contains(pairs, blocks_of(contact)); });
+  for (const auto& [a, b] : pairs) search.find_between(a, b, is_covered, found);
+  std::sort(found.begin(), found.end());
   return taken;
 }
 

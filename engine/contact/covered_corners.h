@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/contact_search.h"
 #include "engine/contact/outlines.h"
 #include "engine/contact/vertex_contact.h"
 
@@ -37,8 +38,7 @@ inline constexpr double in_line = 1e-3;
 
 // Takes them out of `found`, which stays sorted, and returns them. `size`: of each block, m. `joints`: carriers besides
 // `found`. Those between the pairs of blocks `uncovered` (smaller first, sorted) stay.
-std::vector<VertexContact> take_out_covered(const Outlines& outlines, const std::vector<double>& size,
-                                            const std::vector<Carrier>& joints,
+std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             std::vector<VertexContact>& found);
 

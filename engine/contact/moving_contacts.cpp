@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "engine/contact/acting_frame.h"
@@ -31,23 +32,58 @@ bool depends_on_length(const JointMaterial& joint) {
 }
 
 // Says for every contact found which known one it continues, if any; each is continued once. A contact that is not
-// known by its name may be so under another: a vertex went over to the next edge in line, or of two corners above each
-// other the other one now is the vertex. (Exchanging the blocks turns normal and gap both, so the state stays as it
-// is.)
+// known by its name may be so under another: a vertex went over to the next edge in line, of its own block or of
+// another one, or of two corners above each other the other one now is the vertex. (Exchanging the blocks turns normal
+// and gap both, so the state stays as it is.)
+//
+// A corner that slides from one block on to the next leaves the first one's corner behind it, above its own edge. Where
+// contacts are springs of their own the load goes on with the corner that moves, or it would stay behind with springs
+// that soon have nothing to carry, and the block would sink deeper at every joint. Where they share the stiffness of a
+// face, the one that stays behind goes on with its share.
 class Succession {
  public:
-  Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found, const Outlines& outlines)
+  Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found,
+             const std::vector<bool>& of_faces, const Outlines& outlines)
       : known_(known), outlines_(outlines), taken_(known.size(), false), earlier_(found.size(), -1) {
-    for (const auto& rule :
-         {&Succession::same, &Succession::next_edge, &Succession::exchanged, &Succession::over_a_joint})
-      for (std::size_t i = 0; i < found.size(); ++i)
-        if (earlier_[i] < 0) earlier_[i] = (this->*rule)(found[i]);
+    continue_by(&Succession::same, found);
+    continue_by(&Succession::next_edge, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (earlier_[i] < 0) earlier_[i] = of_faces[i] ? exchanged(found[i]) : over_a_joint(found[i]);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (earlier_[i] < 0 && !of_faces[i]) earlier_[i] = back_over_a_joint(found[i]);
+    continue_by(&Succession::exchanged, found);
+    continue_by(&Succession::over_a_joint, found);
   }
 
   // Index of the known contact, or -1.
   [[nodiscard]] const std::vector<std::ptrdiff_t>& earlier() const { return earlier_; }
 
+  // Of the known contacts that lie in line with a new one, at its vertex or on its edge, the nearest; -1: there is
+  // none.
+  [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact) {
+    std::ptrdiff_t nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](std::size_t i, const Vec2& normal) {
+      const double distance = (outlines_.current[at(known_[i].vertex)] - outlines_.current[at(contact.vertex)]).norm();
+      if (known_[i].normal.dot(normal) < same_direction || distance >= least) return;
+      least = distance;
+      nearest = static_cast<std::ptrdiff_t>(i);
+    };
+    for_each_at(contact.vertex, [&](std::size_t i) { look(i, contact.normal); });
+    for (const int end : {contact.edge, outlines_.next[at(contact.edge)]})
+      for_each_at(end, [&](std::size_t i) { look(i, -contact.normal); });
+    for_each_on(contact.edge, [&](std::size_t i) { look(i, contact.normal); });
+    for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
+      for_each_on(edge, [&](std::size_t i) { look(i, -contact.normal); });
+    return nearest;
+  }
+
  private:
+  void continue_by(std::ptrdiff_t (Succession::*rule)(const VertexContact&), const std::vector<VertexContact>& found) {
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (earlier_[i] < 0) earlier_[i] = (this->*rule)(found[i]);
+  }
+
   std::ptrdiff_t same(const VertexContact& contact) { return take(contact.edge, contact.vertex, contact.normal); }
 
   std::ptrdiff_t next_edge(const VertexContact& contact) {
@@ -64,14 +100,41 @@ class Succession {
   }
 
   std::ptrdiff_t over_a_joint(const VertexContact& contact) {
+    std::ptrdiff_t index = -1;
+    for_each_at(contact.vertex, [&](std::size_t i) {
+      if (index < 0) index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), contact.normal);
+    });
+    return index;
+  }
+
+  // Calls act(index) for every known contact of a vertex.
+  template <typename Act>
+  void for_each_at(int vertex, Act act) {
     if (by_vertex_.size() != known_.size()) list_by_vertex();
-    const auto first =
-        std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair{contact.vertex, std::size_t{0}});
-    for (auto known = first; known != by_vertex_.end() && known->first == contact.vertex; ++known)
-      if (const auto index = take(known_.begin() + static_cast<std::ptrdiff_t>(known->second), contact.normal);
-          index >= 0)
-        return index;
-    return -1;
+    const auto first = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair{vertex, std::size_t{0}});
+    for (auto known = first; known != by_vertex_.end() && known->first == vertex; ++known) act(known->second);
+  }
+
+  // The same for those on an edge.
+  template <typename Act>
+  void for_each_on(int edge, Act act) const {
+    VertexContact first;
+    first.edge = edge;
+    const auto begin = std::lower_bound(known_.begin(), known_.end(), first);
+    for (auto known = begin; known != known_.end() && known->edge == edge; ++known)
+      act(static_cast<std::size_t>(known - known_.begin()));
+  }
+
+  // The corner that was behind may have been the vertex for a step, where both were above each other.
+  std::ptrdiff_t back_over_a_joint(const VertexContact& contact) {
+    std::ptrdiff_t index = -1;
+    for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
+      for_each_on(edge, [&](std::size_t i) {
+        const Vec2 apart = outlines_.current[at(known_[i].vertex)] - outlines_.current[at(contact.vertex)];
+        if (index < 0 && apart.norm() <= 2 * in_line * outlines_.along(edge).norm())
+          index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), -contact.normal);
+      });
+    return index;
   }
 
   void list_by_vertex() {
@@ -110,6 +173,12 @@ bool is_same(const VertexContact& a, const VertexContact& b) { return a.edge == 
 void press_no_more(double distance, double moved, InterfaceState& state) {
   const double pressed = std::min(0.0, state.gap(0)) - moved;
   state.seat[0] = std::min(state.seat[0], distance - state.dilation[0] - pressed);
+}
+
+// A face that has grown is pressed in where it is new as it is beside: its springs begin with no share of the
+// stiffness, or little, so that no force comes at once.
+void share_depth(const InterfaceState& beside, InterfaceState& state) {
+  if (beside.status[0] != ContactStatus::open) state.seat[0] = std::max(state.seat[0], beside.seat[0]);
 }
 
 // The springs go on with the force that the state comes with, if it presses.
@@ -338,18 +407,22 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   }
   std::sort(bonded.begin(), bonded.end());
   std::vector<VertexContact> found = search_.find(bonded);
-  covered_ = take_out_covered(search_.outlines(), search_.sizes(), joints, uncovered_, found);
+  covered_ = take_out_covered(search_, joints, uncovered_, found);
   forget_corners_apart(found);
   const bool by_length = std::ranges::any_of(model.joints, depends_on_length);
   const auto goes_by_length = [&](const VertexContact& contact) {
     return depends_on_length(model.joints[at(surfaces_.joint_of(model, search_.outlines(), contact))]);
   };
   if (by_length) drop_within_faces(search_.outlines(), search_.sizes(), goes_by_length, found);
-  const std::vector<double> shares =
-      by_length ? shares_of_faces(search_.outlines(), search_.sizes(), found) : std::vector<double>(found.size());
+  std::vector<double> shares(found.size());
+  std::vector<bool> of_faces(found.size(), false);  // contacts with a share of the stiffness of a face
+  if (by_length) {
+    shares = shares_of_faces(search_.outlines(), search_.sizes(), found);
+    std::transform(found.begin(), found.end(), of_faces.begin(), goes_by_length);
+  }
   std::vector<InterfaceState> states(contacts.states.begin(),
                                      contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_));
-  const Succession succession(known_, found, search_.outlines());
+  Succession succession(known_, found, of_faces, search_.outlines());
   const std::size_t total = stretches_ + found.size();
   contacts.interfaces.resize(total);
   contacts.elements.resize(total);
@@ -373,6 +446,8 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
       }
     } else {
       states.push_back(first_state(model, interface, contacts.elements[entry], found[i].gap));
+      const std::ptrdiff_t beside = of_faces[i] ? succession.beside(found[i]) : -1;
+      if (beside >= 0) share_depth(contacts.states[stretches_ + static_cast<std::size_t>(beside)], states.back());
     }
     measure(contacts.elements[entry], found[i].gap, states.back());
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -57,5 +58,9 @@ double common_length(const Outlines& outlines, const VertexContact& contact);
 // less than `round_off` (m) are the same.
 void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double round_off,
                           std::vector<VertexContact>& found);
+
+// The same as if the covers that `is_out` says so of were not there.
+void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double round_off,
+                          const std::function<bool(const VertexContact&)>& is_out, std::vector<VertexContact>& found);
 
 }  // namespace dda

@@ -12,8 +12,6 @@
 namespace dda {
 namespace {
 
-constexpr double round_off = 1e-9;  // of the smaller block's size: what is shared by less is not shared
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The least distance (m) of a vertex from another one on the way that is foreseen for the step.
@@ -25,11 +23,24 @@ double least_distance(const Outlines& outlines, int vertex, int other) {
   return (apart + share * way).norm();
 }
 
-// Length (m) along which two edges lie on each other, or nearly.
-double length_beside(const Outlines& outlines, const VertexContact& contact) {
-  const Vec2 along = outlines.along(contact.edge).normalized();
-  const Vec2 facing = outlines.along(facing_edge(outlines, contact)).normalized();
-  return along.dot(facing) > -same_direction ? 0 : common_length(outlines, contact);
+// Length (m) along which two edges lie on each other, or nearly; 0 where they do not face each other.
+double length_beside(const Outlines& outlines, int edge, int other) {
+  const Vec2 line = outlines.along(edge), facing = outlines.along(other);
+  const double length = line.norm();
+  if (line.dot(facing) > -same_direction * length * facing.norm()) return 0;
+  const auto place = [&](int vertex) {
+    return (outlines.current[at(vertex)] - outlines.current[at(edge)]).dot(line) / length;
+  };
+  return std::min(place(other), length) - std::max(place(outlines.next[at(other)]), 0.0);
+}
+
+// Whether the blocks share a longer stretch where a vertex of one meets a vertex of the other. Vertices may lie within
+// straight faces, so that either edge of both can be part of it.
+bool share_a_face(const Outlines& outlines, int vertex, int corner, double near) {
+  for (const int edge : {corner, outlines.previous[at(corner)]})
+    for (const int other : {vertex, outlines.previous[at(vertex)]})
+      if (length_beside(outlines, edge, other) > near) return true;
+  return false;
 }
 
 // The end of the contact's edge that its vertex is at, or comes past, where the blocks share no more than corners; else
@@ -37,7 +48,8 @@ double length_beside(const Outlines& outlines, const VertexContact& contact) {
 int shared_corner(const Outlines& outlines, const VertexContact& contact, double near) {
   const int end = outlines.next[at(contact.edge)];
   for (const int corner : {contact.edge, end})
-    if (least_distance(outlines, contact.vertex, corner) <= near && length_beside(outlines, contact) <= near)
+    if (least_distance(outlines, contact.vertex, corner) <= near &&
+        !share_a_face(outlines, contact.vertex, corner, near))
       return corner;
   return -1;
 }
@@ -57,13 +69,17 @@ class CoveredCorners {
  public:
   CoveredCorners(const Outlines& outlines, const std::vector<double>& size, const std::vector<Carrier>& joints,
                  const std::vector<VertexContact>& found)
-      : outlines_(outlines), size_(size), carriers_(joints) {
+      : outlines_(outlines), size_(size) {
+    const auto coming = [&](int block) { return outlines.coming[at(outlines.starts[at(block)])]; };
+    for (const Carrier& joint : joints) carriers_.push_back({joint, coming(joint.block_a), coming(joint.block_b)});
     for (const VertexContact& contact : found)
-      carriers_.push_back({contact.edge_block, contact.vertex_block, outlines.current[at(contact.vertex)],
-                           contact.normal, contact.gap});
+      carriers_.push_back({{contact.edge_block, contact.vertex_block, outlines.current[at(contact.vertex)],
+                            contact.normal, contact.gap},
+                           outlines.coming[at(contact.edge)],
+                           outlines.coming[at(contact.vertex)]});
     for (std::size_t i = 0; i < carriers_.size(); ++i) {
-      by_block_.emplace_back(carriers_[i].block_a, i);
-      by_block_.emplace_back(carriers_[i].block_b, i);
+      by_block_.emplace_back(carriers_[i].there.block_a, i);
+      by_block_.emplace_back(carriers_[i].there.block_b, i);
     }
     std::sort(by_block_.begin(), by_block_.end());
   }
@@ -73,39 +89,43 @@ class CoveredCorners {
     const int end = shared_corner(outlines_, contact, in_line * size);
     if (end < 0) return false;
     const CornerPair corners = corner_pair(outlines_, contact, end);
-    const bool is_beside = length_beside(outlines_, contact) > round_off * size;
     // The vertex goes along the edge, or its end against that along the vertex' block.
-    return is_out(contact, is_beside, contact.vertex_block, corners.vertex, corners.end, corners.way, contact.normal) ||
-           is_out(contact, is_beside, contact.edge_block, corners.end, corners.vertex, -corners.way, -contact.normal);
+    return is_out(contact, contact.vertex_block, corners.vertex, corners.end, corners.way) ||
+           is_out(contact, contact.edge_block, corners.end, corners.vertex, -corners.way);
   }
 
  private:
   // Whether a third block that carries `block` at its corner keeps it off the cover, which leads from the other corner
-  // along `way`: where it leads beneath that block's surface, or goes on along it and nothing lies on it yet. `normal`:
-  // of the cover, towards `block`.
-  [[nodiscard]] bool is_out(const VertexContact& contact, bool is_beside, int block, int corner, int other_corner,
-                            const Vec2& way, const Vec2& normal) const {
+  // along `way`: beneath that block's surface.
+  [[nodiscard]] bool is_out(const VertexContact& contact, int block, int corner, int other_corner,
+                            const Vec2& way) const {
     const int other = block == contact.vertex_block ? contact.edge_block : contact.vertex_block;
     const double near = in_line * std::min(size_[at(block)], size_[at(other)]);
     const Vec2& point = outlines_.current[at(corner)];
     const Vec2 from_other = point - outlines_.current[at(other_corner)];
     const auto first = std::lower_bound(by_block_.begin(), by_block_.end(), std::pair{block, std::size_t{0}});
     for (auto each = first; each != by_block_.end() && each->first == block; ++each) {
-      const Carrier& carrier = carriers_[each->second];
+      const auto& [carrier, coming_a, coming_b] = carriers_[each->second];
       const bool is_b = carrier.block_b == block;
       if ((is_b ? carrier.block_a : carrier.block_b) == other) continue;
       const Vec2 up = is_b ? carrier.normal : Vec2(-carrier.normal);
-      const bool is_hidden = up.dot(way) < -entrance_slack;
-      const bool goes_on = up.dot(normal) >= same_direction && up.dot(way) <= in_line;
-      if (!is_hidden && (is_beside || !goes_on)) continue;
-      if (std::abs(from_other.dot(up) - carrier.gap) <= near && (carrier.point - point).norm() <= 2 * near) return true;
+      if (up.dot(way) >= -entrance_slack || (carrier.point - point).norm() > 2 * near) continue;
+      // How far the other corner lies from the surface, now and after the step.
+      const double below = from_other.dot(up) - carrier.gap;
+      const Vec2 apart = (is_b ? coming_a : coming_b) - outlines_.coming[at(other_corner)];
+      if (std::abs(below) <= near && std::abs(below + apart.dot(up)) <= near) return true;
     }
     return false;
   }
 
+  struct MovingCarrier {
+    Carrier there;
+    Vec2 coming_a, coming_b;  // m, what is foreseen of either block there
+  };
+
   const Outlines& outlines_;
   const std::vector<double>& size_;
-  std::vector<Carrier> carriers_;
+  std::vector<MovingCarrier> carriers_;
   std::vector<std::pair<int, std::size_t>> by_block_;
 };
 
@@ -142,6 +162,14 @@ class MovedCorner {
   Vec2 before_, place_, after_;
 };
 
+// Whether a vertex comes to an edge, and was not at its end before. Corners that are drawn in one point are so but for
+// round-off, which must not choose contacts.
+bool comes_from_afar(const ContactSearch& search, const VertexContact& contact) {
+  const double near = in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
+  const std::vector<Vec2>& coming = search.outlines().coming;
+  return contact.gap > near / 100 || (coming[at(contact.vertex)] - coming[at(contact.edge)]).norm() > near;
+}
+
 int nearer_end(const Outlines& outlines, const VertexContact& contact) {
   const Vec2& vertex = outlines.current[at(contact.vertex)];
   const int end = outlines.next[at(contact.edge)];
@@ -154,6 +182,7 @@ int nearer_end(const Outlines& outlines, const VertexContact& contact) {
 
 std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
                                             const std::vector<std::pair<int, int>>& uncovered,
+                                            const std::vector<VertexContact>& known,
                                             std::vector<VertexContact>& found) {
   const Outlines& outlines = search.outlines();
   std::vector<std::size_t> at_corners;
@@ -175,8 +204,14 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
   if (pairs.empty()) return taken;
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<VertexContact> others;
+  for (const auto& [a, b] : pairs) search.find_between(a, b, is_covered, others);
+  std::erase_if(others, [&](const VertexContact& contact) {
+    return !std::binary_search(found.begin(), found.end(), contact) &&
+           !std::binary_search(known.begin(), known.end(), contact) && !comes_from_afar(search, contact);
+  });
   std::erase_if(found, [&](const VertexContact& contact) { return contains(pairs, blocks_of(contact)); });
-  for (const auto& [a, b] : pairs) search.find_between(a, b, is_covered, found);
+  found.insert(found.end(), others.begin(), others.end());
   std::sort(found.begin(), found.end());
   return taken;
 }

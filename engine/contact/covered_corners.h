@@ -1,14 +1,19 @@
 // Contacts of two corners that cannot be: a third block is in the way.
 //
-//        |  A   |  B          A is pressed against B, and B's side goes on in that of D. So A's corner v lies deeper
-//        than D's |      v____         corner w, by as much as springs give way, and as the pair sees it, on top of D.
-//        But A has
-//        |______w____         come along the common side of B and D, and its corner passes w. In the same way D cannot
-//           C   |  D          hit A's side where C carries D in line with it.
+//        |  A   |  B          A is pressed against B, whose side ends where D's begins. So A's corner v lies deeper than
+//        |      v____         D's corner w, by as much as springs give way, and as the pair sees it, on top of D. But A
+//        |______w____         has come along B, and its corner passes w. What it can meet of D is what rises from w
+//           C   |  D          above the line of B's side, whether that is in line with D's or not.
 //
-// The same goes for a corner that slides along B on to D, within a step: on its way it meets no side of D.
+// The covers of two blocks (entrance_cover.h) that meet where a corner of one is at a corner of the other lead away from
+// there as the translations do that keep them in touch. A third block that carries one of the corners on a surface
+// which leads through the other allows no translation into itself: covers that lead beneath its surface are out, and
+// the contacts are chosen from the others. So a ramp that begins at the end of a floor is met as a ramp, though its
+// block has an upright side there, and a wedge on the floor is ridden up. That counts where the corners are, or come to
+// be within the step, and where the surface leads through the other corner then as well.
 //
-// Left in, such contacts hang a block of a regular grid up on its neighbours, whatever the friction.
+// Left in, such contacts hang a block of a regular grid up on its neighbours, whatever the friction, and stop what
+// slides over joints.
 //
 // That holds for where the blocks are. A step that opens the joints between moves such corners into each other all the
 // same: they are looked at with its motion, and count as contacts from then on if so.
@@ -36,11 +41,12 @@ struct Carrier {
 // penetration that a run warns of.
 inline constexpr double in_line = 1e-3;
 
-// Takes them out of `found`, which stays sorted, and returns them. `size`: of each block, m. `joints`: carriers besides
-// `found`. Those between the pairs of blocks `uncovered` (smaller first, sorted) stay.
+// Takes them out of `found`, which stays sorted, and returns them. Others of the same blocks come in their place where a
+// corner comes to an edge from some way off, or were among the `known` of the last search (sorted). `joints`: carriers
+// besides `found`. Those between the pairs of blocks `uncovered` (smaller first, sorted) stay.
 std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
                                             const std::vector<std::pair<int, int>>& uncovered,
-                                            std::vector<VertexContact>& found);
+                                            const std::vector<VertexContact>& known, std::vector<VertexContact>& found);
 
 // The pairs (smaller first, sorted) whose corners, covered at the start of a step, are deeper in each other than
 // `in_line` says after increments `d` (6 a block) of `state`, in which `outlines` are.

@@ -41,7 +41,7 @@ struct Corners {
     std::vector<Carrier> joints;
     std::vector<VertexContact> found = search.find(bonded);
     if (with_joints) move_to_joints(search.outlines(), found, joints);
-    take_out_covered(search, joints, {}, found);
+    take_out_covered(search, joints, {}, {}, found);
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     std::set<std::pair<int, int>> pairs;
     for (const VertexContact& contact : found)
@@ -119,7 +119,7 @@ TEST(CoveredCorners, AreUncoveredByAStepThatPressesThemIntoEachOther) {
   const ContactSearch search(model, initial_state(model));
   std::vector<VertexContact> found = search.find({});
   const std::size_t all = found.size();
-  const auto covered = take_out_covered(search, {}, {}, found);
+  const auto covered = take_out_covered(search, {}, {}, {}, found);
   ASSERT_EQ(covered.size() + found.size(), all);
   ASSERT_FALSE(covered.empty());
   const auto pressed = [&](const Vec2& of_upper_left) {
@@ -135,7 +135,7 @@ TEST(CoveredCorners, AreUncoveredByAStepThatPressesThemIntoEachOther) {
   EXPECT_EQ(two[0], std::pair(upper_left, lower_right));
   const std::size_t before = found.size();
   found = search.find({});
-  take_out_covered(search, {}, two, found);
+  take_out_covered(search, {}, two, {}, found);
   EXPECT_GT(found.size(), before) << "those of the pair stay";
 }
 

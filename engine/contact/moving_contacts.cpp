@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "engine/contact/acting_frame.h"
 #include "engine/contact/covered_corners.h"
 #include "engine/contact/shared_face.h"
+#include "engine/contact/succession.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
@@ -30,140 +30,6 @@ std::pair<int, int> pair_of(const Between& between) {
 bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
 }
-
-// Says for every contact found which known one it continues, if any; each is continued once. A contact that is not
-// known by its name may be so under another: a vertex went over to the next edge in line, of its own block or of
-// another one, or of two corners above each other the other one now is the vertex. (Exchanging the blocks turns normal
-// and gap both, so the state stays as it is.)
-//
-// A corner that slides from one block on to the next leaves the first one's corner behind it, above its own edge. Where
-// contacts are springs of their own the load goes on with the corner that moves, or it would stay behind with springs
-// that soon have nothing to carry, and the block would sink deeper at every joint. Where they share the stiffness of a
-// face, the one that stays behind goes on with its share.
-class Succession {
- public:
-  Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found,
-             const std::vector<bool>& of_faces, const Outlines& outlines)
-      : known_(known), outlines_(outlines), taken_(known.size(), false), earlier_(found.size(), -1) {
-    continue_by(&Succession::same, found);
-    continue_by(&Succession::next_edge, found);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (earlier_[i] < 0) earlier_[i] = of_faces[i] ? exchanged(found[i]) : over_a_joint(found[i]);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (earlier_[i] < 0 && !of_faces[i]) earlier_[i] = back_over_a_joint(found[i]);
-    continue_by(&Succession::exchanged, found);
-    continue_by(&Succession::over_a_joint, found);
-  }
-
-  // Index of the known contact, or -1.
-  [[nodiscard]] const std::vector<std::ptrdiff_t>& earlier() const { return earlier_; }
-
-  // Of the known contacts that lie in line with a new one, at its vertex or on its edge, the nearest; -1: there is
-  // none.
-  [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact) {
-    std::ptrdiff_t nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
-    const auto look = [&](std::size_t i, const Vec2& normal) {
-      const double distance = (outlines_.current[at(known_[i].vertex)] - outlines_.current[at(contact.vertex)]).norm();
-      if (known_[i].normal.dot(normal) < same_direction || distance >= least) return;
-      least = distance;
-      nearest = static_cast<std::ptrdiff_t>(i);
-    };
-    for_each_at(contact.vertex, [&](std::size_t i) { look(i, contact.normal); });
-    for (const int end : {contact.edge, outlines_.next[at(contact.edge)]})
-      for_each_at(end, [&](std::size_t i) { look(i, -contact.normal); });
-    for_each_on(contact.edge, [&](std::size_t i) { look(i, contact.normal); });
-    for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
-      for_each_on(edge, [&](std::size_t i) { look(i, -contact.normal); });
-    return nearest;
-  }
-
- private:
-  void continue_by(std::ptrdiff_t (Succession::*rule)(const VertexContact&), const std::vector<VertexContact>& found) {
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (earlier_[i] < 0) earlier_[i] = (this->*rule)(found[i]);
-  }
-
-  std::ptrdiff_t same(const VertexContact& contact) { return take(contact.edge, contact.vertex, contact.normal); }
-
-  std::ptrdiff_t next_edge(const VertexContact& contact) {
-    const auto before = take(outlines_.previous[at(contact.edge)], contact.vertex, contact.normal);
-    return before >= 0 ? before : take(outlines_.next[at(contact.edge)], contact.vertex, contact.normal);
-  }
-
-  std::ptrdiff_t exchanged(const VertexContact& contact) {
-    for (const int corner : {contact.edge, outlines_.next[at(contact.edge)]}) {
-      for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
-        if (const auto known = take(edge, corner, -contact.normal); known >= 0) return known;
-    }
-    return -1;
-  }
-
-  std::ptrdiff_t over_a_joint(const VertexContact& contact) {
-    std::ptrdiff_t index = -1;
-    for_each_at(contact.vertex, [&](std::size_t i) {
-      if (index < 0) index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), contact.normal);
-    });
-    return index;
-  }
-
-  // Calls act(index) for every known contact of a vertex.
-  template <typename Act>
-  void for_each_at(int vertex, Act act) {
-    if (by_vertex_.size() != known_.size()) list_by_vertex();
-    const auto first = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair{vertex, std::size_t{0}});
-    for (auto known = first; known != by_vertex_.end() && known->first == vertex; ++known) act(known->second);
-  }
-
-  // The same for those on an edge.
-  template <typename Act>
-  void for_each_on(int edge, Act act) const {
-    VertexContact first;
-    first.edge = edge;
-    const auto begin = std::lower_bound(known_.begin(), known_.end(), first);
-    for (auto known = begin; known != known_.end() && known->edge == edge; ++known)
-      act(static_cast<std::size_t>(known - known_.begin()));
-  }
-
-  // The corner that was behind may have been the vertex for a step, where both were above each other.
-  std::ptrdiff_t back_over_a_joint(const VertexContact& contact) {
-    std::ptrdiff_t index = -1;
-    for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
-      for_each_on(edge, [&](std::size_t i) {
-        const Vec2 apart = outlines_.current[at(known_[i].vertex)] - outlines_.current[at(contact.vertex)];
-        if (index < 0 && apart.norm() <= 2 * in_line * outlines_.along(edge).norm())
-          index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), -contact.normal);
-      });
-    return index;
-  }
-
-  void list_by_vertex() {
-    for (std::size_t i = 0; i < known_.size(); ++i) by_vertex_.emplace_back(known_[i].vertex, i);
-    std::sort(by_vertex_.begin(), by_vertex_.end());
-  }
-
-  std::ptrdiff_t take(int edge, int vertex, const Vec2& normal) {
-    VertexContact wanted;
-    wanted.edge = edge;
-    wanted.vertex = vertex;
-    const auto place = std::lower_bound(known_.begin(), known_.end(), wanted);
-    return place == known_.end() || wanted < *place ? -1 : take(place, normal);
-  }
-
-  std::ptrdiff_t take(std::vector<VertexContact>::const_iterator place, const Vec2& normal) {
-    if (place->normal.dot(normal) < same_direction) return -1;
-    const std::ptrdiff_t index = place - known_.begin();
-    if (taken_[static_cast<std::size_t>(index)]) return -1;
-    taken_[static_cast<std::size_t>(index)] = true;
-    return index;
-  }
-
-  const std::vector<VertexContact>& known_;
-  const Outlines& outlines_;
-  std::vector<bool> taken_;
-  std::vector<std::ptrdiff_t> earlier_;
-  std::vector<std::pair<int, std::size_t>> by_vertex_;  // vertex and index of the known contacts, when asked for
-};
 
 bool is_same(const VertexContact& a, const VertexContact& b) { return a.edge == b.edge && a.vertex == b.vertex; }
 
@@ -407,7 +273,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   }
   std::sort(bonded.begin(), bonded.end());
   std::vector<VertexContact> found = search_.find(bonded);
-  covered_ = take_out_covered(search_, joints, uncovered_, found);
+  covered_ = take_out_covered(search_, joints, uncovered_, known_, found);
   forget_corners_apart(found);
   const bool by_length = std::ranges::any_of(model.joints, depends_on_length);
   const auto goes_by_length = [&](const VertexContact& contact) {

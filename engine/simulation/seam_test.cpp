@@ -142,8 +142,10 @@ TEST(Seam, GroundThatTurnsIsAsOfOneBlock) {
     Simulation one = simulation_of(ramp_model(angle, speed, 1, dt, steps));
     Simulation two = simulation_of(ramp_model(angle, speed, 2, dt, steps));
     const Vec2 expected = end_of(one).velocity.back().head<2>();
-    // How the block comes to lie on the ramp rests on where in a step it meets it: 1 % of the speed was measured.
-    EXPECT_LT((end_of(two).velocity.back().head<2>() - expected).norm(), 0.02 * speed) << fmt::format("seed {}: {} rad, {} m/s, {} s", seed, angle, speed, dt);
+    // How the block comes to lie on the ramp rests on where in a step it meets it, which the depth of springs shifts:
+    // up to 6 % of the speed. An edge that stands up takes all of it, or throws the block back.
+    EXPECT_LT((end_of(two).velocity.back().head<2>() - expected).norm(), 0.1 * speed)
+        << fmt::format("seed {}: {} rad, {} m/s, {} s", seed, angle, speed, dt);
   }
 }
 

@@ -1,0 +1,129 @@
+#include "engine/contact/succession.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/contact/covered_corners.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Succession::Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found,
+                       const std::vector<bool>& of_faces, const Outlines& outlines)
+    : known_(known), outlines_(outlines), taken_(known.size(), false), earlier_(found.size(), -1) {
+  continue_by(&Succession::same, found);
+  continue_by(&Succession::next_edge, found);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (earlier_[i] < 0) earlier_[i] = of_faces[i] ? exchanged(found[i]) : over_a_joint(found[i]);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (earlier_[i] < 0 && !of_faces[i]) earlier_[i] = back_over_a_joint(found[i]);
+  continue_by(&Succession::exchanged, found);
+  continue_by(&Succession::over_a_joint, found);
+}
+
+void Succession::continue_by(Rule rule, const std::vector<VertexContact>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (earlier_[i] < 0) earlier_[i] = (this->*rule)(found[i]);
+}
+
+// Calls act(index) for every known contact of a vertex.
+template <typename Act>
+void Succession::for_each_at(int vertex, Act act) {
+  if (by_vertex_.size() != known_.size()) list_by_vertex();
+  const auto first = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), std::pair{vertex, std::size_t{0}});
+  for (auto known = first; known != by_vertex_.end() && known->first == vertex; ++known) act(known->second);
+}
+
+// The same for those on an edge.
+template <typename Act>
+void Succession::for_each_on(int edge, Act act) const {
+  VertexContact first;
+  first.edge = edge;
+  const auto begin = std::lower_bound(known_.begin(), known_.end(), first);
+  for (auto known = begin; known != known_.end() && known->edge == edge; ++known)
+    act(static_cast<std::size_t>(known - known_.begin()));
+}
+
+std::ptrdiff_t Succession::beside(const VertexContact& contact) {
+  std::ptrdiff_t nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](std::size_t i, const Vec2& normal) {
+    const double distance = (outlines_.current[at(known_[i].vertex)] - outlines_.current[at(contact.vertex)]).norm();
+    if (known_[i].normal.dot(normal) < same_direction || distance >= least) return;
+    least = distance;
+    nearest = static_cast<std::ptrdiff_t>(i);
+  };
+  for_each_at(contact.vertex, [&](std::size_t i) { look(i, contact.normal); });
+  for (const int end : {contact.edge, outlines_.next[at(contact.edge)]})
+    for_each_at(end, [&](std::size_t i) { look(i, -contact.normal); });
+  for_each_on(contact.edge, [&](std::size_t i) { look(i, contact.normal); });
+  for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
+    for_each_on(edge, [&](std::size_t i) { look(i, -contact.normal); });
+  return nearest;
+}
+
+std::ptrdiff_t Succession::same(const VertexContact& contact) {
+  return take(contact.edge, contact.vertex, contact.normal);
+}
+
+std::ptrdiff_t Succession::next_edge(const VertexContact& contact) {
+  const auto before = take(outlines_.previous[at(contact.edge)], contact.vertex, contact.normal);
+  return before >= 0 ? before : take(outlines_.next[at(contact.edge)], contact.vertex, contact.normal);
+}
+
+std::ptrdiff_t Succession::exchanged(const VertexContact& contact) {
+  for (const int corner : {contact.edge, outlines_.next[at(contact.edge)]}) {
+    for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
+      if (const auto known = take(edge, corner, -contact.normal); known >= 0) return known;
+  }
+  return -1;
+}
+
+std::ptrdiff_t Succession::over_a_joint(const VertexContact& contact) {
+  std::ptrdiff_t index = -1;
+  for_each_at(contact.vertex, [&](std::size_t i) {
+    if (index < 0) index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), contact.normal);
+  });
+  return index;
+}
+
+// The corner that is left behind was the vertex while both were above each other.
+std::ptrdiff_t Succession::back_over_a_joint(const VertexContact& contact) {
+  std::ptrdiff_t index = -1;
+  for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
+    for_each_on(edge, [&](std::size_t i) {
+      const std::size_t behind = at(known_[i].vertex), ahead = at(contact.vertex);
+      const double way = (outlines_.coming[behind] - outlines_.coming[ahead]).norm();
+      const double near = 2 * in_line * outlines_.along(edge).norm() + 2 * way;
+      if (index < 0 && (outlines_.current[behind] - outlines_.current[ahead]).norm() <= near)
+        index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), -contact.normal);
+    });
+  return index;
+}
+
+void Succession::list_by_vertex() {
+  for (std::size_t i = 0; i < known_.size(); ++i) by_vertex_.emplace_back(known_[i].vertex, i);
+  std::sort(by_vertex_.begin(), by_vertex_.end());
+}
+
+std::ptrdiff_t Succession::take(int edge, int vertex, const Vec2& normal) {
+  VertexContact wanted;
+  wanted.edge = edge;
+  wanted.vertex = vertex;
+  const auto place = std::lower_bound(known_.begin(), known_.end(), wanted);
+  return place == known_.end() || wanted < *place ? -1 : take(place, normal);
+}
+
+std::ptrdiff_t Succession::take(std::vector<VertexContact>::const_iterator place, const Vec2& normal) {
+  if (place->normal.dot(normal) < same_direction) return -1;
+  const std::ptrdiff_t index = place - known_.begin();
+  if (taken_[static_cast<std::size_t>(index)]) return -1;
+  taken_[static_cast<std::size_t>(index)] = true;
+  return index;
+}
+
+}  // namespace dda

@@ -1,0 +1,59 @@
+// Which known contact a contact that the search has found goes on with, from one search to the next.
+//
+// A contact that is not known by its name may be so under another: a vertex went over to the next edge in line, of its
+// own block or of another one, or of two corners above each other the other one now is the vertex. (Exchanging the
+// blocks turns normal and gap both, so the state stays as it is.)
+//
+// A corner that slides from one block on to the next leaves the first one's corner behind it, above its own edge. Where
+// contacts are springs of their own the load goes on with the corner that moves, or it would stay behind with springs
+// that soon have nothing to carry, and the block would sink deeper at every joint. Where they share the stiffness of a
+// face, the one that stays behind goes on with its share.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "engine/contact/outlines.h"
+#include "engine/contact/vertex_contact.h"
+
+namespace dda {
+
+class Succession {
+ public:
+  // `known`: sorted. `of_faces`: of each that was found, whether it has a share of the stiffness of a face.
+  Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found,
+             const std::vector<bool>& of_faces, const Outlines& outlines);
+
+  // Of each that was found the index of the known one that it continues, or -1. Each is continued once.
+  [[nodiscard]] const std::vector<std::ptrdiff_t>& earlier() const { return earlier_; }
+
+  // Of the known contacts that lie in line with a new one, at its vertex or on its edge, the nearest; -1: there is
+  // none.
+  [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact);
+
+ private:
+  using Rule = std::ptrdiff_t (Succession::*)(const VertexContact&);
+
+  void continue_by(Rule rule, const std::vector<VertexContact>& found);
+  std::ptrdiff_t same(const VertexContact& contact);
+  std::ptrdiff_t next_edge(const VertexContact& contact);
+  std::ptrdiff_t exchanged(const VertexContact& contact);
+  std::ptrdiff_t over_a_joint(const VertexContact& contact);
+  std::ptrdiff_t back_over_a_joint(const VertexContact& contact);
+  template <typename Act>
+  void for_each_at(int vertex, Act act);
+  template <typename Act>
+  void for_each_on(int edge, Act act) const;
+  void list_by_vertex();
+  std::ptrdiff_t take(int edge, int vertex, const Vec2& normal);
+  std::ptrdiff_t take(std::vector<VertexContact>::const_iterator place, const Vec2& normal);
+
+  const std::vector<VertexContact>& known_;
+  const Outlines& outlines_;
+  std::vector<bool> taken_;
+  std::vector<std::ptrdiff_t> earlier_;
+  std::vector<std::pair<int, std::size_t>> by_vertex_;  // vertex and index of the known contacts, when asked for
+};
+
+}  // namespace dda

@@ -1,12 +1,13 @@
 // Contacts of two corners that cannot be: a third block is in the way.
 //
-//        |  A   |  B          A is pressed against B, whose side ends where D's begins. So A's corner v lies deeper than
-//        |      v____         D's corner w, by as much as springs give way, and as the pair sees it, on top of D. But A
-//        |______w____         has come along B, and its corner passes w. What it can meet of D is what rises from w
-//           C   |  D          above the line of B's side, whether that is in line with D's or not.
+//        |  A   |  B        A is pressed against B, whose side ends where D's begins. So A's
+//        |      v____       corner v lies deeper than D's corner w, by as much as springs give
+//        |______w____       way, and as the pair sees it, on top of D. But A has come along B,
+//           C   |  D        and its corner passes w. What it can meet of D is what rises from w
+//                           above the line of B's side, whether that is in line with D's or not.
 //
-// The covers of two blocks (entrance_cover.h) that meet where a corner of one is at a corner of the other lead away from
-// there as the translations do that keep them in touch. A third block that carries one of the corners on a surface
+// The covers of two blocks (entrance_cover.h) that meet where a corner of one is at a corner of the other lead away
+// from there as the translations do that keep them in touch. A third block that carries one of the corners on a surface
 // which leads through the other allows no translation into itself: covers that lead beneath its surface are out, and
 // the contacts are chosen from the others. So a ramp that begins at the end of a floor is met as a ramp, though its
 // block has an upright side there, and a wedge on the floor is ridden up. That counts where the corners are, or come to
@@ -41,9 +42,9 @@ struct Carrier {
 // penetration that a run warns of.
 inline constexpr double in_line = 1e-3;
 
-// Takes them out of `found`, which stays sorted, and returns them. Others of the same blocks come in their place where a
-// corner comes to an edge from some way off, or were among the `known` of the last search (sorted). `joints`: carriers
-// besides `found`. Those between the pairs of blocks `uncovered` (smaller first, sorted) stay.
+// Takes them out of `found`, which stays sorted, and returns them. Others of the same blocks come in their place where
+// a corner comes to an edge from some way off, or were among the `known` of the last search (sorted). `joints`:
+// carriers besides `found`. Those between the pairs of blocks `uncovered` (smaller first, sorted) stay.
 std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             const std::vector<VertexContact>& known, std::vector<VertexContact>& found);

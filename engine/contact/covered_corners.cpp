@@ -23,6 +23,11 @@ double least_distance(const Outlines& outlines, int vertex, int other) {
   return (apart + share * way).norm();
 }
 
+// What corners may be apart, and sides off their line, m.
+double near_of(const ContactSearch& search, const VertexContact& contact) {
+  return in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
+}
+
 // Length (m) along which two edges lie on each other, or nearly; 0 where they do not face each other.
 double length_beside(const Outlines& outlines, int edge, int other) {
   const Vec2 line = outlines.along(edge), facing = outlines.along(other);
@@ -67,9 +72,10 @@ CornerPair corner_pair(const Outlines& outlines, const VertexContact& contact, i
 
 class CoveredCorners {
  public:
-  CoveredCorners(const Outlines& outlines, const std::vector<double>& size, const std::vector<Carrier>& joints,
+  CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints,
                  const std::vector<VertexContact>& found)
-      : outlines_(outlines), size_(size) {
+      : search_(search), outlines_(search.outlines()) {
+    const Outlines& outlines = outlines_;
     const auto coming = [&](int block) { return outlines.coming[at(outlines.starts[at(block)])]; };
     for (const Carrier& joint : joints) carriers_.push_back({joint, coming(joint.block_a), coming(joint.block_b)});
     for (const VertexContact& contact : found)
@@ -85,9 +91,12 @@ class CoveredCorners {
   }
 
   [[nodiscard]] bool cover(const VertexContact& contact) const {
-    const double size = std::min(size_[at(contact.edge_block)], size_[at(contact.vertex_block)]);
-    const int end = shared_corner(outlines_, contact, in_line * size);
-    if (end < 0) return false;
+    const int end = shared_corner(outlines_, contact, near_of(search_, contact));
+    return end >= 0 && cover(contact, end);
+  }
+
+  // `end`: the corner that the contact's vertex is at, of its edge.
+  [[nodiscard]] bool cover(const VertexContact& contact, int end) const {
     const CornerPair corners = corner_pair(outlines_, contact, end);
     // The vertex goes along the edge, or its end against that along the vertex' block.
     return is_out(contact, contact.vertex_block, corners.vertex, corners.end, corners.way) ||
@@ -100,7 +109,7 @@ class CoveredCorners {
   [[nodiscard]] bool is_out(const VertexContact& contact, int block, int corner, int other_corner,
                             const Vec2& way) const {
     const int other = block == contact.vertex_block ? contact.edge_block : contact.vertex_block;
-    const double near = in_line * std::min(size_[at(block)], size_[at(other)]);
+    const double near = near_of(search_, contact);
     const Vec2& point = outlines_.current[at(corner)];
     const Vec2 from_other = point - outlines_.current[at(other_corner)];
     const auto first = std::lower_bound(by_block_.begin(), by_block_.end(), std::pair{block, std::size_t{0}});
@@ -123,8 +132,8 @@ class CoveredCorners {
     Vec2 coming_a, coming_b;  // m, what is foreseen of either block there
   };
 
+  const ContactSearch& search_;
   const Outlines& outlines_;
-  const std::vector<double>& size_;
   std::vector<MovingCarrier> carriers_;
   std::vector<std::pair<int, std::size_t>> by_block_;
 };
@@ -162,12 +171,52 @@ class MovedCorner {
   Vec2 before_, place_, after_;
 };
 
-// Whether a vertex comes to an edge, and was not at its end before. Corners that are drawn in one point are so but for
-// round-off, which must not choose contacts.
-bool comes_from_afar(const ContactSearch& search, const VertexContact& contact) {
-  const double near = in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
+bool is_among(const std::vector<VertexContact>& contacts, const VertexContact& contact) {
+  return std::binary_search(contacts.begin(), contacts.end(), contact);
+}
+
+// Whether a vertex and a corner of another block come to each other, or part, by more than sides in line can differ.
+bool go_far(const ContactSearch& search, const VertexContact& contact, int corner) {
   const std::vector<Vec2>& coming = search.outlines().coming;
-  return contact.gap > near / 100 || (coming[at(contact.vertex)] - coming[at(contact.edge)]).norm() > near;
+  return (coming[at(contact.vertex)] - coming[at(corner)]).norm() > near_of(search, contact);
+}
+
+// Corners that are drawn in one point are so but for round-off, which must not choose contacts.
+constexpr double apart = 0.01;  // of what sides in line may differ by
+
+// Whether a cover of the same corners may count in the place of one that does not: where they come to each other from
+// some way off, or where one did in the last search.
+bool may_have_another(const ContactSearch& search, const VertexContact& contact, int end,
+                      const std::vector<VertexContact>& known) {
+  const Outlines& outlines = search.outlines();
+  const double distance = (outlines.current[at(contact.vertex)] - outlines.current[at(end)]).norm();
+  if (distance > apart * near_of(search, contact) || go_far(search, contact, end)) return true;
+  const auto was_known = [&](int edge, int vertex) {
+    VertexContact wanted;
+    wanted.edge = edge;
+    wanted.vertex = vertex;
+    return is_among(known, wanted);
+  };
+  return was_known(end, contact.vertex) || was_known(outlines.previous[at(end)], contact.vertex) ||
+         was_known(contact.vertex, end) || was_known(outlines.previous[at(contact.vertex)], end);
+}
+
+// Chooses the contacts of pairs of blocks again, without covers that do not count.
+void look_again(const ContactSearch& search, const CoveredCorners& covered, const std::vector<VertexContact>& known,
+                std::vector<std::pair<int, int>>& pairs, std::vector<VertexContact>& found) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<VertexContact> others;
+  for (const auto& [a, b] : pairs)
+    search.find_between(
+        a, b, [&](const VertexContact& contact) { return covered.cover(contact); }, others);
+  std::erase_if(others, [&](const VertexContact& contact) {
+    const bool comes = contact.gap > apart * near_of(search, contact) || go_far(search, contact, contact.edge);
+    return !comes && !is_among(found, contact) && !is_among(known, contact);
+  });
+  std::erase_if(found, [&](const VertexContact& contact) { return contains(pairs, blocks_of(contact)); });
+  found.insert(found.end(), others.begin(), others.end());
+  std::sort(found.begin(), found.end());
 }
 
 int nearer_end(const Outlines& outlines, const VertexContact& contact) {
@@ -184,35 +233,24 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             const std::vector<VertexContact>& known,
                                             std::vector<VertexContact>& found) {
-  const Outlines& outlines = search.outlines();
-  std::vector<std::size_t> at_corners;
+  std::vector<std::pair<std::size_t, int>> corners;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const double near = in_line * std::min(search.size_of(found[i].edge_block), search.size_of(found[i].vertex_block));
-    if (shared_corner(outlines, found[i], near) >= 0 && !contains(uncovered, blocks_of(found[i])))
-      at_corners.push_back(i);
+    const int end = shared_corner(search.outlines(), found[i], near_of(search, found[i]));
+    if (end >= 0 && !contains(uncovered, blocks_of(found[i]))) corners.emplace_back(i, end);
   }
   std::vector<VertexContact> taken;
-  if (at_corners.empty()) return taken;
-  const CoveredCorners covered(outlines, search.sizes(), joints, found);
-  const auto is_covered = [&](const VertexContact& contact) { return covered.cover(contact); };
-  std::vector<std::pair<int, int>> pairs;
-  for (const std::size_t i : at_corners) {
-    if (!is_covered(found[i])) continue;
+  if (corners.empty()) return taken;
+  const CoveredCorners covered(search, joints, found);
+  std::vector<char> out(found.size(), 0);
+  std::vector<std::pair<int, int>> others;
+  for (const auto& [i, end] : corners) {
+    if (!covered.cover(found[i], end)) continue;
+    out[i] = 1;
     taken.push_back(found[i]);
-    pairs.push_back(blocks_of(found[i]));
+    if (may_have_another(search, found[i], end, known)) others.push_back(blocks_of(found[i]));
   }
-  if (pairs.empty()) return taken;
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  std::vector<VertexContact> others;
-  for (const auto& [a, b] : pairs) search.find_between(a, b, is_covered, others);
-  std::erase_if(others, [&](const VertexContact& contact) {
-    return !std::binary_search(found.begin(), found.end(), contact) &&
-           !std::binary_search(known.begin(), known.end(), contact) && !comes_from_afar(search, contact);
-  });
-  std::erase_if(found, [&](const VertexContact& contact) { return contains(pairs, blocks_of(contact)); });
-  found.insert(found.end(), others.begin(), others.end());
-  std::sort(found.begin(), found.end());
+  take_out(out, found);
+  if (!others.empty()) look_again(search, covered, known, others, found);
   return taken;
 }
 

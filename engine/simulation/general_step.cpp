@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/contact/foreseen_gap.h"
+#include "engine/contact/row_bending.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/free_field.h"
@@ -96,6 +97,7 @@ void GeneralStep::leave_out(const std::vector<bool>& absent) {
     dda::leave_out(absent, contacts);
     range_.leave_out(absent, system_.model, contacts.interfaces);
   }
+  stiffen_rows(system_.model, contacts);
   moved_ = std::numeric_limits<double>::infinity();
 }
 

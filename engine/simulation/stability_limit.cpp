@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/contact/row_bending.h"
 #include "engine/core/error.h"
 #include "engine/linear/block_vectors.h"
 #include "engine/simulation/held_blocks.h"
@@ -143,7 +144,10 @@ double limit_at(const Model& model, std::size_t index, double dt) {
   stage.dt = dt;
   const std::vector<bool> absent = model.absent_in(index);
   ContactSet contacts = make_contacts(model);
-  if (!absent.empty()) leave_out(absent, contacts);
+  if (!absent.empty()) {
+    leave_out(absent, contacts);
+    stiffen_rows(model, contacts);
+  }
   const HeldUnknowns held = make_held_unknowns(model, absent);
   const LinearOperators operators(model, make_block_terms(model, stage), contacts, supports_in(model, index),
                                   WaveCorrections(model, stage, contacts));

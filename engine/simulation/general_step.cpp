@@ -193,6 +193,7 @@ bool GeneralStep::moves_further_than_seen() {
     base_is_current_ = false;
     return true;
   }
+  if (!system_.plan.finite_kinematics) return false;  // contacts stay those of the start, however far blocks go
   if (!moving_->widen(system_.model, system_.state, system_.increment)) return false;
   moved_ = std::numeric_limits<double>::infinity();  // the geometry is to be followed again, and searched
   return true;

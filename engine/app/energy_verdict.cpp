@@ -69,7 +69,8 @@ std::string gift_of_dampers(const Simulation& simulation) {
   const double brought = std::abs(energy.external_work) + std::abs(energy.gravity_work) + energy.initial_kinetic +
                          energy.initial_strain + energy.initial_contact;
   const double given = -energy.damping;
-  if (!has_material_damping(simulation.model()) || given < tolerated_residual * energy.scale()) return "";
+  if (!(given > 0) || !has_material_damping(simulation.model())) return "";
+  if (given < tolerated_residual * energy.scale()) return "";
   if (given < ruinous_gain * std::min(brought, energy.scale())) return "";
   return fmt::format(
       "damping gave {:.3g} J/m, {:.2g} % of the largest energy, which it can only take: a velocity jumps, and dt is "

@@ -61,5 +61,22 @@ TEST_F(Verdict, ASupportThatMovesOffAtOnceIsFineAtAnyTimeStep) {
     }
 }
 
+// Damping where nothing moves yet, as before a load that begins late, or in a stage that ends before it.
+TEST_F(Verdict, ARunInWhichNothingHappensIsFine) {
+  for (const char* integrator : {"trapezoidal", "thesis"}) {
+    nlohmann::json scene = pushed_bar("1e-5 s");
+    scene["supports"][0].erase("velocity");
+    scene["loads"] = {{{"edge", "right"},
+                       {"force", {1000, 0}},
+                       {"history", {{"sine", {{"frequency", 100}, {"cycles", 1}, {"start", 1}}}}}}};
+    scene["steps"]["integrator"] = integrator;
+    write("bar.json", scene.dump());
+    const Outcome outcome = call({"run", path("bar.json"), "--out", path("out"), "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << integrator << outcome.errors;
+    EXPECT_EQ(outcome.errors, "") << integrator;
+    EXPECT_FALSE(contains(text("out/summary.json"), "nan")) << integrator;
+  }
+}
+
 }  // namespace
 }  // namespace dda

@@ -156,13 +156,15 @@ double WaveCorrections::sharpening_beside(const Model& model, const ContactSet& 
 
 // Interfaces at their caps have less than others; the least counts. Shares of one stage have one sign.
 void WaveCorrections::find_sharpening(const Model& model, const ContactSet& contacts) {
+  std::vector<bool> found(sharpening_.size(), false);  // 0 is a share as any other
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
     if (!has_inertia(model, element) && !softened_for_steps(model, element)) continue;
     const double share = sharpening_beside(model, contacts, i);
     for (const int block : {element.block_a, element.block_b}) {
-      double& least = sharpening_[static_cast<std::size_t>(block)];
-      if (least == 0 || std::abs(share) < std::abs(least)) least = share;
+      const auto k = static_cast<std::size_t>(block);
+      if (!found[k] || std::abs(share) < std::abs(sharpening_[k])) sharpening_[k] = share;
+      found[k] = true;
     }
   }
 }

@@ -107,6 +107,7 @@ void GeneralStep::set_up(BlockMatrix pattern) {
   given_friction_ = {};
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
+  motion_steps_ = moving_ ? steps_of_motion(system_) : 1;
   list_contacts();
   system_.drag.hold_loose(system_.model.blocks.size(), system_.held);
 }
@@ -182,7 +183,7 @@ void GeneralStep::pose(double end) {
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
   form_rhs(system_, rhs_);
-  aim(system_.model, system_.state, end, system_.held);
+  aim(system_.model, system_.state, end_of_motion(system_, motion_steps_, end), system_.held);
 }
 
 // True when the step must be solved again: loose blocks of a static stage have got a drag, or contacts are looked for

@@ -65,7 +65,7 @@ class Judge {
       look_at_turn(block, before.empty() ? 0 : before[at(block)]);
     if (!system_.plan.linear && before.empty())
       for (std::size_t i = 0; i < system_.contacts.interfaces.size(); ++i) look_at_contact(i);
-    if (system_.plan.linear) look_at_straight_ways();
+    if (model_.stays_linear()) look_at_straight_ways();
   }
 
   // From where they were looked at last, in stretches of a quarter of a thickness.
@@ -248,7 +248,7 @@ void SmallMotionWatch::begin_stage(const BlockSystem& system) {
     turns_before_.clear();
     for (const Vec6& each : system.state.displacement) turns_before_.push_back(each(2));
   }
-  if (!system.plan.linear) looked_at_ = system.state.displacement;
+  if (!system.model.stays_linear()) looked_at_ = system.state.displacement;
 }
 
 // Of its thickness, what some block has gone at most since it was looked at.
@@ -263,7 +263,7 @@ double SmallMotionWatch::gone(const BlockSystem& system) const {
 }
 
 void SmallMotionWatch::follow(const BlockSystem& system) {
-  if (system.plan.finite_kinematics || system.plan.linear) return;
+  if (system.plan.finite_kinematics || looked_at_.empty()) return;
   measure(system.model);
   const double thicknesses = gone(system);
   if (!(thicknesses > 0.25)) return;
@@ -276,7 +276,7 @@ void SmallMotionWatch::end_stage(const BlockSystem& system) {
   measure(system.model);
   Judge judge(system, thickness_, worst_);
   judge.look_at_end(turns_before_);
-  if (system.plan.linear) return;
+  if (looked_at_.empty()) return;
   const double thicknesses = gone(system);
   if (!(2 * thicknesses > doubtful_error(SmallMotionFault::passed))) return;
   judge.look_at_way(looked_at_, thicknesses);

@@ -28,7 +28,7 @@ constexpr double tolerated_residual = 1e-6;
 
 // Share of what was brought from which on it is said that steps have lost it. A load that is put on at once and comes
 // to rest on springs loses half; blocks that land and stay lose all they had.
-constexpr double noted_loss = 0.6;
+constexpr double noted_loss = 0.75;
 
 // Those with the most kinetic energy: who was given energy from nowhere flies.
 std::vector<UnbalancedBlock> liveliest_blocks(const Simulation& simulation) {

@@ -26,6 +26,10 @@ constexpr double tolerated_passing_gain = 10 * tolerated_gain;
 // springs too stiff for their blocks take from a solve it grows tenfold.
 constexpr double tolerated_residual = 1e-6;
 
+// Share of what was brought from which on it is said that steps have lost it. A load that is put on at once and comes
+// to rest on springs loses half; blocks that land and stay lose all they had.
+constexpr double noted_loss = 0.75;
+
 // Those with the most kinetic energy: who was given energy from nowhere flies.
 std::vector<UnbalancedBlock> liveliest_blocks(const Simulation& simulation) {
   const Model& model = simulation.model();
@@ -61,16 +65,36 @@ bool has_material_damping(const Model& model) {
   return std::ranges::any_of(model.stages, [](const Stage& stage) { return stage.material_damping.acts(); });
 }
 
+// What loads, weight and motions did, and what was there at the start, J per m of thickness.
+double brought(const EnergyLedger& energy) {
+  return std::abs(energy.external_work) + std::abs(energy.gravity_work) + energy.initial_kinetic +
+         energy.initial_strain + energy.initial_contact + energy.initial_bolts;
+}
+
+// What static stages take is damping in the ledger, so this is of stages in motion.
+std::string loss_of_steps(const Simulation& simulation) {
+  const EnergyLedger& energy = simulation.energy();
+  const double all = brought(energy);
+  if (!(energy.numerical >= noted_loss * all) || energy.numerical < tolerated_residual * energy.scale() || all == 0)
+    return "";
+  const std::string cause =
+      simulation.plan().contacts_can_change
+          ? "what impacts lose that a step does not resolve, more of it the longer the step; where blocks bounce or "
+            "go on after an impact, compare with a smaller dt"
+          : "waves that a step does not resolve; take a smaller dt";
+  return fmt::format("warning: time integration took {:.3g} J/m, {:.2g} % of the energy that was brought: {}",
+                     energy.numerical, 100 * energy.numerical / all, cause);
+}
+
 // Dampers take energy. Where a support jumps within a step, those that are too long for the damping give it back, and
 // the integrator's own losses hide that. It is measured by what loads and motions brought, as what is there may be of
 // it.
 std::string gift_of_dampers(const Simulation& simulation) {
   const EnergyLedger& energy = simulation.energy();
-  const double brought = std::abs(energy.external_work) + std::abs(energy.gravity_work) + energy.initial_kinetic +
-                         energy.initial_strain + energy.initial_contact;
   const double given = -energy.damping;
-  if (!has_material_damping(simulation.model()) || given < tolerated_residual * energy.scale()) return "";
-  if (given < ruinous_gain * std::min(brought, energy.scale())) return "";
+  if (!(given > 0) || !has_material_damping(simulation.model())) return "";
+  if (given < tolerated_residual * energy.scale()) return "";
+  if (given < ruinous_gain * std::min(brought(energy), energy.scale())) return "";
   return fmt::format(
       "damping gave {:.3g} J/m, {:.2g} % of the largest energy, which it can only take: a velocity jumps, and dt is "
       "too "
@@ -105,7 +129,7 @@ RunVerdict judge_energy(const Simulation& simulation) {
         fmt::format("warning: for a while there was {:.2g} % of the largest energy more than was brought, and it was "
                     "lost again; take {}",
                     100 * passing, remedy)};
-  return {};
+  return {Status::ok, loss_of_steps(simulation)};
 }
 
 }  // namespace dda

@@ -61,5 +61,51 @@ TEST_F(Verdict, ASupportThatMovesOffAtOnceIsFineAtAnyTimeStep) {
     }
 }
 
+// Damping where nothing moves yet, as before a load that begins late, or in a stage that ends before it.
+TEST_F(Verdict, ARunInWhichNothingHappensIsFine) {
+  for (const char* integrator : {"trapezoidal", "thesis"}) {
+    nlohmann::json scene = pushed_bar("1e-5 s");
+    scene["supports"][0].erase("velocity");
+    scene["loads"] = {{{"edge", "right"},
+                       {"force", {1000, 0}},
+                       {"history", {{"sine", {{"frequency", 100}, {"cycles", 1}, {"start", 1}}}}}}};
+    scene["steps"]["integrator"] = integrator;
+    write("bar.json", scene.dump());
+    const Outcome outcome = call({"run", path("bar.json"), "--out", path("out"), "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << integrator << outcome.errors;
+    EXPECT_EQ(outcome.errors, "") << integrator;
+    EXPECT_FALSE(contains(text("out/summary.json"), "nan")) << integrator;
+  }
+}
+
+// A box above a fixed floor, by `gap`.
+nlohmann::json box_above_floor(double gap, const char* duration) {
+  const auto outline = [](double left, double bottom, double right, double top) -> nlohmann::json {
+    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+  };
+  return {{"dda", 1},
+          {"gravity", 9.81},
+          {"materials", {{"rock", {{"density", 2600}, {"young", "20 GPa"}, {"poisson", 0.2}}}}},
+          {"joints", {{"default", {{"friction_angle", "30 deg"}, {"law", "classical"}}}}},
+          {"blocks",
+           {{{"polygon", {{"name", "floor"}, {"vertices", outline(0, -1, 4, 0)}}}},
+            {{"polygon", {{"name", "box"}, {"vertices", outline(1.5, gap, 2.5, 1 + gap)}}}}}},
+          {"fixed", {"floor"}},
+          {"steps", {{"dt", "2 ms"}, {"duration", duration}, {"integrator", "thesis"}}}};
+}
+
+// What lands and stays has lost all it had; what is put down and settles loses half of next to nothing.
+TEST_F(Verdict, WhatStepsLoseIsSaid) {
+  const auto errors_of = [&](const nlohmann::json& scene) {
+    write("box.json", scene.dump());
+    const Outcome outcome = call({"run", path("box.json"), "--out", path("out"), "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome.errors;
+  };
+  EXPECT_TRUE(contains(errors_of(box_above_floor(0.3, "1 s")), "warning: time integration took"));
+  EXPECT_EQ(errors_of(box_above_floor(0, "0.5 s")), "");
+  EXPECT_EQ(errors_of(box_above_floor(0.3, "0.1 s")), "");  // it is still falling
+}
+
 }  // namespace
 }  // namespace dda

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/app/run_verdict.h"
-#include "engine/simulation/small_motion.h"
+#include "engine/simulation/block_system.h"
 
 namespace dda {
 namespace {
@@ -35,6 +35,12 @@ std::string sentence(const SmallMotionError& each, const Model& model) {
       return fmt::format(
           "{} is or was deeper than {:.2g} m in \"{}\", {:.2g} % of the thinner one, where no contact acts", block,
           each.amount, name(each.other), 100 * each.error);
+    case SmallMotionFault::may_have_passed:
+      return fmt::format(
+          "{} may have been deeper than {:.2g} m in \"{}\", {:.2g} % of the thinner one, where no contact acts: it was "
+          "on "
+          "the straight way there",
+          block, each.amount, name(each.other), 100 * each.error);
   }
   return "";
 }
@@ -42,7 +48,7 @@ std::string sentence(const SmallMotionError& each, const Model& model) {
 }  // namespace
 
 RunVerdict judge_motion(const Simulation& simulation) {
-  std::vector<SmallMotionError> errors = errors_of_small_motion(simulation);
+  const std::vector<SmallMotionError> errors = simulation.system().audit.small_motion.errors();
   if (errors.empty()) return {};
   const auto share_of_ruin = [](const SmallMotionError& each) { return each.error / ruinous_error(each.fault); };
   const SmallMotionError worst = *std::ranges::max_element(errors, {}, share_of_ruin);

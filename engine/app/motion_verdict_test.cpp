@@ -3,6 +3,9 @@
 #include <string>
 
 #include "engine/app/command_line_test_support.h"
+#include "engine/app/run_verdict.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/snapshot.h"
 
 namespace dda {
 namespace {
@@ -64,6 +67,67 @@ TEST_F(MotionVerdict, SaysThatABlockTurned) {
 TEST_F(MotionVerdict, SaysNothingOfMotionsThatAreRight) {
   expect(box_on_floor(outline(0, 0, 0.4, 0.4), down, 3, "1 deg", "1 s"), 0, "");
   expect(box_on_floor(outline(2, 0, 1, 1), down, 0, "30 deg", "0.3 s"), 0, "");
+}
+
+// Thrown over a wall: not on the straight way.
+TEST_F(MotionVerdict, FollowsTheWayThatBlocksTake) {
+  json scene = box_on_floor(outline(1, 1, 0.5, 0.5), down, 7, "0 deg", "1.4 s");
+  scene["blocks"][0]["polygon"]["vertices"] = outline(0, -1, 12, 1);
+  scene["blocks"][1]["polygon"]["initial_velocity"] = {7, 7};
+  scene["blocks"].push_back({{"polygon", {{"name", "wall"}, {"vertices", outline(5, 0, 0.5, 2)}}}});
+  scene["fixed"].push_back("wall");
+  expect(scene, 0, "");
+  scene["blocks"][2]["polygon"]["vertices"] = outline(5, 0, 0.05, 4);  // through it, in steps of twice its thickness
+  expect(scene, 3, "\"wall\", 20 % of the thinner one");
+}
+
+// In a scene where nothing can change there is no contact to be found either.
+TEST_F(MotionVerdict, SaysWhatMayHaveHappenedOnStraightWays) {
+  json scene = box_on_floor(outline(1, 1, 0.5, 0.5), {0, 0}, 7, "0 deg", "1.4 s");
+  scene["joints"]["default"] = {{"bonded", true}};
+  scene["blocks"].push_back({{"polygon", {{"name", "wall"}, {"vertices", outline(5, 0, 0.5, 4)}}}});
+  expect(scene, 0, "may have been deeper than");
+}
+
+// Whatever comes after it, a stage in small kinematics is judged by its own end.
+TEST_F(MotionVerdict, IsOfEveryStageInSmallKinematics) {
+  const json fall = box_on_floor(outline(1, 0.5, 1, 1), down, 0, "30 deg", "0.8 s");
+  const json small = fall["steps"];
+  json finite = small;
+  finite["kinematics"] = "finite";
+  finite["duration"] = "0.05 s";
+  json rest = small;
+  rest["duration"] = "0.02 s";
+  rest["kinematics"] = "finite";
+  json scene = fall;
+  const auto stages = [](json first, json second) {
+    first["name"] = "first";
+    second["name"] = "second";
+    return json::array({first, second});
+  };
+  scene["steps"] = stages(small, finite);
+  expect(scene, 3, "\"floor\", 20 % of the thinner one");
+  scene["steps"] = stages(rest, small);
+  expect(scene, 3, "\"floor\", 20 % of the thinner one");
+  scene["steps"] = stages(rest, finite);
+  expect(scene, 0, "");
+}
+
+// Stopped on the way and gone on with, it knows what came before.
+TEST_F(MotionVerdict, IsKeptInCheckpoints) {
+  json scene = box_on_floor(outline(1, 0.5, 1, 1), down, 0, "30 deg", "0.8 s");
+  json small = scene["steps"], finite = scene["steps"];
+  small["name"] = "small";
+  finite["name"] = "finite";
+  finite["kinematics"] = "finite";
+  finite["duration"] = "0.05 s";
+  scene["steps"] = json::array({small, finite});
+  Simulation whole(parse_scene(scene.dump(), "box.json"));
+  Simulation rest(parse_scene(scene.dump(), "box.json"));
+  while (stages_done(whole) == 0) ASSERT_EQ(whole.step(), Status::ok);
+  restore(rest, whole.state(), save(whole));
+  while (!rest.finished()) ASSERT_EQ(rest.step(), Status::ok);
+  EXPECT_EQ(judge_motion(rest).status, Status::inaccurate);
 }
 
 // The same scenes in finite kinematics are not judged so.

@@ -13,11 +13,13 @@ struct RunVerdict {
   std::string message;         // why, or a warning; empty when there is nothing to say
 };
 
-// By its ledger of energies, and by how far its blocks have gone in small kinematics.
+// By its ledger of energies, by how deep blocks are in each other at its end, and by how far they have gone in small
+// kinematics.
 RunVerdict judge_run(const Simulation& simulation);
 
 // By these alone.
 RunVerdict judge_energy(const Simulation& simulation);
 RunVerdict judge_motion(const Simulation& simulation);
+RunVerdict judge_penetration(const Simulation& simulation);
 
 }  // namespace dda

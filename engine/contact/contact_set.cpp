@@ -126,14 +126,11 @@ ContactSet make_contacts(const Model& model) {
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
   const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
-  const std::vector<bool> rows = in_rows(model, contacts.interfaces);
   const bool cubic_allowed = model.stays_linear() && !model.removes_blocks();
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
     InterfaceElement element = make_element(model, interface, usable_law(model, interface, cubic_allowed && cubic[i]));
-    if (element.law == InterfaceLaw::consistent && !joint.stabilisation && rows[i])
-      element.stiffness(2) = row_bending_stiffness(model, interface);
     set_geometry(model, reference_frame(model, interface), element);
     const Vec3& stress_a = model.blocks[static_cast<std::size_t>(interface.block_a)].initial_stress;
     const Vec3& stress_b = model.blocks[static_cast<std::size_t>(interface.block_b)].initial_stress;
@@ -150,6 +147,7 @@ ContactSet make_contacts(const Model& model) {
       contacts.states[i].broken = {true, true};
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
+  stiffen_rows(model, contacts);
   contacts.outline_compliance = outline_compliance_of(model, contacts);
   return contacts;
 }

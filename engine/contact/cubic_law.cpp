@@ -40,7 +40,7 @@ class ChainBlocks {
       add(interface.block_a, interface.block_b, -interface.normal, interface.length);
       add(interface.block_b, interface.block_a, interface.normal, interface.length);
     }
-    for (const HeldBlock& held : model.held_blocks) leave(held.block);
+    for (const HeldBlock& held : model.held_blocks) hold(held.block);
     for (const EdgeLoad& load : model.edge_loads) touch_along(load.block, load.to - load.from);
     for (const ViscousEdge& edge : model.viscous_edges) touch_along(edge.block, edge.to - edge.from);
     for (const PointLoad& load : model.point_loads) touch_at(load.block, load.point, across(load));
@@ -55,6 +55,13 @@ class ChainBlocks {
   static std::size_t at(int block) { return static_cast<std::size_t>(block); }
 
   void leave(int block) { in_chain_[at(block)] = false; }
+
+  // A rigid end keeps what it is bonded to from swelling.
+  void hold(int block) {
+    leave(block);
+    for (const int next : neighbours_[at(block)])
+      if (model_.material_of(next).poisson != 0) leave_with_chain(next);
+  }
 
   void leave_with_chain(int first) {
     std::vector<int> waiting = {first};

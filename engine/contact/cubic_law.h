@@ -44,7 +44,8 @@ double side_free_ratio(const Material& material);
 
 // Which of `interfaces` can be cubic: equal halves of one material, the interface across their centroid line, without
 // an interface on the sides of either block, in a chain that has no edge load and no viscous edge on its sides, and no
-// point load or support that acts across it but on its axis and on its end faces. Where sides are held, t above is not
+// point load or support that acts across it but on its axis and on its end faces, nor ends at a held block unless its
+// Poisson's ratio is 0. Where sides are held, and where a rigid end keeps blocks from swelling, t above is not
 // the stress along the chain: a confined row of nu = 0.25 carried 0.64 of the load on its end.
 std::vector<bool> cubic_candidates(const Model& model, const std::vector<Interface>& interfaces);
 

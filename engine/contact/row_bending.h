@@ -9,19 +9,18 @@
 // length of the joint, so its stiffness is 4/l^2 times that of theta: E l/(3 d) with d = d_a + d_b for equal blocks.
 #pragma once
 
-#include <vector>
-
-#include "engine/contact/interface.h"
+#include "engine/contact/contact_set.h"
 #include "engine/model/model.h"
 
 namespace dda {
 
-// Which of `interfaces` are joints of such a row: those of two blocks that have one joint at most on each of two
-// opposite faces, none elsewhere, and a cross-section that hardly changes. Held blocks are rigid, whatever touches
-// them.
-std::vector<bool> in_rows(const Model& model, const std::vector<Interface>& interfaces);
-
-// Of half the difference of the normal gap between the ends of a joint, N/m per m of thickness.
-double row_bending_stiffness(const Model& model, const Interface& interface);
+// Gives the joints of such rows this stiffness, of half the difference of the normal gap between their ends: joints
+// whose blocks both have one joint at most on each of the two faces that it is parallel to, none beside them, and a
+// cross-section that hardly changes. Held blocks are rigid, whatever touches them.
+//
+// Joints are here what holds blocks together: bonded or with strength, and not broken. Contacts that press and rub, and
+// those of a corner, do not keep a row from bending by itself. Rows that are left where blocks are removed are asked
+// for again then: their blocks bend from there on, for what they are bent already as well.
+void stiffen_rows(const Model& model, ContactSet& contacts);
 
 }  // namespace dda

@@ -80,5 +80,71 @@ TEST(RowBending, MeshesStayAsTheyAre) {
   expect_mesh(model_of({{Ring{{0, 0}, {1, 0}, {0, 1}}, {}}, {Ring{{1, 0}, {1, 1}, {0, 1}}, {}}}));  // triangles
 }
 
+// Two bonded layers of three blocks each, or one layer on blocks that are no part of it. Joint 1 is the bed.
+Model layers(const JointMaterial& bed, double shift = 0) {
+  Model model = model_of(std::vector<Polygon>{});
+  model.materials = {rock()};
+  for (int i = 0; i < 3; ++i) model.blocks.emplace_back().shape = {box_ring(i, 0, i + 1, 0.7), {}};
+  for (int i = 0; i < 3; ++i) model.blocks.emplace_back().shape = {box_ring(i + shift, 0.7, i + 1 + shift, 1.9), {}};
+  model.joints = {{.name = "bond", .law = InterfaceLaw::consistent, .bonded = true}, bed};
+  for (int a = 0; a < 3; ++a)
+    for (int b = 3; b < 6; ++b) model.joint_of_block_pair[{a, b}] = 1;
+  finish_model(model);
+  return model;
+}
+
+// Of every joint that stands upright, over that of a bent beam of its height.
+std::vector<double> upright_rows(const Model& model) {
+  std::vector<double> rows;
+  const ContactSet contacts = make_contacts(model);
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    if (contacts.interfaces[i].length > 0 && std::abs(contacts.interfaces[i].normal.x()) > 0.5)
+      rows.push_back(contacts.elements[i].stiffness(2) / (1e9 * contacts.interfaces[i].length / 3));
+  return rows;
+}
+
+void expect_beams(const Model& model) {
+  const std::vector<double> rows = upright_rows(model);
+  ASSERT_EQ(rows.size(), 4U);
+  for (const double row : rows) EXPECT_NEAR(row, 1, 1e-9);
+}
+
+TEST(RowBending, WhatOnlyPressesOnARowLeavesItItsStiffness) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> shift(-0.9, 0.9);
+  JointMaterial smooth{.name = "bed", .law = InterfaceLaw::classical};
+  JointMaterial rough{.name = "bed", .law = InterfaceLaw::consistent};
+  rough.friction_angle = 0.5;
+  for (const JointMaterial& bed : {smooth, rough}) {
+    expect_beams(layers(bed));  // corners meet corners
+    for (int i = 0; i < 20; ++i) expect_beams(layers(bed, shift(random)));
+  }
+}
+
+TEST(RowBending, ALayerBondedToAnotherIsAMesh) {
+  JointMaterial bond{.name = "bed", .law = InterfaceLaw::consistent, .cohesion = 1e6, .tensile_strength = 1e6};
+  for (const double row : upright_rows(layers(bond))) EXPECT_LT(row, 0.5);
+  bond.bonded = true;
+  for (const double row : upright_rows(layers(bond))) EXPECT_LT(row, 0.5);
+  bond.law = InterfaceLaw::classical;
+  for (const double row : upright_rows(layers(bond, 0.3))) EXPECT_LT(row, 0.5);
+}
+
+TEST(RowBending, ARowIsOneOnceItsNeighboursAreRemoved) {
+  Model model = layers({.name = "bed", .law = InterfaceLaw::consistent, .bonded = true});
+  model.blocks.erase(model.blocks.begin() + 4, model.blocks.end());  // one block on the first one is left
+  model.joint_of_block_pair = {{{0, 3}, 1}};
+  finish_model(model);
+  ContactSet contacts = make_contacts(model);
+  for (InterfaceState& state : contacts.states) state.gap(2) = 1e-4;
+  leave_out({false, false, false, true}, contacts);
+  stiffen_rows(model, contacts);
+  ASSERT_EQ(contacts.elements.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(contacts.elements[i].stiffness(2), 1e9 * 0.7 / 3, 1);
+    EXPECT_EQ(contacts.states[i].force(2), contacts.elements[i].stiffness(2) * 1e-4);
+  }
+}
+
 }  // namespace
 }  // namespace dda

@@ -144,6 +144,30 @@ TEST(ConfinedRow, ShortensByItsOedometerModulus) {
   }
 }
 
+// ---- Rows that end at a held block, which keeps them from swelling there.
+
+TEST(RowAtARigidEnd, CarriesWhatPressesOnItsOtherEnd) {
+  Random random(53);
+  for (int i = 0; i < 24; ++i) {
+    const double poisson = i % 6 == 0 ? 0 : between(0.05, 0.49, random);
+    const Material material{"rock", 2600, 2e10, poisson, i % 2 ? PlaneState::stress : PlaneState::strain};
+    const std::vector<double> lengths(static_cast<std::size_t>(between(3, 12, random)), between(0.4, 2, random));
+    Model model = row_of(lengths, between(0.4, 2, random), bond(InterfaceLaw::cubic), material);
+    const double length = total(lengths);
+    const double height = model.blocks[0].shape.outer[2].y();
+    const int last = static_cast<int>(lengths.size()) - 1;
+    model.held_blocks.emplace_back().block = 0;
+    model.edge_loads = {{last, {length, 0}, {length, height}, {-1e6, 0}, Constant{}}};
+    model.stages = {balanced(Kinematics::small)};
+    Simulation simulation = simulation_of(model);
+    settle(simulation);
+    for (std::size_t block = 1; block < lengths.size(); ++block)
+      EXPECT_NEAR(simulation.state().stress[block](0), -1e6, 1) << i;  // left out of balance, a millionth of it
+    const InterfaceLaw law = simulation.contacts().elements.back().law;
+    EXPECT_EQ(law, poisson == 0 ? InterfaceLaw::cubic : InterfaceLaw::consistent) << i;
+  }
+}
+
 // ---- Beams.
 
 struct Beam {

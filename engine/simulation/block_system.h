@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -18,6 +19,7 @@
 #include "engine/simulation/excavated.h"
 #include "engine/simulation/external_forces.h"
 #include "engine/simulation/settling_drag.h"
+#include "engine/simulation/small_motion.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/step_plan.h"
 #include "engine/simulation/support_set.h"
@@ -60,6 +62,17 @@ struct BlockForces {
   }
 };
 
+// What is watched of a run while it goes on: its energies, and how far blocks go in small kinematics.
+struct RunAudit : EnergyAudit {
+  SmallMotionWatch small_motion;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    using Energies = std::conditional_t<std::is_const_v<Self>, const EnergyAudit, EnergyAudit>;
+    archive(static_cast<Energies&>(self), self.small_motion);
+  }
+};
+
 struct BlockSystem {
   explicit BlockSystem(Model finished_model);
   ~BlockSystem();
@@ -78,7 +91,7 @@ struct BlockSystem {
   ExternalForces external;
   Excavated excavated;
   std::unique_ptr<FreeField> free_field;  // only where a side has one
-  EnergyAudit audit;
+  RunAudit audit;
   Costs costs;
 
   StageClock clock;

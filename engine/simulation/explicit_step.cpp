@@ -56,6 +56,7 @@ void ExplicitStep::set_up(BlockMatrix pattern) {
   mass_damping_ = stage.material_damping.mass;
   find_dashpots();
   message_.clear();
+  next_acceleration_.assign(s.state.acceleration.size(), Vec6::Zero());
   if (solver_.set_up(inertia_in_step(), s.held) != Status::ok) message_ = sentence(Failure::singular_matrix);
   if (solver_.is_by_blocks()) return;
   for (Eigen::VectorXd* vector : {&rhs_, &acceleration_}) vector->setZero(pattern.unknowns());
@@ -108,6 +109,7 @@ StoredEnergy ExplicitStep::stored_energy() const {
 Status ExplicitStep::advance(double dt, bool /*can_be_cut*/) {
   if (!message_.empty()) return Status::singular;
   BlockSystem& s = system_;
+  const double start = s.state.time;
   const double end = s.end_of_step(dt);
   if (s.plan.loads) s.loads_at(end, s.forces.load_new);
   aim(s.model, s.state, end, s.held);
@@ -117,15 +119,34 @@ Status ExplicitStep::advance(double dt, bool /*can_be_cut*/) {
   linear_.sum_internal_forces(s.forces.internal_new);
   if (!solver_.is_by_blocks()) {
     const Status status = solve_coupled();
-    if (status != Status::ok) return status;
+    if (status != Status::ok) return take_back(start, status);
   }
   const ExplicitStepSums sums = balance();
   if (!std::isfinite(sums.acceleration) || !std::isfinite(sums.elastic)) {
     message_ = sentence(Failure::not_finite);
-    return Status::not_finite;
+    return take_back(start, Status::not_finite);
   }
   finish(sums);
   return Status::ok;
+}
+
+// The state of a step that failed is that of its start, but for round-off.
+Status ExplicitStep::take_back(double time, Status status) {
+  BlockSystem& s = system_;
+  for (std::size_t i = 0; i < s.state.velocity.size(); ++i) take_back_block(i);
+  s.state.time = time;
+  set_held_rates(s.model, s.state);
+  return status;
+}
+
+void ExplicitStep::take_back_block(std::size_t i) {
+  State& state = system_.state;
+  const double dt = system_.coefficients.dt;
+  const Vec6 d = of(system_.increment, i);
+  state.velocity[i] = d / dt - dt / 2 * state.acceleration[i];  // d = dt times the velocity of the middle
+  state.displacement[i] -= d;
+  state.stress[i].noalias() -= system_.terms.elasticity[i] * d.tail<3>();
+  deform_small(-d, state.deformation[i]);
 }
 
 // To the end of the step in displacements and stresses, and to its middle in velocities.
@@ -199,7 +220,7 @@ void ExplicitStep::balance_block(std::size_t i, ExplicitStepSums& sums) {
   } else {
     acceleration.noalias() = solver_.inverse(i) * force;
   }
-  s.state.acceleration[i] = acceleration;
+  next_acceleration_[i] = acceleration;
   s.state.velocity[i] += s.coefficients.dt / 2 * acceleration;
   if (has_dashpot(i)) take_off_dashpot(i, d, force, sums);
   const Vec6 momentum = take_off_mass_damping(i, d, force, sums);
@@ -249,6 +270,7 @@ void ExplicitStep::finish(const ExplicitStepSums& of_step) {
   const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
   ExplicitStepSums sums = of_step;
+  s.state.acceleration.swap(next_acceleration_);
   s.audit.dampers_worked(sums.twice_radiated / 2, sums.twice_damping / 2);
   if (s.plan.velocity_damping) damp(sums);
   const double half = s.coefficients.dt / 2;

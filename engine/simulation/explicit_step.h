@@ -55,7 +55,7 @@ class ExplicitStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, linear, solver, dashpots, place, mass_damping, dashpot_force, mass_damping_force, rhs, acceleration,
-           message] = self;
+           next_acceleration, message] = self;
     archive(linear, dashpot_force, mass_damping_force);
     // The others follow from the system, or are written before they are read.
   }
@@ -72,6 +72,8 @@ class ExplicitStep : public Step {
   void move();
   void move_block(std::size_t i);
   [[nodiscard]] Status solve_coupled();
+  Status take_back(double time, Status status);
+  void take_back_block(std::size_t i);
   [[nodiscard]] ExplicitStepSums balance();
   void balance_block(std::size_t i, ExplicitStepSums& sums);
   [[nodiscard]] Vec6 unbalanced_force(std::size_t i) const;
@@ -87,11 +89,12 @@ class ExplicitStep : public Step {
   LinearForces linear_;
   InertiaSolver solver_;  // M + dt/2 C
   std::vector<Dashpot> dashpots_;
-  std::vector<int> place_;              // of every block among them, -1 for others; empty where there are none
-  double mass_damping_ = 0;             // 1/s, a of C = a M
-  Eigen::VectorXd dashpot_force_;       // C v as the last balance had it, 6 entries for each of dashpots_
-  Eigen::VectorXd mass_damping_force_;  // a M v as the last balance had it; empty without
-  Eigen::VectorXd rhs_, acceleration_;  // of the solve where inertia couples blocks
+  std::vector<int> place_;               // of every block among them, -1 for others; empty where there are none
+  double mass_damping_ = 0;              // 1/s, a of C = a M
+  Eigen::VectorXd dashpot_force_;        // C v as the last balance had it, 6 entries for each of dashpots_
+  Eigen::VectorXd mass_damping_force_;   // a M v as the last balance had it; empty without
+  Eigen::VectorXd rhs_, acceleration_;   // of the solve where inertia couples blocks
+  std::vector<Vec6> next_acceleration_;  // at the end of the step
   std::string message_;
 };
 

@@ -201,5 +201,37 @@ TEST(ExplicitStep, GoesOnWithoutWhatIsRemoved) {
   EXPECT_GT(coarse / fine, 2.5);
 }
 
+// A load beyond all numbers: the step that meets it is not taken.
+TEST(ExplicitStep, AStepThatFailsLeavesTheStateAsItWas) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 20; ++i) {
+    const RandomBondedScene scene(random, i % 2 == 0);
+    const double dt = 0.5 * scene.stable_dt();
+    Model model = scene.with(RandomBondedScene::random_stage(random, dt, 10));
+    const TimeFunction history = PiecewiseLinear{{0, 5 * dt, 6 * dt}, {0, 0, 1e300}};
+    model.point_loads.push_back({0, model.blocks[0].moments.centroid, {1, 1}, history});
+    Simulation simulation = simulation_of(model);
+    Status status = Status::ok;
+    State before;
+    while (status == Status::ok && !simulation.finished()) {
+      before = simulation.state();
+      status = simulation.step();
+    }
+    ASSERT_EQ(status, Status::not_finite) << i;
+    const State& now = simulation.state();
+    EXPECT_EQ(now.time, before.time);
+    EXPECT_EQ(now.acceleration, before.acceleration);
+    for (std::size_t b = 0; b < before.velocity.size(); ++b) {
+      // Velocities are differences of those in the middle of the step and what a half step adds, ten times as large.
+      EXPECT_LE((now.velocity[b] - before.velocity[b]).norm(),
+                1e-11 * (before.velocity[b].norm() + dt * before.acceleration[b].norm()));
+      EXPECT_LE((now.displacement[b] - before.displacement[b]).norm(),
+                1e-11 * (before.displacement[b].norm() + dt * before.velocity[b].norm()));
+      EXPECT_LT((now.stress[b] - before.stress[b]).norm(), 1e-9 * (before.stress[b].norm() + 1));
+      EXPECT_LT((now.deformation[b] - before.deformation[b]).norm(), 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dda

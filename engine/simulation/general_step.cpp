@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/contact/foreseen_gap.h"
+#include "engine/contact/row_bending.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/free_field.h"
@@ -96,6 +97,7 @@ void GeneralStep::leave_out(const std::vector<bool>& absent) {
     dda::leave_out(absent, contacts);
     range_.leave_out(absent, system_.model, contacts.interfaces);
   }
+  stiffen_rows(system_.model, contacts);
   moved_ = std::numeric_limits<double>::infinity();
 }
 
@@ -105,6 +107,7 @@ void GeneralStep::set_up(BlockMatrix pattern) {
   given_friction_ = {};
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
+  motion_steps_ = moving_ ? steps_of_motion(system_) : 1;
   list_contacts();
   system_.drag.hold_loose(system_.model.blocks.size(), system_.held);
 }
@@ -180,7 +183,7 @@ void GeneralStep::pose(double end) {
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
   form_rhs(system_, rhs_);
-  aim(system_.model, system_.state, end, system_.held);
+  aim(system_.model, system_.state, end_of_motion(system_, motion_steps_, end), system_.held);
 }
 
 // True when the step must be solved again: loose blocks of a static stage have got a drag, or contacts are looked for
@@ -191,6 +194,7 @@ bool GeneralStep::moves_further_than_seen() {
     base_is_current_ = false;
     return true;
   }
+  if (!system_.plan.finite_kinematics) return false;  // contacts stay those of the start, however far blocks go
   if (!moving_->widen(system_.model, system_.state, system_.increment)) return false;
   moved_ = std::numeric_limits<double>::infinity();  // the geometry is to be followed again, and searched
   return true;

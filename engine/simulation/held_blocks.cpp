@@ -1,6 +1,9 @@
 #include "engine/simulation/held_blocks.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "engine/geometry/rotation.h"
 
@@ -67,6 +70,26 @@ void hold_still(int block, std::size_t blocks, HeldUnknowns& held) {
   held.place[at(block)] = static_cast<int>(held.blocks.size());
   held.blocks.push_back(block);
   held.increments.emplace_back(Vec6::Zero());
+}
+
+int steps_of_motion(const Model& model, double start, double end, double most) {
+  constexpr int looks = 64, most_steps = 300;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Block& block : model.blocks) smallest = std::min(smallest, std::sqrt(block.moments.area));
+  double steps = 1;
+  for (const HeldBlock& held : model.held_blocks) {
+    if (!moves(held)) continue;
+    const double radius = extent_along(model.blocks[at(held.block)].shape.outer, Vec2::UnitX()) +
+                          extent_along(model.blocks[at(held.block)].shape.outer, Vec2::UnitY());
+    Vec6 before = motion_of(model, held, start).displacement;
+    for (int look = 1; look <= looks; ++look) {
+      const Vec6 then = motion_of(model, held, start + (end - start) * look / looks).displacement;
+      const Vec6 way = then - before;
+      before = then;
+      steps = std::max(steps, looks * (way.head<2>().norm() + radius * std::abs(way(2))) / (most * smallest));
+    }
+  }
+  return static_cast<int>(std::ceil(std::min(steps, static_cast<double>(most_steps))));
 }
 
 Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double time) {

@@ -22,6 +22,10 @@ void hold_still(int block, std::size_t blocks, HeldUnknowns& held);
 // The increments that bring the model's held blocks from `state` to where they are to be at `time`.
 void aim(const Model& model, const State& state, double time, HeldUnknowns& held);
 
+// In how many steps the held blocks go from `start` to `end`, s, when they turn and move by no more than `most` of the
+// smallest block's size in any of them; never more than a static stage has steps for.
+int steps_of_motion(const Model& model, double start, double end, double most);
+
 // Displacement of the unknowns of a held block at `time`.
 Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double time);
 

@@ -44,7 +44,7 @@ void scale(double factor, BlockMatrix& matrix) {
 
 BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
                          const WaveCorrections& waves) {
-  BlockMatrix inertia(static_cast<int>(terms.inertia.size()), waves.coupled_by_inertia(model, contacts));
+  BlockMatrix inertia(static_cast<int>(terms.inertia.size()), waves.coupled_by_inertia(contacts));
   for (std::size_t i = 0; i < terms.inertia.size(); ++i)
     inertia.diagonal(static_cast<int>(i)) = mass_matrix(terms.inertia[i]);
   waves.add_to_inertia(model, contacts, inertia);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
+#include "engine/contact/contact_search.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 
@@ -92,6 +94,17 @@ bool nothing_prescribed_changes_until(double time, BlockSystem& system) {
   for (std::size_t i = 0; system.plan.moving_supports && i < system.supports.size(); ++i)
     if (prescribed_displacement(system.model.supports[i], time) != system.supports[i].prescribed) return false;
   return held_blocks_stand_still_until(system.model, system.state, time);
+}
+
+int steps_of_motion(const BlockSystem& system) {
+  if (!system.clock.begun || !system.plan.finite_kinematics || !system.stage().paces_itself()) return 1;
+  return steps_of_motion(system.model, system.clock.start, system.end_of_stage(), ContactSearch::reach / 2);
+}
+
+double end_of_motion(const BlockSystem& system, int steps, double end) {
+  const std::int64_t step = system.clock.step + 1;
+  if (step >= steps) return end;
+  return system.clock.start + (end - system.clock.start) * static_cast<double>(step) / steps;
 }
 
 }  // namespace dda

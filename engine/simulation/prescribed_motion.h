@@ -26,6 +26,13 @@ void begin_viscous_edges(BlockSystem& system);
 // What moves the held blocks works against all other forces on them.
 void audit_held_blocks(BlockSystem& system);
 
+// In how many steps of a stage that paces itself held blocks go so that no contact is missed; 1 elsewhere.
+int steps_of_motion(const BlockSystem& system);
+
+// Where a step that ends at `end`, s, takes held blocks, as a time. Stages that pace themselves take loads as they are
+// at their end from the first step on; blocks that are moved far get there in `steps`.
+double end_of_motion(const BlockSystem& system, int steps, double end);
+
 // True when loads, supports and held blocks are at `time` what they are now; writes the loads there to forces.load_new.
 bool nothing_prescribed_changes_until(double time, BlockSystem& system);
 

@@ -150,6 +150,7 @@ void Simulation::begin_stage() {
   stage_step().set_up(std::move(pattern));
   stage_step().begin();
   if (!s.plan.is_static) set_held_rates(s.model, s.state);
+  s.audit.small_motion.begin_stage(s);
 }
 
 Status Simulation::step() {
@@ -173,6 +174,7 @@ Status Simulation::step() {
   ++s.clock.step;
   ++s.state.step;
   s.state.time = s.clock.start + static_cast<double>(s.clock.step) * s.stage().dt;
+  s.audit.small_motion.follow(s);
   const bool in_range = general_->is_in_contact_range();
   if (!in_range) message_ = general_->message();
   const Status end = is_over() ? end_stage() : Status::ok;
@@ -214,6 +216,7 @@ Status Simulation::end_stage() {
   const std::string problem = s.plan.is_static ? equilibrium_problem(s, in_situ_force_) : "";
   std::ranges::move(let_go_of_loose_blocks(s), std::back_inserter(loose_blocks_));
   if (ended.unlimited_strength) release_shear_of_contacts(s);
+  s.audit.small_motion.end_stage(s);
   if (at_ends_of_stages_) at_ends_of_stages_();
   let_go_of_supports(s);
   if (s.plan.is_static) s.audit.has_settled();

@@ -11,6 +11,8 @@
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
 #include "engine/geometry/segment.h"
+#include "engine/model/held_flags.h"
+#include "engine/simulation/block_system.h"
 
 namespace dda {
 namespace {
@@ -18,7 +20,9 @@ namespace {
 struct Limits {
   double doubtful, ruinous;
 };
-constexpr std::array limits{Limits{0.005, 0.05}, Limits{0.05, 0.5}, Limits{0.05, 1}, Limits{0.01, 0.2}};
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr std::array<Limits, small_motion_faults> limits{
+    {{0.005, 0.05}, {0.05, 0.5}, {0.05, 1}, {0.01, 0.2}, {0.01, never}}};
 
 const Limits& limits_of(SmallMotionFault fault) { return limits[static_cast<std::size_t>(fault)]; }
 
@@ -35,21 +39,45 @@ struct Stretch {
   [[nodiscard]] double length() const { return high - low; }
 };
 
+// Area over diameter, m: at most the least width of a block.
+double thickness_of(const Block& block, double radius) { return block.moments.area / (2 * radius); }
+
+// The farthest vertex from the centroid, m.
+double radius_of(const Block& block) {
+  double radius = 0;
+  for (const Vec2& vertex : block.shape.outer) radius = std::max(radius, (vertex - block.moments.centroid).norm());
+  return radius;
+}
+
 class Judge {
  public:
-  explicit Judge(const Simulation& simulation)
-      : simulation_(simulation), model_(simulation.model()), state_(simulation.state()) {
-    for (std::size_t i = 0; i < worst_.size(); ++i) worst_[i].fault = static_cast<SmallMotionFault>(i);
+  Judge(const BlockSystem& system, const std::vector<double>& thickness, SmallMotionErrors& worst)
+      : system_(system),
+        model_(system.model),
+        state_(system.state),
+        thickness_(thickness),
+        worst_(worst),
+        held_(held_flags(system.model)) {}
+
+  // Turns are counted from those `before`, with which the geometry is no longer that of the drawing.
+  void look_at_end(const std::vector<double>& before) {
+    for (int block = 0; block < static_cast<int>(model_.blocks.size()); ++block)
+      look_at_turn(block, before.empty() ? 0 : before[at(block)]);
+    if (!system_.plan.linear && before.empty())
+      for (std::size_t i = 0; i < system_.contacts.interfaces.size(); ++i) look_at_contact(i);
+    if (model_.stays_linear()) look_at_straight_ways();
   }
 
-  std::vector<SmallMotionError> errors() {
-    for (int block = 0; block < static_cast<int>(model_.blocks.size()); ++block) look_at_turn(block);
-    if (!simulation_.plan().linear)
-      for (std::size_t i = 0; i < simulation_.contacts().interfaces.size(); ++i) look_at_contact(i);
-    look_at_ways();
-    std::vector<SmallMotionError> found(worst_.begin(), worst_.end());
-    std::erase_if(found, [](const SmallMotionError& each) { return !(each.error >= doubtful_error(each.fault)); });
-    return found;
+  // From where they were looked at last, in stretches of a quarter of a thickness.
+  void look_at_way(const std::vector<Vec6>& from, double thicknesses) {
+    constexpr double most_looks = 1000;
+    const int looks = static_cast<int>(std::clamp(std::ceil(4 * thicknesses), 1.0, most_looks));
+    in_contact_ = pairs_in_contact();
+    for (int look = 1; look <= looks; ++look) {
+      const double to_come = 1 - static_cast<double>(look) / looks;
+      look_at_overlaps(SmallMotionFault::passed,
+                       [&](int block) -> Vec6 { return to_come * (from[at(block)] - state_.displacement[at(block)]); });
+    }
   }
 
  private:
@@ -59,33 +87,32 @@ class Judge {
   }
 
   [[nodiscard]] bool is_absent(int block) const {
-    return !simulation_.absent().empty() && simulation_.absent()[at(block)];
+    return !system_.excavated.absent.empty() && system_.excavated.absent[at(block)];
   }
   [[nodiscard]] double turn_of(int block) const { return std::abs(state_.displacement[at(block)](2)); }
   [[nodiscard]] double size_of(int block) const { return std::sqrt(model_.blocks[at(block)].moments.area); }
 
-  void look_at_turn(int block) {
-    const double turn = turn_of(block);
+  void look_at_turn(int block, double before) {
+    const double turn = std::abs(state_.displacement[at(block)](2) - before);
     if (!is_absent(block)) note(SmallMotionFault::turned, turn * turn / 2, turn, block);
   }
 
   void look_at_contact(std::size_t index) {
-    const Interface& interface = simulation_.contacts().interfaces[index];
+    const Interface& interface = system_.contacts.interfaces[index];
     if (is_open(index)) return;
     for (const int block : {interface.block_a, interface.block_b}) look_at_lean(interface, block);
     look_at_slide(interface);
   }
 
   [[nodiscard]] bool is_open(std::size_t index) const {
-    if (has_stress_rows(simulation_.contacts().elements[index])) return false;
-    const InterfaceState state = simulation_.interface_state(index);
-    const bool second_open =
-        simulation_.contacts().interfaces[index].length == 0 || state.status[1] == ContactStatus::open;
+    if (has_stress_rows(system_.contacts.elements[index])) return false;
+    const InterfaceState& state = system_.contacts.states[index];
+    const bool second_open = system_.contacts.interfaces[index].length == 0 || state.status[1] == ContactStatus::open;
     return state.status[0] == ContactStatus::open && second_open;
   }
 
   void look_at_lean(const Interface& interface, int block) {
-    if (model_.is_held(block)) return;
+    if (held_[at(block)]) return;
     const Vec2 middle = (interface.from + interface.to) / 2;
     const double arm = std::abs(interface.normal.dot(model_.blocks[at(block)].moments.centroid - middle));
     const double lean = turn_of(block) * arm;
@@ -105,7 +132,7 @@ class Judge {
     const double lost = interface.length > 0 ? 1 - std::clamp(common / interface.length, 0.0, 1.0) : common < 0;
     note(SmallMotionFault::slid, lost, std::abs(slide), interface.block_b, interface.block_a);
     for (const auto& [block, face] : {std::pair{interface.block_a, a}, {interface.block_b, b}})
-      if (!model_.is_held(block) && face.length() > drawn.length() + model_.length_tolerance)
+      if (!held_[at(block)] && face.length() > drawn.length() + model_.length_tolerance)
         note(SmallMotionFault::slid, std::abs(slide) / face.length(), std::abs(slide), interface.block_b,
              interface.block_a);
   }
@@ -134,48 +161,54 @@ class Judge {
     return face.low < before.low || face.high > before.high;
   }
 
-  // On straight ways from the drawing, in stretches of half a block's thickness as far as that takes no longer than
-  // looking at many blocks once.
-  void look_at_ways() {
+  // From the drawing, as far as that takes no longer than looking at many blocks once.
+  void look_at_straight_ways() {
     constexpr double most_outlines = 2e5;
-    double least = std::numeric_limits<double>::infinity(), most = 0;
+    double least = never, most = 0;
     for (int block = 0; block < static_cast<int>(model_.blocks.size()); ++block) {
-      least = std::min(least, thickness_of(block));
+      least = std::min(least, thickness_[at(block)]);
       for (const Vec2& vertex : model_.blocks[at(block)].shape.outer)
         most = std::max(most, point_displacement(model_, state_, block, vertex).norm());
     }
     if (!(2 * most > doubtful_error(SmallMotionFault::passed) * least)) return;
     const double most_looks = std::max(1.0, most_outlines / static_cast<double>(model_.blocks.size()));
     const int looks = static_cast<int>(std::min({most_looks, 1000.0, std::ceil(4 * most / least)}));
-    held_ = pairs_in_contact();
-    for (int look = looks; look > 0; --look) look_at_overlaps(static_cast<double>(look) / looks);
+    in_contact_ = pairs_in_contact();
+    look_at_overlaps(SmallMotionFault::passed, [](int) -> Vec6 { return Vec6::Zero(); });
+    for (int look = looks - 1; look > 0; --look)
+      look_at_overlaps(SmallMotionFault::may_have_passed, [&](int block) -> Vec6 {
+        return (static_cast<double>(look) / looks - 1) * state_.displacement[at(block)];
+      });
   }
 
-  // At this share of the way.
-  void look_at_overlaps(double share_of_way) {
+  // Where blocks are by `off(block)` beside where they are now.
+  template <typename Off>
+  void look_at_overlaps(SmallMotionFault fault, const Off& off) {
     std::vector<Polygon> outlines;
     std::vector<Box> boxes;
     for (int block = 0; block < static_cast<int>(model_.blocks.size()); ++block) {
-      outlines.push_back(outline_at(share_of_way, block));
+      outlines.push_back(outline_at(off(block), block));
       boxes.push_back(is_absent(block) ? Box{} : bounding_box(outlines.back().outer));
     }
     for (const std::pair<int, int>& pair : overlapping_pairs(boxes)) {
-      if (std::ranges::binary_search(held_, pair)) continue;
-      const double thickness = std::min(thickness_of(pair.first), thickness_of(pair.second));
+      if (std::ranges::binary_search(in_contact_, pair)) continue;
+      const double thickness = std::min(thickness_[at(pair.first)], thickness_[at(pair.second)]);
       for (const double share : {ruinous_error(SmallMotionFault::passed), doubtful_error(SmallMotionFault::passed)})
         if (interiors_overlap(outlines[at(pair.first)], outlines[at(pair.second)], share * thickness)) {
-          const bool first_moves = !model_.is_held(pair.first);
-          note(SmallMotionFault::passed, share, share * thickness, first_moves ? pair.first : pair.second,
+          const bool first_moves = !held_[at(pair.first)];
+          note(fault, share, share * thickness, first_moves ? pair.first : pair.second,
                first_moves ? pair.second : pair.first);
           break;
         }
     }
   }
 
-  [[nodiscard]] Polygon outline_at(double share_of_way, int block) const {
+  [[nodiscard]] Polygon outline_at(const Vec6& off, int block) const {
     Polygon outline = model_.blocks[at(block)].shape;
+    const Vec2& centroid = model_.blocks[at(block)].moments.centroid;
     const auto move = [&](Ring& ring) {
-      for (Vec2& vertex : ring) vertex += share_of_way * point_displacement(model_, state_, block, vertex);
+      for (Vec2& vertex : ring)
+        vertex += point_displacement(model_, state_, block, vertex) + displacement_rows(vertex - centroid) * off;
     };
     move(outline.outer);
     for (Ring& hole : outline.holes) move(hole);
@@ -185,28 +218,21 @@ class Judge {
   // Overlap of these is that of a closed contact.
   [[nodiscard]] std::vector<std::pair<int, int>> pairs_in_contact() const {
     std::vector<std::pair<int, int>> pairs;
-    for (std::size_t i = 0; i < simulation_.contacts().interfaces.size(); ++i) {
-      const Interface& interface = simulation_.contacts().interfaces[i];
-      if (simulation_.plan().linear || !is_open(i))
-        pairs.emplace_back(std::minmax(interface.block_a, interface.block_b));
+    for (std::size_t i = 0; i < system_.contacts.interfaces.size(); ++i) {
+      const Interface& interface = system_.contacts.interfaces[i];
+      if (system_.plan.linear || !is_open(i)) pairs.emplace_back(std::minmax(interface.block_a, interface.block_b));
     }
     std::ranges::sort(pairs);
     return pairs;
   }
 
-  // Area over diameter: at most the least width of a block.
-  [[nodiscard]] double thickness_of(int block) const {
-    const Block& own = model_.blocks[at(block)];
-    double radius = 0;
-    for (const Vec2& vertex : own.shape.outer) radius = std::max(radius, (vertex - own.moments.centroid).norm());
-    return own.moments.area / (2 * radius);
-  }
-
-  const Simulation& simulation_;
+  const BlockSystem& system_;
   const Model& model_;
   const State& state_;
-  std::array<SmallMotionError, limits.size()> worst_;
-  std::vector<std::pair<int, int>> held_;
+  const std::vector<double>& thickness_;
+  SmallMotionErrors& worst_;
+  std::vector<bool> held_;
+  std::vector<std::pair<int, int>> in_contact_;
 };
 
 }  // namespace
@@ -215,10 +241,60 @@ double doubtful_error(SmallMotionFault fault) { return limits_of(fault).doubtful
 
 double ruinous_error(SmallMotionFault fault) { return limits_of(fault).ruinous; }
 
-std::vector<SmallMotionError> errors_of_small_motion(const Simulation& simulation) {
-  const auto is_finite = [](const Stage& stage) { return stage.kinematics == Kinematics::finite; };
-  if (std::ranges::any_of(simulation.model().stages, is_finite)) return {};
-  return Judge(simulation).errors();
+void SmallMotionWatch::begin_stage(const BlockSystem& system) {
+  if (system.plan.finite_kinematics) return;
+  const std::size_t stage = system.clock.stage;
+  if (stage > 0 && system.model.stages[stage - 1].kinematics == Kinematics::finite) {
+    turns_before_.clear();
+    for (const Vec6& each : system.state.displacement) turns_before_.push_back(each(2));
+  }
+  if (!system.model.stays_linear()) looked_at_ = system.state.displacement;
+}
+
+// Of its thickness, what some block has gone at most since it was looked at.
+double SmallMotionWatch::gone(const BlockSystem& system) const {
+  double most = 0;
+  for (std::size_t i = 0; i < looked_at_.size(); ++i) {
+    const Vec6 since = system.state.displacement[i] - looked_at_[i];
+    const double gone = since.head<2>().norm() + radius_[i] * (std::abs(since(2)) + since.tail<3>().norm());
+    most = std::max(most, gone / thickness_[i]);
+  }
+  return most;
+}
+
+void SmallMotionWatch::follow(const BlockSystem& system) {
+  if (system.plan.finite_kinematics || looked_at_.empty()) return;
+  measure(system.model);
+  const double thicknesses = gone(system);
+  if (!(thicknesses > 0.25)) return;
+  Judge(system, thickness_, worst_).look_at_way(looked_at_, thicknesses);
+  looked_at_ = system.state.displacement;
+}
+
+void SmallMotionWatch::end_stage(const BlockSystem& system) {
+  if (system.plan.finite_kinematics) return;
+  measure(system.model);
+  Judge judge(system, thickness_, worst_);
+  judge.look_at_end(turns_before_);
+  if (looked_at_.empty()) return;
+  const double thicknesses = gone(system);
+  if (!(2 * thicknesses > doubtful_error(SmallMotionFault::passed))) return;
+  judge.look_at_way(looked_at_, thicknesses);
+  looked_at_ = system.state.displacement;
+}
+
+void SmallMotionWatch::measure(const Model& model) {
+  if (!radius_.empty()) return;
+  for (const Block& block : model.blocks) {
+    radius_.push_back(radius_of(block));
+    thickness_.push_back(thickness_of(block, radius_.back()));
+  }
+}
+
+std::vector<SmallMotionError> SmallMotionWatch::errors() const {
+  std::vector<SmallMotionError> found(worst_.begin(), worst_.end());
+  std::erase_if(found, [](const SmallMotionError& each) { return !(each.error >= doubtful_error(each.fault)); });
+  return found;
 }
 
 }  // namespace dda

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
+#include "engine/contact/row_bending.h"
 #include "engine/core/error.h"
 #include "engine/linear/block_vectors.h"
 #include "engine/simulation/held_blocks.h"
@@ -143,7 +145,10 @@ double limit_at(const Model& model, std::size_t index, double dt) {
   stage.dt = dt;
   const std::vector<bool> absent = model.absent_in(index);
   ContactSet contacts = make_contacts(model);
-  if (!absent.empty()) leave_out(absent, contacts);
+  if (!absent.empty()) {
+    leave_out(absent, contacts);
+    stiffen_rows(model, contacts);
+  }
   const HeldUnknowns held = make_held_unknowns(model, absent);
   const LinearOperators operators(model, make_block_terms(model, stage), contacts, supports_in(model, index),
                                   WaveCorrections(model, stage, contacts));
@@ -191,6 +196,30 @@ std::string remedy_against_supports(Model model, std::size_t stage, double limit
       without);
 }
 
+// Supports that a stage still has.
+std::vector<bool> supported_in(const Model& model, std::size_t stage) {
+  std::vector<bool> held;
+  for (const PointSupport& support : model.supports)
+    held.push_back(support.last_stage < 0 || support.last_stage >= static_cast<int>(stage));
+  return held;
+}
+
+// With the same masses, stiffnesses and corrections.
+bool have_same_limit(const Model& model, std::size_t a, std::size_t b) {
+  const auto limiting = [](const Stage& stage) {
+    return std::tuple(stage.dt, stage.integrator.is_explicit(), stage.strain_inertia, stage.correct_block_dispersion,
+                      stage.correct_time_dispersion, stage.lateral_inertia);
+  };
+  return limiting(model.stages[a]) == limiting(model.stages[b]) && model.absent_in(a) == model.absent_in(b) &&
+         supported_in(model, a) == supported_in(model, b);
+}
+
+std::size_t first_stage_like(const Model& model, std::size_t stage) {
+  std::size_t like = 0;
+  while (like < stage && !have_same_limit(model, like, stage)) ++like;
+  return like;
+}
+
 }  // namespace
 
 std::vector<double> checked_stability_limits(const Model& model) {
@@ -198,7 +227,8 @@ std::vector<double> checked_stability_limits(const Model& model) {
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const Stage& stage = model.stages[i];
     if (!stage.integrator.is_explicit()) continue;
-    limits[i] = stability_limit(model, i);
+    const std::size_t like = first_stage_like(model, i);
+    limits[i] = like < i ? limits[like] : stability_limit(model, i);
     if (stage.dt <= limits[i]) continue;
     throw InputError("", named(model, i, "dt"), fmt::format("{:.6g} s", stage.dt),
                      fmt::format("at most {:.6g} s, up to which central differences are stable here{}", limits[i],

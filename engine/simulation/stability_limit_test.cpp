@@ -30,6 +30,25 @@ TEST(StabilityLimit, IsThatOfTheLargestFrequency) {
   }
 }
 
+// Stages that are alike share what is found of one; those that are not have their own.
+TEST(StabilityLimit, IsThatOfEachStage) {
+  std::mt19937 random(21);
+  for (int scene = 0; scene < 20; ++scene) {
+    const RandomBondedScene drawn(random, true);
+    Model model = drawn.with(drawn.random_stage(random, 0.3 * drawn.stable_dt(), 1));
+    model.supports.push_back({0, model.blocks[0].moments.centroid, true, true, 1e11, Vec2::Zero(), {}});
+    model.supports.back().last_stage = 1;
+    model.stages.resize(6, model.stages[0]);
+    model.stages[3].strain_inertia = 2;
+    model.stages[4].dt = model.stages[4].duration = 0.7 * model.stages[0].dt;
+    finish_model(model);
+    const std::vector<double> limits = checked_stability_limits(model);
+    for (std::size_t i = 0; i < limits.size(); ++i) EXPECT_EQ(limits[i], stability_limit(model, i)) << i;
+    EXPECT_EQ(limits[0], limits[1]);
+    EXPECT_LT(limits[0], limits[2]);  // without the support
+  }
+}
+
 // What is set in motion in all modes at once, at 0.999 of the limit, keeps its energy for twenty thousand steps. (Not
 // in rigid motion: the scenes would move through kilometres, of which strains are a difference.)
 TEST(StabilityLimit, IsKeptByRuns) {

@@ -120,8 +120,9 @@ double inertia_of_extension(const AreaMoments& moments, const Vec2& n) {
 
 }  // namespace
 
-bool is_in_mesh(const Model& model, const InterfaceElement& element) {
-  return element.law == InterfaceLaw::consistent && !model.is_held(element.block_a) && !model.is_held(element.block_b);
+bool is_in_mesh(const std::vector<bool>& held, const InterfaceElement& element) {
+  return element.law == InterfaceLaw::consistent && !held[static_cast<std::size_t>(element.block_a)] &&
+         !held[static_cast<std::size_t>(element.block_b)];
 }
 
 InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface, const JumpSoftening& softening) {

@@ -28,6 +28,8 @@
 // inertia, and strains a tenth.
 #pragma once
 
+#include <vector>
+
 #include "engine/contact/interface.h"
 #include "engine/contact/interface_element.h"
 #include "engine/core/types.h"
@@ -51,8 +53,8 @@ inline constexpr double most_strain_correction = 0.9;  // of the inertia that ca
 
 }  // namespace mesh
 
-// Whether an interface is one of such a mesh: consistent, neither block held.
-bool is_in_mesh(const Model& model, const InterfaceElement& element);
+// Whether an interface is one of such a mesh: consistent, neither block held. `held`: of every block (held_flags).
+bool is_in_mesh(const std::vector<bool>& held, const InterfaceElement& element);
 
 // By how much jumps are softened.
 struct JumpSoftening {

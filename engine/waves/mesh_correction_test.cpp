@@ -13,6 +13,7 @@
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
 #include "engine/contact/cubic_law.h"
+#include "engine/model/held_flags.h"
 #include "engine/terms/inertia.h"
 
 namespace dda {
@@ -144,13 +145,13 @@ TEST(MeshCorrection, OnlyBetweenConvexBlocksOfOneMaterial) {
 
 TEST(MeshCorrection, IsOfConsistentJointsBetweenFreeBlocks) {
   Model model = two_blocks(box_ring(0, 0, 1, 1), box_ring(1, 0, 2, 1));
-  EXPECT_TRUE(is_in_mesh(model, make_contacts(model).elements[0]));
+  EXPECT_TRUE(is_in_mesh(held_flags(model), make_contacts(model).elements[0]));
   model.joints[0].law = InterfaceLaw::classical;
-  EXPECT_FALSE(is_in_mesh(model, make_contacts(model).elements[0]));
+  EXPECT_FALSE(is_in_mesh(held_flags(model), make_contacts(model).elements[0]));
   model.joints[0].law = InterfaceLaw::consistent;
   model.held_blocks.emplace_back().block = 1;
   finish_model(model);
-  EXPECT_FALSE(is_in_mesh(model, make_contacts(model).elements[0]));
+  EXPECT_FALSE(is_in_mesh(held_flags(model), make_contacts(model).elements[0]));
 }
 
 // epsilon dt^2 K of a long wave, as far as the caps let it: all of the S wave's, of the P wave up to C = 0.5.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/model/held_flags.h"
 #include "engine/waves/cubic_inertia.h"
 #include "engine/waves/mesh_correction.h"
 
@@ -35,11 +36,11 @@ struct MeshPlace {
   bool in_chain = true;        // they all have it
 };
 
-std::vector<MeshPlace> mesh_places(const Model& model, const ContactSet& contacts) {
-  std::vector<MeshPlace> places(model.blocks.size());
+std::vector<MeshPlace> mesh_places(const std::vector<bool>& held, const ContactSet& contacts) {
+  std::vector<MeshPlace> places(held.size());
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (!is_in_mesh(model, element)) continue;
+    if (!is_in_mesh(held, element)) continue;
     const Vec2& normal = contacts.interfaces[i].normal;
     for (const int block : {element.block_a, element.block_b}) {
       MeshPlace& place = places[static_cast<std::size_t>(block)];
@@ -65,6 +66,7 @@ WaveCorrections::WaveCorrections(const Model& model, const Stage& stage, const C
     : dt_(stage.dt),
       strain_inertia_(stage.strain_inertia),
       lateral_inertia_(stage.lateral_inertia),
+      held_(held_flags(model)),
       ends_(free_chain_ends(model, contacts.interfaces, contacts.elements)),
       sharpening_(model.blocks.size(), 0) {
   const Stage acting = model.with_acting_corrections(stage);
@@ -85,24 +87,23 @@ void WaveCorrections::add_to_stiffness(const Model& model, const ContactSet& con
   for (const ChainEnd& end : ends_) stiffness.diagonal(end.block) += end_stiffness(model, end);
   for (std::size_t i = 0; softening_.acts() && i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (is_in_mesh(model, element)) add(element, jump_stiffness(model, contacts.interfaces[i], softening_), stiffness);
+    if (is_in_mesh(held_, element)) add(element, jump_stiffness(model, contacts.interfaces[i], softening_), stiffness);
   }
 }
 
 // Whether motion relative to each other has inertia in this interface.
-bool WaveCorrections::has_inertia(const Model& model, const InterfaceElement& element) const {
-  return is_cubic(element) || (period_error_ != 0 && !in_chains_only_ && is_in_mesh(model, element));
+bool WaveCorrections::has_inertia(const InterfaceElement& element) const {
+  return is_cubic(element) || (period_error_ != 0 && !in_chains_only_ && is_in_mesh(held_, element));
 }
 
-bool WaveCorrections::softened_for_steps(const Model& model, const InterfaceElement& element) const {
-  return softening_.for_steps > 0 && is_in_mesh(model, element);
+bool WaveCorrections::softened_for_steps(const InterfaceElement& element) const {
+  return softening_.for_steps > 0 && is_in_mesh(held_, element);
 }
 
-std::vector<std::pair<int, int>> WaveCorrections::coupled_by_inertia(const Model& model,
-                                                                     const ContactSet& contacts) const {
+std::vector<std::pair<int, int>> WaveCorrections::coupled_by_inertia(const ContactSet& contacts) const {
   std::vector<std::pair<int, int>> pairs;
   for (const InterfaceElement& element : contacts.elements)
-    if (has_inertia(model, element)) pairs.emplace_back(element.block_a, element.block_b);
+    if (has_inertia(element)) pairs.emplace_back(element.block_a, element.block_b);
   return pairs;
 }
 
@@ -115,8 +116,7 @@ InterfaceMatrices WaveCorrections::inertia_between(const Model& model, const Con
 
 void WaveCorrections::add_to_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    if (has_inertia(model, contacts.elements[i]))
-      add(contacts.elements[i], inertia_between(model, contacts, i), inertia);
+    if (has_inertia(contacts.elements[i])) add(contacts.elements[i], inertia_between(model, contacts, i), inertia);
   if (period_error_ != 0 && !in_chains_only_) lower_strains(model, contacts, inertia);
   for (const ChainEnd& end : ends_)
     inertia.diagonal(end.block) += end_inertia(model, end, contacts.interfaces[end.interface], period_error_, dt_);
@@ -126,7 +126,7 @@ void WaveCorrections::add_to_inertia(const Model& model, const ContactSet& conta
 // A block that also has a cubic interface has given inertia of its strains there. Taken twice, up to both caps, none
 // was left: rows of equal and unequal blocks grew without bound under long steps.
 void WaveCorrections::lower_strains(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const {
-  const std::vector<MeshPlace> places = mesh_places(model, contacts);
+  const std::vector<MeshPlace> places = mesh_places(held_, contacts);
   const std::vector<Vec2> chains = chain_directions(places.size(), contacts);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (places[i].normal.isZero() || !chains[i].isZero()) continue;
@@ -148,21 +148,22 @@ void WaveCorrections::remove_lateral_inertia(const Model& model, const ContactSe
 
 double WaveCorrections::sharpening_beside(const Model& model, const ContactSet& contacts, std::size_t i) const {
   const Interface& interface = contacts.interfaces[i];
-  if (softened_for_steps(model, contacts.elements[i]))
-    return 2 * period_error_ * jump_share(model, interface, softening_);
+  if (softened_for_steps(contacts.elements[i])) return 2 * period_error_ * jump_share(model, interface, softening_);
   return is_cubic(contacts.elements[i]) ? cubic_load_sharpening(model, interface, period_error_, dt_)
                                         : mesh_load_sharpening(model, interface, period_error_, dt_);
 }
 
 // Interfaces at their caps have less than others; the least counts. Shares of one stage have one sign.
 void WaveCorrections::find_sharpening(const Model& model, const ContactSet& contacts) {
+  std::vector<bool> found(sharpening_.size(), false);  // 0 is a share as any other
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (!has_inertia(model, element) && !softened_for_steps(model, element)) continue;
+    if (!has_inertia(element) && !softened_for_steps(element)) continue;
     const double share = sharpening_beside(model, contacts, i);
     for (const int block : {element.block_a, element.block_b}) {
-      double& least = sharpening_[static_cast<std::size_t>(block)];
-      if (least == 0 || std::abs(share) < std::abs(least)) least = share;
+      const auto k = static_cast<std::size_t>(block);
+      if (!found[k] || std::abs(share) < std::abs(sharpening_[k])) sharpening_[k] = share;
+      found[k] = true;
     }
   }
 }

@@ -54,8 +54,7 @@ class WaveCorrections {
   void add_to_stiffness(const Model& model, const ContactSet& contacts, BlockMatrix& stiffness) const;
 
   // Blocks that are coupled by inertia, and what is added to that of the blocks alone.
-  [[nodiscard]] std::vector<std::pair<int, int>> coupled_by_inertia(const Model& model,
-                                                                    const ContactSet& contacts) const;
+  [[nodiscard]] std::vector<std::pair<int, int>> coupled_by_inertia(const ContactSet& contacts) const;
   void add_to_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const;
 
   // Whether some strains have no inertia, so that the inertia alone gives no accelerations; and the same corrections
@@ -76,9 +75,9 @@ class WaveCorrections {
   [[nodiscard]] double end_energy(const Model& model, const std::vector<Vec3>& stress) const;
 
  private:
-  [[nodiscard]] bool has_inertia(const Model& model, const InterfaceElement& element) const;
+  [[nodiscard]] bool has_inertia(const InterfaceElement& element) const;
   [[nodiscard]] InterfaceMatrices inertia_between(const Model& model, const ContactSet& contacts, std::size_t i) const;
-  [[nodiscard]] bool softened_for_steps(const Model& model, const InterfaceElement& element) const;
+  [[nodiscard]] bool softened_for_steps(const InterfaceElement& element) const;
   [[nodiscard]] double sharpening_beside(const Model& model, const ContactSet& contacts, std::size_t i) const;
   void find_sharpening(const Model& model, const ContactSet& contacts);
   void lower_strains(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const;
@@ -90,6 +89,7 @@ class WaveCorrections {
   JumpSoftening softening_;      // Stage::correct_block_dispersion where it acts, and what explicit steps ask for
   double period_error_ = 0;      // of the integrator; 0 where time steps are not corrected by inertia
   bool in_chains_only_ = false;  // that inertia: explicit steps have none between the blocks of a mesh
+  std::vector<bool> held_;       // of every block
   std::vector<ChainEnd> ends_;
   std::vector<double> sharpening_;  // of the loads on each block
 };

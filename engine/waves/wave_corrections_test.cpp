@@ -68,7 +68,7 @@ struct Corrected {
       : contacts(make_contacts(model)),
         waves(model, model.stages.front(), contacts),
         stiffness(static_cast<int>(model.blocks.size()), all_pairs()),
-        inertia(static_cast<int>(model.blocks.size()), waves.coupled_by_inertia(model, contacts)) {
+        inertia(static_cast<int>(model.blocks.size()), waves.coupled_by_inertia(contacts)) {
     waves.add_to_stiffness(model, contacts, stiffness);
     waves.add_to_inertia(model, contacts, inertia);
   }
@@ -121,7 +121,7 @@ TEST(WaveCorrections, NothingThatIsNotAskedFor) {
   plain.correct_block_dispersion = plain.correct_time_dispersion = false;
   const Model mesh_model = row_of(3, InterfaceLaw::consistent, plain);
   const Corrected mesh(mesh_model);
-  EXPECT_TRUE(mesh.waves.coupled_by_inertia(mesh_model, mesh.contacts).empty());
+  EXPECT_TRUE(mesh.waves.coupled_by_inertia(mesh.contacts).empty());
   for (int block = 0; block < 3; ++block) {
     EXPECT_TRUE(Mat6(mesh.stiffness.diagonal(block)).isZero(0));
     EXPECT_TRUE(Mat6(mesh.inertia.diagonal(block)).isZero(0));
@@ -142,7 +142,7 @@ TEST(WaveCorrections, InertiaThatIsLeftOutCanBeHadBack) {
   EXPECT_FALSE(with.waves.leave_strains_without_inertia());
   const Mat6 lateral = lateral_inertia(model.mass_of(1), model.blocks[1].moments, Vec2::UnitX());
   EXPECT_EQ(Mat6(without.inertia.diagonal(1)), Mat6(with.inertia.diagonal(1) - lateral));
-  BlockMatrix again(3, without.waves.coupled_by_inertia(model, without.contacts));
+  BlockMatrix again(3, without.waves.coupled_by_inertia(without.contacts));
   without.waves.with_all_inertia().add_to_inertia(model, without.contacts, again);
   EXPECT_EQ(Mat6(again.diagonal(1)), Mat6(with.inertia.diagonal(1)));
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "engine/scene/scene.h"
@@ -19,6 +20,18 @@ TEST(Rocks, EveryKindIsCutAndReadAndTheSameSeedGivesTheSameRock) {
     EXPECT_GT(dda::parse_scene(rock.scene, "scene.json").blocks.size(), 5U) << seed;
   }
   EXPECT_EQ(kinds.size(), all_rock_kinds.size());
+}
+
+TEST(Rocks, HaveJointsThatRideUpWhereAskedFor) {
+  int without_end = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    const dda::Model model = dda::parse_scene(random_rock(seed, true).scene, "scene.json");
+    const auto rises = [](const dda::JointMaterial& joint) { return joint.dilation_angle > 0; };
+    const auto joint = std::ranges::find_if(model.joints, rises);
+    ASSERT_NE(joint, model.joints.end()) << seed;
+    if (std::isinf(joint->zero_dilation_slip)) ++without_end;
+  }
+  EXPECT_EQ(without_end, 8);
 }
 
 // A rock of two sets that has settled: checks that could not fail would make every rock right.

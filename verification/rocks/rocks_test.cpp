@@ -6,6 +6,7 @@
 
 #include "engine/scene/scene.h"
 #include "verification/rocks/rock_checks.h"
+#include "verification/rocks/rock_run.h"
 #include "verification/rocks/rocks_report.h"
 
 namespace verify {
@@ -32,6 +33,14 @@ TEST(Rocks, HaveJointsThatRideUpWhereAskedFor) {
     if (std::isinf(joint->zero_dilation_slip)) ++without_end;
   }
   EXPECT_EQ(without_end, 8);
+}
+
+// Half of such rocks ended not_converged while dilations followed the slips from one solution to the next.
+TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
+  for (const unsigned seed : {1U, 4U, 5U, 15U, 16U, 24U}) {
+    const RockResult result = run_rock(random_rock(seed, true), 60);
+    EXPECT_EQ(result.outcome, RockOutcome::right) << seed << ": " << result.reason();
+  }
 }
 
 // A rock of two sets that has settled: checks that could not fail would make every rock right.

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "engine/contact/projected_law.h"
-#include "engine/contact/rising_end.h"
 
 namespace dda {
 namespace {
@@ -150,7 +149,6 @@ Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& str
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;
     if (!slides(pieces[e]) || trial.rule.sticks || trial.active(n + 1) != 0) continue;
-    if (strength.dilation > 0 && rides_up(springs, strength, trial, end)) continue;
     const double friction = strength.friction_now(trial.residual[e]);
     const Vec2 pressing = pressing_slope(springs, trial.force, normal_slopes(springs, trial), end);
     slopes.row(end) = -direction_of(pieces[e]) * friction * pressing.transpose();

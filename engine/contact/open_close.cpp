@@ -58,7 +58,6 @@ void respond_normals(const InterfaceSprings& springs, InterfaceTrial& trial) {
     press_on_bed(springs, trial);
     return;
   }
-  trial.coupling = 0;
   for (int end = 0; end < ends_of(springs); ++end) respond_normal(springs, end, trial);
 }
 
@@ -219,14 +218,9 @@ void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& 
 
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) let_go_of_opening(springs, trial);
-  if (trial.rule.capacity_is_given) {
-    respond(springs, trial);
-    return;
-  }
+  if (trial.rule.capacity_is_given) return respond(springs, trial);
+  if (strength.dilation > 0) return respond_with_dilation(springs, strength, trial);
   follow_pressure(springs, strength, trial);
-  if (strength.dilation == 0) return;
-  for (int end = 0; end < ends_of(springs); ++end)
-    if (rides_up(springs, strength, trial, end)) respond_riding(springs, strength, end, trial);
 }
 
 double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial, double t) {
@@ -279,6 +273,7 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
 void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (strength.dilation == 0) return;
   for (std::array<double, 2>* each : {&trial.dilation, &trial.reference, &trial.rise, &trial.pressed}) *each = {0, 0};
+  trial.coupling = 0;
   prepare_rise(springs, strength, trial);
 }
 

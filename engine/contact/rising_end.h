@@ -26,6 +26,9 @@ namespace dda {
 [[nodiscard]] bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                             int end);
 
+// respond_with_friction() where the joint dilates: such ends as below, the others as they answer without.
+void respond_with_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
+
 // Forces, dilation, capacity and active rows of such an end at the trial's gap. The rows are those of a joint that
 // slips as steeply as it rises (associated flow), which is symmetric and leaves the way up its slope free. Of a lone
 // vertex that takes the coupling of both rows; ends of stretches leave it to the slopes below.

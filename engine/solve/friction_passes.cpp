@@ -210,14 +210,15 @@ void FrictionPasses::list_couplings(const Iterate& at) {
   riding_.clear();
   for (const std::size_t k : taken_) {
     const LiveContact& contact = live_[k];
-    const Mat2 slopes = shear_by_normal_gap(contact.springs, at.contacts.strength(contact.trial),
-                                            at.contacts[contact.trial], contact.pieces);
+    Mat2 slopes = shear_by_normal_gap(contact.springs, at.contacts.strength(contact.trial), at.contacts[contact.trial],
+                                      contact.pieces);
+    if (at.problem->dilates) list_riding(at, contact, slopes);
     if (!slopes.isZero(0)) couplings_.push_back({&contact, slopes});
-    if (at.problem->dilates) list_riding(at, contact);
   }
 }
 
-void FrictionPasses::list_riding(const Iterate& at, const LiveContact& contact) {
+// Takes ends that ride up, which have slopes of their own, out of those that friction makes of the others.
+void FrictionPasses::list_riding(const Iterate& at, const LiveContact& contact, Mat2& shear_by_gap) {
   const EndStrength& strength = at.contacts.strength(contact.trial);
   const InterfaceTrial& trial = at.contacts[contact.trial];
   Riding riding{&contact, {Mat2::Zero(), Mat2::Zero()}};
@@ -227,6 +228,7 @@ void FrictionPasses::list_riding(const Iterate& at, const LiveContact& contact) 
     if (!slides(piece) || !rides_up(contact.springs, strength, trial, end)) continue;
     riding.slopes[static_cast<std::size_t>(end)] =
         slopes_beyond_rows(contact.springs, strength, trial, end, direction_of(piece));
+    shear_by_gap.row(end).setZero();
     rides = true;
   }
   if (rides) riding_.push_back(riding);

@@ -78,7 +78,7 @@ class FrictionPasses {
 
   [[nodiscard]] Status solve_newton_step(Iterate& at, double relative);
   void list_couplings(const Iterate& at);
-  void list_riding(const Iterate& at, const LiveContact& contact);
+  void list_riding(const Iterate& at, const LiveContact& contact, Mat2& shear_by_gap);
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void take_newton_step(Iterate& at, bool strictly, bool one_by_one);

@@ -8,10 +8,6 @@
 namespace dda {
 namespace {
 
-bool slides(ContactPiece piece) { return piece == ContactPiece::slides_forth || piece == ContactPiece::slides_back; }
-
-double direction_of(ContactPiece piece) { return piece == ContactPiece::slides_forth ? 1 : -1; }
-
 // The piece that an end passes through from one on the way to another: open - sliding - stuck - sliding the other way.
 ContactPiece piece_between(ContactPiece from, ContactPiece to, double slide) {
   if (slides(from) && slides(to)) return from == to ? to : ContactPiece::stuck;
@@ -46,11 +42,13 @@ void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStreng
     trial.active.segment<2>(n).setZero();
     return;
   }
-  if (trial.active(n) == 0 || piece != ContactPiece::stuck) {
+  if (trial.active(n) == 0 || piece != ContactPiece::stuck || strength.dilation > 0) {
+    trial.dilation[static_cast<std::size_t>(end)] = 0;
     trial.force(n) = springs.stiffness(n) * trial.normal_gap(end);
     trial.active(n) = 1;
   }
   if (piece == ContactPiece::stuck) {
+    if (ends_of(springs) == 1) trial.coupling = 0;
     respond_as_stuck(springs, end, trial);
     return;
   }
@@ -114,7 +112,9 @@ bool keep_to_bordering_pieces(const InterfaceSprings& springs, const EndStrength
       }
     }
     const ContactPiece between = piece_between(before[e], pieces[e], trial.gap(2 * end + 1));
-    if (between == pieces[e] || (between != ContactPiece::stuck && !(rule.strict && linear))) continue;
+    const bool is_above_ground = strength.dilation > 0 && trial.gap(2 * end) >= 0;  // stuck, it would be open
+    if (between == pieces[e] || is_above_ground || (between != ContactPiece::stuck && !(rule.strict && linear)))
+      continue;
     const InterfaceTrial laid = laid_on(between);
     if (difference(laid, trial, end) > rule.negligible_force) kept = true;
     trial = laid;

@@ -16,6 +16,11 @@
 namespace dda {
 
 enum class ContactPiece : std::int8_t { open, stuck, slides_forth, slides_back };
+inline bool slides(ContactPiece piece) {
+  return piece == ContactPiece::slides_forth || piece == ContactPiece::slides_back;
+}
+inline double direction_of(ContactPiece piece) { return piece == ContactPiece::slides_forth ? 1 : -1; }
+
 using ContactPieces = std::array<ContactPiece, 2>;
 
 ContactPieces pieces_of(const InterfaceTrial& trial);

@@ -16,10 +16,11 @@ Vec2 moved(const Model& model, const State& state, int block, const Vec2& refere
   return current_position(model, state, block, reference);
 }
 
-// Adds the stiffness of either normal force by the gap of the other.
-void couple_normals(const InterfaceElement& element, double coupling, InterfaceMatrices& k) {
+// Adds the stiffness of either of the coupled forces by the gap of the other.
+void couple_rows(const InterfaceElement& element, double coupling, InterfaceMatrices& k) {
+  const Eigen::Index other = coupled_row(element);
   const auto mixed = [&](const Mat46& left, const Mat46& right) -> Mat6 {
-    return coupling * (left.row(0).transpose() * right.row(2) + left.row(2).transpose() * right.row(0));
+    return coupling * (left.row(0).transpose() * right.row(other) + left.row(other).transpose() * right.row(0));
   };
   k.aa += mixed(element.rows_a, element.rows_a);
   k.bb += mixed(element.rows_b, element.rows_b);
@@ -259,7 +260,7 @@ Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {
 InterfaceMatrices stiffness_of(const InterfaceElement& element, const Vec4& mask, double coupling) {
   InterfaceMatrices k =
       is_lone_vertex(element) ? stiffness_of_rows<2>(element, mask) : stiffness_of_rows<4>(element, mask);
-  if (coupling != 0) couple_normals(element, coupling, k);
+  if (coupling != 0) couple_rows(element, coupling, k);
   if (!has_stress_rows(element)) return k;
   const Eigen::Matrix<double, 6, 3> a = element.rows_a.transpose() * element.strain_rows_a;
   const Eigen::Matrix<double, 6, 3> b = element.rows_b.transpose() * element.strain_rows_b;

@@ -58,6 +58,10 @@ struct InterfaceElement : InterfaceSprings {
 inline bool is_lone_vertex(const InterfaceSprings& springs) { return springs.length == 0; }
 inline int ends_of(const InterfaceSprings& springs) { return is_lone_vertex(springs) ? 1 : 2; }
 
+// The row that the first one can be coupled to: the normal of the other end of a stretch on a bed, or the shear of a
+// lone vertex that rides up as it slides.
+inline Eigen::Index coupled_row(const InterfaceSprings& springs) { return is_lone_vertex(springs) ? 1 : 2; }
+
 inline bool has_stress_rows(const InterfaceSprings& springs) {
   return springs.law == InterfaceLaw::consistent || springs.law == InterfaceLaw::cubic;
 }

@@ -8,6 +8,7 @@
 #include "engine/contact/end_answer.h"
 #include "engine/contact/no_tension_bed.h"
 #include "engine/contact/projected_law.h"
+#include "engine/contact/rising_end.h"
 
 namespace dda {
 namespace {
@@ -130,8 +131,18 @@ double hardening_by(double stiffness, const EndStrength& strength, const Interfa
 void expect_full_stiffness(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
+    if (trial.closes[e]) continue;
     trial.hardening[e] = hardening_by(springs.stiffness(normal_row(end)), strength, trial, e, trial.slip[e]);
   }
+}
+
+// Ends that are open do not rise in the step.
+void prepare_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    trial.closes[e] = trial.broken[e] && trial.start(normal_row(end)) > 0;
+  }
+  if (!trial.rule.sticks) expect_full_stiffness(springs, strength, trial);
 }
 
 // An end that slid in the last step starts this one at its capacity, but for round-off and the gap measured anew: the
@@ -144,6 +155,16 @@ void keep_sliding(const InterfaceSprings& springs, const InterfaceState& start, 
     trial.force(row) = std::copysign(trial.capacity[e], start.gap(row)) - trial.before(row);
     const double hardening = yield_of(trial, e, std::copysign(1, start.gap(row))).hardening;
     trial.active(row) = hardening > 0 ? hardening / (springs.stiffness(row) + hardening) : 0;
+  }
+}
+
+// Such an end is on its way up, or down, from the first pass on.
+void keep_riding(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& start,
+                 InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    if (start.status[e] == ContactStatus::sliding && trial.capacity[e] > 0 && rides_up(springs, strength, trial, end))
+      take_riding_rows(springs, strength, end, trial);
   }
 }
 
@@ -175,9 +196,10 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   for (int end = 0; end < ends_of(springs); ++end)
     if (rule.conserves_energy && trial.broken[static_cast<std::size_t>(end)])
       trial.before.segment<2>(normal_row(end)) = start.force.segment<2>(normal_row(end));
-  if (strength.dilation > 0 && !rule.sticks) expect_full_stiffness(springs, strength, trial);
+  if (strength.dilation > 0) prepare_rise(springs, strength, trial);
   follow_pressure(springs, strength, trial);  // at the gap that the step begins with, what is foreseen included
   keep_sliding(springs, start, trial);
+  if (strength.dilation > 0) keep_riding(springs, strength, start, trial);
   stick_where_touching(springs, trial);
   return trial;
 }
@@ -196,11 +218,9 @@ void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& 
 
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) let_go_of_opening(springs, trial);
-  if (trial.rule.capacity_is_given) {
-    respond(springs, trial);
-  } else {
-    follow_pressure(springs, strength, trial);
-  }
+  if (trial.rule.capacity_is_given) return respond(springs, trial);
+  if (strength.dilation > 0) return respond_with_dilation(springs, strength, trial);
+  follow_pressure(springs, strength, trial);
 }
 
 double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial, double t) {
@@ -234,6 +254,7 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
   const Vec4 before = trial.force;
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
+    if (trial.closes[e]) continue;
     const double full = springs.stiffness(normal_row(end));
     const double force = trial.force(normal_row(end));
     const double seen = trial.rise[e] == 0 ? full : std::clamp((trial.pressed[e] - force) / trial.rise[e], 0.0, full);
@@ -247,6 +268,13 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
   }
   respond(springs, trial);
   return (trial.force - before).cwiseAbs().maxCoeff();
+}
+
+void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  if (strength.dilation == 0) return;
+  for (std::array<double, 2>* each : {&trial.dilation, &trial.reference, &trial.rise, &trial.pressed}) *each = {0, 0};
+  trial.coupling = 0;
+  prepare_rise(springs, strength, trial);
 }
 
 bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
@@ -330,7 +358,7 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
     }
     state.force(n + 1) = shear_kept(springs, trial, end);
     state.gap(n + 1) = elastic_gap(state.force(n + 1), springs.stiffness(n + 1), trial.gap(n + 1));
-    state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
+    if (!trial.closes[e]) state.slip[e] += trial.gap(n + 1) - state.gap(n + 1);
   }
   if (presses) note_open_ends(springs, trial, state);
   return state;

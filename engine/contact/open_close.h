@@ -48,11 +48,12 @@ struct InterfaceTrial {
   Vec4 direction = Vec4::Zero();         // m, its change along the full Newton step
   Vec4 force = Vec4::Zero();             // N per m of thickness, at `gap`, what the balance of the step sees
   Vec4 active = Vec4::Ones();            // d force/d gap over the stiffness: 0 for open or sliding rows, mostly 1 else
-  double coupling = 0;                   // N/m per m of thickness, of either normal force by the gap of the other end
+  double coupling = 0;                   // N/m per m of thickness, of two forces by the other's gap: coupled_row()
   Vec4 before = Vec4::Zero();            // N per m of thickness, of the start, where the balance takes means with it
   std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end; with `before`
   std::array<bool, 2> broken{false, false};
   std::array<bool, 2> residual{false, false};
+  std::array<bool, 2> closes{false, false};  // ends that dilate and were open at the start: see rising_end.h
   ContactRule rule;
 
   std::array<double, 2> slip{0, 0};       // m, before the step
@@ -75,8 +76,9 @@ inline bool is_whole(const InterfaceSprings& springs, const InterfaceTrial& tria
 inline Vec4 force_change(const InterfaceSprings& springs, const Vec4& active, double coupling, const Vec4& gap_change) {
   Vec4 change = active.cwiseProduct(springs.stiffness).cwiseProduct(gap_change);
   if (coupling != 0) {
-    change(0) += coupling * gap_change(2);
-    change(2) += coupling * gap_change(0);
+    const Eigen::Index other = coupled_row(springs);
+    change(0) += coupling * gap_change(other);
+    change(other) += coupling * gap_change(0);
   }
   return change;
 }
@@ -94,7 +96,8 @@ double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial,
 // Shear of an end that does not slide, whatever its capacity.
 void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& trial);
 
-// respond() with the capacities of the normal forces there, unless they are given.
+// respond() with the capacities of the normal forces there, unless they are given, and with dilations of the slips
+// there where rising_end.h has an answer.
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Sets capacities to those of the normal forces, unless they are given; returns the largest change of a force that this
@@ -104,6 +107,9 @@ double update_capacity(const InterfaceSprings& springs, const EndStrength& stren
 // Sets dilations to those of the slips; returns the largest change of a force that this makes at this gap. For
 // capacities that stand still.
 double update_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
+
+// Back to an end that has not ridden up in the step; what it answers is not brought up to date.
+void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Breaks ends that are beyond their strength, and leaves dry ends that slide their residual friction; returns whether
 // there was one. Each end does both once. A projected stretch breaks as a whole.

@@ -60,7 +60,7 @@ Vec6 centrifugal_acceleration(const Mat6& mass, std::size_t block, const BlockSy
 
 void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& system) {
   const Eigen::VectorXd unbalanced = accelerating_forces(system);
-  const std::vector<Mat6> stiffness =
+  std::vector<Mat6> stiffness =
       stiffness_of_pressed_contacts(changing, system, pressing * unbalanced.cwiseAbs().maxCoeff());
   const double dt = system.coefficients.dt;
   for (std::size_t i = 0; i < system.state.acceleration.size(); ++i) {
@@ -71,8 +71,10 @@ void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& sys
     Vec6& acceleration = system.state.acceleration[i];
     acceleration = mass.llt().solve(force);
     const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;
-    if (chi > unresolved && motion_share(dt * dt * acceleration, system.terms.area[i]) > harmful)
+    if (chi > unresolved && motion_share(dt * dt * acceleration, system.terms.area[i]) > harmful) {
+      stiffness[i].bottomRightCorner<3, 3>() += system.terms.area[i] * system.terms.elasticity[i];
       acceleration = (mass + dt * dt * stiffness[i]).llt().solve(force);
+    }
     acceleration += centrifugal_acceleration(mass, i, system);
   }
 }

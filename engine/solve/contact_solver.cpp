@@ -22,6 +22,7 @@ const StepSolution& ContactSolver::solve(const StepProblem& problem) {
   if (at_.matrix.is_amended()) at_.matrix.outdate();
   convex_.start(problem.guess);
   rises_ = 0;
+  is_sure_ = false;
   if (problem.contacts.rule.capacity_is_given) {
     begin_at(problem.guess);
     return go_on(problem);
@@ -109,13 +110,14 @@ Status ContactSolver::settle_with_given_capacities() {
 
 Status ContactSolver::settle_contacts() {
   if (at_.problem->contacts.rule.capacity_is_given) return settle_with_given_capacities();
-  if (friction_.has_something_to_settle(at_)) {
+  if (!is_sure_ && friction_.has_something_to_settle(at_)) {
     if (friction_.find_balance(at_)) return Status::ok;
     if (!at_.problem->to_the_end) {
       solution_.failure = Failure::unsettled;
       return Status::not_converged;
     }
     convex_.restart(at_);
+    is_sure_ = at_.problem->dilates;
   }
   const Status status = convex_.settle(at_, at_.problem->max_passes);
   solution_.failure = convex_.failure();

@@ -69,7 +69,7 @@ class ContactSolver {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [at, friction, convex, solution, base_version, rises] = self;
+    auto& [at, friction, convex, solution, base_version, rises, is_sure] = self;
     archive(at);  // all else begins with every step
   }
 
@@ -86,7 +86,8 @@ class ContactSolver {
   ConvexPasses convex_;
   StepSolution solution_;
   std::uint64_t base_version_ = 0;
-  int rises_ = 0;  // times that dilations moved in this step
+  int rises_ = 0;         // times that dilations moved in this step
+  bool is_sure_ = false;  // its dilations move between sure passes: the quick ones, which have them, did not settle
 };
 
 }  // namespace dda

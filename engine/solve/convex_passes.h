@@ -20,7 +20,7 @@ class ConvexPasses {
   // A step begins; `guess` of its increments is where an iterative linear solver starts.
   void start(const Eigen::VectorXd& guess);
 
-  // Back to the start of the step, but for what broke or rose since.
+  // Back to the start of the step, but for what broke since.
   void restart(Iterate& at);
 
   // Takes the iterate as it is, and its contacts at what they answer there.

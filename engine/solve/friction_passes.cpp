@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/contact/open_close.h"
+#include "engine/contact/rising_end.h"
 #include "engine/core/parallel.h"
 #include "engine/core/phase_clock.h"
 #include "engine/solve/largest_entry.h"
@@ -192,7 +193,7 @@ Status FrictionPasses::solve_newton_step(Iterate& at, double relative) {
   };
   KrylovResult result;
   step_.setZero();
-  if (couplings_.empty()) {
+  if (couplings_.empty() && riding_.empty()) {
     const auto multiply = [&](const Eigen::VectorXd& v, Eigen::VectorXd& w) { multiply_in_pass(at, v, w); };
     result = gradients_.solve(multiply, precondition, residual_, relative, most_iterations, step_);
   } else {
@@ -206,12 +207,31 @@ Status FrictionPasses::solve_newton_step(Iterate& at, double relative) {
 
 void FrictionPasses::list_couplings(const Iterate& at) {
   couplings_.clear();
+  riding_.clear();
   for (const std::size_t k : taken_) {
     const LiveContact& contact = live_[k];
-    const Mat2 slopes = shear_by_normal_gap(contact.springs, at.contacts.strength(contact.trial),
-                                            at.contacts[contact.trial], contact.pieces);
+    Mat2 slopes = shear_by_normal_gap(contact.springs, at.contacts.strength(contact.trial), at.contacts[contact.trial],
+                                      contact.pieces);
+    if (at.problem->dilates) list_riding(at, contact, slopes);
     if (!slopes.isZero(0)) couplings_.push_back({&contact, slopes});
   }
+}
+
+// Takes ends that ride up, which have slopes of their own, out of those that friction makes of the others.
+void FrictionPasses::list_riding(const Iterate& at, const LiveContact& contact, Mat2& shear_by_gap) {
+  const EndStrength& strength = at.contacts.strength(contact.trial);
+  const InterfaceTrial& trial = at.contacts[contact.trial];
+  Riding riding{&contact, {Mat2::Zero(), Mat2::Zero()}};
+  bool rides = false;
+  for (int end = 0; end < ends_of(contact.springs); ++end) {
+    const ContactPiece piece = contact.pieces[static_cast<std::size_t>(end)];
+    if (!slides(piece) || !rides_up(contact.springs, strength, trial, end)) continue;
+    riding.slopes[static_cast<std::size_t>(end)] =
+        slopes_beyond_rows(contact.springs, strength, trial, end, direction_of(piece));
+    shear_by_gap.row(end).setZero();
+    rides = true;
+  }
+  if (rides) riding_.push_back(riding);
 }
 
 void FrictionPasses::multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const {
@@ -228,6 +248,12 @@ void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& 
     const Vec4 opening = gap(*contact, v);
     const Vec2 shear = slopes * Vec2(opening(0), opening(2));
     add_force(*contact, at.problem->factor * Vec4(0, shear(0), 0, shear(1)), w);
+  }
+  for (const auto& [contact, slopes] : riding_) {
+    const Vec4 opening = gap(*contact, v);
+    Vec4 force;
+    force << slopes[0] * opening.head<2>(), slopes[1] * opening.tail<2>();
+    add_force(*contact, at.problem->factor * force, w);
   }
   at.problem->held.clear(w);
 }

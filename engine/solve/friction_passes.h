@@ -13,6 +13,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -52,6 +53,12 @@ class FrictionPasses {
     Mat2 shear_by_gap;  // N/m per m of thickness: rows 1 and 3 by the gaps of rows 0 and 2
   };
 
+  // What ends that ride up as they slide answer beyond the rows in the matrix.
+  struct Riding {
+    const LiveContact* contact;
+    std::array<Mat2, 2> slopes;  // of each end, N/m per m of thickness: normal and shear force by these gaps
+  };
+
   static constexpr int basis = 40;  // of GMRES
 
   [[nodiscard]] static Vec4 gap(const LiveContact& contact, const Eigen::VectorXd& d);
@@ -71,6 +78,7 @@ class FrictionPasses {
 
   [[nodiscard]] Status solve_newton_step(Iterate& at, double relative);
   void list_couplings(const Iterate& at);
+  void list_riding(const Iterate& at, const LiveContact& contact, Mat2& shear_by_gap);
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void take_newton_step(Iterate& at, bool strictly, bool one_by_one);
@@ -86,6 +94,7 @@ class FrictionPasses {
   std::vector<LiveContact> live_;
   std::vector<std::size_t> taken_;  // of these, those that the pass moves
   std::vector<Coupling> couplings_;
+  std::vector<Riding> riding_;
   BlockPart part_;               // the blocks that a local pass moves
   bool is_local_ = false;        // the pass
   bool between_pieces_ = false;  // some live contact is

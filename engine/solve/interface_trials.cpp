@@ -26,6 +26,7 @@ void InterfaceTrials::start(const ChangingContacts& contacts) {
 void InterfaceTrials::restart() {
   for (std::size_t k = 0; k < trials_.size(); ++k) {
     trials_[k].gap = trials_[k].start;
+    forget_rise(element(k), strength(k), trials_[k]);
     if (!is_whole(k)) update_capacity(element(k), strength(k), trials_[k]);
   }
 }

@@ -34,7 +34,7 @@ class InterfaceTrials {
   void start(const ChangingContacts& contacts);
   // The same contacts after their arrays may have moved, or with those that admit() is to add.
   void look_at(const ChangingContacts& contacts) { contacts_ = contacts; }
-  // Back to the start of the step, but for what broke or rose since.
+  // Back to the start of the step, but for what broke since.
   void restart();
   // The contact at index k of `places` takes part from now on, with these ends broken, at the increments `d`.
   void admit(std::size_t k, const std::array<bool, 2>& broken, const Eigen::VectorXd& d);

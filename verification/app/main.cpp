@@ -171,6 +171,7 @@ void add_rocks(CLI::App& app, Arguments& arguments) {
   rocks->add_option("--out", arguments.rocks.folder, "folder for all files; made if it is not there")->required();
   rocks->add_option("--seed", arguments.rocks.seed, "of the first rock; the others follow")->capture_default_str();
   rocks->add_option("--count", arguments.rocks.count, "rocks")->check(CLI::PositiveNumber)->capture_default_str();
+  rocks->add_flag("--dilating", arguments.rocks.dilating, "smaller rocks, with joints that ride up as they slide");
   rocks->add_option("--seconds", arguments.rocks.seconds, "of CPU time, the most that a rock is given")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -115,6 +115,14 @@ void hold_walls(SeededNumbers& random, RockKind kind, double motion, Json& scene
                         {"history", {{"sine", {{"frequency", 2 / motion}, {"cycles", 2}}}}}}};
 }
 
+// Drawn apart from the rest, which is that of the seed without it. No steeper than friction allows.
+void let_ride_up(std::uint64_t seed, double unit, Json& joint) {
+  constexpr std::uint64_t other_numbers = 0x646c;
+  SeededNumbers random(seed ^ (other_numbers << 32));
+  joint["dilation_angle"] = degrees(random.number(5, 15));
+  if (seed / all_rock_kinds.size() % 2 == 0) joint["zero_dilation_slip"] = unit * random.magnitude(-3.5, -2);
+}
+
 }  // namespace
 
 std::string name_of(RockKind kind) {
@@ -133,19 +141,22 @@ std::string name_of(RockKind kind) {
 
 RockKind rock_kind(std::uint64_t seed) { return all_rock_kinds.at(seed % all_rock_kinds.size()); }
 
-RandomRock random_rock(std::uint64_t seed) {
+RandomRock random_rock(std::uint64_t seed, bool dilating) {
   SeededNumbers random(seed);
   RandomRock made;
+  made.seed = seed;
   made.kind = rock_kind(seed);
   made.unit = random.chance(0.5) ? 1 : random.magnitude(-2, 2);
   made.motion = 0.1 * std::sqrt(made.unit);
-  const Box box{made.unit * random.number(8, 18), made.unit * random.number(8, 14)};
+  const double extent = dilating ? 0.6 * made.unit : made.unit;
+  const Box box{extent * random.number(8, 18), extent * random.number(8, 14)};
   Json scene = {{"dda", 1}, {"title", fmt::format("Random rock, {}, seed {}", name_of(made.kind), seed)}};
   scene["materials"]["rock"] = {{"density", random.number(2000, 3000)},
                                 {"young", made.unit * random.magnitude(9, 10.7)},
                                 {"poisson", random.number(0, 0.35)}};
   scene["joints"]["default"] = {{"friction_angle", "30 deg"}};
   scene["joints"]["dry"] = {{"friction_angle", degrees(random.number(15, 45))}};
+  if (dilating) let_ride_up(seed, made.unit, scene["joints"]["dry"]);
   if (made.kind == RockKind::grains)
     scene["joints"]["grain"] = {{"friction_angle", "35 deg"},
                                 {"cohesion", made.unit * random.magnitude(4, 6)},

@@ -28,6 +28,7 @@ inline constexpr std::array all_rock_kinds{RockKind::two_sets, RockKind::three_s
 [[nodiscard]] RockKind rock_kind(std::uint64_t seed);
 
 struct RandomRock {
+  std::uint64_t seed = 0;
   RockKind kind = RockKind::two_sets;
   double unit = 1;    // m: rock of units of a centimetre to a hundred metres, with moduli that grow with it
   double motion = 0;  // s, of the last stage: 0.1 s for units of a metre, and as the root of the unit
@@ -35,7 +36,8 @@ struct RandomRock {
 };
 
 // Every rock settles in a static stage whose steps the engine finds, and moves for a time in which what is loose falls
-// by a twentieth of a unit.
-[[nodiscard]] RandomRock random_rock(std::uint64_t seed);
+// by a twentieth of a unit. `dilating`: its joints ride up as they slide, those of half of the rocks without end, and
+// it has about a third as many blocks.
+[[nodiscard]] RandomRock random_rock(std::uint64_t seed, bool dilating = false);
 
 }  // namespace verify

@@ -118,10 +118,9 @@ std::string name_of(RockOutcome outcome) {
   return "";
 }
 
-RockResult run_rock(std::uint64_t seed, double seconds, RockPicture* picture) {
-  const RandomRock rock = random_rock(seed);
+RockResult run_rock(const RandomRock& rock, double seconds, RockPicture* picture) {
   RockResult result;
-  result.seed = seed;
+  result.seed = rock.seed;
   result.kind = rock.kind;
   const Stopwatch watch;
   try {

@@ -48,6 +48,6 @@ struct RockPicture {
 };
 
 // Ends as `late` after `seconds` of CPU time. Fills `picture` where it is given.
-[[nodiscard]] RockResult run_rock(std::uint64_t seed, double seconds, RockPicture* picture = nullptr);
+[[nodiscard]] RockResult run_rock(const RandomRock& rock, double seconds, RockPicture* picture = nullptr);
 
 }  // namespace verify

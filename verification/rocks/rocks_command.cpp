@@ -12,8 +12,8 @@
 namespace verify {
 namespace {
 
-void keep_scene(const RockResult& result, const std::filesystem::path& folder) {
-  dda::write_file(folder / "scenes" / fmt::format("seed_{}.json", result.seed), random_rock(result.seed).scene);
+void keep_scene(const RandomRock& rock, const std::filesystem::path& folder) {
+  dda::write_file(folder / "scenes" / fmt::format("seed_{}.json", rock.seed), rock.scene);
 }
 
 // One picture a kind: the first rock of it that has come to its end.
@@ -35,11 +35,12 @@ int run_rocks(const RocksCommand& command, std::ostream& out, std::ostream& erro
   std::vector<RockResult> results;
   dda::Progress progress(0, command.count, dda::terminal());
   for (int i = 0; i < command.count; ++i) {
+    const RandomRock rock = random_rock(command.seed + static_cast<std::uint64_t>(i), command.dilating);
     RockPicture picture;
-    results.push_back(run_rock(command.seed + static_cast<std::uint64_t>(i), command.seconds, &picture));
+    results.push_back(run_rock(rock, command.seconds, &picture));
     keep_picture(results.back(), picture, command.folder);
     if (results.back().outcome != RockOutcome::right) {
-      keep_scene(results.back(), command.folder);
+      keep_scene(rock, command.folder);
       tell(results.back(), errors);
     }
     progress.update(i + 1, i + 1);

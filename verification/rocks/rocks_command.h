@@ -11,7 +11,8 @@ struct RocksCommand {
   std::filesystem::path folder;
   std::uint64_t seed = 1;
   int count = 500;
-  double seconds = 60;  // of CPU time, the most that a rock is given
+  double seconds = 60;    // of CPU time, the most that a rock is given
+  bool dilating = false;  // joints ride up as they slide
 };
 
 // Writes rocks.json, rocks.md and images/ into the folder, and the scene of every rock that is not right into scenes/.

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "engine/scene/scene.h"
 #include "verification/rocks/rock_checks.h"
+#include "verification/rocks/rock_run.h"
 #include "verification/rocks/rocks_report.h"
 
 namespace verify {
@@ -19,6 +21,26 @@ TEST(Rocks, EveryKindIsCutAndReadAndTheSameSeedGivesTheSameRock) {
     EXPECT_GT(dda::parse_scene(rock.scene, "scene.json").blocks.size(), 5U) << seed;
   }
   EXPECT_EQ(kinds.size(), all_rock_kinds.size());
+}
+
+TEST(Rocks, HaveJointsThatRideUpWhereAskedFor) {
+  int without_end = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    const dda::Model model = dda::parse_scene(random_rock(seed, true).scene, "scene.json");
+    const auto rises = [](const dda::JointMaterial& joint) { return joint.dilation_angle > 0; };
+    const auto joint = std::ranges::find_if(model.joints, rises);
+    ASSERT_NE(joint, model.joints.end()) << seed;
+    if (std::isinf(joint->zero_dilation_slip)) ++without_end;
+  }
+  EXPECT_EQ(without_end, 8);
+}
+
+// Half of such rocks ended not_converged while dilations followed the slips from one solution to the next.
+TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
+  for (const unsigned seed : {1U, 4U, 5U, 15U, 16U, 24U}) {
+    const RockResult result = run_rock(random_rock(seed, true), 60);
+    EXPECT_EQ(result.outcome, RockOutcome::right) << seed << ": " << result.reason();
+  }
 }
 
 // A rock of two sets that has settled: checks that could not fail would make every rock right.

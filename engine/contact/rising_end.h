@@ -1,0 +1,45 @@
+// An end that rides up as it slides (dilation), answered at once: normal force, shear force and slip of the step follow
+// from one another, and from both gaps.
+//
+// With the slip s of the step towards the side of the tangential gap, D(s) what the end rides up by it, p the pressure
+// and mu the friction,
+//   p = k_n max(0, D(s) - g_n)     shear = k_s (|g_t| - s) = c + mu p     s >= 0
+// which on the way out, where D grows, has one solution for any gaps, and is continuous in them. On the way back to
+// where the end began D falls, and where mu tan(psi) k_n > k_s the pressure lets go of the shear faster than the
+// spring: then the first solution counts.
+//
+// An end that was open when the step began rides up from the next step on: of its tangential motion nobody knows how
+// much was in contact, and the same gaps would have two answers, with and without the rise.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/contact/interface_element.h"
+#include "engine/contact/interface_state.h"
+#include "engine/contact/open_close.h"
+#include "engine/core/types.h"
+
+namespace dda {
+
+// The end of this trial is answered so: it has no bond, touched at the start of the step, and its joint dilates. Not
+// under integrators that conserve energy, nor beside dashpots, nor where capacities are given.
+[[nodiscard]] bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
+                            int end);
+
+// respond_with_friction() where the joint dilates: such ends as below, the others as they answer without.
+void respond_with_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
+
+// Forces, dilation, capacity and active rows of such an end at the trial's gap. The rows are those of a joint that
+// slips as steeply as it rises (associated flow), which is symmetric and leaves the way up its slope free. Of a lone
+// vertex that takes the coupling of both rows; ends of stretches leave it to the slopes below.
+void respond_riding(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial);
+
+// The active rows of such an end that slid when the step began, and slides on.
+void take_riding_rows(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial);
+
+// Slopes of the forces (normal, shear) over the gaps (normal, tangential) beyond those of the active rows, of such an
+// end that slides; `side`: 1 or -1, which way. N/m per m of thickness.
+[[nodiscard]] Mat2 slopes_beyond_rows(const InterfaceSprings& springs, const EndStrength& strength,
+                                      const InterfaceTrial& trial, int end, double side);
+
+}  // namespace dda

@@ -1,0 +1,134 @@
+// Ends that ride up as they slide, answered at once.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "engine/contact/contact_pieces.h"
+#include "engine/contact/open_close_models.h"
+#include "engine/contact/rising_end.h"
+
+namespace dda {
+namespace {
+
+class RisingEnds : public testing::TestWithParam<bool> {
+ protected:
+  double number(double lower, double upper) { return std::uniform_real_distribution(lower, upper)(generator_); }
+
+  InterfaceElement element() const {
+    InterfaceElement element = classical_element();
+    element.length = GetParam() ? 0 : 2;
+    if (GetParam()) element.stiffness.tail<2>().setZero();
+    return element;
+  }
+
+  // A third on their way back, a third beyond the slip at which they rise no further, in steps of up to a few of these.
+  InterfaceTrial random_trial() {
+    InterfaceState start = start_with(true);
+    start.broken = {true, true};
+    start.gap(0) = start.gap(2) = -0.04;
+    start.slip = {number(-0.06, 0.06), number(-0.06, 0.06)};
+    InterfaceTrial trial = start_trial(element(), strength_, start);
+    for (const int end : {0, 1}) trial.gap.segment<2>(2 * end) << number(-0.1, 0.02), number(-0.15, 0.15);
+    respond_with_friction(element(), strength_, trial);
+    return trial;
+  }
+
+  const EndStrength strength_{.friction = 0.5, .dilation = 0.25, .dilation_slip = 0.04};
+  std::mt19937 generator_{1};
+};
+INSTANTIATE_TEST_SUITE_P(Dilation, RisingEnds, testing::Bool(),
+                         [](const auto& each) { return each.param ? "vertex" : "stretch"; });
+
+// Signorini's and Coulomb's laws with the rise that belongs to the slip, whatever the way there.
+TEST_P(RisingEnds, ObeyEveryLawAtOnce) {
+  int sliding_ends = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const InterfaceTrial trial = random_trial();
+    for (int end = 0; end < ends_of(element()); ++end) {
+      const auto e = static_cast<std::size_t>(end);
+      const double normal = trial.force(2 * end), shear = trial.force(2 * end + 1);
+      ASSERT_LE(normal, 0);
+      if (normal == 0) {  // open, even where it has ridden up on the whole way
+        const double way = trial.gap(2 * end + 1);
+        const double risen = strength_.lift(trial.slip[e] + way) - strength_.lift(trial.slip[e]);
+        ASSERT_LE(risen, trial.gap(2 * end) + round_off);
+        ASSERT_EQ(shear, 0);
+        ASSERT_EQ(trial.dilation[e], 0);
+        continue;
+      }
+      const double slip = trial.gap(2 * end + 1) - shear / shear_spring;
+      const double risen = strength_.lift(trial.slip[e] + slip) - strength_.lift(trial.slip[e]);
+      ASSERT_NEAR(trial.dilation[e], risen, round_off);
+      ASSERT_NEAR(normal, normal_spring * (trial.gap(2 * end) - risen), 100 * round_off);
+      ASSERT_LE(std::abs(shear), -0.5 * normal + 100 * round_off);
+      if (std::abs(slip) < round_off) continue;
+      ASSERT_GT(slip * shear, 0);
+      ASSERT_NEAR(std::abs(shear), -0.5 * normal, 100 * round_off);
+      ++sliding_ends;
+    }
+  }
+  EXPECT_GT(sliding_ends, 1000);
+}
+
+// Nothing is left to do for the outer fixed points.
+TEST_P(RisingEnds, AreTheFixedPointOverCapacitiesAndDilations) {
+  for (int i = 0; i < 2000; ++i) {
+    InterfaceTrial trial = random_trial();
+    ASSERT_LT(update_dilation(element(), strength_, trial), 1e-12);
+    ASSERT_LT(update_capacity(element(), strength_, trial), 1e-12);
+  }
+}
+
+// Rows in the matrix and what lies beyond them make up the slopes of the answer.
+TEST_P(RisingEnds, SlopesAreThoseOfTheAnswer) {
+  constexpr double step = 1e-7;
+  int compared = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const InterfaceTrial trial = random_trial();
+    const ContactPieces pieces = pieces_of(trial);
+    for (int end = 0; end < ends_of(element()); ++end) {
+      const ContactPiece piece = pieces[static_cast<std::size_t>(end)];
+      if (!slides(piece)) continue;
+      const Mat2 beyond = slopes_beyond_rows(element(), strength_, trial, end, direction_of(piece));
+      const auto moved = [&](int row, double by) {
+        InterfaceTrial other = trial;
+        other.gap(2 * end + row) += by;
+        respond_with_friction(element(), strength_, other);
+        return other;
+      };
+      for (int row : {0, 1}) {
+        const InterfaceTrial after = moved(row, step), before = moved(row, -step);
+        // Not across a corner of the answer.
+        if (after.active != trial.active || before.active != trial.active) continue;
+        Vec4 change = Vec4::Zero();
+        change(2 * end + row) = step;
+        const Vec2 in_matrix = force_change(element(), trial.active, trial.coupling, change).segment<2>(2 * end) / step;
+        const Vec2 slope = (after.force - before.force).segment<2>(2 * end) / (2 * step);
+        ASSERT_LT((in_matrix + beyond.col(row) - slope).norm(), 1e-6 * normal_spring);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 500);
+}
+
+// Of its motion nobody knows how much was in contact, and with the rise the same gaps have a second answer.
+TEST(RisingEnd, ThatWasOpenRidesUpFromTheNextStepOn) {
+  const EndStrength strength{.friction = 0.5, .dilation = 0.25};
+  InterfaceState state = start_with(true, open);
+  state.gap(0) = 0.01;
+  state.slip[0] = 0.02;
+  state = step_to(strength, state, -0.04, 0.3);
+  EXPECT_EQ(state.status[0], sliding);
+  EXPECT_EQ(state.slip[0], 0.02);
+  EXPECT_EQ(state.dilation[0], 0);
+  const double kept = state.gap(1);
+  state = step_to(strength, state, -0.04, kept + 0.1);
+  EXPECT_GT(state.slip[0], 0.03);
+  EXPECT_NEAR(state.dilation[0], 0.25 * (state.slip[0] - 0.02), 1e-12);
+}
+
+}  // namespace
+}  // namespace dda

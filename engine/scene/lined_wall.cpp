@@ -46,7 +46,7 @@ LinedWall part_above(const Field& field, double height, const std::vector<Stretc
   const auto below = std::ranges::find_if_not(wall, is_above);
   if (below == wall.end()) return {wall, true};
   std::vector<Stretch> turned(wall.begin(), wall.end());
-  std::ranges::rotate(turned, turned.begin() + (below - wall.begin()));
+  std::rotate(turned.begin(), turned.begin() + (below - wall.begin()), turned.end());
   const auto first = std::ranges::find_if(turned, is_above);
   const auto last = std::find_if_not(first, turned.end(), is_above);
   if (first == turned.end()) field.fail("a height below the roof of the opening");
@@ -110,7 +110,7 @@ LinedWall along_line(const Field& field, bool closed, const Present& present) {
 
 Vec2 inside(const Ring& outline, double tolerance) {
   const Polygon shape = normalized(Polygon{outline, {}});
-  const Vec2 centroid = area_moments(shape).centroid;
+  Vec2 centroid = area_moments(shape).centroid;
   if (locate(shape, centroid, tolerance) == Location::inside) return centroid;
   // Near the middle of the longest edge, which has no other one close to it.
   std::size_t longest = 0;

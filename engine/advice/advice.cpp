@@ -88,7 +88,7 @@ class Adviser {
 
  private:
   [[nodiscard]] std::optional<double> default_frequency() const {
-    if (model_.target_frequency) return model_.target_frequency;
+    if (model_.expected.frequency) return model_.expected.frequency;
     if (const auto sine = highest_sine_frequency(model_)) return sine;
     if (load_) return 1 / load_->history.period;
     return std::nullopt;

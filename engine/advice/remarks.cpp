@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/advice/lining_remarks.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
@@ -65,6 +66,9 @@ class Groups {
     for (const Bolt& bolt : model.bolts)
       for (const BoltLink& link : bolt.links)
         if (bolt.first_stage == 0) join(link.block_a, link.block_b);
+    for (const Lining& lining : model.linings)
+      if (lining.first_stage == 0)
+        for (std::size_t i = 0; i < lining.elements(); ++i) join(lining.start_of(i).block, lining.end_of(i).block);
   }
   int of(int block) {
     while (parent_[at(block)] != block) block = parent_[at(block)] = parent_[at(parent_[at(block)])];
@@ -318,9 +322,14 @@ void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks
   for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_linings(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : lining_remarks(model)) remarks.push_back(std::move(sentence));
+}
+
 constexpr auto all_remarks = {remark_on_holding, remark_on_gravity, remark_on_tension,        remark_on_materials,
                               remark_on_sizes,   remark_on_gaps,    remark_on_steps,          remark_on_coarse_steps,
-                              remark_on_loads,   remark_on_shear,   remark_on_brittle_joints, remark_on_chatter};
+                              remark_on_loads,   remark_on_shear,   remark_on_brittle_joints, remark_on_chatter,
+                              remark_on_linings};
 
 }  // namespace
 

@@ -32,11 +32,20 @@ std::string place_of_bolt(const Model& model, const Measurement& measurement) {
                      name_of(model, link.block_b));
 }
 
+std::string place_of_lining(const Model& model, const Measurement& measurement) {
+  const Lining& lining = model.linings[static_cast<std::size_t>(measurement.lining)];
+  if (measurement.element < 0) return fmt::format("of \"{}\", where it is largest", lining.name);
+  const auto element = static_cast<std::size_t>(measurement.element);
+  return fmt::format("of \"{}\" between \"{}\" and \"{}\"", lining.name, name_of(model, lining.start_of(element).block),
+                     name_of(model, lining.end_of(element).block));
+}
+
 std::string place_of(const Model& model, const Measurement& measurement) {
   switch (subject_of(measurement.quantity)) {
     case Subject::block:
     case Subject::joint: return place_of_block(model, measurement);
     case Subject::bolt: return place_of_bolt(model, measurement);
+    case Subject::lining: return place_of_lining(model, measurement);
     case Subject::reaction:
       return fmt::format("of {} point support{} and {} held as a whole, moment about {}", measurement.supports.size(),
                          measurement.supports.size() == 1 ? "" : "s", blocks(measurement.blocks.size()),

@@ -55,7 +55,7 @@ std::vector<TableRow> sizes(const Json& summary, const Json& scene) {
                                 {"solver", shown(summary, "solver")}};
   for (const char* key : {"gravity", "stress_field", "scheme", "plane"})
     if (scene.contains(key)) rows.push_back({key, shown(scene[key])});
-  for (const char* key : {"loads", "fixed", "supports", "bolts", "viscous_boundaries", "measurements"})
+  for (const char* key : {"loads", "fixed", "supports", "bolts", "linings", "viscous_boundaries", "measurements"})
     if (const std::size_t count = count_of(scene, key); count > 0) rows.push_back({key, fmt::format("{}", count)});
   return rows;
 }

@@ -16,6 +16,7 @@
 #include "engine/advice/remarks.h"
 #include "engine/app/branch_origin.h"
 #include "engine/app/frame_clock.h"
+#include "engine/app/lining_report.h"
 #include "engine/app/run_files.h"
 #include "engine/app/run_position.h"
 #include "engine/app/run_request.h"
@@ -261,6 +262,7 @@ class Run {
                                       simulation_.model().blocks[static_cast<std::size_t>(block)].name,
                                       {place.x(), place.y()}});
     summary.penetration = penetration();
+    if (!linings_of(simulation_).empty()) summary.linings = linings_json(simulation_);
     summary.remarks = remarks_;
     return summary;
   }

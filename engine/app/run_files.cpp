@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/app/lining_report.h"
 #include "engine/core/phase_clock.h"
 #include "engine/model/quantity_names.h"
 #include "engine/record/atomic_file.h"
@@ -99,6 +100,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
     contact_frames_ = std::make_unique<ContactFrameWriter>(in_folder(contacts_name));
     contact_frames_->go_on_after(frame_times_);
     if (!simulation.bolts().empty()) open_bolt_frames();
+    if (!linings_of(simulation).empty()) open_lining_frames();
     frame_clock_.emplace(simulation.model(), *options_.frame_interval);
     if (!frame_times_.empty()) frame_clock_->taken(frame_times_.back());
   }
@@ -114,6 +116,11 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
 void RunFiles::open_bolt_frames() {
   bolt_frames_ = std::make_unique<BoltFrameWriter>(simulation_.model(), in_folder(bolts_name));
   bolt_frames_->go_on_after(frame_times_);
+}
+
+void RunFiles::open_lining_frames() {
+  lining_frames_ = std::make_unique<LiningFrameWriter>(simulation_.model(), in_folder(linings_name));
+  lining_frames_->go_on_after(frame_times_);
 }
 
 void RunFiles::follow_peaks(const std::optional<RunPosition>& resumed) {
@@ -181,11 +188,12 @@ void RunFiles::write_frame_when_due() {
   write_frame();
 }
 
-// Blocks last: a frame of them that is listed has its contacts and bolts.
+// Blocks last: a frame of them that is listed has its contacts, bolts and linings.
 void RunFiles::write_frame() {
   const PhaseScope scope(Phase::frames);
   contact_frames_->write(simulation_.state().time, contact_points_of(simulation_));
   if (bolt_frames_) bolt_frames_->write(simulation_.state(), bolt_links_of(simulation_));
+  if (lining_frames_) lining_frames_->write(simulation_.state(), lining_values_of(simulation_));
   frames_->write(simulation_.state(), simulation_.absent());
   frame_times_.push_back(simulation_.state().time);
 }
@@ -221,6 +229,7 @@ void RunFiles::close(RunSummary summary) {
   summary.outputs = {histories_name, energies_name, checkpoint_name, summary_name, request_name};
   if (frames_) summary.outputs.insert(summary.outputs.end(), {frames_name, contacts_name});
   if (bolt_frames_) summary.outputs.emplace_back(bolts_name);
+  if (lining_frames_) summary.outputs.emplace_back(linings_name);
   if (options_.profile) summary.outputs.emplace_back(profile_name);
   if (peaks_ && peaks_->has_begun()) {
     const Model& model = simulation_.model();

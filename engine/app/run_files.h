@@ -1,5 +1,6 @@
 // The files of a run: histories.csv, energies.csv, peaks.csv where the scene asks for it, frames.pvd with frames/,
-// contacts.pvd with contacts/, where there are bolts bolts.pvd with bolts/, checkpoint.bin, summary.json.
+// contacts.pvd with contacts/, where there are bolts bolts.pvd with bolts/, where there are linings
+// linings.pvd with linings/, checkpoint.bin, summary.json.
 #pragma once
 
 #include <chrono>
@@ -16,6 +17,7 @@
 #include "engine/record/contact_frame_writer.h"
 #include "engine/record/frame_writer.h"
 #include "engine/record/history_writer.h"
+#include "engine/record/lining_frame_writer.h"
 #include "engine/record/summary.h"
 #include "engine/simulation/peak_motion.h"
 #include "engine/simulation/probes.h"
@@ -61,6 +63,7 @@ class RunFiles {
 
  private:
   void open_bolt_frames();
+  void open_lining_frames();
   void follow_peaks(const std::optional<RunPosition>& resumed);
   void write_what_is_due();
   void sample();
@@ -82,6 +85,7 @@ class RunFiles {
   std::unique_ptr<FrameWriter> frames_;
   std::unique_ptr<ContactFrameWriter> contact_frames_;
   std::unique_ptr<BoltFrameWriter> bolt_frames_;
+  std::unique_ptr<LiningFrameWriter> lining_frames_;
   std::optional<PeakMotion> peaks_;
   std::vector<double> frame_times_;
   std::optional<FrameClock> frame_clock_;

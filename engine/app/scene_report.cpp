@@ -126,7 +126,7 @@ void add_stiffness(const Model& model, Text& text) {
               "pressed in by at most {:.2g} of their size under {:.3g} MPa",
               model.joints[i].name, survey.softest / 1e9, survey.stiffest / 1e9,
               model.joints[i].automatic_stiffness ? ", chosen" : "", 100 * survey.worst.compliance,
-              survey.worst.penetration, model.expected_pressure / 1e6);
+              survey.worst.penetration, model.expected.pressure / 1e6);
   }
 }
 
@@ -149,6 +149,24 @@ void add_bolts(const Model& model, Text& text) {
   text.line("bolts", "{}, {}", model.bolts.size(), count(links, "link"));
 }
 
+// Blocks that bolts and linings couple.
+std::vector<std::pair<int, int>> coupled_by_support(const Simulation& simulation) {
+  std::vector<std::pair<int, int>> pairs = simulation.bolts().pairs();
+  const std::vector<std::pair<int, int>> lined = linings_of(simulation).pairs();
+  pairs.insert(pairs.end(), lined.begin(), lined.end());
+  return pairs;
+}
+
+void add_linings(const Model& model, Text& text) {
+  for (const Lining& lining : model.linings)
+    text.line("lining", "\"{}\", {:.6g} m thick, {}{}{}", lining.name, lining.thickness,
+              count(lining.elements(), "element"), lining.closed ? " all around" : "",
+              lining.yields() ? fmt::format(", crushes at {:.6g} N and tears at {:.6g} N per m",
+                                            lining.compressive_strength * lining.thickness,
+                                            lining.tensile_strength * lining.thickness)
+                              : ", elastic");
+}
+
 void add_what_acts(const Model& model, Text& text) {
   text.line("loads", "{}, {}, gravity [{:.6g}, {:.6g}] m/s2", count(model.point_loads.size(), "point load"),
             count(model.edge_loads.size(), "edge load"), model.gravity.x(), model.gravity.y());
@@ -156,6 +174,7 @@ void add_what_acts(const Model& model, Text& text) {
   text.line("held by", "{}, {}, {}", count(model.supports.size(), "point support"),
             count(model.held_blocks.size(), "whole block"), count(model.viscous_edges.size(), "absorbing edge"));
   if (!model.bolts.empty()) add_bolts(model, text);
+  add_linings(model, text);
   for (const Measurement& measurement : model.measurements) text.line("measured", "{}", describe(model, measurement));
 }
 
@@ -212,6 +231,9 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   if (!stage.removal.blocks.empty()) text.plain("  " + removal_of(model, stage));
   const auto put_in = std::ranges::count(model.bolts, static_cast<int>(index), &Bolt::first_stage);
   if (index > 0 && put_in > 0) text.plain(fmt::format("  puts in {}", count(static_cast<std::size_t>(put_in), "bolt")));
+  for (const Lining& lining : model.linings)
+    if (index > 0 && static_cast<std::size_t>(lining.first_stage) == index)
+      text.plain(fmt::format("  sprays \"{}\"", lining.name));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
   if (const double limit = simulation.stability_limit(index); limit > 0)
     text.plain(fmt::format("  stable: up to dt = {:.6g} s, of which this is {:.3g} %", limit, 100 * stage.dt / limit));
@@ -261,7 +283,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   const Probes probes(simulation);
   const ContactSet& contacts = simulation.contacts();
   const BlockMatrix matrix =
-      make_system_matrix(static_cast<int>(model.blocks.size()), contacts, simulation.bolts().pairs());
+      make_system_matrix(static_cast<int>(model.blocks.size()), contacts, coupled_by_support(simulation));
   Text text;
   if (!model.title.empty()) text.plain(model.title + '\n');
   add_blocks(model, text);

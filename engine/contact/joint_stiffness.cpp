@@ -38,7 +38,7 @@ double chosen_spring(const Model& model, const Interface& interface) {
   const double across =
       std::min(thickness(block_of(model, interface.block_a)), thickness(block_of(model, interface.block_b)));
   const double per_area = std::max(softer_young(model, interface) / (compliance_target * across),
-                                   model.expected_pressure / (penetration_target * across));
+                                   model.expected.pressure / (penetration_target * across));
   const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));
   const double dt = longest_step(model);
   const double wanted = per_area * length_of_spring(model, interface);
@@ -69,7 +69,7 @@ StiffnessErrors stiffness_errors(const Model& model, const Interface& interface)
   const double smaller =
       std::min(block_size(block_of(model, interface.block_a)), block_size(block_of(model, interface.block_b)));
   return {1 / (per_area * (half_block(interface.block_a) + half_block(interface.block_b))),
-          model.expected_pressure / (per_area * smaller)};
+          model.expected.pressure / (per_area * smaller)};
 }
 
 double block_size(const Block& block) { return std::sqrt(block.moments.area); }

@@ -3,7 +3,7 @@
 // A joint may give the spring of a contact (N/m, or in multiples of Young's modulus), a stiffness per area (Pa/m), or
 // leave the choice to the engine. Chosen is, per area,
 //   k_n = max(E / (compliance_target t), p / (penetration_target t)), but k_n share dt^2 / m at most largest_chi
-// E: Young's modulus of the softer block; t, m: the smaller thickness and mass; p: Model::expected_pressure; dt: the
+// E: Young's modulus of the softer block; t, m: the smaller thickness and mass; p: Expected::pressure; dt: the
 // longest step of any stage; share: the length for which the contact stands. The first term makes a joint add at most
 // compliance_target to the compliance of the blocks beside it, the second lets it be pressed in by at most
 // penetration_target of a block whatever lies above. The limit keeps half of the digits of a solve.
@@ -27,7 +27,7 @@ Springs springs_of(const Model& model, const Interface& interface);
 // What the springs of a stretch under the classical law do to the result, to first order.
 struct StiffnessErrors {
   double compliance = 0;   // of the joint, over that of the two half blocks beside it: E/(k_n L) between equal blocks
-  double penetration = 0;  // under Model::expected_pressure, over the size of the smaller block
+  double penetration = 0;  // under Expected::pressure, over the size of the smaller block
 };
 
 // Stretches only.

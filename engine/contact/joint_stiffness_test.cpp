@@ -77,7 +77,7 @@ TEST(JointStiffness, AMovingContactTakesHalfOfWhatItsEdgesHaveInCommon) {
 // E/(k_n L) between equal blocks, and pressure/k_n over their size.
 TEST(JointStiffness, ErrorsByHand) {
   const Model model = stack(given(20e9, 0));
-  EXPECT_DOUBLE_EQ(model.expected_pressure, 2600 * 10 * 2);
+  EXPECT_DOUBLE_EQ(model.expected.pressure, 2600 * 10 * 2);
   const StiffnessErrors errors = stiffness_errors(model, find_interfaces(model).at(0));
   EXPECT_NEAR(errors.compliance, 1e9 / 20e9, 1e-15);
   EXPECT_NEAR(errors.penetration, 52e3 / 20e9 / std::sqrt(2), 1e-18);

@@ -18,6 +18,12 @@ void check_bolt(const Model& model, const Item& item, const Measurement& measure
   if (measurement.link != -1) item.index("link", measurement.link, bolt.links.size());
 }
 
+void check_lining(const Model& model, const Item& item, const Measurement& measurement) {
+  item.index("lining", measurement.lining, model.linings.size());
+  const Lining& lining = model.linings[static_cast<std::size_t>(measurement.lining)];
+  if (measurement.element != -1) item.index("element", measurement.element, lining.elements());
+}
+
 void check_point(const Model& model, const Item& item, const Measurement& measurement) {
   item.index("block", measurement.block, model.blocks.size());
   const Block& block = model.blocks[static_cast<std::size_t>(measurement.block)];
@@ -74,6 +80,7 @@ void check_measurement(const Model& model, const Item& item, const Measurement& 
       break;
     case Subject::joint: check_joint(model, item, measurement); break;
     case Subject::bolt: check_bolt(model, item, measurement); break;
+    case Subject::lining: check_lining(model, item, measurement); break;
     case Subject::reaction: check_reaction(model, item, measurement); break;
     case Subject::contact_force:
       check_sides(item, measurement);

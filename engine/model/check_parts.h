@@ -18,6 +18,7 @@ void check_held_blocks(const Model& model);
 void check_free_field_side(const Model& model, std::size_t index);  // after all that acts on blocks
 void check_free_field_sides(const Model& model);
 void check_bolts(const Model& model);
+void check_linings(const Model& model);
 void check_measurements(const Model& model);
 void check_stages(const Model& model);
 void check_peaks(const Model& model);             // after the stages

@@ -64,6 +64,9 @@ void refuse_what_acts(const Model& model, const Removals& removals) {
     for (const BoltLink& link : bolt.links)
       for (const int block : {link.block_a, link.block_b})
         removals.refuse_on(block, fmt::format("to which \"{}\" is anchored", bolt.name));
+  for (const Lining& lining : model.linings)
+    for (const LiningNode& node : lining.nodes)
+      removals.refuse_on(node.block, fmt::format("on which \"{}\" is sprayed", lining.name));
 }
 
 void refuse_what_is_measured(const Model& model, const Removals& removals) {

@@ -14,10 +14,11 @@ struct EnergyLedger {
   double strain = 0;
   double contact = 0;  // elastic energy in interfaces and supports
   double bolts = 0;    // elastic energy in rock bolts
+  double linings = 0;  // elastic energy in linings
   double external_work = 0;
   double gravity_work = 0;
   double friction = 0;   // dissipated by sliding
-  double plastic = 0;    // dissipated by bolts that yield or break
+  double plastic = 0;    // dissipated by bolts and linings that yield or break
   double radiated = 0;   // taken up by viscous edges
   double dashpot = 0;    // taken up by the dashpots of contacts
   double damping = 0;    // taken out by velocity_factor, damping_rate and Rayleigh damping
@@ -28,21 +29,24 @@ struct EnergyLedger {
   double initial_strain = 0;
   double initial_contact = 0;
   double initial_bolts = 0;
+  double initial_linings = 0;
 
   double largest = 0;  // what scale() was at most since the start of the run
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, radiated, dashpot, damping,
-           numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest] = self;
-    archive(kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, radiated, dashpot, damping,
-            numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts, largest);
+    auto& [kinetic, strain, contact, bolts, linings, external_work, gravity_work, friction, plastic, radiated, dashpot,
+           damping, numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts,
+           initial_linings, largest] = self;
+    archive(kinetic, strain, contact, bolts, linings, external_work, gravity_work, friction, plastic, radiated, dashpot,
+            damping, numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts,
+            initial_linings, largest);
   }
 
   // What the balance does not explain: zero but for round-off when every term is right.
   [[nodiscard]] double residual() const {
-    const double stored =
-        (kinetic - initial_kinetic) + (strain - initial_strain) + (contact - initial_contact) + (bolts - initial_bolts);
+    const double stored = (kinetic - initial_kinetic) + (strain - initial_strain) + (contact - initial_contact) +
+                          (bolts - initial_bolts) + (linings - initial_linings);
     return external_work + gravity_work - stored - friction - plastic - radiated - dashpot - damping - numerical -
            removed;
   }
@@ -51,9 +55,9 @@ struct EnergyLedger {
   // of them can be small, as after a load that came and went.)
   [[nodiscard]] double scale() const {
     double most = largest;
-    for (const double term :
-         {kinetic, strain, contact, bolts, external_work, gravity_work, friction, plastic, radiated, dashpot, damping,
-          numerical, removed, initial_kinetic, initial_strain, initial_contact, initial_bolts}) {
+    for (const double term : {kinetic, strain, contact, bolts, linings, external_work, gravity_work, friction, plastic,
+                              radiated, dashpot, damping, numerical, removed, initial_kinetic, initial_strain,
+                              initial_contact, initial_bolts, initial_linings}) {
       most = std::max(most, std::abs(term));
     }
     return most;

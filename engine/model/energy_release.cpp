@@ -6,7 +6,7 @@
 namespace dda {
 namespace {
 
-double stored(const EnergyLedger& energy) { return energy.strain + energy.contact + energy.bolts; }
+double stored(const EnergyLedger& energy) { return energy.strain + energy.contact + energy.bolts + energy.linings; }
 
 // The ledger as it was when the run began.
 EnergyLedger start_of(const EnergyLedger& energy) {
@@ -15,6 +15,7 @@ EnergyLedger start_of(const EnergyLedger& energy) {
   start.strain = energy.initial_strain;
   start.contact = energy.initial_contact;
   start.bolts = energy.initial_bolts;
+  start.linings = energy.initial_linings;
   return start;
 }
 

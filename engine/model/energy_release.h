@@ -13,11 +13,12 @@ namespace dda {
 
 // All in J per m of thickness, changes and sums from one moment to another.
 struct EnergyRelease {
-  double work = 0;       // W: by loads and prescribed motions; supports put in or taken away count as such
-  double strain = 0;     // Uc: growth of what blocks, joints, supports and bolts store; what is taken out leaves it
+  double work = 0;  // W: by loads and prescribed motions; supports put in or taken away count as such
+  double strain =
+      0;  // Uc: growth of what blocks, joints, supports, bolts and linings store; what is taken out leaves it
   double potential = 0;  // Ub: growth of the potential energy of weights, less gravity's work
   double joints = 0;     // Wj: dissipated by sliding
-  double plastic = 0;    // Wp: dissipated by bolts that yield
+  double plastic = 0;    // Wp: dissipated by bolts and linings that yield
   double kinetic = 0;    // Uk: growth of kinetic energy
   double damping = 0;    // Wk: taken by damping, by dashpots of contacts and by the time integrator
   double radiated = 0;   // Wv: taken by viscous edges

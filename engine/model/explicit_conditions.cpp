@@ -10,6 +10,7 @@ std::optional<ExplicitObstacle> explicit_obstacle(const Model& model, const Stag
   if (stage.material_damping.stiffness > 0)
     return {{"with damping in proportion to stiffness",
              "no \"damping\" (there is \"damping_rate\"), or another integrator"}};
+  if (!model.linings.empty()) return {{"with linings", "another one"}};
   if (!model.free_field_sides.empty()) return {{"beside free-field sides", "another one"}};
   if (!stage.lateral_inertia)
     return {{"with lateral_inertia false", "true: strains without inertia need implicit steps"}};

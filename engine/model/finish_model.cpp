@@ -59,8 +59,9 @@ void finish_model(Model& model) {
   check_held_blocks(model);
   check_free_field_sides(model);
   check_bolts(model);
+  check_linings(model);
   check_measurements(model);
-  model.expected_pressure = expected_pressure(model);
+  model.expected.pressure = expected_pressure(model);
   choose_time_steps(model);
   check_stages(model);
   check_peaks(model);

@@ -31,6 +31,9 @@ enum class Quantity {
   bolt_force,       // N, in one bolt: axial, tension positive, the largest of its links or that of one
   bolt_shear,       // N, in one bolt: the same across it
   bolt_elongation,  // m, the sum of its links or that of one
+  lining_thrust,    // N per m of thickness, in the middle of an element of a lining: compression positive
+  lining_moment,    // N m per m of thickness, likewise: positive where it pulls the free face
+  lining_shear,     // N per m of thickness: the slope of the moment along the wall with the rock on the left
   reaction,         // N, what supports and held blocks exert: x, y, moment
   contact_force,    // N, what `others` exert on `blocks` where they touch: x, y; normal (tension positive) and shear
   resultant,        // N, what the right of a line exerts on its left: x, y, moment
@@ -43,8 +46,10 @@ struct Measurement {
   int block = 0;         // for a traction: one of the two blocks
   int other_block = -1;  // for a traction: the other block
   Vec2 point = Vec2::Zero();
-  int bolt = -1;  // for quantities of bolts
-  int link = -1;  // one of its links; -1: all
+  int bolt = -1;     // for quantities of bolts
+  int link = -1;     // one of its links; -1: all
+  int lining = -1;   // for quantities of linings
+  int element = -1;  // one of its elements; -1: that in which the quantity is largest in magnitude
 
   // Ascending. Of quantities of blocks: the mean (of energies the sum) over these in place of `block` at `point`. Of
   // reactions: those of these held blocks. Of contact forces: what the force acts on.

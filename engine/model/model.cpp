@@ -23,7 +23,8 @@ const JointMaterial& Model::joint_between(int block_a, int block_b) const {
 }
 
 bool Model::stays_linear() const {
-  return bolts.empty() && std::ranges::all_of(joints, [](const JointMaterial& joint) { return joint.bonded; }) &&
+  return bolts.empty() && std::ranges::none_of(linings, &Lining::yields) &&
+         std::ranges::all_of(joints, [](const JointMaterial& joint) { return joint.bonded; }) &&
          std::ranges::all_of(stages, [](const Stage& stage) { return stage.kinematics == Kinematics::small; });
 }
 

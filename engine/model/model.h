@@ -12,6 +12,7 @@
 
 #include "engine/core/types.h"
 #include "engine/geometry/polygon.h"
+#include "engine/model/lining.h"
 #include "engine/model/material.h"
 #include "engine/model/measurement.h"
 #include "engine/model/motion.h"
@@ -130,6 +131,12 @@ struct FreeFieldSide {
   double outward = 1;              // x of its outward normal: -1 on the left, 1 on the right
 };
 
+// What predictions and choices go by.
+struct Expected {
+  std::optional<double> frequency;  // Hz, the highest that matters; none: that of the loads
+  double pressure = 0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
+};
+
 struct Model {
   std::string title;
   std::vector<Material> materials;
@@ -143,21 +150,20 @@ struct Model {
   std::vector<PointSupport> supports;
   std::vector<HeldBlock> held_blocks;
   std::vector<Bolt> bolts;
+  std::vector<Lining> linings;
   std::vector<ViscousEdge> viscous_edges;
   std::vector<FreeFieldSide> free_field_sides;
   std::vector<Measurement> measurements;
   std::vector<Stage> stages;
-  std::optional<double> target_frequency;  // Hz, the highest that matters: what predictions are made for
-  double length_tolerance = 0;             // m: points closer than this touch; set by finish_model
-  double expected_pressure =
-      0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
+  Expected expected;
+  double length_tolerance = 0;            // m: points closer than this touch; set by finish_model
   std::optional<PeakRequest> peaks = {};  // what is asked about the strongest motion
 
   [[nodiscard]] const Material& material_of(int block) const;
   // Index into `joints` of the joint between two blocks.
   [[nodiscard]] int joint_index(int block_a, int block_b) const;
   [[nodiscard]] const JointMaterial& joint_between(int block_a, int block_b) const;
-  // Nothing can change in any stage: all joints bonded, small kinematics, no bolts.
+  // Nothing can change in any stage: all joints bonded, small kinematics, no bolts, linings that do not yield.
   [[nodiscard]] bool stays_linear() const;
   // The stage with those of its corrections for waves that act: in dynamic stages of runs that stay linear. Static
   // stages carry no waves, and forces that only such stages know of would be missing when joints open or blocks move.

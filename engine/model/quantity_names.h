@@ -11,7 +11,7 @@
 namespace dda {
 
 // What a measurement is taken of.
-enum class Subject { block, joint, bolt, reaction, contact_force, resultant, contacts };
+enum class Subject { block, joint, bolt, lining, reaction, contact_force, resultant, contacts };
 
 // A history is called as its measurement, with the suffix behind; the unit is SI.
 struct HistoryFacts {
@@ -33,6 +33,7 @@ inline constexpr std::array<HistoryFacts, 1> length{{{"", "m"}}};
 inline constexpr std::array<HistoryFacts, 1> velocity{{{"", "m/s"}}};
 inline constexpr std::array<HistoryFacts, 1> acceleration{{{"", "m/s2"}}};
 inline constexpr std::array<HistoryFacts, 1> force{{{"", "N"}}};
+inline constexpr std::array<HistoryFacts, 1> moment{{{"", "N m"}}};
 inline constexpr std::array<HistoryFacts, 1> energy{{{"", "J"}}};
 inline constexpr std::array<HistoryFacts, 3> force_and_moment{{{"_x", "N"}, {"_y", "N"}, {"_moment", "N m"}}};
 inline constexpr std::array<HistoryFacts, 4> force_on_joint{
@@ -65,6 +66,9 @@ inline constexpr std::array all_quantities{
     QuantityFacts{Quantity::bolt_force, "bolt_force", Subject::bolt, histories::force},
     QuantityFacts{Quantity::bolt_shear, "bolt_shear", Subject::bolt, histories::force},
     QuantityFacts{Quantity::bolt_elongation, "bolt_elongation", Subject::bolt, histories::length},
+    QuantityFacts{Quantity::lining_thrust, "lining_thrust", Subject::lining, histories::force},
+    QuantityFacts{Quantity::lining_moment, "lining_moment", Subject::lining, histories::moment},
+    QuantityFacts{Quantity::lining_shear, "lining_shear", Subject::lining, histories::force},
     QuantityFacts{Quantity::reaction, "reaction", Subject::reaction, histories::force_and_moment},
     QuantityFacts{Quantity::contact_force, "contact_force", Subject::contact_force, histories::force_on_joint},
     QuantityFacts{Quantity::resultant, "resultant", Subject::resultant, histories::force_and_moment},

@@ -90,7 +90,7 @@ std::vector<const TimeFunction*> histories_of(const Model& model) {
 // Hz, of loads and prescribed motions or as it is given; 0 where nothing changes. Recordings have their samples
 // instead.
 double fastest_change(const Model& model) {
-  if (model.target_frequency) return *model.target_frequency;
+  if (model.expected.frequency) return *model.expected.frequency;
   double highest = 0;
   for (const TimeFunction* history : histories_of(model))
     highest = std::max(highest, highest_frequency(*history).value_or(0));
@@ -125,7 +125,7 @@ void limit_by_motion(const Model& model, const std::vector<const Block*>& blocks
   double fastest = 0;
   for (const Block* block : blocks) {
     const Material& rock = rock_of(model, *block);
-    const double pushed = model.expected_pressure / (rock.density * bar_speed(rock));
+    const double pushed = model.expected.pressure / (rock.density * bar_speed(rock));
     fastest =
         std::max({fastest, block->initial_velocity.norm(), std::abs(block->initial_spin) * side_of(*block), pushed});
   }

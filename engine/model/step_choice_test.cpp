@@ -96,7 +96,7 @@ TEST(StepChoice, OfWavesFollowsTheFrequencyAndTheIntegrator) {
   EXPECT_LT(chosen(model), accurate / 2);
   model.stages[0].integrator = trapezoidal_integrator();
   const double slow = chosen(model);
-  model.target_frequency = 200;
+  model.expected.frequency = 200;
   EXPECT_NEAR(chosen(model) / slow, 0.5, 0.11);  // but for the rounding to 1, 2 and 5
 }
 

@@ -25,6 +25,7 @@ inline constexpr std::array stored_terms{
     StoredTerm{"strain", &EnergyLedger::strain, &EnergyLedger::initial_strain},
     StoredTerm{"contact", &EnergyLedger::contact, &EnergyLedger::initial_contact},
     StoredTerm{"bolts", &EnergyLedger::bolts, &EnergyLedger::initial_bolts},
+    StoredTerm{"linings", &EnergyLedger::linings, &EnergyLedger::initial_linings},
 };
 
 inline constexpr std::array flow_terms{

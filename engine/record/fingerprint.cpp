@@ -51,6 +51,12 @@ void add(FnvHash& hash, const BoltLink& link) {
   for (const double stiffness : {link.axial_stiffness, link.shear_stiffness}) hash.add_number(stiffness);
 }
 
+void add(FnvHash& hash, const LiningNode& node) {
+  hash.add_number(node.block);
+  for (const double value : {node.point.x(), node.point.y(), node.tangent.x(), node.tangent.y()})
+    hash.add_number(value);
+}
+
 template <typename Item>
 void add_all(FnvHash& hash, const std::vector<Item>& items) {
   hash.add_number(items.size());
@@ -61,6 +67,12 @@ void add(FnvHash& hash, const Bolt& bolt) {
   hash.add_number(bolt.grouted);
   hash.add_number(bolt.pretension);
   add_all(hash, bolt.links);
+}
+
+void add(FnvHash& hash, const Lining& lining) {
+  hash.add_number(lining.closed);
+  for (const double value : {lining.thickness, lining.young, lining.poisson}) hash.add_number(value);
+  add_all(hash, lining.nodes);
 }
 
 void add(FnvHash& hash, const std::vector<double>& numbers) {
@@ -95,6 +107,7 @@ std::uint64_t fingerprint(const Model& model) {
   for (const EdgeLoad& load : model.edge_loads) add(hash, load.history);
   for (const PointSupport& support : model.supports) add(hash, support.history);
   for (const Bolt& bolt : model.bolts) add(hash, bolt);
+  for (const Lining& lining : model.linings) add(hash, lining);
   for (const HeldBlock& held : model.held_blocks) {
     hash.add_number(held.block);
     add(hash, held.history);

@@ -15,9 +15,9 @@ namespace dda {
 namespace {
 
 constexpr std::array files = {summary_name, checkpoint_name, request_name,  histories_name, energies_name,
-                              peaks_name,   frames_name,     contacts_name, bolts_name,     page_name,
-                              report_name,  profile_name,    spectrum_name};
-constexpr std::array series = {frames_name, contacts_name, bolts_name};  // each with a folder of frames
+                              peaks_name,   frames_name,     contacts_name, bolts_name,     linings_name,
+                              page_name,    report_name,     profile_name,  spectrum_name};
+constexpr std::array series = {frames_name, contacts_name, bolts_name, linings_name};  // each with a folder of frames
 
 std::filesystem::path with_suffix(std::filesystem::path path, const char* suffix) {
   path += suffix;

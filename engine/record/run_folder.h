@@ -13,6 +13,7 @@ inline constexpr auto peaks_name = "peaks.csv";
 inline constexpr auto frames_name = "frames.pvd";
 inline constexpr auto contacts_name = "contacts.pvd";
 inline constexpr auto bolts_name = "bolts.pvd";
+inline constexpr auto linings_name = "linings.pvd";
 inline constexpr auto checkpoint_name = "checkpoint.bin";
 inline constexpr auto summary_name = "summary.json";
 inline constexpr auto request_name = "run.json";       // what the run was asked for

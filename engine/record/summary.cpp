@@ -104,6 +104,7 @@ Json to_json(const RunSummary& summary) {
   json["energy"] = to_json(summary.energy);
   json["energy_released"] = to_json(energy_release(summary.energy));
   json["energy_released"]["stages"] = released_in_stages(summary);
+  if (!summary.linings.is_null()) json["linings"] = summary.linings;
   if (!summary.peaks.is_null()) json["peaks"] = summary.peaks;
   json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);
   json["remarks"] = summary.remarks;

@@ -68,7 +68,8 @@ struct RunSummary {
   std::string solver;
   std::int64_t blocks = 0;
   std::int64_t contacts = 0;
-  nlohmann::ordered_json peaks;  // null, and left out: not asked for, or the run did not come to their stage
+  nlohmann::ordered_json linings;  // null, and left out: there are none
+  nlohmann::ordered_json peaks;    // null, and left out: not asked for, or the run did not come to their stage
   std::optional<DeepestPenetration> penetration;  // none: no contacts that can change, or never pressed
   std::vector<std::string> remarks;               // on what is legal in the scene but odd
   std::vector<HistoryFile> histories;

@@ -24,6 +24,7 @@ EnergyLedger balanced_ledger() {
   energy.contact = 18;  // +13
   energy.initial_bolts = 37;
   energy.bolts = 78;  // +41
+  energy.initial_linings = energy.linings = 61;
   energy.friction = 17;
   energy.plastic = 43;
   energy.radiated = 19;
@@ -103,8 +104,8 @@ TEST(Summary, HoldsEverything) {
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
       "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "steps_of_given_friction": 9,
       "contact_searches": 10, "contact_state_changes": 11},
-    "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0, "bolts": 78.0,
-      "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "initial_bolts": 37.0, "external_work": 272.0,
+    "energy": {"unit": "J per m of thickness", "kinetic": 9.0, "strain": 14.0, "contact": 18.0, "bolts": 78.0, "linings": 61.0,
+      "initial_kinetic": 2.0, "initial_strain": 3.0, "initial_contact": 5.0, "initial_bolts": 37.0, "initial_linings": 61.0, "external_work": 272.0,
       "gravity_work": 31.0, "friction": 17.0, "plastic": 43.0, "radiated": 19.0, "dashpot": 53.0, "damping": 23.0, "numerical": 29.0,
       "removed": 47.0, "residual": 0.0, "residual_relative": 0.0},
     "energy_released": {"unit": "J per m of thickness", "W": 272.0, "Uc": 65.0, "Ub": -31.0, "Wj": 17.0, "Wp": 43.0,
@@ -122,6 +123,13 @@ TEST(Summary, HoldsEverything) {
       "columns": [{"name": "time", "unit": "s"}, {"name": "at 50 m", "unit": "Pa"}]}],
     "outputs": ["histories.csv", "frames.pvd"]})");
   EXPECT_EQ(read, expected) << json::diff(expected, read);
+}
+
+TEST(Summary, HasLiningsWhereThereAreAny) {
+  EXPECT_FALSE(json::parse(summary_json({})).contains("linings"));
+  RunSummary summary;
+  summary.linings = {{{"name", "shotcrete"}}};
+  EXPECT_EQ(json::parse(summary_json(summary)).at("linings").at(0).at("name"), "shotcrete");
 }
 
 TEST(Summary, OfAnEmptyRunHasAllKeys) {

@@ -7,8 +7,8 @@ namespace dda {
 
 // The model with every joint's tan(friction angle), cohesion, tensile strength, residual values and tan(dilation angle)
 // divided by `factor` (above 0): the strength reduction of Zienkiewicz, Humpheson & Lewis (1975), for joints. Bonded
-// joints, bolts and stiffnesses stay as they are. Above a factor of 1 the model is weaker than it was. To be finished
-// anew.
+// joints, bolts, linings and stiffnesses stay as they are. Above a factor of 1 the model is weaker than it was. To be
+// finished anew.
 [[nodiscard]] Model with_strength_over(double factor, Model model);
 
 }  // namespace dda

@@ -97,6 +97,7 @@ Standing standing_of(Model model, double time) {
   stand.removal.blocks = removed_blocks(model);
   model.stages = {static_stage("load", time, true, kinematics), stand};
   for (Bolt& bolt : model.bolts) bolt.first_stage = 0;
+  for (Lining& lining : model.linings) lining.first_stage = std::min(lining.first_stage, 1);  // on walls that are there
   model.peaks.reset();
   finish_model(model);
   Simulation simulation(std::move(model));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,12 +17,14 @@
 namespace dda {
 namespace {
 
-constexpr const char* place_keys[] = {"point", "block", "group", "side", "bolt", "support", "between", "line", "about"};
+constexpr const char* place_keys[] = {"point",  "block",   "group",   "side", "bolt",
+                                      "lining", "support", "between", "line", "about"};
 
 std::span<const std::string_view> keys_of(Subject subject) {
   static constexpr std::array<std::string_view, 4> block = {"point", "block", "group", "side"};
   static constexpr std::array<std::string_view, 1> joint = {"point"};
   static constexpr std::array<std::string_view, 2> bolt = {"bolt", "point"};
+  static constexpr std::array<std::string_view, 2> lining = {"lining", "point"};
   static constexpr std::array<std::string_view, 3> reaction = {"support", "block", "about"};
   static constexpr std::array<std::string_view, 2> contact_force = {"between", "line"};
   static constexpr std::array<std::string_view, 2> resultant = {"line", "about"};
@@ -29,6 +32,7 @@ std::span<const std::string_view> keys_of(Subject subject) {
     case Subject::block: return block;
     case Subject::joint: return joint;
     case Subject::bolt: return bolt;
+    case Subject::lining: return lining;
     case Subject::reaction: return reaction;
     case Subject::contact_force: return contact_force;
     case Subject::resultant: return resultant;
@@ -69,7 +73,7 @@ bool runs_along(const std::vector<Stretch>& stretches, const std::vector<int>& b
 }  // namespace
 
 MeasuredPlaces::MeasuredPlaces(const GroundPlan& plan, const BlockSets& sets, const Model& model)
-    : plan_(plan), sets_(sets), model_(model), bolts_(model.bolts) {}
+    : plan_(plan), sets_(sets), model_(model), bolts_(model.bolts), linings_(model.linings) {}
 
 void MeasuredPlaces::read(const Field& field, Measurement& measurement) const {
   refuse_other_keys(field, measurement.quantity);
@@ -77,6 +81,7 @@ void MeasuredPlaces::read(const Field& field, Measurement& measurement) const {
     case Subject::block: place_in_block(field, measurement); break;
     case Subject::joint: place_on_joint(field, measurement); break;
     case Subject::bolt: place_on_bolt(field, measurement); break;
+    case Subject::lining: place_on_lining(field, measurement); break;
     case Subject::reaction: place_at_supports(field, measurement); break;
     case Subject::contact_force: place_between(field, measurement); break;
     case Subject::resultant: place_across_line(field, measurement); break;
@@ -133,6 +138,23 @@ void MeasuredPlaces::place_on_bolt(const Field& field, Measurement& measurement)
   const auto nearest = std::min_element(links.begin(), links.end(),
                                         [&](const BoltLink& a, const BoltLink& b) { return away(a) < away(b); });
   measurement.link = static_cast<int>(nearest - links.begin());
+}
+
+// The element nearest to the point, where one is given.
+void MeasuredPlaces::place_on_lining(const Field& field, Measurement& measurement) const {
+  if (model_.linings.empty()) field.at("lining").fail("the name of a lining, of which there is none");
+  measurement.lining = linings_.choice(field.at("lining"));
+  const auto point = field.find("point");
+  if (!point) return;
+  measurement.point = point->vector(Dimension::length);
+  const Lining& lining = model_.linings[static_cast<std::size_t>(measurement.lining)];
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < lining.elements(); ++i) {
+    const double away = distance(Segment{lining.start_of(i).point, lining.end_of(i).point}, measurement.point);
+    if (away >= least) continue;
+    least = away;
+    measurement.element = static_cast<int>(i);
+  }
 }
 
 // Of named supports, of held blocks, or of all that is held.

@@ -1,4 +1,5 @@
-// Where a measurement of a scene is taken: at a point, of a bolt, of what is held, between blocks, across a line.
+// Where a measurement of a scene is taken: at a point, of a bolt, of a lining, of what is held, between blocks, across
+// a line.
 #pragma once
 
 #include <optional>
@@ -23,6 +24,7 @@ class MeasuredPlaces {
   void place_in_block(const Field& field, Measurement& measurement) const;
   void place_on_joint(const Field& field, Measurement& measurement) const;
   void place_on_bolt(const Field& field, Measurement& measurement) const;
+  void place_on_lining(const Field& field, Measurement& measurement) const;
   void place_at_supports(const Field& field, Measurement& measurement) const;
   void place_between(const Field& field, Measurement& measurement) const;
   void place_across_line(const Field& field, Measurement& measurement) const;
@@ -32,7 +34,7 @@ class MeasuredPlaces {
   const GroundPlan& plan_;
   const BlockSets& sets_;
   const Model& model_;
-  Names bolts_;
+  Names bolts_, linings_;
 };
 
 }  // namespace dda

@@ -25,8 +25,9 @@ BlockFacts read_blocks_and_joints(const Field& scene, const Scheme& scheme, cons
   return facts;
 }
 
-void read_what_acts(const Field& scene, const std::vector<std::string>& groups, const StressField& stresses,
+void read_what_acts(const Field& scene, const SceneParts& parts, const StressField& stresses,
                     const std::filesystem::path& folder, Model& model) {
+  const std::vector<std::string>& groups = parts.groups;
   read_initial_fields(scene, groups, model);
   const GroundPlan plan(model);
   read_joint_lines(scene, plan, model);
@@ -34,6 +35,7 @@ void read_what_acts(const Field& scene, const std::vector<std::string>& groups, 
   read_loads(scene, plan, stresses, records, model);
   read_supports(scene, plan, groups, records, model);
   read_bolts(scene, plan, model);
+  read_linings(scene, groups, parts.openings, model);
   read_viscous_boundaries(scene, plan, stresses, model);
   read_measurements(scene, plan, groups, model);
 }
@@ -55,7 +57,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   Model& model = parts.model;
   const Scheme scheme = read_scheme(scene);
   if (const auto frequency = scene.find("target_frequency"))
-    model.target_frequency = frequency->positive(Dimension::frequency);
+    model.expected.frequency = frequency->positive(Dimension::frequency);
   if (const auto title = scene.find("title")) model.title = title->text();
   BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, model);
   parts.groups = std::move(facts.groups);
@@ -64,7 +66,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   const StressField stresses(scene, std::move(facts.own_stress), model);
   stresses.fill(model);
   read_stages(scene, scheme, parts.groups, model);
-  read_what_acts(scene, parts.groups, stresses, folder, model);
+  read_what_acts(scene, parts, stresses, folder, model);
   read_peaks(scene, parts.groups, parts.openings, model);
   finish_model(model);
   return parts;

@@ -40,6 +40,9 @@ void read_loads(const Field& scene, const GroundPlan& plan, const StressField& s
 void read_supports(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                    RecordFiles& records, Model& model);
 void read_bolts(const Field& scene, const GroundPlan& plan, Model& model);
+// `openings`: of all rock.
+void read_linings(const Field& scene, const std::vector<std::string>& groups, const std::vector<PlanOpening>& openings,
+                  Model& model);
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, const StressField& stresses, Model& model);
 void read_measurements(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                        Model& model);

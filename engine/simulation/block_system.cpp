@@ -17,7 +17,7 @@ BlockSystem::BlockSystem(Model finished_model)
       contacts(make_contacts(model)),
       waves(model, model.stages.front(), contacts),
       supports(make_supports(model, state)),
-      bolts(model, state),
+      reinforcement(model, state),
       held(make_held_unknowns(model)),
       terms(make_block_terms(model)),
       damping(make_block_damping(model, state, 0)),
@@ -64,12 +64,14 @@ void BlockSystem::sum_internal_forces(Eigen::VectorXd& force) const {
   add_contact_force(contacts, force);
   waves.add_end_forces(model, state.stress, force);
   add_support_force(supports, force);
-  bolts.add_force(force);
+  reinforcement.bolts.add_force(force);
+  reinforcement.linings.add_force(force);
 }
 
 StoredEnergy BlockSystem::stored_energy_now() const {
   StoredEnergy stored = stored_energy(terms, state, contacts, supports);
-  stored.bolts = bolts.stored_energy();
+  stored.bolts = reinforcement.bolts.stored_energy();
+  stored.linings = reinforcement.linings.stored_energy();
   return stored;
 }
 

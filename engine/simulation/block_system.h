@@ -18,6 +18,7 @@
 #include "engine/simulation/energy_audit.h"
 #include "engine/simulation/excavated.h"
 #include "engine/simulation/external_forces.h"
+#include "engine/simulation/lining_set.h"
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/small_motion.h"
 #include "engine/simulation/step_coefficients.h"
@@ -73,6 +74,20 @@ struct RunAudit : EnergyAudit {
   }
 };
 
+// What is put into the rock and onto it.
+struct Reinforcement {
+  Reinforcement(const Model& model, const State& state) : bolts(model, state), linings(model, state) {}
+
+  BoltSet bolts;
+  LiningSet linings;
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [bolts, linings] = self;
+    archive(bolts, linings);
+  }
+};
+
 struct BlockSystem {
   explicit BlockSystem(Model finished_model);
   ~BlockSystem();
@@ -84,7 +99,7 @@ struct BlockSystem {
   ContactSet contacts;
   WaveCorrections waves;  // of the linear stage begun last; at first, of the first stage
   std::vector<SupportElement> supports;
-  BoltSet bolts;
+  Reinforcement reinforcement;
   HeldUnknowns held;  // absent blocks among them
   BlockTerms terms;
   BlockDamping damping;
@@ -114,19 +129,19 @@ struct BlockSystem {
   // Loads (without weight) at `time`, s.
   void loads_at(double time, Eigen::VectorXd& force) const;
 
-  // Forces of stresses, interfaces, supports and bolts, as they are.
+  // Forces of stresses, interfaces, supports, bolts and linings, as they are.
   void sum_internal_forces(Eigen::VectorXd& force) const;
   [[nodiscard]] StoredEnergy stored_energy_now() const;
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [model, state, contacts, waves, supports, bolts, held, terms, damping, external, excavated, free_field, audit,
-           costs, clock, plan, coefficients, forces, increment, drag] = self;
+    auto& [model, state, contacts, waves, supports, reinforcement, held, terms, damping, external, excavated,
+           free_field, audit, costs, clock, plan, coefficients, forces, increment, drag] = self;
     const bool moves = self.geometry_moves();
-    if (moves || contacts.can_change || !bolts.empty()) archive(contacts);
+    if (moves || contacts.can_change || !reinforcement.bolts.empty()) archive(contacts);
     if (moves) archive(terms);
     archive.each(supports);
-    archive(bolts, external, excavated, audit, forces, increment, drag, plan.chi, plan.solver);
+    archive(reinforcement, external, excavated, audit, forces, increment, drag, plan.chi, plan.solver);
     for (auto& [block, matrix] : damping) archive(matrix);
     if (free_field) archive(*free_field);
     // State and clock are saved beside this; all else follows from the model.

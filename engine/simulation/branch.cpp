@@ -89,11 +89,12 @@ void take_over_supports(const BlockSystem& before, const State& geometry, BlockS
   }
 }
 
-// Forces of springs and bolts, 6 entries a block.
-Eigen::VectorXd support_and_bolt_forces(const BlockSystem& s) {
+// Forces of springs, bolts and linings, 6 entries a block.
+Eigen::VectorXd forces_of_what_holds(const BlockSystem& s) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(s.forces.internal_old.size());
   add_support_force(s.supports, forces);
-  s.bolts.add_force(forces);
+  s.reinforcement.bolts.add_force(forces);
+  s.reinforcement.linings.add_force(forces);
   return forces;
 }
 
@@ -104,12 +105,15 @@ void let_go_of_ended_supports(BlockSystem& s) {
 
 void take_over_what_holds(const BlockSystem& before, const State& geometry, BlockSystem& s) {
   take_over_supports(before, geometry, s);
-  s.bolts.go_on_from(before.model, before.bolts, s.model, s.clock.stage, s.state, geometry);
+  s.reinforcement.bolts.go_on_from(before.model, before.reinforcement.bolts, s.model, s.clock.stage, s.state, geometry);
+  s.reinforcement.linings.go_on_from(before.model, before.reinforcement.linings, s.model, s.clock.stage, s.state,
+                                     geometry);
   s.forces.internal_old = before.forces.internal_old;
-  const Eigen::VectorXd change = support_and_bolt_forces(s) - support_and_bolt_forces(before);
+  const Eigen::VectorXd change = forces_of_what_holds(s) - forces_of_what_holds(before);
   if (!change.isZero(0)) s.forces.internal_old += change;
   s.audit.supports_exchanged(support_energy(s.supports) - support_energy(before.supports),
-                             s.bolts.stored_energy() - before.bolts.stored_energy());
+                             s.reinforcement.bolts.stored_energy() - before.reinforcement.bolts.stored_energy(),
+                             s.reinforcement.linings.stored_energy() - before.reinforcement.linings.stored_energy());
   let_go_of_ended_supports(s);
 }
 

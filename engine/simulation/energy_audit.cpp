@@ -58,6 +58,7 @@ void EnergyAudit::start(const StoredEnergy& stored) {
   ledger_.strain = ledger_.initial_strain = stored.strain;
   ledger_.contact = ledger_.initial_contact = stored.contact;
   ledger_.bolts = ledger_.initial_bolts = stored.bolts;
+  ledger_.linings = ledger_.initial_linings = stored.linings;
 }
 
 void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDamping& damping, const State& state,
@@ -94,6 +95,7 @@ void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;
   ledger_.bolts = stored.bolts;
+  ledger_.linings = stored.linings;
   ledger_.largest = ledger_.scale();
 }
 
@@ -122,12 +124,13 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
 
 void EnergyAudit::geometry_followed(const StoredEnergy& stored) {
   ledger_.numerical += ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact -
-                       stored.contact + ledger_.bolts - stored.bolts;
+                       stored.contact + ledger_.bolts - stored.bolts + ledger_.linings - stored.linings;
   replaced_ = 0;  // of a step that is solved again: its loss is in the difference
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;
   ledger_.bolts = stored.bolts;
+  ledger_.linings = stored.linings;
 }
 
 void EnergyAudit::blocks_removed(const StoredEnergy& before, const StoredEnergy& after) {

@@ -22,7 +22,7 @@
 namespace dda {
 
 struct StoredEnergy {
-  double kinetic = 0, strain = 0, contact = 0, bolts = 0;  // J per m of thickness
+  double kinetic = 0, strain = 0, contact = 0, bolts = 0, linings = 0;  // J per m of thickness
 };
 
 double kinetic_energy(const BlockTerms& terms, const State& state);
@@ -67,7 +67,7 @@ class EnergyAudit {
   void interface_changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
                          const Vec4& gap_change, const Vec4& extra_force, const Vec4& dashpot_force);
 
-  // A bolt in the step: what it dissipated, and what else of the work on it is not stored.
+  // A bolt, or an element of a lining, in the step: what it dissipated, and what else of the work on it is not stored.
   void bolt_changed(double plastic, double numerical) {
     ledger_.plastic += plastic;
     ledger_.numerical += numerical;
@@ -120,10 +120,11 @@ class EnergyAudit {
   }
 
   // Supports and bolts were put in and taken away, by which the stored energies grew: whoever does it works.
-  void supports_exchanged(double contact, double bolts) {
+  void supports_exchanged(double contact, double bolts, double linings = 0) {
     ledger_.contact += contact;
     ledger_.bolts += bolts;
-    ledger_.external_work += contact + bolts;
+    ledger_.linings += linings;
+    ledger_.external_work += contact + bolts + linings;
   }
 
   // Blocks were removed, by which the stored energies fell.

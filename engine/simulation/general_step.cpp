@@ -12,6 +12,7 @@
 #include "engine/contact/row_bending.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/bonded_joints.h"
+#include "engine/simulation/force_balance.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/initial_acceleration.h"
@@ -44,25 +45,6 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
 }
 
-// Blocks that spin are pulled apart.
-bool feels_spin(const StepPlan& plan) { return plan.finite_kinematics && !plan.is_static; }
-
-// Of the balance: loads, weight and momentum less what the blocks' stresses exert at the start.
-void form_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
-  const PhaseScope scope(Phase::right_hand_side);
-  const StepCoefficients& c = system.coefficients;
-  const State& state = system.state;
-  const BlockForces& forces = system.forces;
-  rhs = -forces.internal_old;
-  if (system.plan.loads) rhs += c.load_new * forces.load_new + c.load_old * forces.load_old;
-  if (system.plan.gravity) rhs += system.external.weight();
-  for (std::size_t i = 0; i < state.velocity.size(); ++i)
-    rhs.segment<6>(static_cast<Eigen::Index>(6 * i)) +=
-        momentum(system.terms.inertia[i], c.mass_v * state.velocity[i] + c.mass_a * state.acceleration[i]);
-  if (feels_spin(system.plan)) add_centrifugal_forces(system.terms, rhs);
-  add_dashpot_and_support_rhs(system, rhs);
-}
-
 // Of a stretch of the projected law, at one end at least.
 bool gapes(const InterfaceElement& element, const InterfaceState& state) {
   return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
@@ -82,7 +64,9 @@ GeneralStep::GeneralStep(BlockSystem& system)
 }
 
 BlockMatrix GeneralStep::pattern() const {
-  std::vector<std::pair<int, int>> pairs = system_.bolts.pairs();
+  std::vector<std::pair<int, int>> pairs = system_.reinforcement.bolts.pairs();
+  const std::vector<std::pair<int, int>> lined = system_.reinforcement.linings.pairs();
+  pairs.insert(pairs.end(), lined.begin(), lined.end());
   const int blocks = static_cast<int>(system_.model.blocks.size());
   if (!moving_) return make_system_matrix(blocks, system_.contacts, std::move(pairs));
   pairs.insert(pairs.end(), moving_->pairs().begin(), moving_->pairs().end());
@@ -182,6 +166,7 @@ void GeneralStep::pose(double end) {
   if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
+  if (system_.reinforcement.linings.begin_step()) base_is_current_ = false;
   form_rhs(system_, rhs_);
   aim(system_.model, system_.state, end_of_motion(system_, motion_steps_, end), system_.held);
 }
@@ -226,7 +211,8 @@ void GeneralStep::place_geometry(double coming) {
   update_geometry(s.model, acting_, s.supports);
   measure_gaps(s.model, s.state, s.supports);
   foresee_gaps(s.model, s.state, acting_.velocity, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, s.supports);
-  s.bolts.update_geometry(s.model, s.state, acting_);
+  s.reinforcement.bolts.update_geometry(s.model, s.state, acting_);
+  s.reinforcement.linings.update_geometry(s.model, s.state, acting_);
   if (s.plan.viscous_edges) update_geometry(s.model, acting_, s.clock.stage, s.damping);
   if (s.plan.loads) {
     s.external.update_geometry(s.model, acting_);
@@ -260,6 +246,7 @@ void GeneralStep::assemble_base() {
   const PhaseScope scope(Phase::assembly);
   const BlockSystem& s = system_;
   assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
+  s.reinforcement.linings.add_stiffness(s.coefficients.stiffness, base_);
   if (s.plan.is_static) s.drag.add_to(s.terms, s.coefficients, base_);
   cushion_.add_to(s, changing_, base_);
   base_is_current_ = true;
@@ -275,7 +262,7 @@ StepProblem GeneralStep::problem() const {
           .factor = s.coefficients.stiffness,
           .areas = s.terms.area,
           .contacts = {changing_, s.contacts.elements, s.contacts.strengths, s.contacts.states, rule_},
-          .bolts = s.plan.bolts ? s.bolts.links() : std::span<const LinkElement>{},
+          .bolts = s.plan.reinforcement.bolts ? s.reinforcement.bolts.links() : std::span<const LinkElement>{},
           .held = s.held,
           .dilates = s.plan.dilation,
           .max_passes = most_passes(s.stage()),
@@ -285,11 +272,24 @@ StepProblem GeneralStep::problem() const {
 Status GeneralStep::solve() {
   assemble_base();
   const StepSolution& solution = solver_.solve(problem());
-  while (solution.status == Status::ok) {
-    const bool replaced = replace_broken_joints();
-    if (!replaced && !solution.something_broke()) return Status::ok;
-    can_be_cut_ = false;  // what broke did so in this step, and a shorter one would not know of it
+  int rounds_of_linings = 0;
+  while (solution.status == Status::ok && rounds_of_linings < LiningSet::most_rounds) {
+    const bool broke = replace_broken_joints() || solution.something_broke();
+    if (broke) can_be_cut_ = false;  // it did so in this step, and a shorter one would not know of it
+    // Linings that yield lie outside of the problem as well: Newton's method around it.
+    const bool yield = system_.plan.reinforcement.linings_yield &&
+                       system_.reinforcement.linings.follow(solver_.increment(), rounds_of_linings++);
+    if (!broke && !yield) return Status::ok;
+    if (yield) {
+      base_is_current_ = false;
+      assemble_base();
+      form_rhs(system_, rhs_);
+    }
     solver_.go_on(problem());
+  }
+  if (solution.status == Status::ok) {
+    message_ = "linings that yield find no balance";
+    return Status::not_converged;
   }
   message_ = solution.failure == Failure::unsettled ? unsettled_message(solution, system_) : sentence(solution.failure);
   return solution.status;
@@ -364,7 +364,8 @@ void GeneralStep::accept() {
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts();
   if (s.plan.contacts_can_change) note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
-  s.bolts.accept(solver_.bolts(), s.audit);
+  s.reinforcement.bolts.accept(solver_.bolts(), s.audit);
+  s.reinforcement.linings.accept(s.increment, s.audit);
   accept_supports(s);
   s.sum_internal_forces(s.forces.internal_new);
   finish_step(work, s.stored_energy_now(), s);

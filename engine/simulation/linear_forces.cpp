@@ -53,7 +53,7 @@ void LinearForces::set_up() {
   BlockSystem& s = system;
   const Stage& stage = s.stage_in_force();
   s.waves = WaveCorrections(s.model, stage, s.contacts);
-  operators.emplace(s.model, s.terms, s.contacts, s.supports, s.waves);
+  operators.emplace(s.model, s.terms, s.contacts, s.supports, s.waves, s.reinforcement.linings);
   rayleigh.begin(stage);
   if (s.plan.loads) s.external.filter(s.waves);
   scratch_.setZero(6 * operators->inertia.size());
@@ -73,7 +73,8 @@ void LinearForces::begin() {
   // Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole,
   // and those of later stages go on from the ledger, unless what it counts ends with the corrections.
   const double contact = s.clock.stage == 0 || corrections_end ? contact_energy() : s.audit.ledger().contact;
-  energy_offset = contact + strain_energy(s.terms, s.state) - elastic_energy();
+  energy_offset =
+      contact + s.reinforcement.linings.stored_energy() + strain_energy(s.terms, s.state) - elastic_energy();
   if (s.clock.stage > 0) s.audit.geometry_followed(stored_energy());  // inertia may be another than before
   if (s.plan.is_static) return;
   set_held_rates(s.model, s.state);  // dampers act on them from the first moment on
@@ -182,7 +183,8 @@ StoredEnergy LinearForces::stored_energy() const {
 }
 
 StoredEnergy LinearForces::stored_energy(double kinetic, double strain, double elastic) const {
-  return {kinetic, strain, elastic + energy_offset - strain};
+  const double linings = system.reinforcement.linings.stored_energy();
+  return {kinetic, strain, elastic + energy_offset - strain - linings, 0, linings};
 }
 
 double LinearForces::contact_energy() const {

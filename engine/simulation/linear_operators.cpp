@@ -25,10 +25,12 @@ void add_scaled(double factor, const BlockMatrix& matrix, BlockMatrix& sum) {
 }
 
 BlockMatrix make_stiffness(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
-                           const std::vector<SupportElement>& supports, const WaveCorrections& waves) {
-  BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts);
+                           const std::vector<SupportElement>& supports, const LiningSet& linings,
+                           const WaveCorrections& waves) {
+  BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts, linings.pairs());
   const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
   assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
+  linings.add_stiffness(1, stiffness);
   waves.add_to_stiffness(model, contacts, stiffness);
   return stiffness;
 }
@@ -52,8 +54,9 @@ BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const Cont
 }
 
 LinearOperators::LinearOperators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
-                                 const std::vector<SupportElement>& supports, const WaveCorrections& waves)
-    : stiffness(make_stiffness(model, terms, contacts, supports, waves)),
+                                 const std::vector<SupportElement>& supports, const WaveCorrections& waves,
+                                 const LiningSet& linings)
+    : stiffness(make_stiffness(model, terms, contacts, supports, linings, waves)),
       inertia(make_inertia(model, terms, contacts, waves)),
       stiffness_times(stiffness),
       inertia_times(inertia) {}

@@ -10,6 +10,7 @@
 #include "engine/linear/constant_operator.h"
 #include "engine/model/model.h"
 #include "engine/simulation/block_terms.h"
+#include "engine/simulation/lining_set.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/support_set.h"
 #include "engine/waves/wave_corrections.h"
@@ -18,11 +19,12 @@ namespace dda {
 
 struct LinearOperators {
   LinearOperators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
-                  const std::vector<SupportElement>& supports, const WaveCorrections& waves);
+                  const std::vector<SupportElement>& supports, const WaveCorrections& waves,
+                  const LiningSet& linings = {});
   LinearOperators(const LinearOperators&) = delete;  // the products look at the matrices
   LinearOperators& operator=(const LinearOperators&) = delete;
 
-  BlockMatrix stiffness;                            // blocks, interfaces and supports
+  BlockMatrix stiffness;                            // blocks, interfaces, supports and linings
   BlockMatrix inertia;                              // blocks, and what couples them
   ConstantOperator stiffness_times, inertia_times;  // the same, for products
 };

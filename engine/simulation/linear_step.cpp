@@ -96,6 +96,7 @@ void LinearStep::accept() {
   if (linear_.rayleigh.acts()) linear_.rayleigh.book(*linear_.operators, linear_.motion(), s);
   move_blocks(Kinematics::small, s);
   if (s.plan.supports) accept_supports(s);
+  s.reinforcement.linings.advance(s.increment);
   linear_.sum_internal_forces(s.forces.internal_new);
   const double work = follow_inertia_force();
   const double factor = finish_step(work, linear_.stored_energy(), s);

@@ -111,8 +111,8 @@ bool is_beside(const Measurement& line, const Vec2& point, double tolerance) {
   return place >= -tolerance && place <= length + tolerance;
 }
 
-// Which way a contact or a bolt goes through a cut: 1 where its block a is on the measured side, -1 where block b is, 0
-// where it is not cut.
+// Which way a contact, a bolt or a lining goes through a cut: 1 where its block a is on the measured side, -1 where
+// block b is, 0 where it is not cut.
 int side_of_line(const Model& model, const Measurement& line, int block_a, int block_b, const Vec2& middle) {
   const double tolerance = point_tolerance(model);
   const bool a = is_left_of(line, model.blocks[at(block_a)].moments.centroid, tolerance);
@@ -156,13 +156,31 @@ void visit_cut(const Simulation& simulation, const Measurement& measurement, con
   }
 }
 
+ForceAndMoment across_linings(const Simulation& simulation, const Measurement& line) {
+  const BlockSystem& system = simulation.system();
+  ForceAndMoment sum = ForceAndMoment::Zero();
+  std::size_t next = 0;
+  for (const Lining& lining : system.model.linings) {
+    for (std::size_t i = 0; i < lining.elements(); ++i) {
+      const LiningElement& element = system.reinforcement.linings.elements()[next++];
+      const Vec2 middle = (lining.start_of(i).point + lining.end_of(i).point) / 2;
+      const int side = side_of_line(system.model, line, element.block_a, element.block_b, middle);
+      if (side == 0) continue;
+      const Mat36& rows = side > 0 ? element.rows.a : element.rows.b;
+      const Vec3 force = -rows.leftCols<3>().transpose() * element.force();
+      sum += moved_to(line.about, system, side > 0 ? element.block_a : element.block_b, force);
+    }
+  }
+  return sum;
+}
+
 ForceAndMoment across_bolts(const Simulation& simulation, const Measurement& line) {
   const BlockSystem& system = simulation.system();
   ForceAndMoment sum = ForceAndMoment::Zero();
   std::size_t next = 0;
   for (const Bolt& bolt : system.model.bolts) {
     for (const BoltLink& drawn : bolt.links) {
-      const LinkElement& link = system.bolts.links()[next++];
+      const LinkElement& link = system.reinforcement.bolts.links()[next++];
       const Vec2 middle = (drawn.point_a + drawn.point_b) / 2;
       const int side = side_of_line(system.model, line, drawn.block_a, drawn.block_b, middle);
       if (side == 0) continue;
@@ -221,7 +239,7 @@ Eigen::Vector4d contact_force(const Simulation& simulation, const Measurement& m
 }
 
 ForceAndMoment resultant(const Simulation& simulation, const Measurement& measurement, const Cut& cut) {
-  ForceAndMoment sum = across_bolts(simulation, measurement);
+  ForceAndMoment sum = across_bolts(simulation, measurement) + across_linings(simulation, measurement);
   visit_cut(simulation, measurement, cut, [&](std::size_t, int block, const Vec3& force, const Vec4&) {
     sum += moved_to(measurement.about, simulation.system(), block, force);
   });

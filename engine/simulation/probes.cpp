@@ -88,6 +88,24 @@ double bolt_value(const Simulation& simulation, const Measurement& measurement) 
   return value;
 }
 
+double value_in(const SectionForces& forces, Quantity quantity) {
+  if (quantity == Quantity::lining_thrust) return forces.thrust;
+  return quantity == Quantity::lining_moment ? forces.moment() : forces.shear;
+}
+
+// Of one element, or the largest in magnitude.
+double lining_value(const Simulation& simulation, const Measurement& measurement) {
+  const auto lining = static_cast<std::size_t>(measurement.lining);
+  const auto of = [&](std::size_t element) {
+    return value_in(linings_of(simulation).forces(simulation.model(), lining, element), measurement.quantity);
+  };
+  if (measurement.element >= 0) return of(static_cast<std::size_t>(measurement.element));
+  double value = 0;
+  for (std::size_t element = 0; element < simulation.model().linings[lining].elements(); ++element)
+    if (const double own = of(element); std::abs(own) > std::abs(value)) value = own;
+  return value;
+}
+
 template <typename Values>
 void copy(const Values& from, std::span<double> to) {
   std::copy(from.begin(), from.end(), to.begin());
@@ -124,6 +142,7 @@ Probes::Place Probes::place_of(const Simulation& simulation, const Measurement& 
     case Subject::resultant: place.cut = cut_of(simulation, measurement); break;
     case Subject::block:
     case Subject::bolt:
+    case Subject::lining:
     case Subject::reaction:
     case Subject::contacts: break;
   }
@@ -144,6 +163,7 @@ void Probes::write(const Simulation& simulation, const Measurement& measurement,
   switch (subject_of(measurement.quantity)) {
     case Subject::block: values[0] = block_value(simulation.system(), measurement); break;
     case Subject::bolt: values[0] = bolt_value(simulation, measurement); break;
+    case Subject::lining: values[0] = lining_value(simulation, measurement); break;
     case Subject::joint: {
       const Vec2 mean = place.edge
                             ? traction_along(simulation.model(), simulation.state(), simulation.contacts(), *place.edge)

@@ -56,10 +56,18 @@ std::vector<UnbalancedBlock> let_go_of_loose_blocks(BlockSystem& s) {
 void put_in_bolts(const GeneralStep& general, BlockSystem& s) {
   const int stage = static_cast<int>(s.clock.stage);
   if (stage == 0 || std::ranges::count(s.model.bolts, stage, &Bolt::first_stage) == 0) return;
-  const double stored = s.bolts.stored_energy();
+  const double stored = s.reinforcement.bolts.stored_energy();
   const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
-  s.bolts.put_in_those_of(s.clock.stage, s.model, s.state, geometry, s.forces.internal_old);
-  s.audit.supports_exchanged(0, s.bolts.stored_energy() - stored);
+  s.reinforcement.bolts.put_in_those_of(s.clock.stage, s.model, s.state, geometry, s.forces.internal_old);
+  s.audit.supports_exchanged(0, s.reinforcement.bolts.stored_energy() - stored);
+}
+
+// Linings of the stage that begins: they carry nothing yet.
+void spray_linings(const GeneralStep& general, BlockSystem& s) {
+  const int stage = static_cast<int>(s.clock.stage);
+  if (stage == 0 || std::ranges::count(s.model.linings, stage, &Lining::first_stage) == 0) return;
+  const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
+  s.reinforcement.linings.put_in_those_of(s.clock.stage, s.model, s.state, geometry);
 }
 
 }  // namespace
@@ -93,7 +101,7 @@ const State& Simulation::state() const { return system_->state; }
 const ContactSet& Simulation::contacts() const { return system_->contacts; }
 bool Simulation::follows_contacts() const { return general_->follows_contacts(); }
 const std::vector<bool>& Simulation::absent() const { return system_->excavated.absent; }
-const BoltSet& Simulation::bolts() const { return system_->bolts; }
+const BoltSet& Simulation::bolts() const { return system_->reinforcement.bolts; }
 const StepPlan& Simulation::plan() const { return system_->plan; }
 const EnergyLedger& Simulation::energy() const { return system_->audit.ledger(); }
 const Penetration& Simulation::deepest_penetration() const { return general_->deepest_penetration(); }
@@ -135,6 +143,7 @@ void Simulation::begin_stage() {
   s.clock.start = s.state.time;
   excavate(s, *general_);
   put_in_bolts(*general_, s);
+  spray_linings(*general_, s);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();
   if (s.stage().paces_itself()) pace_.begin(s.model, s.stage(), s.contacts.can_change);
@@ -233,6 +242,8 @@ Status Simulation::end_stage() {
 double Simulation::out_of_balance() const { return dda::out_of_balance(*system_, in_situ_force_); }
 
 std::size_t stages_done(const Simulation& simulation) { return simulation.system().clock.stage; }
+
+const LiningSet& linings_of(const Simulation& simulation) { return simulation.system().reinforcement.linings; }
 
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation) {
   return std::span(simulation.energy_at_end_).first(stages_done(simulation));

@@ -24,6 +24,7 @@
 #include "engine/model/state.h"
 #include "engine/simulation/bolt_set.h"
 #include "engine/simulation/equilibrium.h"
+#include "engine/simulation/lining_set.h"
 #include "engine/simulation/penetration.h"
 #include "engine/simulation/settling_pace.h"
 #include "engine/simulation/step_plan.h"
@@ -130,6 +131,9 @@ class Simulation {
 
 // How many stages are over.
 std::size_t stages_done(const Simulation& simulation);
+
+// Its linings as they are.
+const LiningSet& linings_of(const Simulation& simulation);
 
 // What energy() was at the end of each of them.
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);

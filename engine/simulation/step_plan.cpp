@@ -42,14 +42,20 @@ StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet
   plan.held_blocks = !model.held_blocks.empty();
   plan.viscous_edges = !model.viscous_edges.empty();
   plan.contacts = !contacts.interfaces.empty();
-  plan.bolts = std::ranges::any_of(
+  plan.reinforcement.bolts = std::ranges::any_of(
       model.bolts, [&](const Bolt& bolt) { return static_cast<std::size_t>(bolt.first_stage) <= stage_index; });
-  plan.contacts_can_change = contacts.can_change || plan.bolts;
+  const auto is_there = [&](const Lining& lining) {
+    return static_cast<std::size_t>(lining.first_stage) <= stage_index;
+  };
+  plan.reinforcement.linings = std::ranges::any_of(model.linings, is_there);
+  plan.reinforcement.linings_yield =
+      std::ranges::any_of(model.linings, [&](const Lining& lining) { return is_there(lining) && lining.yields(); });
+  plan.contacts_can_change = contacts.can_change || plan.reinforcement.bolts;
   plan.contacts_judged = contacts.can_change;
   plan.dilation = plan.contacts_can_change && std::any_of(model.joints.begin(), model.joints.end(),
                                                           [](const auto& joint) { return joint.dilation_angle > 0; });
   plan.finite_kinematics = stage.kinematics == Kinematics::finite;
-  plan.linear = !plan.contacts_can_change && !plan.finite_kinematics;
+  plan.linear = !plan.contacts_can_change && !plan.reinforcement.linings_yield && !plan.finite_kinematics;
   plan.explicit_steps = plan.linear && stage.integrator.is_explicit();
   const Stage acting = model.with_acting_corrections(stage);
   const bool in_mesh = has_law(contacts, InterfaceLaw::consistent);
@@ -71,7 +77,9 @@ std::vector<std::string> StepPlan::describe() const {
   add(gravity, "gravity");
   add(supports, moving_supports ? "supports, moving" : "supports");
   add(held_blocks, "held blocks: taken out of the system");
-  add(bolts, "bolts: open-close iteration");
+  add(reinforcement.bolts, "bolts: open-close iteration");
+  add(reinforcement.linings,
+      reinforcement.linings_yield ? "linings: beams on the wall, which can yield" : "linings: beams on the wall");
   add(viscous_edges, "viscous boundary");
   add(free_field, "free field: columns beside the sides, stepped first");
   add(contacts, contacts_judged ? "contacts: open-close iteration" : "contacts: bonded, never judged");

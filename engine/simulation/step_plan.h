@@ -16,6 +16,13 @@ struct CorrectedWaves {
   bool for_steps = false;
 };
 
+// What is there in the stage.
+struct PlannedReinforcement {
+  bool bolts = false;  // which can yield, break or go slack
+  bool linings = false;
+  bool linings_yield = false;  // some have a strength
+};
+
 struct StepPlan {
   bool loads = false;
   bool gravity = false;
@@ -25,8 +32,8 @@ struct StepPlan {
   bool viscous_edges = false;
   bool free_field = false;
   bool contacts = false;
-  bool contacts_judged = false;      // some joint can open, slide or break
-  bool bolts = false;                // which can yield, break or go slack
+  bool contacts_judged = false;  // some joint can open, slide or break
+  PlannedReinforcement reinforcement;
   bool contacts_can_change = false;  // one of these: runs the open-close iteration
   bool dilation = false;             // some joint opens as it slides
   bool finite_kinematics = false;    // geometry and matrix are rebuilt every step

@@ -1,5 +1,7 @@
 #include "engine/view/run_results.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <system_error>
@@ -57,26 +59,48 @@ std::vector<DrawnContact> read_contacts(const std::filesystem::path& path, std::
   return contacts;
 }
 
-std::vector<DrawnBolt> read_bolts(const std::filesystem::path& path, const std::vector<std::int64_t>& offsets) {
+// What files of lines along bolts, or along linings, call their values.
+struct LineNames {
+  const char* kind;
+  const char* name;
+  const char* force;
+  double sign;                             // of what is tension
+  std::vector<DrawnCondition> conditions;  // by the numbers in the file
+};
+
+const LineNames bolt_lines{
+    "bolts",
+    "bolt_name",
+    "axial_force [N]",
+    1,
+    {DrawnCondition::elastic, DrawnCondition::yielded, DrawnCondition::broken, DrawnCondition::waiting}};
+const LineNames lining_lines{"linings",
+                             "lining_name",
+                             "thrust [N]",
+                             -1,
+                             {DrawnCondition::elastic, DrawnCondition::yielded, DrawnCondition::waiting}};
+
+void append_lines(const std::filesystem::path& path, const LineNames& names, const std::vector<std::int64_t>& offsets,
+                  std::vector<DrawnBolt>& lines) {
   const PolyData data = read_vtp(path);
-  if (data.lines.offsets != offsets) refuse(path, "of other bolts than the first frame");
-  const auto& name = need_array<std::string>(path, data.cell_data, "bolt_name", 1);
+  if (data.lines.offsets != offsets) refuse(path, fmt::format("of other {} than the first frame", names.kind));
+  const auto& name = need_array<std::string>(path, data.cell_data, names.name, 1);
   const auto& status = need_array<std::int32_t>(path, data.cell_data, "status", 1);
-  const auto& force = need_array<double>(path, data.cell_data, "axial_force [N]", 1);
+  const auto& force = need_array<double>(path, data.cell_data, names.force, 1);
   const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
-  std::vector<DrawnBolt> bolts(data.lines.size());
-  for (std::size_t i = 0; i < bolts.size(); ++i) {
-    if (status[i] < 0 || status[i] > 3) refuse(path, "with the unknown status " + std::to_string(status[i]));
-    bolts[i].name = name[i];
-    bolts[i].force = force[i];
-    bolts[i].condition = static_cast<DrawnCondition>(status[i]);
+  for (std::size_t i = 0; i < data.lines.size(); ++i) {
+    if (status[i] < 0 || static_cast<std::size_t>(status[i]) >= names.conditions.size())
+      refuse(path, "with the unknown status " + std::to_string(status[i]));
+    DrawnBolt& line = lines.emplace_back();
+    line.name = name[i];
+    line.force = names.sign * force[i];
+    line.condition = names.conditions[static_cast<std::size_t>(status[i])];
     for (const std::int64_t point : data.lines.cell(i)) {
       const auto at = static_cast<std::size_t>(point);
-      bolts[i].displacement.push_back(plane(displacement, at));
-      bolts[i].reference.emplace_back(plane(data.points, at) - bolts[i].displacement.back());
+      line.displacement.push_back(plane(displacement, at));
+      line.reference.emplace_back(plane(data.points, at) - line.displacement.back());
     }
   }
-  return bolts;
 }
 
 // Of a block that has been removed.
@@ -96,7 +120,9 @@ RunResults::RunResults(const std::filesystem::path& folder) : frames_(frames_in(
   for (const SeriesEntry& entry : frames_) times_.push_back(entry.time);
   contacts_ = series_beside(folder / "contacts.pvd");
   bolts_ = series_beside(folder / "bolts.pvd");
+  linings_ = series_beside(folder / "linings.pvd");
   if (has_bolts()) bolt_offsets_ = read_vtp(bolts_[0].file).lines.offsets;
+  if (has_linings()) lining_offsets_ = read_vtp(linings_[0].file).lines.offsets;
   read_outlines(frames_[0].file, read_vtp(frames_[0].file));
 }
 
@@ -189,7 +215,8 @@ Frame RunResults::frame(std::size_t index) const {
     }
   }
   if (has_contacts()) frame.contacts = read_contacts(contacts_[index].file, drawing_.blocks());
-  if (has_bolts()) frame.bolts = read_bolts(bolts_[index].file, bolt_offsets_);
+  if (has_bolts()) append_lines(bolts_[index].file, bolt_lines, bolt_offsets_, frame.bolts);
+  if (has_linings()) append_lines(linings_[index].file, lining_lines, lining_offsets_, frame.bolts);
   return frame;
 }
 

@@ -40,12 +40,12 @@ struct DrawnContact {
 
 enum class DrawnCondition : std::uint8_t { elastic, yielded, broken, waiting };  // waiting: not drawn
 
-// A link of a rock bolt: a line through material points of its two blocks.
+// A link of a rock bolt, or an element of a lining: a line through material points of its two blocks.
 struct DrawnBolt {
   std::string name;
   std::vector<Vec2> reference;     // m
   std::vector<Vec2> displacement;  // m, of these points
-  double force = 0;                // N in one bolt, axial, tension positive
+  double force = 0;                // N in one bolt, or per m of a lining: axial, tension positive
   DrawnCondition condition = DrawnCondition::elastic;
 };
 
@@ -57,7 +57,7 @@ struct Frame {
   std::vector<Vec2> velocity;      // m/s, of every block's centroid
   std::vector<Vec2> moved;         // m, displacement of every block's centroid
   std::vector<DrawnContact> contacts;
-  std::vector<DrawnBolt> bolts;  // the same links in every frame
+  std::vector<DrawnBolt> bolts;  // the same links in every frame, then the elements of linings
 };
 
 inline bool is_present(const Frame& frame, std::size_t block) { return !std::isnan(frame.moved[block].x()); }
@@ -76,6 +76,7 @@ class RunResults {
 
   // Of scenes without bolts, and of programs that did not write bolts yet: false.
   [[nodiscard]] bool has_bolts() const { return !bolts_.empty(); }
+  [[nodiscard]] bool has_linings() const { return !linings_.empty(); }
 
   // Reads a frame; InputError naming the file when it is broken or not of the same blocks.
   [[nodiscard]] Frame frame(std::size_t index) const;
@@ -91,12 +92,13 @@ class RunResults {
   std::vector<SeriesEntry> frames_;
   std::vector<SeriesEntry> contacts_;
   std::vector<SeriesEntry> bolts_;
+  std::vector<SeriesEntry> linings_;
   std::vector<double> times_;
   Drawing drawing_;
   std::vector<std::size_t> point_;           // in the file, of every vertex
   std::vector<std::size_t> cells_of_block_;  // how many a block has in the file
   std::size_t points_in_file_ = 0;
-  std::vector<std::int64_t> bolt_offsets_;  // in the file: where each line ends
+  std::vector<std::int64_t> bolt_offsets_, lining_offsets_;  // in the file: where each line ends
 };
 
 }  // namespace dda

@@ -186,6 +186,30 @@ TEST_F(RunResultsTest, BoltsMayWaitForTheirStage) {
   EXPECT_NE(refusal().find("with the unknown status 4"), std::string::npos) << refusal();
 }
 
+// Elements of linings are drawn behind bolts: tension is positive, and those still to be sprayed are not shown.
+TEST_F(RunResultsTest, LiningsAreLinesLikeBolts) {
+  Lining lining;
+  lining.name = "shotcrete";
+  lining.nodes = {{0, {0.5, 0}, {1, 0}}, {1, {3, 0}, {1, 0}}, {2, {7, 0}, {1, 0}}};
+  model_.linings = {lining};
+  EXPECT_FALSE(RunResults(folder_.path()).has_linings());
+  LiningFrameWriter linings(model_, folder_ / "linings.pvd");
+  for (const double time : {0.0, 0.5, 1.0})
+    linings.write(state_at(model_, time), std::vector<LiningValues>{{2000, 0, 0, 0, LiningCondition::yielded},
+                                                                    {0, 0, 0, 0, LiningCondition::waiting}});
+  write_bolts(folder_.path(), model_, {0, 0.5, 1});
+  const RunResults results(folder_.path());
+  ASSERT_TRUE(results.has_linings());
+  const std::vector<DrawnBolt> lines = results.frame(1).bolts;
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[2].name, "shotcrete");
+  EXPECT_EQ(lines[2].force, -2000);
+  EXPECT_EQ(lines[2].condition, DrawnCondition::yielded);
+  EXPECT_EQ(lines[3].condition, DrawnCondition::waiting);
+  EXPECT_LE((lines[2].reference[1] - Vec2(3, 0)).norm(), round_off);
+  EXPECT_LE((lines[2].displacement[1] - Vec2(0.1, -0.2)).norm(), round_off);
+}
+
 TEST_F(RunResultsTest, RefusesBoltsOfOtherFrames) {
   write_bolts(folder_.path(), model_, {0, 0.5});
   EXPECT_NE(refusal().find("bolts.pvd: the file is shorter than frames.pvd"), std::string::npos) << refusal();

@@ -319,7 +319,7 @@ class Picture {
 
   void draw_bolt_key(double x, double y) {
     if (frame_.bolts.empty()) return;
-    add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">Bolt force</text>\n<g fill=\"none\">\n", x, y);
+    add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">Axial force</text>\n<g fill=\"none\">\n", x, y);
     std::vector<std::pair<std::string, double>> texts;
     const auto add_row = [&](const std::string& text, double width, DrawnCondition condition) {
       y += 1.5 * text_size;

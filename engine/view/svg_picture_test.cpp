@@ -126,14 +126,14 @@ TEST_F(SvgPictureTest, ForcesHaveTheirKey) {
 
 TEST_F(SvgPictureTest, DrawsBoltsWithTheirKey) {
   const std::string without = picture({});
-  EXPECT_EQ(without.find("Bolt force"), std::string::npos);
+  EXPECT_EQ(without.find("Axial force"), std::string::npos);
   EXPECT_EQ(without.find("#007a3d"), std::string::npos);
   write_bolts(folder_.path(), model_to_view(), {0, 1});
   const RunResults results(folder_.path());
   for (const std::size_t number : {0U, 1U}) {
     const Frame frame = results.frame(number);
     const std::string text = svg_picture(results.drawing(), frame, {});
-    EXPECT_NE(text.find("Bolt force"), std::string::npos);
+    EXPECT_NE(text.find("Axial force"), std::string::npos);
     EXPECT_NE(text.find(number == 0 ? ">yielded<" : ">broken<"), std::string::npos);
     EXPECT_EQ(text.find(number == 0 ? ">broken<" : ">yielded<"), std::string::npos);
     std::vector<XmlTag> elastic;

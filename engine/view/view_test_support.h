@@ -14,6 +14,7 @@
 #include "engine/record/bolt_frame_writer.h"
 #include "engine/record/contact_frame_writer.h"
 #include "engine/record/frame_writer.h"
+#include "engine/record/lining_frame_writer.h"
 
 namespace dda {
 

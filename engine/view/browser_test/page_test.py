@@ -220,7 +220,7 @@ def check_bolts(page, work):
     page.evaluate(f"dda.player.go({FRAMES})")
     page.settle()
     keys = "document.getElementById('keys').textContent"
-    for text in ("Bolt force", "kN", "broken"):
+    for text in ("Axial force", "kN", "broken"):
         assert text in page.evaluate(keys), text
     page.press("b")
     assert page.evaluate("dda.stage.bolts.length") == 0

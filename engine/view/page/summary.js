@@ -65,7 +65,7 @@ function showKeys(stage) {
     const largest = stage.thickestBoltForce();
     const { factor, name } = scaledUnit("N", largest);
     const { step, values } = ticksBetween(0, largest / factor, 2);
-    rows.push("<b>Bolt force</b>");
+    rows.push("<b>Axial force</b>");
     for (const value of largest > 0 ? values : [0])
       rows.push(`<div>${line(stage.widthOfBolt(value * factor), "bolt", "")}${label(value, step)} ${name}</div>`);
     const has = (condition) => stage.bolts.some((bolt) => bolt.condition === condition);

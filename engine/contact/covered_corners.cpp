@@ -125,14 +125,6 @@ class MovedCorner {
   Vec2 before_, place_, after_;
 };
 
-int nearer_end(const Outlines& outlines, const VertexContact& contact) {
-  const Vec2& vertex = outlines.current[at(contact.vertex)];
-  const int end = outlines.next[at(contact.edge)];
-  const bool at_end =
-      (outlines.current[at(end)] - vertex).norm() < (outlines.current[at(contact.edge)] - vertex).norm();
-  return at_end ? end : contact.edge;
-}
-
 }  // namespace
 
 std::vector<VertexContact> take_out_covered(const Outlines& outlines, const std::vector<double>& size,

@@ -73,6 +73,7 @@ class FrictionPasses {
   void list_couplings(const Iterate& at);
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
+  void order_by_depth(const Iterate& at);
   void take_newton_step(Iterate& at, bool strictly, bool one_by_one);
 
   // local_pass.cpp

@@ -74,6 +74,12 @@ int compare_stay(const Cover& first, const Cover& second, double round_off) {
   return compare(first.coming_gap, second.coming_gap, round_off);
 }
 
+// Of two covers in line that are the same but for round-off the one whose vertex lies farther within its edge: it stays
+// on it longer. Where corners are exactly above each other either will do, see acting_frame.h.
+bool goes_before(const CoverEnd& one, const CoverEnd& other) {
+  return one.cover->past != other.cover->past ? one.cover->past < other.cover->past : &one < &other;
+}
+
 // Calls act(ends) for the ends of every corner.
 template <typename Act>
 void for_each_corner(const std::vector<CoverEnd>& ends, Act act) {
@@ -116,14 +122,14 @@ bool is_followed(const CoverEnd& end, double round_off, std::span<const CoverEnd
   });
 }
 
-// Another cover keeps the blocks apart longer. Of two in line that do so as long it is the first; others count both.
+// Another cover keeps the blocks apart longer. Of two in line that do so as long one goes, others count both.
 bool is_outlasted(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
   if (!is_asked(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
   if (end.gap() < -round_off) return true;
   return std::ranges::any_of(corner, [&](const CoverEnd& other) {
     if (other.cover == end.cover || !other.cover->counts || !other.is_near()) return false;
     const int longer = compare_stay(*other.cover, *end.cover, round_off);
-    return longer > 0 || (longer == 0 && are_parallel(other, end) && &other < &end);
+    return longer > 0 || (longer == 0 && are_parallel(other, end) && goes_before(other, end));
   });
 }
 
@@ -131,6 +137,10 @@ bool are_one(const CoverEnd& i, const CoverEnd& j, const Vec2& apart, double rou
   if (!are_parallel(i, j)) return false;
   if (i.along.dot(j.along) < 0) return true;
   return std::abs(apart.dot(i.along.normalized())) <= std::max({round_off, -i.gap(), -j.gap()});
+}
+
+bool lasts_longer(const CoverEnd& i, const CoverEnd& j, double round_off) {
+  return std::abs(i.gap() - j.gap()) > round_off ? i.gap() > j.gap() : goes_before(i, j);
 }
 
 // Of covers that are one the one with the largest gap.
@@ -142,7 +152,7 @@ void drop_doubles(const Outlines& outlines, double round_off, const std::vector<
     for (const CoverEnd& i : corner)
       for (const CoverEnd& j : corner)
         if (&i < &j && i.cover->counts && j.cover->counts && are_one(i, j, apart, round_off))
-          out.push_back((i.gap() >= j.gap() ? j : i).cover);
+          out.push_back((lasts_longer(i, j, round_off) ? j : i).cover);
   });
   for (Cover* cover : out) cover->counts = false;
 }

@@ -155,20 +155,6 @@ void stick_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial
   for (int end = 0; end < ends_of(springs); ++end) respond_as_stuck(springs, end, trial);
 }
 
-// Round-off says whether contacts that just touch press at the start. The iteration begins with all of them open: of
-// several answers that friction may have, it would else find one or the other by how a scene is drawn and numbered.
-void begin_open_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial) {
-  if (trial.rule.sticks || press_together(springs, trial.broken)) return;
-  for (int end = 0; end < ends_of(springs); ++end) {
-    const auto e = static_cast<std::size_t>(end);
-    const Eigen::Index n = normal_row(end);
-    if (!trial.broken[e] || trial.active(n) == 0 || trial.gap(n) < -trial.rule.round_off) continue;
-    trial.force.segment<2>(n).setZero();
-    trial.active.segment<2>(n).setZero();
-    trial.capacity[e] = 0;
-  }
-}
-
 // A broken bond has failed, whichever way; a dry end when it slides, if that makes a difference.
 bool has_failed(const EndStrength& strength, const InterfaceTrial& trial, int end) {
   return !strength.is_dry() || (strength.friction_drop > 0 && slides(trial, end));
@@ -193,7 +179,6 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   follow_pressure(springs, strength, trial);  // at the gap that the step begins with, what is foreseen included
   keep_sliding(springs, start, trial);
   stick_where_touching(springs, trial);
-  if (rule.round_off > 0) begin_open_where_touching(springs, trial);
   return trial;
 }
 

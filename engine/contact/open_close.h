@@ -29,7 +29,6 @@ struct ContactRule {
   double touching = 0;             // m; contacts with a smaller gap at the start of the step stick, if `sticks`
   double dashpot_rate = 0;         // 1/s: a dashpot's force in the balance is dashpot * dashpot_rate * change of gap
   bool capacity_is_given = false;  // by the normal forces at the start of the step, whatever they are at its end
-  double round_off = 0;            // m, of gaps: the iteration begins with contacts open that press by no more
 };
 
 // An interface in the course of a step. What broken ends answer, for the change of the gap from g0 to g1:

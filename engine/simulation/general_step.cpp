@@ -10,7 +10,6 @@
 
 #include "engine/contact/foreseen_gap.h"
 #include "engine/core/phase_clock.h"
-#include "engine/model/extent.h"
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
@@ -38,22 +37,10 @@ bool contacts_move(const Model& model) {
                                   [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
 }
 
-// m. Coordinates are rounded to epsilon of their size, each gap is made of several and of directions.
-double round_off_of_gaps(const Model& model) {
-  constexpr double roundings = 16;
-  const Box box = bounding_box(model);
-  const double farthest = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).maxCoeff();
-  return roundings * std::numeric_limits<double>::epsilon() * farthest;
-}
-
 ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   const Integrator& integrator = stage.integrator;
   const double rate = integrator.is_static ? 0 : 1 / (dt * (1 - integrator.alpha_f));
-  return {.conserves_energy = integrator.conserves_contact_energy,
-          .sticks = stage.unlimited_strength,
-          .touching = model.length_tolerance,
-          .dashpot_rate = rate,
-          .round_off = round_off_of_gaps(model)};
+  return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
 }
 
 // Blocks that spin are pulled apart.

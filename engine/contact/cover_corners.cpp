@@ -12,6 +12,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+constexpr double same_time = 1e-9;  // of a step
+
 // One end of a cover, as translations of the block with the lower number see it.
 struct CoverEnd {
   std::pair<int, int> vertices;  // that meet there
@@ -55,57 +57,113 @@ bool is_at(const CoverEnd& end, double round_off) {
   return end.cover->beyond > 0 || (end.cover->beyond == 0 && end.gap() >= -round_off);
 }
 
-// How long a cover keeps the blocks apart in the foreseen motion: those that do to its end, by their gap then; those
-// that close, by when; those that are closed, by their gap. Without motion the order of gaps.
-std::pair<int, double> stay(const CoverEnd& end) {
-  const double gap = end.gap(), coming = end.cover->coming_gap;
-  if (gap <= 0) return {0, gap};
-  return coming < 0 ? std::pair(1, gap / (gap - coming)) : std::pair(2, coming);
+// Which of two covers keeps the blocks apart longer in the foreseen motion: 1 the first, -1 the second, 0 neither, as
+// far as round-off can tell. Covers that stay open do so longest, by their gap then; next those that close, by when;
+// last those that are closed, by their gap, and where that is the same by what the motion makes of it.
+int compare_stay(const Cover& first, const Cover& second, double round_off) {
+  const auto kind = [&](const Cover& cover) {
+    if (cover.contact.gap <= round_off) return 0;
+    return cover.coming_gap < 0 ? 1 : 2;
+  };
+  const auto compare = [](double a, double b, double same) { return a > b + same ? 1 : b > a + same ? -1 : 0; };
+  const auto closes_at = [](const Cover& cover) { return cover.contact.gap / (cover.contact.gap - cover.coming_gap); };
+  if (kind(first) != kind(second)) return kind(first) > kind(second) ? 1 : -1;
+  if (kind(first) == 1) return compare(closes_at(first), closes_at(second), same_time);
+  if (kind(first) == 0)
+    if (const int by_gap = compare(first.contact.gap, second.contact.gap, round_off); by_gap != 0) return by_gap;
+  return compare(first.coming_gap, second.coming_gap, round_off);
 }
 
-// Whether a cover whose end is reached still counts among the others of its corner.
-bool counts_at(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
-  bool is_farthest = end.gap() >= -round_off;
-  for (const CoverEnd& other : corner) {
-    if (other.cover == end.cover) continue;
-    if (make_a_reflex_corner(end, other)) return true;
-    if (!other.cover->counts || !other.is_near()) continue;
-    const bool is_first = stay(other) == stay(end) && &other < &end;
-    const bool takes_its_place = end.cover->beyond > 0 && other.cover->beyond <= 0 && are_parallel(other, end);
-    if (stay(other) > stay(end) || is_first || takes_its_place) is_farthest = false;
+// Of two covers in line that are the same but for round-off the one whose vertex lies farther within its edge: it stays
+// on it longer. Where corners are exactly above each other either will do, see acting_frame.h.
+bool goes_before(const CoverEnd& one, const CoverEnd& other) {
+  return one.cover->past != other.cover->past ? one.cover->past < other.cover->past : &one < &other;
+}
+
+// Calls act(ends) for the ends of every corner.
+template <typename Act>
+void for_each_corner(const std::vector<CoverEnd>& ends, Act act) {
+  for (auto first = ends.begin(); first != ends.end();) {
+    const auto last =
+        std::find_if(first, ends.end(), [&](const CoverEnd& end) { return end.vertices != first->vertices; });
+    act(std::span(first, last));
+    first = last;
   }
-  return is_farthest;
 }
 
-bool are_one(const Outlines& outlines, const CoverEnd& i, const CoverEnd& j, double round_off) {
+// What is asked about an end of a cover that the place taken now has come to: whether the cover is to go.
+using Question = bool (*)(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner);
+
+// Puts a question to all ends and then takes out the covers that are to go: the order of blocks and vertices decides
+// nothing.
+void ask(Question goes, double round_off, const std::vector<CoverEnd>& ends) {
+  std::vector<Cover*> out;
+  for_each_corner(ends, [&](std::span<const CoverEnd> corner) {
+    for (const CoverEnd& end : corner)
+      if (end.cover->counts && goes(end, round_off, corner)) out.push_back(end.cover);
+  });
+  for (Cover* cover : out) cover->counts = false;
+}
+
+bool is_asked(const CoverEnd& end, double round_off) {
+  return is_at(end, round_off) && end.cover->corner == end.vertex;
+}
+
+bool makes_a_reflex_corner(const CoverEnd& end, std::span<const CoverEnd> corner) {
+  return std::ranges::any_of(
+      corner, [&](const CoverEnd& other) { return other.cover != end.cover && make_a_reflex_corner(end, other); });
+}
+
+// Its end is passed, and a cover in line goes on there.
+bool is_followed(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
+  if (end.cover->beyond <= 0 || !is_asked(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
+  return std::ranges::any_of(corner, [&](const CoverEnd& other) {
+    return other.cover != end.cover && other.cover->counts && other.cover->beyond <= 0 && are_parallel(other, end);
+  });
+}
+
+// Another cover keeps the blocks apart longer. Of two in line that do so as long one goes, others count both.
+bool is_outlasted(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
+  if (!is_asked(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
+  if (end.gap() < -round_off) return true;
+  return std::ranges::any_of(corner, [&](const CoverEnd& other) {
+    if (other.cover == end.cover || !other.cover->counts || !other.is_near()) return false;
+    const int longer = compare_stay(*other.cover, *end.cover, round_off);
+    return longer > 0 || (longer == 0 && are_parallel(other, end) && goes_before(other, end));
+  });
+}
+
+bool are_one(const CoverEnd& i, const CoverEnd& j, const Vec2& apart, double round_off) {
   if (!are_parallel(i, j)) return false;
   if (i.along.dot(j.along) < 0) return true;
-  const Vec2 apart = outlines.current[at(i.vertices.first)] - outlines.current[at(i.vertices.second)];
   return std::abs(apart.dot(i.along.normalized())) <= std::max({round_off, -i.gap(), -j.gap()});
 }
 
-void choose_at(const Outlines& outlines, double round_off, std::span<const CoverEnd> ends) {
-  for (const CoverEnd& end : ends)
-    if (end.cover->counts && is_at(end, round_off) && end.cover->corner == end.vertex &&
-        !counts_at(end, round_off, ends))
-      end.cover->counts = false;
-  for (const CoverEnd& i : ends)
-    for (const CoverEnd& j : ends) {
-      if (&j <= &i || !i.cover->counts || !j.cover->counts || !are_one(outlines, i, j, round_off)) continue;
-      (i.gap() >= j.gap() ? j : i).cover->counts = false;
-    }
+bool lasts_longer(const CoverEnd& i, const CoverEnd& j, double round_off) {
+  return std::abs(i.gap() - j.gap()) > round_off ? i.gap() > j.gap() : goes_before(i, j);
+}
+
+// Of covers that are one the one with the largest gap.
+void drop_doubles(const Outlines& outlines, double round_off, const std::vector<CoverEnd>& ends) {
+  std::vector<Cover*> out;
+  for_each_corner(ends, [&](std::span<const CoverEnd> corner) {
+    const auto& [vertex, other] = corner.front().vertices;
+    const Vec2 apart = outlines.current[at(vertex)] - outlines.current[at(other)];
+    for (const CoverEnd& i : corner)
+      for (const CoverEnd& j : corner)
+        if (&i < &j && i.cover->counts && j.cover->counts && are_one(i, j, apart, round_off))
+          out.push_back((lasts_longer(i, j, round_off) ? j : i).cover);
+  });
+  for (Cover* cover : out) cover->counts = false;
 }
 
 }  // namespace
 
 void choose_at_corners(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers) {
   const std::vector<CoverEnd> ends = ends_of(outlines, reach, covers);
-  for (auto first = ends.begin(); first != ends.end();) {
-    const auto last =
-        std::find_if(first, ends.end(), [&](const CoverEnd& end) { return end.vertices != first->vertices; });
-    choose_at(outlines, round_off, std::span(first, last));
-    first = last;
-  }
+  ask(is_followed, round_off, ends);
+  ask(is_outlasted, round_off, ends);
+  drop_doubles(outlines, round_off, ends);
   std::erase_if(covers, [](const Cover& cover) { return !cover.counts; });
 }
 

@@ -5,7 +5,8 @@
 // gaps the one that stays open, or is the last to close: that is what the blocks meet. A block that slides off a ledge
 // would hit the upright side of a block further down that it passes over within the step. At a reflex corner, which a
 // vertex in a notch makes, they are apart only if both say so: both count. Two covers in line, of corners above each
-// other, are one, and so are the ends of a common stretch that is shorter than the blocks are pressed in.
+// other, are one, and so are the ends of a common stretch that is shorter than the blocks are pressed in. What is equal
+// but for round-off is never settled by an order: other covers that keep the blocks apart as long both count.
 #pragma once
 
 #include <vector>

@@ -219,14 +219,6 @@ void look_again(const ContactSearch& search, const CoveredCorners& covered, cons
   std::sort(found.begin(), found.end());
 }
 
-int nearer_end(const Outlines& outlines, const VertexContact& contact) {
-  const Vec2& vertex = outlines.current[at(contact.vertex)];
-  const int end = outlines.next[at(contact.edge)];
-  const bool at_end =
-      (outlines.current[at(end)] - vertex).norm() < (outlines.current[at(contact.edge)] - vertex).norm();
-  return at_end ? end : contact.edge;
-}
-
 }  // namespace
 
 std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,

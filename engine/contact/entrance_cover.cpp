@@ -53,6 +53,7 @@ class Side {
                      at_end ? 0 : beyond,
                      place < length / 2 ? edge : outlines_.next[at(edge)],
                      gap + coming,
+                     beyond,
                      true});
   }
 

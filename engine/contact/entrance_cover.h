@@ -22,6 +22,7 @@ struct Cover {
       0;           // m, by which the vertex' foot lies past the edge's nearer end; 0 at the end, negative on the edge
   int corner = 0;  // that end: a vertex of the edge's block
   double coming_gap = 0;  // m, after the motion that is foreseen
+  double past = 0;        // m, what `beyond` is before feet near the end count as at it
   bool counts = true;     // as a contact
 };
 

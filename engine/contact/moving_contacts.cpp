@@ -31,7 +31,11 @@ bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
 }
 
-bool is_same(const VertexContact& a, const VertexContact& b) { return a.edge == b.edge && a.vertex == b.vertex; }
+// Of one corner of the vertex' block with one face of the other: under its name, or with the roles of two corners above
+// each other exchanged.
+bool is_same(const VertexContact& a, const VertexContact& b) {
+  return (a.edge == b.edge && a.vertex == b.vertex) || a.edge_block == b.vertex_block;
+}
 
 // A contact that comes from nowhere does not press at once, and one that comes from another vertex or edge presses more
 // than that one only by what it has moved (m): what it is pressed in beyond that its spring closes deeper. So a wrong

@@ -160,6 +160,27 @@ TEST(MovingContacts, AlignedCornersKeepTheirHistory) {
   }
 }
 
+// Each end of a common face its own, where the upper box gets wider than the lower one and both ends exchange roles.
+TEST(MovingContacts, AlignedCornersDoNotTakeTheHistoryOfTheOtherEnd) {
+  for (const double strain : {1e-5, -1e-5}) {
+    Scene scene(1);
+    MovingContacts moving(scene.model, scene.state, scene.contacts);
+    const auto stretch_upper = [&](double by) {
+      scene.state.deformation[1](0, 0) = 1 + by;
+      scene.move_upper(0, -1e-7);
+      moving.follow(scene.model, scene.state, scene.contacts);
+      ASSERT_EQ(scene.contacts.states.size(), 2U);
+    };
+    const auto slip_at = [&](std::size_t i) { return scene.contacts.interfaces[i].from.x() < 0.5 ? 1e-4 : 2e-4; };
+    stretch_upper(-strain);
+    const int vertex_block = scene.contacts.interfaces[0].block_b;
+    for (std::size_t i = 0; i < 2; ++i) scene.contacts.states[i].slip[0] = slip_at(i);
+    stretch_upper(strain);
+    ASSERT_NE(scene.contacts.interfaces[0].block_b, vertex_block);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(scene.contacts.states[i].slip[0], slip_at(i)) << strain;
+  }
+}
+
 // A vertex that slides over a joint in its path, from one edge to the next in line.
 TEST(MovingContacts, HistoryGoesOnAlongTheNextEdgeInLine) {
   Model model = model_of({{{{0, 0}, {4, 0}, {4, 1}, {2, 1}, {0, 1}}, {}}, {box_ring(0.9, 1, 1.9, 2), {}}});

@@ -75,11 +75,11 @@ std::ptrdiff_t Succession::next_edge(const VertexContact& contact) {
   return before >= 0 ? before : take(outlines_.next[at(contact.edge)], contact.vertex, contact.normal);
 }
 
+// Of the edge's two corners the one that the vertex is near: the other one is the other end of a common stretch.
 std::ptrdiff_t Succession::exchanged(const VertexContact& contact) {
-  for (const int corner : {contact.edge, outlines_.next[at(contact.edge)]}) {
-    for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
-      if (const auto known = take(edge, corner, -contact.normal); known >= 0) return known;
-  }
+  const int corner = nearer_end(outlines_, contact);
+  for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
+    if (const auto known = take(edge, corner, -contact.normal); known >= 0) return known;
   return -1;
 }
 

@@ -38,6 +38,14 @@ int facing_edge(const Outlines& outlines, const VertexContact& contact) {
   return runs_along(contact.vertex) >= runs_along(before) ? contact.vertex : before;
 }
 
+int nearer_end(const Outlines& outlines, const VertexContact& contact) {
+  const Vec2& vertex = outlines.current[at(contact.vertex)];
+  const int end = outlines.next[at(contact.edge)];
+  const bool at_end =
+      (outlines.current[at(end)] - vertex).norm() < (outlines.current[at(contact.edge)] - vertex).norm();
+  return at_end ? end : contact.edge;
+}
+
 double common_length(const Outlines& outlines, const VertexContact& contact) {
   const Vec2 along = outlines.along(contact.edge);
   const double length = along.norm();

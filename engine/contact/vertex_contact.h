@@ -51,6 +51,9 @@ inline constexpr double same_direction = 0.99;
 // Of the vertex' own two edges the one that lies more along the contact's edge: the number of its first vertex.
 int facing_edge(const Outlines& outlines, const VertexContact& contact);
 
+// The end of the contact's edge that its vertex is nearer to.
+int nearer_end(const Outlines& outlines, const VertexContact& contact);
+
 // Length (m) along which the contact's edge and the facing one are beside each other; 0 where blocks meet in corners.
 double common_length(const Outlines& outlines, const VertexContact& contact);
 

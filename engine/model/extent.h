@@ -16,6 +16,9 @@ inline Box bounding_box(const Model& model) {
   return box;
 }
 
+// m, the largest distance between two corners of blocks as drawn: the same whichever way the scene is turned.
+double diameter(const Model& model);
+
 // m, the diagonal of that box.
 inline double extent(const Model& model) {
   const Box box = bounding_box(model);

@@ -23,8 +23,14 @@ Vec6 own(const Eigen::VectorXd& d, std::size_t block) { return d.segment<6>(stat
 
 }  // namespace
 
+double turn_or_strain(const Vec6& increments) {
+  const double shear = increments(5) / 2;  // of the tensor
+  const double strain = increments(3) * increments(3) + increments(4) * increments(4) + 2 * shear * shear;
+  return std::max(std::abs(increments(2)), std::sqrt(strain));
+}
+
 double motion_share(const Vec6& increments, double area) {
-  return increments.head<2>().norm() / std::sqrt(area) + increments.tail<4>().cwiseAbs().maxCoeff();
+  return increments.head<2>().norm() / std::sqrt(area) + turn_or_strain(increments);
 }
 
 bool SettlingDrag::ease() {

@@ -19,8 +19,12 @@
 
 namespace dda {
 
+// The larger of a block's rotation (rad) and its strain, by the length of its tensor: whichever way the scene is
+// turned.
+double turn_or_strain(const Vec6& increments);
+
 // Motion of a block in a step, in its own size: displacement of the centroid over the side of the square with its area,
-// plus the largest of its rotation (rad) and strains.
+// plus its rotation or strain.
 double motion_share(const Vec6& increments, double area);
 
 class SettlingDrag {

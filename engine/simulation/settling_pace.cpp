@@ -28,7 +28,7 @@ double transit_time(const Model& model) {
     const Material& rock = model.materials[static_cast<std::size_t>(block.material)];
     slowest = std::min(slowest, std::sqrt(rock.young / rock.density));
   }
-  return extent(model) / slowest;
+  return diameter(model) / slowest;
 }
 
 // Contacts that cannot slide make the step a convex problem.

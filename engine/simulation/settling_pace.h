@@ -1,7 +1,7 @@
 // How long the steps of a static stage are that has no dt of the user's.
 //
 // A static step solves (c_m M + K) d = forces out of balance, c_m = 2/dt^2: the longer it is, the nearer it comes to
-// equilibrium, and the more contacts change in it. Unit of all lengths is the transit time T of the scene, its diagonal
+// equilibrium, and the more contacts change in it. Unit of all lengths is the transit time T of the scene, its diameter
 // over the slowest speed sqrt(E/rho) of its rock: the slowest mode of closely joined blocks has a period of some T, so
 // a step of r T divides what is out of balance by about (pi r)^2/2. Where contacts cannot slide a step is a convex
 // problem (or a linear one), which is solved at any length: steps begin long. With friction they begin short, grow as

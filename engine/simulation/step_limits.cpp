@@ -61,7 +61,7 @@ double largest_motion_within(const BlockSystem& system, double time) {
 std::string turn_problem(const BlockSystem& system) {
   const double most = most_turn_now(system);
   for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
-    const double turn = system.increment.segment<4>(static_cast<Eigen::Index>(6 * i + 2)).cwiseAbs().maxCoeff();
+    const double turn = turn_or_strain(system.increment.segment<6>(static_cast<Eigen::Index>(6 * i)));
     if (turn > most)
       return fmt::format(
           "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "

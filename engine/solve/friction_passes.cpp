@@ -38,10 +38,11 @@ constexpr double patience_with_given_capacities = 3;
 constexpr int full_passes = 3;
 constexpr double near_balance = 1e-3;
 
-// Where that does not help either, and no more contacts than these change, they do so one by one, the first in order
-// first: the others keep their pieces for the pass. That ends circles of contacts that change together (Murty's rule of
-// the least index, 1974, which is sure where the problem has one solution whatever the load). Such a pass is allowed as
-// much work as several: it needs as many as there are contacts in the circle.
+// Where that does not help either, and no more contacts than these change, they do so one by one, the one that was
+// pressed deepest at the start of the step first: the others keep their pieces for the pass. That ends circles of
+// contacts that change together (Murty's rule of the least index, 1974, which is sure where the problem has one
+// solution whatever the load, and for any order that stays). Such a pass is allowed as much work as several: it needs
+// as many as there are contacts in the circle.
 constexpr int passes_before_one_by_one = 6;
 constexpr int most_one_by_one = 8;
 constexpr double share_of_work_one_by_one = 0.25;
@@ -258,10 +259,20 @@ void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& 
   at.problem->held.clear(w);
 }
 
+// An order of the scene and not of its numbering.
+void FrictionPasses::order_by_depth(const Iterate& at) {
+  const auto depth = [&](std::size_t k) {
+    const Vec4& start = at.contacts[live_[k].trial].start;
+    return std::pair(start(0) + start(2), std::abs(start(1)) + std::abs(start(3)));
+  };
+  std::ranges::sort(taken_, {}, depth);
+}
+
 void FrictionPasses::take_newton_step(Iterate& at, bool strictly, bool one_by_one) {
   const PhaseScope scope(Phase::judging);
   const PieceRule rule{.strict = strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
   at.increment += step_;
+  if (one_by_one) order_by_depth(at);
   if (is_local_) {
     multiply_in_pass(at, step_, image_);
     residual_ -= image_;

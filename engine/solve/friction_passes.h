@@ -81,6 +81,7 @@ class FrictionPasses {
   void list_riding(const Iterate& at, const LiveContact& contact, Mat2& shear_by_gap);
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
+  void order_by_depth(const Iterate& at);
   void take_newton_step(Iterate& at, bool strictly, bool one_by_one);
 
   // local_pass.cpp

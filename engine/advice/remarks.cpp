@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/advice/held_blocks_acted_on.h"
 #include "engine/advice/lining_remarks.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/geometry/box.h"
@@ -322,14 +323,18 @@ void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks
   for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_held_blocks(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : acting_on_held_blocks(model)) remarks.push_back(std::move(sentence));
+}
+
 void remark_on_linings(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   for (std::string& sentence : lining_remarks(model)) remarks.push_back(std::move(sentence));
 }
 
-constexpr auto all_remarks = {remark_on_holding, remark_on_gravity, remark_on_tension,        remark_on_materials,
-                              remark_on_sizes,   remark_on_gaps,    remark_on_steps,          remark_on_coarse_steps,
-                              remark_on_loads,   remark_on_shear,   remark_on_brittle_joints, remark_on_chatter,
-                              remark_on_linings};
+constexpr auto all_remarks = {remark_on_holding, remark_on_gravity,    remark_on_tension,        remark_on_materials,
+                              remark_on_sizes,   remark_on_gaps,       remark_on_steps,          remark_on_coarse_steps,
+                              remark_on_loads,   remark_on_shear,      remark_on_brittle_joints, remark_on_chatter,
+                              remark_on_linings, remark_on_held_blocks};
 
 }  // namespace
 

@@ -138,7 +138,7 @@ const std::vector<OddScene> odd_scenes = {
      [](Model& model) {
        model.gravity = {0, 0};
        model.joints[0].bonded = true;
-       model.edge_loads.push_back({0, {0, 0}, {1, 0}, {0, 1}, PiecewiseLinear{{0, 4e-3}, {0, 1}}});
+       model.edge_loads.push_back({2, {0, 3}, {1, 3}, {0, 1}, PiecewiseLinear{{0, 4e-3}, {0, 1}}});
        model.stages[0].dt = 2.5e-3;
      },
      "stage \"run\": loads change as fast as a wave of 62.5 Hz does, whose speed steps of 0.0025 s alter by -7 % and "
@@ -146,7 +146,7 @@ const std::vector<OddScene> odd_scenes = {
     {"fine_step",
      [](Model& model) {
        model.joints[0].bonded = true;
-       model.edge_loads.push_back({0, {0, 0}, {1, 0}, {0, 1}, PiecewiseLinear{{0, 4e-3}, {0, 1}}});
+       model.edge_loads.push_back({2, {0, 3}, {1, 3}, {0, 1}, PiecewiseLinear{{0, 4e-3}, {0, 1}}});
        model.stages[0].dt = 1e-4;
      },
      ""},
@@ -218,6 +218,28 @@ const std::vector<OddScene> odd_scenes = {
        model.joints[0].bonded = true;
      },
      ""},
+    {"a_load_half_on_a_held_block",
+     [](Model& model) {
+       for (const int block : {0, 1})
+         model.edge_loads.push_back({block, {0, block + 1.0}, {0, block + 0.0}, {1e3, 0}, Constant{}});
+     },
+     "the load of 1000 Pa lies with 50 % of its 2 m on block \"b0\", which is held: that part moves nothing"},
+    {"a_load_beside_a_held_block",
+     [](Model& model) {
+       model.edge_loads.push_back({1, {0, 2}, {0, 1}, {1e3, 0}, Constant{}});
+     },
+     ""},
+    {"a_point_load_on_a_held_block",
+     [](Model& model) {
+       model.point_loads = {{0, {0, 0.5}, {1e3, 0}, Constant{}}, {1, {0, 1.5}, {1e3, 0}, Constant{}}};
+     },
+     "all of the load of [1000, 0] N at (0, 0.5) m is on block \"b0\", which is held: it moves nothing"},
+    {"a_support_on_a_held_block",
+     [](Model& model) {
+       for (const int block : {0, 1})
+         model.supports.push_back({block, {0, block + 0.5}, true, true, 1e9, {0, 0}, Constant{}});
+     },
+     "1 of 2 springs of supports are on blocks that are held, the first on block \"b0\": they do nothing there"},
     {"tough",
      [](Model& model) {
        model.joints[0].cohesion = 1e6;

@@ -142,7 +142,8 @@ void add_run(CLI::App& app, Arguments& arguments) {
   run->add_option("--frame-interval", arguments.frame_interval, "simulated time between frames, e.g. 5ms")
       ->type_name("TIME")
       ->excludes(frames);
-  run->add_option("--every", arguments.run.rows_every, "steps between the rows of histories.csv; default 1")
+  run->add_option("--every", arguments.run.rows_every,
+                  "steps between the rows of histories.csv, which has the end of each stage too; default 1")
       ->type_name("K")
       ->check(positive_count);
   run->add_option("--checkpoint-interval", arguments.checkpoint_interval,

@@ -226,10 +226,10 @@ class Run {
   }
 
   void finish(RunFiles& files, Status status, const std::string& message) {
-    if (status != Status::ok && status != Status::stopped) files.write_last_state();
     // A step that failed half-way leaves a state between steps, from which a run cannot go on: the last checkpoint
     // stays.
     if (simulation_.state().time == time_before_) files.write_checkpoint();
+    if (status != Status::ok && status != Status::stopped) files.write_last_state();
     files.close(summary(status, message));
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -73,6 +74,14 @@ std::vector<BoltLinkValues> bolt_links_of(const Simulation& simulation) {
   return values;
 }
 
+// Whether the stage that comes is yet to take its first step: the row of the end of the one before is there.
+bool stands_between_stages(const Simulation& simulation) {
+  const std::vector<StageSpan> spans = stage_spans(simulation.model());
+  const std::size_t done = stages_done(simulation);
+  if (simulation.is_settling() || done >= spans.size()) return done >= spans.size();
+  return std::abs(simulation.state().time - spans[done].begin_s) < 0.25 * simulation.model().stages[done].dt;
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptions options,
@@ -93,6 +102,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
   if (resumed) {
     frame_times_ = resumed->frame_times;
     energy_time_ = resumed->energy_time;
+    if (stands_between_stages(simulation)) written_step_ = simulation.state().step;
   }
   if (options_.frame_interval) {
     frames_ = std::make_unique<FrameWriter>(simulation.model(), in_folder(frames_name));
@@ -141,9 +151,12 @@ void RunFiles::after_step() {
   if (since_checkpoint.count() > options_.checkpoint_interval) write_checkpoint();
 }
 
+// Its row is written whether or not it is one of every K: the end is what a stage is run for.
 void RunFiles::at_end_of_stage() {
   ended_step_ = simulation_.state().step;
-  write_what_is_due();
+  sample();
+  sample_energies();
+  write_frame_when_due();
 }
 
 void RunFiles::write_what_is_due() {
@@ -199,7 +212,9 @@ void RunFiles::write_frame() {
 }
 
 void RunFiles::write_last_state() {
-  const bool is_behind = settles_ && written_step_ != simulation_.state().step;
+  const std::int64_t step = simulation_.state().step;
+  const bool is_due = !settles_ && step % options_.rows_every == 0;  // and written, if before this run was resumed
+  const bool is_behind = !is_due && written_step_ != step;
   if (is_behind) sample();
   if (frames_ && (is_behind || frame_times_.empty() || frame_times_.back() != simulation_.state().time)) write_frame();
 }

@@ -45,14 +45,15 @@ class RunFiles {
   // To be called after every step: writes the row, frame and checkpoint that are due.
   void after_step();
 
-  // To be called at the end of every stage (call_at_ends_of_stages), within its last step: writes the row and the frame
-  // that are due of that step while all is there that they show.
+  // To be called at the end of every stage (call_at_ends_of_stages), within its last step: writes its row, and the
+  // frame that is due of that step, while all is there that they show.
   void at_end_of_stage();
 
   // To be called between two stages and after the last one. Keeps the state between two for other runs to begin from.
   void after_stage();
 
-  // What there is not yet of the state that a run ended in before its time.
+  // What there is not yet of the state that a run ended in before its time. To be called after the last checkpoint,
+  // which does not count it: a run that goes on from there writes it anew, or steps beyond it.
   void write_last_state();
 
   // Rows reach the disk before the checkpoint that counts them.

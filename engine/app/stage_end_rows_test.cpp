@@ -99,5 +99,50 @@ TEST_F(StageEndRows, AreThoseOfARunThatEndsThere) {
                                           first_name + ", then " + next_name);
 }
 
+std::vector<std::string> times_of(const std::string& rows) {
+  std::vector<std::string> times;
+  for (std::size_t at = rows.find('\n') + 1; at < rows.size(); at = rows.find('\n', at) + 1)
+    times.push_back(rows.substr(at, rows.find(',', at) - at));
+  return times;
+}
+
+// Ten steps of 1 ms and ten more: every seventh is 7 and 14.
+TEST_F(StageEndRows, AreWrittenWhereTheyAreNotOneOfEveryK) {
+  json scene = propped_stack(false, json::object());
+  scene["steps"] = {stage("first", moving), stage("next", moving)};
+  ASSERT_EQ(run_scene(scene.dump(), "all").code, 0);
+  ASSERT_EQ(run_scene(scene.dump(), "some", {"--every", "7"}).code, 0);
+  const std::vector<std::string> expected{"0", "0.007", "0.01", "0.014", "0.02"};
+  for (const char* file : {"/histories.csv", "/energies.csv"}) {
+    const std::string some = text(std::string("some") + file), all = text(std::string("all") + file);
+    EXPECT_EQ(times_of(some), expected) << file;
+    for (std::size_t at = 0; at < some.size(); at = some.find('\n', at) + 1)
+      EXPECT_TRUE(contains(all, some.substr(at, some.find('\n', at) + 1 - at)))
+          << file << " has every row of all steps";
+  }
+  const auto whole = results_without_times("some");
+  const std::vector<std::string> again{"run",     path("some.json"), "--out", path("some"),
+                                       "--quiet", "--every",         "7",     "--resume"};
+  ASSERT_EQ(call(again).code, 0);
+  EXPECT_EQ(results_without_times("some").at("histories.csv"), whole.at("histories.csv"));
+  EXPECT_EQ(results_without_times("some").at("energies.csv"), whole.at("energies.csv"));
+}
+
+// A stone that no step can follow: the last whole step is in the rows, once, also when the run is tried again.
+TEST_F(StageEndRows, AreThereOfARunThatEndsBeforeItsTime) {
+  json scene = propped_stack(false, json::object());
+  scene["steps"] = {stage("first", moving), stage("next", moving)};
+  scene["steps"][1]["max_open_close_iterations"] = 1;
+  scene["steps"][1]["max_step_reductions"] = 0;
+  const int code = run_scene(scene.dump(), "some", {"--every", "7"}).code;
+  ASSERT_NE(code, 0);
+  const json summary = json::parse(text("some/summary.json"));
+  const auto times = times_of(text("some/histories.csv"));
+  EXPECT_NEAR(std::stod(times.back()), summary["time_s"].get<double>(), 1e-12);
+  const std::string rows = text("some/histories.csv");
+  ASSERT_EQ(call({"run", path("some.json"), "--out", path("some"), "--quiet", "--every", "7", "--resume"}).code, code);
+  EXPECT_EQ(text("some/histories.csv"), rows);
+}
+
 }  // namespace
 }  // namespace dda

@@ -17,8 +17,13 @@ struct Format {
   std::string_view extension;
   Reader read;
 };
-constexpr std::array<Format, 6> formats{
-    {{".dxf", read_dxf}, {".csv", read_csv_drawing}, {".geojson", read_geojson}, {".dc", read_dc}, {".geo", read_dc}}};
+// Without a length of its own: one more than there are formats would be a format of files without an extension.
+constexpr auto formats = std::to_array<Format>({{".dxf", read_dxf},
+                                                {".csv", read_csv_drawing},
+                                                {".xlsx", read_xlsx},
+                                                {".geojson", read_geojson},
+                                                {".dc", read_dc},
+                                                {".geo", read_dc}});
 
 const Format* format_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();

@@ -1,5 +1,6 @@
 // Spreadsheets that other programs wrote (fixtures/make_tables.py), and what becomes of broken ones.
 #include "engine/drawing/drawing_test_support.h"
+#include "engine/drawing/read_drawing.h"
 #include "engine/drawing/read_formats.h"
 #include "engine/drawing/xlsx_test_support.h"
 
@@ -12,6 +13,19 @@ TEST(ReadXlsx, TablesOnSeveralSheets) {
   EXPECT_EQ(drawing.passed_over.at("sheet without a header"), 1);
   EXPECT_EQ(drawing.lines[1].origin, "plan.xlsx, sheet \"Lines & joints\" row 3");
   EXPECT_EQ(drawing.points[0].origin, "plan.xlsx, sheet \"Points\" row 6");
+}
+
+TEST(ReadXlsx, IsADrawingByItsExtension) {
+  EXPECT_TRUE(is_drawing("PLAN.XLSX"));
+  expect_triangle_with_joint(read_drawing(fixture("tables.xlsx"), "plan.xlsx", 1e-3));
+}
+
+// Which a table of formats with one empty entry took for a drawing, and crashed.
+TEST(ReadDrawing, AFileWithoutAnExtensionIsNone) {
+  for (const char* name : {"plan", "", ".", "plan.", "plan.xls"}) {
+    EXPECT_FALSE(is_drawing(name)) << name;
+    expect_refused([&] { read_drawing(name, name); }, "expected a .dxf, .csv, .xlsx, .geojson, .dc or .geo file");
+  }
 }
 
 TEST(ReadXlsx, OneTableWithSharedTexts) {

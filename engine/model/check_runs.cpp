@@ -1,3 +1,8 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
 #include "engine/model/explicit_conditions.h"
@@ -30,9 +35,34 @@ void check_stage(const Item& item, const Stage& stage) {
   item.not_negative("mass damping", stage.material_damping.mass);
   item.not_negative("stiffness damping", stage.material_damping.stiffness);
   item.within("equilibrium", stage.equilibrium, 0, 1);
-  item.not_negative("strain inertia", stage.strain_inertia);
   item.positive("max open-close iterations", stage.max_open_close_iterations);
   item.within("max step reductions", stage.max_step_reductions, 0, 60);
+}
+
+// What `strain_inertia` must exceed for a block to have inertia in all motion. With second moments X and Y about the
+// principal axes, rotation w has the inertia X + Y, shear g the factor s on (X + Y)/4, and both together the product
+// (X - Y) w g, which the factor leaves as it is: s (X + Y)^2 > (X - Y)^2.
+double least_strain_inertia(const AreaMoments& moments) {
+  return (std::pow(moments.xx - moments.yy, 2) + std::pow(2 * moments.xy, 2)) / std::pow(moments.xx + moments.yy, 2);
+}
+
+void check_strain_inertia(const Item& item, const Model& model, const Stage& stage) {
+  item.not_negative("strain inertia", stage.strain_inertia);
+  if (stage.strain_inertia >= 1) return;
+  double least = 0;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const double own = least_strain_inertia(model.blocks[i].moments);
+    if (model.is_held(static_cast<int>(i)) || own <= least) continue;
+    least = own;
+    longest = i;
+  }
+  constexpr double round_off = 1e-9;  // of the whole inertia: a square needs none of it
+  if (stage.strain_inertia > least + round_off) return;
+  item.fail("strain inertia", fmt::format("{:g}", stage.strain_inertia),
+            fmt::format("above {:.3g}: with less, block \"{}\", the longest for its width, has no inertia against "
+                        "shearing while it turns",
+                        least, model.blocks[longest].name));
 }
 
 void check_explicit_stage(const Item& item, const Model& model, const Stage& stage) {
@@ -46,6 +76,7 @@ void check_stages(const Model& model) {
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
     const Item item("stages", i, model.stages[i].name);
     check_stage(item, model.stages[i]);
+    check_strain_inertia(item, model, model.stages[i]);
     if (model.stages[i].integrator.is_explicit()) check_explicit_stage(item, model, model.stages[i]);
     if (model.stages[i].material_damping.acts() && !model.stays_linear())
       item.fail("damping", "given",

@@ -175,6 +175,22 @@ const std::vector<Spoiled> spoiled = {
 INSTANTIATE_TEST_SUITE_P(FinishModel, BadModel, testing::ValuesIn(spoiled));
 
 // Blocks rounded into each other by less than the tolerance still only touch.
+// Blocks of 2 m x 1 m have principal moments in the ratio of 4 to 1: (3/5)^2.
+TEST(FinishModel, StrainInertiaLeavesInertiaInAllMotion) {
+  Model model = complete_model();
+  model.stages[0].strain_inertia = 0.3601;
+  EXPECT_NO_THROW(finish_model(model));
+  model.stages[0].strain_inertia = 0.3599;
+  try {
+    finish_model(model);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("strain inertia is 0.3599, expected above 0.36: with less, block \"a\""),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(FinishModel, TouchingWithinRoundOffIsNoOverlap) {
   Model model = complete_model();
   model.blocks[1].shape.outer[0].x() -= 1e-12;

@@ -84,6 +84,8 @@ std::vector<const TimeFunction*> histories_of(const Model& model) {
   for (const auto& load : model.edge_loads) histories.push_back(&load.history);
   for (const auto& support : model.supports) histories.push_back(&support.history);
   for (const auto& held : model.held_blocks) histories.push_back(&held.history);
+  for (const auto& stage : model.stages)  // what removed blocks exerted fades as a load
+    if (stage.removal.relaxation) histories.push_back(&*stage.removal.relaxation);
   return histories;
 }
 

@@ -46,6 +46,22 @@ TEST(RemovalInScenes, LetsGoOverATimeOrByATable) {
   EXPECT_DOUBLE_EQ(evaluate(*table.stages[1].removal.relaxation, 1), 0.3);
 }
 
+// Of its time steps too: a ramp far shorter than what else is there to follow asks for shorter ones.
+TEST(RemovalInScenes, LetsGoSlowlyInADynamicStageThatHasItsStepChosen) {
+  const auto chosen = [](const std::string& removal) {
+    std::string scene = scene_with("", R"(, "remove": )" + removal);
+    scene.replace(scene.find(R"("dt": 1e-4, "duration": 1e-2)"), 28, R"("duration": 10)");
+    return parse_scene(scene, "scene");
+  };
+  const Model slow = chosen(R"({"blocks": ["hole"], "over": "4 s"})");
+  ASSERT_TRUE(slow.stages[1].removal.relaxation);
+  EXPECT_DOUBLE_EQ(evaluate(*slow.stages[1].removal.relaxation, 1), 0.75);
+  EXPECT_GT(slow.stages[1].dt, 0);
+  const Model quick = chosen(R"({"blocks": ["hole"], "table": [[0, 1], ["1 ms", 0.5]]})");
+  EXPECT_LT(quick.stages[1].dt, 0.1 * slow.stages[1].dt);
+  EXPECT_LT(quick.stages[1].dt, 1e-3 / 4);
+}
+
 void expect_sentence_for(const std::string& text, const std::vector<std::string>& parts) {
   try {
     parse_scene(text, "bad.json");

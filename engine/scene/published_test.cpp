@@ -88,7 +88,34 @@ TEST(Reference, ScenesShownAreAccepted) {
     EXPECT_NO_THROW(parse_scene(reference.substr(first, reference.find("```", first) - first), "scene.md"));
     ++count;
   }
-  EXPECT_GE(count, 1);
+  EXPECT_GE(count, 2);
+}
+
+// The fragments with stages are whole but for the rock around them.
+TEST(Reference, StagesShownAreAcceptedAroundATunnel) {
+  const std::string reference = text_of(docs / "scene.md");
+  json rock = {{"boundary", {{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}},
+               {"joint_sets",
+                {{{"dip", "10 deg"}, {"spacing", 2}, {"joint", "default"}},
+                 {{"dip", "80 deg"}, {"spacing", 2}, {"joint", "default"}}}},
+               {"openings", {{{"name", "tunnel"}, {"circle", {{"radius", 3}}}}}}};
+  int count = 0;
+  for (std::size_t at = reference.find("\n```"); at != std::string::npos;) {  // blocks of code, one after the other
+    const std::size_t first = reference.find('\n', at + 1) + 1, last = reference.find("\n```", first);
+    const json fragment = json::parse("{" + reference.substr(first, last - first) + "}", nullptr, false);
+    at = reference.find("\n```", last + 1);
+    if (fragment.is_discarded() || !fragment.contains("steps")) continue;
+    json scene = {{"dda", 1},
+                  {"gravity", 9.81},
+                  {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.25}}}}},
+                  {"joints", {{"default", {{"bonded", true}}}}},
+                  {"blocks", {{"rock", rock}}},
+                  {"supports", {{{"edge", "bottom"}}}}};
+    scene.update(fragment);
+    EXPECT_NO_THROW(parse_scene(scene.dump(), "scene.md")) << fragment;
+    ++count;
+  }
+  EXPECT_GE(count, 5);
 }
 
 }  // namespace

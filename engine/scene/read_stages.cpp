@@ -121,7 +121,8 @@ std::optional<TimeFunction> read_relaxation(const Field& field, const Stage& sta
   const auto table = field.find("table");
   if (over) refuse(field, {"table"}, "beside over");
   if (!over && !table) return std::nullopt;
-  if (stage.paces_itself())
+  // A dynamic stage without dt has none yet here either, but is given one before it is stepped.
+  if (stage.paces_itself() && !stage.automatic_dt)
     (over ? *over : *table).fail("left out in a static stage without dt, whose steps take no time");
   if (over) return PiecewiseLinear{{0, over->positive(Dimension::time)}, {1, 0}};
   PiecewiseLinear rows = read_table(*table);

@@ -57,9 +57,8 @@ std::string sentence(Failure failure) {
     case Failure::none: return "";
     case Failure::unsettled: return "the open-close iteration did not settle";
     case Failure::singular_matrix:
-      return "the system matrix is not positive definite: a block of a static stage is not held, "
-             "blocks differ too much in size or stiffness, or data overflow; "
-             "dda check remarks on the first two";
+      return "the system matrix is not positive definite: blocks differ too much in size or stiffness, data "
+             "overflow, or, in a static stage, a block is not held; dda check remarks on the first and the last";
     case Failure::linear_solver: return "the linear solver failed";
     case Failure::not_finite: return "a displacement is not finite";
   }

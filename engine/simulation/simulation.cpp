@@ -149,7 +149,12 @@ void Simulation::begin_stage() {
   begin_viscous_edges(s);
   stage_step().set_up(std::move(pattern));
   stage_step().begin();
-  if (!s.plan.is_static) set_held_rates(s.model, s.state);
+  s.forces.most_exchanged = 0;
+  if (s.plan.is_static) {
+    note_exchanged_forces(s);
+  } else {
+    set_held_rates(s.model, s.state);
+  }
 }
 
 Status Simulation::step() {

@@ -13,6 +13,7 @@
 #include "engine/simulation/excavation.h"
 #include "engine/simulation/explicit_step.h"
 #include "engine/simulation/free_field.h"
+#include "engine/simulation/gain_at_start.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_step.h"
@@ -154,6 +155,7 @@ void Simulation::begin_stage() {
     note_exchanged_forces(s);
   } else {
     set_held_rates(s.model, s.state);
+    s.audit.accelerations_begin(energy_of_a_free_step(s));
   }
 }
 

@@ -37,7 +37,8 @@ constexpr double facing_cosine = 0.999;   // within 2.5 degrees of opposite dire
 constexpr double longest_fall = 0.1;      // of the smallest block, in one step; contact detection follows less
 constexpr double spoilt_speed = 0.05;     // by time steps, of a wave that is as fast as the loads
 constexpr double spoilt_amplitude = 0.2;  // the same, lost in a period
-constexpr double most_crossings = 100;    // of the whole scene by a P wave in one step
+constexpr double most_damping_in_a_step = 0.02;
+constexpr double most_crossings = 100;  // of the whole scene by a P wave in one step
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -237,6 +238,20 @@ void remark_on_steps(const Model& model, const ContactSet& /*contacts*/, Remarks
   }
 }
 
+// `damping_rate` acts at the ends of steps alone: what a step has gained is then short by rate dt/2 of what steady
+// forces would keep, and an initial velocity goes as far further.
+void remark_on_damping_rate(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (const Stage& stage : model.stages) {
+    const double in_a_step = stage.damping_rate * stage.dt;
+    if (stage.integrator.is_static || in_a_step <= most_damping_in_a_step) continue;
+    remarks.push_back(
+        fmt::format("stage \"{}\": damping_rate times dt is {:.2g}, and velocities miss about half of that as a share "
+                    "of them; at a "
+                    "dt of {:.2g} s it is 1 %",
+                    stage.name, in_a_step, most_damping_in_a_step / stage.damping_rate));
+  }
+}
+
 // Waves of the load's own frequency that the integrator itself spoils. Loads that steps pass over are unseen_loads'.
 void remark_on_coarse_steps(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   const auto keeps = [](const StepErrors& errors, double speed, double amplitude) {
@@ -331,10 +346,10 @@ void remark_on_linings(const Model& model, const ContactSet& /*contacts*/, Remar
   for (std::string& sentence : lining_remarks(model)) remarks.push_back(std::move(sentence));
 }
 
-constexpr auto all_remarks = {remark_on_holding, remark_on_gravity,    remark_on_tension,        remark_on_materials,
-                              remark_on_sizes,   remark_on_gaps,       remark_on_steps,          remark_on_coarse_steps,
-                              remark_on_loads,   remark_on_shear,      remark_on_brittle_joints, remark_on_chatter,
-                              remark_on_linings, remark_on_held_blocks};
+constexpr auto all_remarks = {
+    remark_on_holding,        remark_on_gravity, remark_on_tension,      remark_on_materials,   remark_on_sizes,
+    remark_on_gaps,           remark_on_steps,   remark_on_coarse_steps, remark_on_loads,       remark_on_shear,
+    remark_on_brittle_joints, remark_on_chatter, remark_on_linings,      remark_on_held_blocks, remark_on_damping_rate};
 
 }  // namespace
 

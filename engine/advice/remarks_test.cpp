@@ -143,6 +143,14 @@ const std::vector<OddScene> odd_scenes = {
      },
      "stage \"run\": loads change as fast as a wave of 62.5 Hz does, whose speed steps of 0.0025 s alter by -7 % and "
      "of whose amplitude they take 0 % in a period; at a dt of 0.00063 s it is 1 and 5 % at most"},
+    {"coarse_damping_rate",
+     [](Model& model) {
+       model.stages[0].damping_rate = 50;
+       model.stages[0].dt = 1e-2;
+     },
+     "stage \"run\": damping_rate times dt is 0.5, and velocities miss about half of that as a share of them; at a dt "
+     "of 0.0004 s it is 1 %"},
+    {"fine_damping_rate", [](Model& model) { model.stages[0].damping_rate = 19; }, ""},
     {"fine_step",
      [](Model& model) {
        model.joints[0].bonded = true;

@@ -107,5 +107,34 @@ TEST_F(Verdict, WhatStepsLoseIsSaid) {
   EXPECT_EQ(errors_of(box_above_floor(0.3, "0.1 s")), "");  // it is still falling
 }
 
+// A block that is let go on ground which no step resolves.
+nlohmann::json block_on_ground(int steps, const nlohmann::json& integrator) {
+  const auto box = [](const char* name, double left, double bottom, double right, double top) {
+    return nlohmann::json{
+        {"polygon", {{"name", name}, {"vertices", {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}}}};
+  };
+  return {{"dda", 1},
+          {"gravity", 9.81},
+          {"materials", {{"stone", {{"density", 2500}, {"young", 1e9}, {"poisson", 0.2}}}}},
+          {"joints", {{"default", {{"friction_angle", 0.6}}}}},
+          {"blocks", {box("base", -2, -1, 4, 0), box("b", 0, 0, 1, 1)}},
+          {"fixed", {"base"}},
+          {"steps", {{"dt", 0.01}, {"duration", 0.01 * steps}, {"integrator", integrator}}}};
+}
+
+// A run of one step has half of its velocities from a fall that did not happen; the second takes them out again.
+TEST_F(Verdict, WhatTheFirstStepsMakeOfTheStartIsNoGain) {
+  for (const double rho : {0.0, 0.25, 0.5, 0.75})
+    for (const int steps : {1, 2, 3, 5, 8}) {
+      write("block.json", block_on_ground(steps, {{"generalized_alpha", rho}}).dump());
+      const Outcome outcome = call({"run", path("block.json"), "--out", path("out"), "--quiet"});
+      EXPECT_EQ(outcome.code, 0) << rho << ", " << steps << ": " << outcome.errors;
+      if (rho == 0 && steps == 1) {
+        EXPECT_TRUE(contains(outcome.errors, "warning: time integration added 0.73 J/m")) << outcome.errors;
+        EXPECT_TRUE(contains(outcome.errors, "take more steps, or a smaller dt")) << outcome.errors;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace dda

@@ -286,7 +286,7 @@ class Run {
 
   void conclude(Status status, std::ostream& out) const {
     for (const auto& [name, share] : static_stages())
-      out << fmt::format("static stage \"{}\": forces out of balance by {:.1e} of the largest load\n", name, share);
+      out << fmt::format("static stage \"{}\": forces out of balance by {:.1e} of the largest force\n", name, share);
     out << fmt::format("{}: {} steps to {:.6g} s in {:.3g} s, energy residual {:.1e}; results in {}\n",
                        to_string(status), simulation_.state().step, simulation_.state().time, wall_seconds() - began_,
                        simulation_.energy().relative_residual(), options_.folder.string());

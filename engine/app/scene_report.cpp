@@ -202,7 +202,7 @@ void add_free_field(const Model& model, const Simulation& columns, Text& text) {
 
 std::string steps_of(const Stage& stage) {
   if (stage.paces_itself())
-    return fmt::format("finds its own steps to equilibrium within {:.2g} of the largest load", stage.equilibrium);
+    return fmt::format("finds its own steps to equilibrium within {:.2g} of the largest force", stage.equilibrium);
   return fmt::format("{} steps of {:.6g} s{}, {:.6g} s in all", stage.steps(), stage.dt,
                      stage.automatic_dt ? fmt::format(" (chosen: {})", stage.dt_reason) : "", stage.duration);
 }

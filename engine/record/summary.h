@@ -63,7 +63,7 @@ struct RunSummary {
   double wall_s = 0;
   std::vector<std::pair<std::string, double>> phases;  // name and seconds, in the order of the run
   std::vector<StageSpan> stages;
-  std::vector<std::pair<std::string, double>> out_of_balance;  // static stages: name and share of the largest load
+  std::vector<std::pair<std::string, double>> out_of_balance;  // static stages: name and share of the largest force
   std::vector<LooseBlock> loose_blocks;
   std::string solver;
   std::int64_t blocks = 0;

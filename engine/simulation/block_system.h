@@ -55,11 +55,12 @@ struct StageClock {
 struct BlockForces {
   Eigen::VectorXd load_old, load_new;
   Eigen::VectorXd internal_old, internal_new;
+  double most_exchanged = 0;  // N per m of thickness, in the static stage under way (equilibrium.h)
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [load_old, load_new, internal_old, internal_new] = self;
-    archive(load_old, internal_old);  // the others are written before they are read
+    auto& [load_old, load_new, internal_old, internal_new, most_exchanged] = self;
+    archive(load_old, internal_old, most_exchanged);  // the others are written before they are read
   }
 };
 

@@ -130,6 +130,10 @@ class EnergyAudit {
   // Blocks were removed, by which the stored energies fell.
   void blocks_removed(const StoredEnergy& before, const StoredEnergy& after);
 
+  // A stage begins with accelerations that would give this much kinetic energy in one step (gain_at_start.h).
+  void accelerations_begin(double energy) { free_step_ = energy; }
+  [[nodiscard]] double energy_of_free_step() const { return free_step_; }
+
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
 
@@ -149,8 +153,8 @@ class EnergyAudit {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [ledger, replaced, numerical_before, lost_before, most_gained] = self;
-    archive(ledger, replaced, numerical_before, lost_before, most_gained);
+    auto& [ledger, replaced, numerical_before, lost_before, most_gained, free_step] = self;
+    archive(ledger, replaced, numerical_before, lost_before, most_gained, free_step);
   }
 
  private:
@@ -165,6 +169,7 @@ class EnergyAudit {
   double numerical_before_ = 0;  // losses of the stages before, by time integration
   double lost_before_ = 0;       // and all of them
   double most_gained_ = 0;       // up to the start of the step under way
+  double free_step_ = 0;         // what the accelerations of the stage's start would give in a step
 };
 
 }  // namespace dda

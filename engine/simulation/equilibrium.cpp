@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 
 #include "engine/simulation/block_system.h"
@@ -13,6 +15,14 @@ namespace dda {
 namespace {
 
 constexpr std::size_t most_named = 3;
+
+// Blocks may follow a prescribed motion until no force is left; what is smaller than this share of the largest force
+// exchanged on the way counts as none. (All of it would be too much: a first step that is short has the lid of a press
+// push blocks that do not give way yet.)
+constexpr double share_remembered = 1e-3;
+
+// In units of round-off, of the forces that would move rock as far as it has gone: contacts are stiffer than blocks.
+constexpr double most_round_off = 1024;
 
 // Of the entries of one block. Moments count as forces at the arm of its size, or balance would be asked for the more
 // strictly the larger a scene.
@@ -27,17 +37,89 @@ double largest_of_all(const BlockSystem& system, const Eigen::VectorXd& forces) 
   return largest + 0 * forces.sum();
 }
 
-// Unbalanced forces as shares of the largest load, those of held blocks zero.
+// Of supports and bolts, N per m of thickness.
+double largest_of_springs(const BlockSystem& system) {
+  double largest = 0;
+  for (const SupportElement& support : system.supports)
+    largest = std::max(largest, (support.stiffness * support.gap).cwiseAbs().maxCoeff());
+  for (const LinkElement& link : system.bolts.links())
+    if (!link.carries_nothing()) largest = std::max(largest, link.state.force.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+// What stresses carry across the width of a block, and what holds the held, N per m of thickness.
+double largest_in_rock(const BlockSystem& system) {
+  double largest = 0;
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i)
+    largest = std::max(largest, std::sqrt(system.terms.area[i]) * system.state.stress[i].cwiseAbs().maxCoeff());
+  for (const int block : system.held.blocks)
+    largest = std::max(largest, largest_of(system, system.forces.internal_old, static_cast<std::size_t>(block)));
+  return largest;
+}
+
+// Something acts that is no load: a motion that is prescribed, or the pretension of a bolt.
+bool acts_without_load(const BlockSystem& system) {
+  const auto has_moved = [&](const HeldBlock& held) {
+    return !system.state.displacement[static_cast<std::size_t>(held.block)].isZero(0);
+  };
+  const auto is_displaced = [](const SupportElement& support) { return !support.prescribed.isZero(0); };
+  const auto is_tensioned = [](const Bolt& bolt) { return bolt.pretension != 0; };
+  return std::ranges::any_of(system.model.held_blocks, has_moved) ||
+         std::ranges::any_of(system.supports, is_displaced) || std::ranges::any_of(system.model.bolts, is_tensioned);
+}
+
+double exchanged_now(const BlockSystem& system) {
+  return std::max(largest_of_springs(system), largest_in_rock(system));
+}
+
+// Of forces between blocks that have moved together, N per m of thickness.
+double round_off_of_motion(const BlockSystem& system) {
+  double largest = 0;
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i)
+    largest = std::max(largest, system.terms.elasticity[i](0, 0) * system.state.displacement[i].head<2>().norm());
+  return most_round_off * std::numeric_limits<double>::epsilon() * largest;
+}
+
+// Of the held blocks in N per m of thickness, where steps do not take it from an inertia that these do not have. It is
+// in no balance, but of the size of what rests on them.
+double largest_held_weight(const BlockSystem& system) {
+  double largest = 0;
+  if (!system.plan.gravity || system.plan.linear) return largest;
+  for (const HeldBlock& held : system.model.held_blocks) {
+    const auto block = static_cast<std::size_t>(held.block);
+    if (!system.excavated.absent.empty() && system.excavated.absent[block]) continue;
+    largest = std::max(largest, system.model.mass_of(held.block) * system.model.gravity.cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+// The largest load, weight or force in situ, N per m of thickness.
+double largest_load(const BlockSystem& system, double in_situ_force) {
+  const double load = std::max(in_situ_force, largest_of_all(system, system.forces.load_old));
+  if (!system.plan.gravity) return load;
+  return std::max({load, largest_of_all(system, system.external.weight()), largest_held_weight(system)});
+}
+
+// Unbalanced forces as shares of the largest force that acts, those of held blocks zero. Prescribed motions and
+// pretensions act by the forces that they make blocks exchange. The same where nothing acts, and the rock comes to rest
+// from what an earlier stage has left. What is no more than round-off of these is none.
 Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_force) {
   Eigen::VectorXd unbalanced = system.unbalanced_forces();
   system.held.clear(unbalanced);
-  double scale = std::max(in_situ_force, largest_of_all(system, system.forces.load_old));
-  if (system.plan.gravity) scale = std::max(scale, largest_of_all(system, system.external.weight()));
+  double scale = largest_load(system, in_situ_force);
+  if (!(scale > 0) || acts_without_load(system)) {
+    scale = std::max({scale, exchanged_now(system), share_remembered * system.forces.most_exchanged});
+    if (largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
+  }
   if (scale > 0) unbalanced /= scale;
   return unbalanced;
 }
 
 }  // namespace
+
+void note_exchanged_forces(BlockSystem& system) {
+  system.forces.most_exchanged = std::max(system.forces.most_exchanged, exchanged_now(system));
+}
 
 double out_of_balance(const BlockSystem& system, double in_situ_force) {
   return largest_of_all(system, unbalanced_shares(system, in_situ_force));
@@ -62,7 +144,7 @@ std::string equilibrium_problem(const BlockSystem& system, double in_situ_force)
   };
   if (ended.equilibrium > 0 && !(imbalance <= ended.equilibrium))
     return fmt::format(
-        "static stage \"{}\" ended with forces out of balance by {:.2g} of the largest load, {:.2g} were asked for{}: "
+        "static stage \"{}\" ended with forces out of balance by {:.2g} of the largest force, {:.2g} were asked for{}: "
         "{}",
         ended.name, imbalance, ended.equilibrium, ended.paces_itself() ? "" : "; more steps or a larger dt may help",
         named(blocks_out_of_balance(system, in_situ_force, ended.equilibrium)));

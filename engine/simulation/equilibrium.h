@@ -24,8 +24,14 @@ struct UnbalancedBlock {
   }
 };
 
-// Largest unbalanced force of any unknown over the largest load, weight or `in_situ_force` (N per m of thickness);
-// moments over the root of the block's area.
+// In static stages, when one begins and after each of its steps: notes what blocks, supports and bolts exchange now,
+// for out_of_balance() to know when it has become next to nothing.
+void note_exchanged_forces(BlockSystem& system);
+
+// Largest unbalanced force of any unknown over the largest force that acts: load, weight or `in_situ_force` (N per m of
+// thickness), and where a motion is prescribed, bolts have a pretension, or nothing acts, the largest force exchanged.
+// Moments over the root of the block's area. No size of its own comes in: a scene of millimetres and one of kilometres
+// have the same share. Without loads, what is no more than round-off of the motion so far is no force.
 double out_of_balance(const BlockSystem& system, double in_situ_force);
 
 // Blocks that are out of balance by more than `share` of that, the worst first.

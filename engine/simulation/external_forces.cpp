@@ -30,6 +30,7 @@ ExternalForces::ExternalForces(const Model& model, const State& state, const Wav
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     weight_.segment<2>(static_cast<Eigen::Index>(6 * i)) =
         dda::weight(model.mass_of(static_cast<int>(i)), model.gravity);
+  for (const HeldBlock& held : model.held_blocks) weight_.segment<6>(6 * held.block).setZero();
 }
 
 void ExternalForces::update_geometry(const Model& model, const State& state) {

@@ -34,7 +34,7 @@ class ExternalForces {
   // Writes the loads (without weight) at `time` into `force`, 6 entries a block.
   void loads_at(double time, Eigen::VectorXd& force) const;
 
-  // The weight of all blocks; empty without gravity.
+  // The weight of all blocks, that of held ones zero, as their inertia is; empty without gravity.
   [[nodiscard]] const Eigen::VectorXd& weight() const { return weight_; }
   // Replaces it where inertia couples blocks: weight is inertia times gravity then too.
   void set_weight(const Eigen::VectorXd& weight) { weight_ = weight; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 
 #include "engine/simulation/simulation_models.h"
 
@@ -131,6 +132,40 @@ TEST(HeldBlocks, CountNeitherForKineticEnergyNorForBalance) {
   run(simulation, 10);
   EXPECT_EQ(simulation.energy().kinetic, 0);
   EXPECT_EQ(simulation.out_of_balance(), 0);
+}
+
+// Random paths of a heavy base under a block: the weight of the base is no part of the energies, nor of what loads and
+// motions are compared with, whatever step the scene takes.
+TEST(HeldBlocks, WeightOfMovingOnesIsInNoEnergy) {
+  std::mt19937 random(58);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int scene = 0; scene < 24; ++scene)
+    for (const Way& way : ways()) {
+      const std::vector<Integrator> integrators = dynamic_integrators();
+      const Integrator& integrator = integrators[static_cast<std::size_t>(scene) % integrators.size()];
+      Model model = shaken_bar(way.joint, stage_of(integrator, 1e-3, 70, way.kinematics));
+      model.materials.push_back(model.materials[0]);
+      model.materials[1].density *= 1e4;  // the work of its weight would be all there is
+      model.blocks[0].material = 1;
+      model.held_blocks[0].amplitude = {3 * number(random), 3 * number(random)};
+      if (way.kinematics == Kinematics::finite) model.held_blocks[0].turn = number(random);
+      model.gravity = {5 * number(random), -10};
+      model.point_loads = {{2, {3, 0.4}, {1e4 * number(random), 1e4 * number(random)}, SineCycles{30, 2, 0}}};
+      finish_model(model);
+      Simulation simulation(model);
+      double fallen = 0;
+      while (!simulation.finished()) {
+        const State before = simulation.state();
+        ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+        for (std::size_t i = 1; i < 3; ++i)
+          fallen += model.mass_of(static_cast<int>(i)) *
+                    model.gravity.dot((simulation.state().displacement[i] - before.displacement[i]).head<2>());
+      }
+      const EnergyLedger& energy = simulation.energy();
+      EXPECT_NEAR(energy.gravity_work, fallen, 1e-9 * std::abs(fallen)) << scene;
+      // Of the rows of three blocks, with forces that a base of 10^4 times the weight would spoil by as many digits.
+      EXPECT_LT(std::abs(energy.relative_residual()), 1e-10) << scene << integrator.name;
+    }
 }
 
 // A stack settles on a held floor to its weight in static steps, and the floor stays where it is.

@@ -13,6 +13,7 @@
 #include "engine/simulation/excavation.h"
 #include "engine/simulation/explicit_step.h"
 #include "engine/simulation/free_field.h"
+#include "engine/simulation/gain_at_start.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_step.h"
@@ -158,7 +159,13 @@ void Simulation::begin_stage() {
   begin_viscous_edges(s);
   stage_step().set_up(std::move(pattern));
   stage_step().begin();
-  if (!s.plan.is_static) set_held_rates(s.model, s.state);
+  s.forces.most_exchanged = 0;
+  if (s.plan.is_static) {
+    note_exchanged_forces(s);
+  } else {
+    set_held_rates(s.model, s.state);
+    s.audit.accelerations_begin(energy_of_a_free_step(s));
+  }
   s.audit.small_motion.begin_stage(s);
 }
 

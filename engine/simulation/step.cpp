@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "engine/simulation/equilibrium.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/kinematic_update.h"
 #include "engine/simulation/prescribed_motion.h"
@@ -35,6 +36,7 @@ double finish_step(double inertia_work, const StoredEnergy& stored, BlockSystem&
   if (!system.plan.is_static) set_held_rates(system.model, system.state);
   forces.internal_old.swap(forces.internal_new);
   forces.load_old.swap(forces.load_new);
+  if (system.plan.is_static) note_exchanged_forces(system);
   ++system.costs.counters.steps;
   return factor;
 }

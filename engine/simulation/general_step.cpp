@@ -35,8 +35,7 @@ constexpr int most_rounds = 10;
 // Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
 bool contacts_move(const Model& model) {
   const bool can_touch = model.blocks.size() > 1 && !std::ranges::all_of(model.joints, &JointMaterial::bonded);
-  return can_touch && std::any_of(model.stages.begin(), model.stages.end(),
-                                  [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
+  return can_touch && std::ranges::count(model.stages, Kinematics::finite, &Stage::kinematics) > 0;
 }
 
 ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {

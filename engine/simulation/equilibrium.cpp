@@ -42,7 +42,7 @@ double largest_of_springs(const BlockSystem& system) {
   double largest = 0;
   for (const SupportElement& support : system.supports)
     largest = std::max(largest, (support.stiffness * support.gap).cwiseAbs().maxCoeff());
-  for (const LinkElement& link : system.bolts.links())
+  for (const LinkElement& link : system.reinforcement.bolts.links())
     if (!link.carries_nothing()) largest = std::max(largest, link.state.force.cwiseAbs().maxCoeff());
   return largest;
 }

@@ -39,6 +39,8 @@ class Succession {
   std::ptrdiff_t same(const VertexContact& contact);
   std::ptrdiff_t next_edge(const VertexContact& contact);
   std::ptrdiff_t exchanged(const VertexContact& contact);
+  [[nodiscard]] bool has_left(const VertexContact& known) const;
+  std::ptrdiff_t gone_over_a_joint(const VertexContact& contact);
   std::ptrdiff_t over_a_joint(const VertexContact& contact);
   std::ptrdiff_t back_over_a_joint(const VertexContact& contact);
   template <typename Act>

@@ -6,7 +6,7 @@ namespace dda {
 RunVerdict judge_run(const Simulation& simulation) {
   RunVerdict energy = judge_energy(simulation);
   if (energy.status != Status::ok) return energy;
-  const RunVerdict penetration = judge_penetration(simulation);
+  RunVerdict penetration = judge_penetration(simulation);
   if (penetration.status != Status::ok) return penetration;
   RunVerdict motion = judge_motion(simulation);
   if (motion.status != Status::ok || energy.message.empty()) return motion;

@@ -6,16 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/model/state.h"
-
 namespace dda {
-namespace {
-
-void append(std::vector<double>& values, const Vec2& vector) {
-  values.insert(values.end(), {vector.x(), vector.y(), 0});
-}
-
-}  // namespace
 
 BoltFrameWriter::BoltFrameWriter(const Model& model, std::filesystem::path index)
     : model_(model), series_(std::move(index)) {
@@ -41,26 +32,18 @@ BoltFrameWriter::BoltFrameWriter(const Model& model, std::filesystem::path index
 }
 
 void BoltFrameWriter::add_line(const BoltLink& link, const Vec2& direction) {
-  const auto add_point = [this](int block, const Vec2& reference) {
-    data_.lines.connectivity.push_back(static_cast<std::int64_t>(points_.size()));
-    points_.push_back({block, reference});
-  };
+  const auto add_point = [this](int block, const Vec2& reference) { lines_.add_point(block, reference, data_); };
   if (link.reach_a > 0) add_point(link.block_a, link.point_a - link.reach_a * direction);
   add_point(link.block_a, link.point_a);
   add_point(link.block_b, link.point_b);
   if (link.reach_b > 0) add_point(link.block_b, link.point_b + link.reach_b * direction);
-  data_.lines.offsets.push_back(static_cast<std::int64_t>(points_.size()));
+  lines_.end_line(data_);
 }
 
 void BoltFrameWriter::write(const State& state, std::span<const BoltLinkValues> links) {
   PolyData data = data_;
   data.time = state.time;
-  std::vector<double> moved;
-  for (const MaterialPoint& point : points_) {
-    append(data.points, current_position(model_, state, point.block, point.reference));
-    append(moved, point_displacement(model_, state, point.block, point.reference));
-  }
-  data.point_data = {{"displacement [m]", 3, std::move(moved)}};
+  lines_.place(model_, state, data);
   data.cell_data.push_back(numbers_of<std::int32_t>("status", links, [](const auto& link) { return link.condition; }));
   data.cell_data.push_back(
       numbers_of<double>("axial_force [N]", links, [](const auto& link) { return link.force(0); }));

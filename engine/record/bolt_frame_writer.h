@@ -3,11 +3,11 @@
 
 #include <filesystem>
 #include <span>
-#include <vector>
 
 #include "engine/core/types.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
+#include "engine/record/material_lines.h"
 #include "engine/record/vtp_series.h"
 
 namespace dda {
@@ -39,16 +39,11 @@ class BoltFrameWriter {
   void go_on_after(std::span<const double> times) { series_.go_on_after(times); }
 
  private:
-  struct MaterialPoint {
-    int block = 0;
-    Vec2 reference;  // m
-  };
-
   void add_line(const BoltLink& link, const Vec2& direction);
 
   const Model& model_;
   VtpSeries series_;
-  std::vector<MaterialPoint> points_;
+  MaterialLines lines_;
   PolyData data_;  // what stays from frame to frame is filled in once
 };
 

@@ -4,17 +4,9 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-
-#include "engine/model/state.h"
+#include <vector>
 
 namespace dda {
-namespace {
-
-void append(std::vector<double>& values, const Vec2& vector) {
-  values.insert(values.end(), {vector.x(), vector.y(), 0});
-}
-
-}  // namespace
 
 LiningFrameWriter::LiningFrameWriter(const Model& model, std::filesystem::path index)
     : model_(model), series_(std::move(index)) {
@@ -23,11 +15,9 @@ LiningFrameWriter::LiningFrameWriter(const Model& model, std::filesystem::path i
   for (std::size_t i = 0; i < model.linings.size(); ++i) {
     const Lining& lining = model.linings[i];
     for (std::size_t j = 0; j < lining.elements(); ++j) {
-      for (const LiningNode* node : {&lining.start_of(j), &lining.end_of(j)}) {
-        data_.lines.connectivity.push_back(static_cast<std::int64_t>(points_.size()));
-        points_.push_back(node);
-      }
-      data_.lines.offsets.push_back(static_cast<std::int64_t>(points_.size()));
+      for (const LiningNode* node : {&lining.start_of(j), &lining.end_of(j)})
+        lines_.add_point(node->block, node->point, data_);
+      lines_.end_line(data_);
       linings.push_back(static_cast<std::int32_t>(i));
       elements.push_back(static_cast<std::int32_t>(j));
       blocks_a.push_back(lining.start_of(j).block);
@@ -45,12 +35,7 @@ LiningFrameWriter::LiningFrameWriter(const Model& model, std::filesystem::path i
 void LiningFrameWriter::write(const State& state, std::span<const LiningValues> elements) {
   PolyData data = data_;
   data.time = state.time;
-  std::vector<double> moved;
-  for (const LiningNode* node : points_) {
-    append(data.points, current_position(model_, state, node->block, node->point));
-    append(moved, point_displacement(model_, state, node->block, node->point));
-  }
-  data.point_data = {{"displacement [m]", 3, std::move(moved)}};
+  lines_.place(model_, state, data);
   const auto add = [&](const char* name, auto value) {
     data.cell_data.push_back(numbers_of<double>(name, elements, value));
   };

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 #include <span>
-#include <vector>
 
 #include "engine/model/model.h"
 #include "engine/model/state.h"
+#include "engine/record/material_lines.h"
 #include "engine/record/vtp_series.h"
 
 namespace dda {
@@ -41,7 +41,7 @@ class LiningFrameWriter {
  private:
   const Model& model_;
   VtpSeries series_;
-  std::vector<const LiningNode*> points_;
+  MaterialLines lines_;
   PolyData data_;  // what stays from frame to frame is filled in once
 };
 

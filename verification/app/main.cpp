@@ -162,6 +162,13 @@ void add_stability(CLI::App& app, Arguments& arguments) {
                       "the corners of the chart under two integrators, in seconds");
 }
 
+// Of what is drawn by lot: `first` and `many` say what it is.
+template <typename Command>
+void add_seeds(CLI::App& app, Command& command, const std::string& first, const std::string& many) {
+  app.add_option("--seed", command.seed, "of the first " + first + "; the others follow")->capture_default_str();
+  app.add_option("--count", command.count, many)->check(CLI::PositiveNumber)->capture_default_str();
+}
+
 void add_rocks(CLI::App& app, Arguments& arguments) {
   CLI::App* rocks = app.add_subcommand(
       "rocks",
@@ -169,8 +176,7 @@ void add_rocks(CLI::App& app, Arguments& arguments) {
       "and is judged by outlines, weights, Coulomb's law and speeds.\nWrites rocks.json, rocks.md, images/ and the "
       "scenes that are not right. Exit code 1 if a rock is wrong in silence.");
   rocks->add_option("--out", arguments.rocks.folder, "folder for all files; made if it is not there")->required();
-  rocks->add_option("--seed", arguments.rocks.seed, "of the first rock; the others follow")->capture_default_str();
-  rocks->add_option("--count", arguments.rocks.count, "rocks")->check(CLI::PositiveNumber)->capture_default_str();
+  add_seeds(*rocks, arguments.rocks, "rock", "rocks");
   rocks->add_flag("--dilating", arguments.rocks.dilating, "smaller rocks, with joints that ride up as they slide");
   rocks->add_option("--seconds", arguments.rocks.seconds, "of CPU time, the most that a rock is given")
       ->check(CLI::PositiveNumber)
@@ -183,11 +189,7 @@ void add_differential(CLI::App& app, Arguments& arguments) {
       "Random small scenes of mixed features, run with each linear solver, with a stop half-way and with two threads: "
       "they must agree to 1e-9, or it is said why not.\nExit code 1 if runs of a scene differ; each is told with its "
       "seed.");
-  differential->add_option("--seed", arguments.differential.seed, "of the first scene; the others follow")
-      ->capture_default_str();
-  differential->add_option("--count", arguments.differential.count, "scenes")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_seeds(*differential, arguments.differential, "scene", "scenes");
   differential->add_option("--out", arguments.differential.folder, "folder for scenes whose runs differ");
   differential->add_flag("--verbose", arguments.differential.verbose, "a line for every scene");
 }

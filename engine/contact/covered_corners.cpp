@@ -59,30 +59,18 @@ int shared_corner(const Outlines& outlines, const VertexContact& contact, double
   return -1;
 }
 
-// Where a vertex of one block meets a vertex of the other, and where the contact's edge goes from there.
-struct CornerPair {
-  int vertex, end;  // of the contact's vertex block and of its edge's block
-  Vec2 way;         // unit, along the edge away from its end
-};
-
-CornerPair corner_pair(const Outlines& outlines, const VertexContact& contact, int end) {
-  const Vec2 along = outlines.along(contact.edge).normalized();
-  return {contact.vertex, end, end == contact.edge ? along : Vec2(-along)};
-}
-
 class CoveredCorners {
  public:
   CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints,
                  const std::vector<VertexContact>& found)
       : search_(search), outlines_(search.outlines()) {
-    const Outlines& outlines = outlines_;
-    const auto coming = [&](int block) { return outlines.coming[at(outlines.starts[at(block)])]; };
+    const auto coming = [&](int block) { return outlines_.coming[at(outlines_.starts[at(block)])]; };
     for (const Carrier& joint : joints) carriers_.push_back({joint, coming(joint.block_a), coming(joint.block_b)});
     for (const VertexContact& contact : found)
-      carriers_.push_back({{contact.edge_block, contact.vertex_block, outlines.current[at(contact.vertex)],
+      carriers_.push_back({{contact.edge_block, contact.vertex_block, outlines_.current[at(contact.vertex)],
                             contact.normal, contact.gap},
-                           outlines.coming[at(contact.edge)],
-                           outlines.coming[at(contact.vertex)]});
+                           outlines_.coming[at(contact.edge)],
+                           outlines_.coming[at(contact.vertex)]});
     for (std::size_t i = 0; i < carriers_.size(); ++i) {
       by_block_.emplace_back(carriers_[i].there.block_a, i);
       by_block_.emplace_back(carriers_[i].there.block_b, i);
@@ -97,10 +85,11 @@ class CoveredCorners {
 
   // `end`: the corner that the contact's vertex is at, of its edge.
   [[nodiscard]] bool cover(const VertexContact& contact, int end) const {
-    const CornerPair corners = corner_pair(outlines_, contact, end);
-    // The vertex goes along the edge, or its end against that along the vertex' block.
-    return is_out(contact, contact.vertex_block, corners.vertex, corners.end, corners.way) ||
-           is_out(contact, contact.edge_block, corners.end, corners.vertex, -corners.way);
+    const Vec2 along = outlines_.along(contact.edge).normalized();
+    const Vec2 way = end == contact.edge ? along : Vec2(-along);
+    // The vertex goes along the edge, away from its end, or the end against that along the vertex' block.
+    return is_out(contact, contact.vertex_block, contact.vertex, end, way) ||
+           is_out(contact, contact.edge_block, end, contact.vertex, -way);
   }
 
  private:
@@ -143,6 +132,11 @@ bool contains(const std::vector<std::pair<int, int>>& pairs, const std::pair<int
   return std::binary_search(pairs.begin(), pairs.end(), pair);
 }
 
+void sort_each_once(std::vector<std::pair<int, int>>& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
 // A corner of a block and the edges that meet there, as increments of the blocks move them.
 class MovedCorner {
  public:
@@ -182,7 +176,7 @@ bool go_far(const ContactSearch& search, const VertexContact& contact, int corne
 }
 
 // Corners that are drawn in one point are so but for round-off, which must not choose contacts.
-constexpr double apart = 0.01;  // of what sides in line may differ by
+constexpr double some_way = 0.01;  // of what sides in line may differ by
 
 // Whether a cover of the same corners may count in the place of one that does not: where they come to each other from
 // some way off, or where one did in the last search.
@@ -190,13 +184,8 @@ bool may_have_another(const ContactSearch& search, const VertexContact& contact,
                       const std::vector<VertexContact>& known) {
   const Outlines& outlines = search.outlines();
   const double distance = (outlines.current[at(contact.vertex)] - outlines.current[at(end)]).norm();
-  if (distance > apart * near_of(search, contact) || go_far(search, contact, end)) return true;
-  const auto was_known = [&](int edge, int vertex) {
-    VertexContact wanted;
-    wanted.edge = edge;
-    wanted.vertex = vertex;
-    return is_among(known, wanted);
-  };
+  if (distance > some_way * near_of(search, contact) || go_far(search, contact, end)) return true;
+  const auto was_known = [&](int edge, int vertex) { return is_among(known, contact_named(edge, vertex)); };
   return was_known(end, contact.vertex) || was_known(outlines.previous[at(end)], contact.vertex) ||
          was_known(contact.vertex, end) || was_known(outlines.previous[at(contact.vertex)], end);
 }
@@ -204,14 +193,13 @@ bool may_have_another(const ContactSearch& search, const VertexContact& contact,
 // Chooses the contacts of pairs of blocks again, without covers that do not count.
 void look_again(const ContactSearch& search, const CoveredCorners& covered, const std::vector<VertexContact>& known,
                 std::vector<std::pair<int, int>>& pairs, std::vector<VertexContact>& found) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_each_once(pairs);
   std::vector<VertexContact> others;
   for (const auto& [a, b] : pairs)
     search.find_between(
         a, b, [&](const VertexContact& contact) { return covered.cover(contact); }, others);
   std::erase_if(others, [&](const VertexContact& contact) {
-    const bool comes = contact.gap > apart * near_of(search, contact) || go_far(search, contact, contact.edge);
+    const bool comes = contact.gap > some_way * near_of(search, contact) || go_far(search, contact, contact.edge);
     return !comes && !is_among(found, contact) && !is_among(known, contact);
   });
   std::erase_if(found, [&](const VertexContact& contact) { return contains(pairs, blocks_of(contact)); });
@@ -246,22 +234,21 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
   return taken;
 }
 
-std::vector<std::pair<int, int>> pressed_into_each_other(const Outlines& outlines, const std::vector<double>& size,
+std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& search,
                                                          const std::vector<VertexContact>& covered, const Model& model,
                                                          const State& state, const Eigen::VectorXd& d) {
+  const Outlines& outlines = search.outlines();
   const auto corner_of = [&](int block, int corner) {
     return MovedCorner(outlines, block, corner, current_centroid(model, state, block), d);
   };
   std::vector<std::pair<int, int>> pairs;
   for (const VertexContact& contact : covered) {
-    const double near = in_line * std::min(size[at(contact.edge_block)], size[at(contact.vertex_block)]);
     const MovedCorner of_vertex = corner_of(contact.vertex_block, contact.vertex);
     const MovedCorner of_edge = corner_of(contact.edge_block, nearer_end(outlines, contact));
-    if (std::max(of_edge.depth_of(of_vertex.place()), of_vertex.depth_of(of_edge.place())) > near)
+    if (std::max(of_edge.depth_of(of_vertex.place()), of_vertex.depth_of(of_edge.place())) > near_of(search, contact))
       pairs.push_back(blocks_of(contact));
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_each_once(pairs);
   return pairs;
 }
 

@@ -50,8 +50,8 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
                                             const std::vector<VertexContact>& known, std::vector<VertexContact>& found);
 
 // The pairs (smaller first, sorted) whose corners, covered at the start of a step, are deeper in each other than
-// `in_line` says after increments `d` (6 a block) of `state`, in which `outlines` are.
-std::vector<std::pair<int, int>> pressed_into_each_other(const Outlines& outlines, const std::vector<double>& size,
+// `in_line` says after increments `d` (6 a block) of `state`, the one of the last search.
+std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& search,
                                                          const std::vector<VertexContact>& covered, const Model& model,
                                                          const State& state, const Eigen::VectorXd& d);
 

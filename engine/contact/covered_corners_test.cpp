@@ -125,7 +125,7 @@ TEST(CoveredCorners, AreUncoveredByAStepThatPressesThemIntoEachOther) {
   const auto pressed = [&](const Vec2& of_upper_left) {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(24);
     d.head<2>() = of_upper_left;
-    return pressed_into_each_other(search.outlines(), search.sizes(), covered, model, initial_state(model), d);
+    return pressed_into_each_other(search, covered, model, initial_state(model), d);
   };
   EXPECT_TRUE(pressed({0.9e-3, -0.9e-3}).empty());
   EXPECT_TRUE(pressed({0.1, 0.1}).empty()) << "along its neighbour below";

@@ -119,7 +119,7 @@ bool MovingContacts::widen(const Model& model, const State& state, const Eigen::
   if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
   const bool wider = search_.widen(model, state, d);
   if (covered_.empty()) return wider;
-  const auto pressed = pressed_into_each_other(search_.outlines(), search_.sizes(), covered_, model, state, d);
+  const auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());
   std::sort(uncovered_.begin(), uncovered_.end());
   return wider || !pressed.empty();

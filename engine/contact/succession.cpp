@@ -19,10 +19,9 @@ Succession::Succession(const std::vector<VertexContact>& known, const std::vecto
     : known_(known), outlines_(outlines), taken_(known.size(), false), earlier_(found.size(), -1) {
   continue_by(&Succession::same, found);
   continue_by(&Succession::next_edge, found);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (earlier_[i] < 0 && !of_faces[i]) earlier_[i] = gone_over_a_joint(found[i]);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (earlier_[i] < 0 && !of_faces[i]) earlier_[i] = back_over_a_joint(found[i]);
+  for (const Rule rule : {&Succession::gone_over_a_joint, &Succession::back_over_a_joint})
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (earlier_[i] < 0 && !of_faces[i]) earlier_[i] = (this->*rule)(found[i]);
   continue_by(&Succession::exchanged, found);
   continue_by(&Succession::over_a_joint, found);
 }
@@ -43,9 +42,7 @@ void Succession::for_each_at(int vertex, Act act) {
 // The same for those on an edge.
 template <typename Act>
 void Succession::for_each_on(int edge, Act act) const {
-  VertexContact first;
-  first.edge = edge;
-  const auto begin = std::lower_bound(known_.begin(), known_.end(), first);
+  const auto begin = std::lower_bound(known_.begin(), known_.end(), contact_named(edge, 0));
   for (auto known = begin; known != known_.end() && known->edge == edge; ++known)
     act(static_cast<std::size_t>(known - known_.begin()));
 }
@@ -100,20 +97,22 @@ std::ptrdiff_t Succession::exchanged(const VertexContact& contact) {
   return -1;
 }
 
-std::ptrdiff_t Succession::gone_over_a_joint(const VertexContact& contact) {
+template <typename Condition>
+std::ptrdiff_t Succession::of_vertex(const VertexContact& contact, Condition condition) {
   std::ptrdiff_t index = -1;
   for_each_at(contact.vertex, [&](std::size_t i) {
-    if (index < 0 && has_left(known_[i])) index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), contact.normal);
+    if (index < 0 && condition(known_[i]))
+      index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), contact.normal);
   });
   return index;
 }
 
+std::ptrdiff_t Succession::gone_over_a_joint(const VertexContact& contact) {
+  return of_vertex(contact, [this](const VertexContact& known) { return has_left(known); });
+}
+
 std::ptrdiff_t Succession::over_a_joint(const VertexContact& contact) {
-  std::ptrdiff_t index = -1;
-  for_each_at(contact.vertex, [&](std::size_t i) {
-    if (index < 0) index = take(known_.begin() + static_cast<std::ptrdiff_t>(i), contact.normal);
-  });
-  return index;
+  return of_vertex(contact, [](const VertexContact& /*known*/) { return true; });
 }
 
 // The corner that is left behind was the vertex while both were above each other.
@@ -137,9 +136,7 @@ void Succession::list_by_vertex() {
 }
 
 std::ptrdiff_t Succession::take(int edge, int vertex, const Vec2& normal) {
-  VertexContact wanted;
-  wanted.edge = edge;
-  wanted.vertex = vertex;
+  const VertexContact wanted = contact_named(edge, vertex);
   const auto place = std::lower_bound(known_.begin(), known_.end(), wanted);
   return place == known_.end() || wanted < *place ? -1 : take(place, normal);
 }

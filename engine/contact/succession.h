@@ -43,6 +43,9 @@ class Succession {
   std::ptrdiff_t gone_over_a_joint(const VertexContact& contact);
   std::ptrdiff_t over_a_joint(const VertexContact& contact);
   std::ptrdiff_t back_over_a_joint(const VertexContact& contact);
+  // Takes the first of the same vertex, in the same direction, that meets the condition.
+  template <typename Condition>
+  std::ptrdiff_t of_vertex(const VertexContact& contact, Condition condition);
   template <typename Act>
   void for_each_at(int vertex, Act act);
   template <typename Act>

@@ -36,6 +36,14 @@ struct VertexContact {
   }
 };
 
+// What finds a contact by its name in a sorted list.
+inline VertexContact contact_named(int edge, int vertex) {
+  VertexContact contact;
+  contact.edge = edge;
+  contact.vertex = vertex;
+  return contact;
+}
+
 // The two blocks, the smaller index first.
 inline std::pair<int, int> blocks_of(const VertexContact& contact) {
   return std::minmax(contact.edge_block, contact.vertex_block);

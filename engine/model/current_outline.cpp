@@ -3,13 +3,8 @@
 namespace dda {
 
 Polygon current_outline(const Model& model, const State& state, int block) {
-  Polygon outline = model.blocks[static_cast<std::size_t>(block)].shape;
-  const auto move = [&](Ring& ring) {
-    for (Vec2& corner : ring) corner = current_position(model, state, block, corner);
-  };
-  move(outline.outer);
-  for (Ring& hole : outline.holes) move(hole);
-  return outline;
+  return outline_with(model.blocks[static_cast<std::size_t>(block)].shape,
+                      [&](const Vec2& corner) { return current_position(model, state, block, corner); });
 }
 
 std::vector<Polygon> current_outlines(const Model& model, const State& state) {

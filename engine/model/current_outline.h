@@ -8,6 +8,17 @@
 
 namespace dda {
 
+// An outline, with its holes, whose vertices are where `place_of` has them.
+template <typename PlaceOf>
+[[nodiscard]] Polygon outline_with(Polygon outline, const PlaceOf& place_of) {
+  const auto move = [&](Ring& ring) {
+    for (Vec2& corner : ring) corner = place_of(corner);
+  };
+  move(outline.outer);
+  for (Ring& hole : outline.holes) move(hole);
+  return outline;
+}
+
 // With its holes, m.
 [[nodiscard]] Polygon current_outline(const Model& model, const State& state, int block);
 

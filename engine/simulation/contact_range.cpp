@@ -11,6 +11,8 @@
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
 #include "engine/model/current_outline.h"
+#include "engine/simulation/block_extent.h"
+#include "engine/simulation/open_contact.h"
 
 namespace dda {
 namespace {
@@ -19,12 +21,6 @@ constexpr double skin = 0.01;               // of the least thickness
 constexpr double overlap_tolerance = 1e-3;  // of the thinner block's thickness: far above elastic closure of corners
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-double radius_of(const Block& block) {
-  double radius = 0;
-  for (const Vec2& vertex : block.shape.outer) radius = std::max(radius, (vertex - block.moments.centroid).norm());
-  return radius;
-}
 
 double slide_limit(const Model& model, const Interface& interface) {
   if (interface.length > 0) return interface.length;
@@ -36,12 +32,6 @@ double slide_limit(const Model& model, const Interface& interface) {
   visit(shape.outer);
   for (const Ring& hole : shape.holes) visit(hole);
   return nearest;
-}
-
-bool is_open(const InterfaceElement& element, const InterfaceState& state) {
-  if (has_stress_rows(element)) return false;
-  const bool second_open = element.length == 0 || state.status[1] == ContactStatus::open;
-  return state.status[0] == ContactStatus::open && second_open;
 }
 
 std::string sentence(const Model& model, int block_a, int block_b, const char* what) {
@@ -57,7 +47,7 @@ ContactRange::ContactRange(const Model& model, const std::vector<Interface>& int
       checked_deformation_(model.blocks.size(), Mat2::Identity()) {
   for (const Block& block : model.blocks) {
     radius_.push_back(radius_of(block));
-    thickness_.push_back(block.moments.area / (2 * radius_.back()));
+    thickness_.push_back(thickness_of(block, radius_.back()));
     least_thickness_ = std::min(least_thickness_, thickness_.back());
   }
   list(model, interfaces);

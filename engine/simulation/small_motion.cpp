@@ -11,8 +11,11 @@
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
 #include "engine/geometry/segment.h"
+#include "engine/model/current_outline.h"
 #include "engine/model/held_flags.h"
+#include "engine/simulation/block_extent.h"
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/open_contact.h"
 
 namespace dda {
 namespace {
@@ -38,16 +41,6 @@ struct Stretch {
   double low = 0, high = 0;
   [[nodiscard]] double length() const { return high - low; }
 };
-
-// Area over diameter, m: at most the least width of a block.
-double thickness_of(const Block& block, double radius) { return block.moments.area / (2 * radius); }
-
-// The farthest vertex from the centroid, m.
-double radius_of(const Block& block) {
-  double radius = 0;
-  for (const Vec2& vertex : block.shape.outer) radius = std::max(radius, (vertex - block.moments.centroid).norm());
-  return radius;
-}
 
 class Judge {
  public:
@@ -105,10 +98,7 @@ class Judge {
   }
 
   [[nodiscard]] bool is_open(std::size_t index) const {
-    if (has_stress_rows(system_.contacts.elements[index])) return false;
-    const InterfaceState& state = system_.contacts.states[index];
-    const bool second_open = system_.contacts.interfaces[index].length == 0 || state.status[1] == ContactStatus::open;
-    return state.status[0] == ContactStatus::open && second_open;
+    return dda::is_open(system_.contacts.elements[index], system_.contacts.states[index]);
   }
 
   void look_at_lean(const Interface& interface, int block) {
@@ -204,15 +194,10 @@ class Judge {
   }
 
   [[nodiscard]] Polygon outline_at(const Vec6& off, int block) const {
-    Polygon outline = model_.blocks[at(block)].shape;
     const Vec2& centroid = model_.blocks[at(block)].moments.centroid;
-    const auto move = [&](Ring& ring) {
-      for (Vec2& vertex : ring)
-        vertex += point_displacement(model_, state_, block, vertex) + displacement_rows(vertex - centroid) * off;
-    };
-    move(outline.outer);
-    for (Ring& hole : outline.holes) move(hole);
-    return outline;
+    return outline_with(model_.blocks[at(block)].shape, [&](const Vec2& vertex) -> Vec2 {
+      return vertex + (point_displacement(model_, state_, block, vertex) + displacement_rows(vertex - centroid) * off);
+    });
   }
 
   // Overlap of these is that of a closed contact.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/model/held_flags.h"
+
 namespace dda {
 namespace {
 
@@ -26,21 +28,21 @@ struct Stretches {
   double held = 0, all = 0;
   int first_held = -1;
 
-  void add(const Model& model, const EdgeLoad& load) {
+  void add(const std::vector<bool>& held_blocks, const EdgeLoad& load) {
     const double length = (load.to - load.from).norm();
     all += length;
-    if (!model.is_held(load.block)) return;
+    if (!held_blocks[static_cast<std::size_t>(load.block)]) return;
     held += length;
     if (first_held < 0) first_held = load.block;
   }
 };
 
-void add_edge_loads(const Model& model, std::vector<std::string>& sentences) {
+void add_edge_loads(const Model& model, const std::vector<bool>& held, std::vector<std::string>& sentences) {
   const std::vector<EdgeLoad>& loads = model.edge_loads;
   for (std::size_t i = 0; i < loads.size();) {
     const EdgeLoad& first = loads[i];
     Stretches stretches;
-    for (; i < loads.size() && are_one_load(first, loads[i]); ++i) stretches.add(model, loads[i]);
+    for (; i < loads.size() && are_one_load(first, loads[i]); ++i) stretches.add(held, loads[i]);
     if (stretches.held == 0 || first.traction.isZero(0)) continue;
     sentences.push_back(fmt::format(
         "the load of {:g} Pa lies with {:.3g} % of its {:.3g} m on {}, which is held: that part moves nothing",
@@ -49,17 +51,19 @@ void add_edge_loads(const Model& model, std::vector<std::string>& sentences) {
   }
 }
 
-void add_point_loads(const Model& model, std::vector<std::string>& sentences) {
+void add_point_loads(const Model& model, const std::vector<bool>& held, std::vector<std::string>& sentences) {
   for (const PointLoad& load : model.point_loads)
-    if (model.is_held(load.block) && !load.force.isZero(0))
+    if (held[static_cast<std::size_t>(load.block)] && !load.force.isZero(0))
       sentences.push_back(
           fmt::format("all of the load of [{:g}, {:g}] N at ({:g}, {:g}) m is on {}, which is held: it "
                       "moves nothing",
                       load.force.x(), load.force.y(), load.point.x(), load.point.y(), block_named(model, load.block)));
 }
 
-void add_supports(const Model& model, std::vector<std::string>& sentences) {
-  const auto is_idle = [&](const PointSupport& support) { return model.is_held(support.block); };
+void add_supports(const Model& model, const std::vector<bool>& held, std::vector<std::string>& sentences) {
+  const auto is_idle = [&](const PointSupport& support) -> bool {
+    return held[static_cast<std::size_t>(support.block)];
+  };
   const auto first = std::ranges::find_if(model.supports, is_idle);
   if (first == model.supports.end()) return;
   sentences.push_back(fmt::format(
@@ -73,14 +77,15 @@ void add_supports(const Model& model, std::vector<std::string>& sentences) {
 std::vector<std::string> acting_on_held_blocks(const Model& model) {
   std::vector<std::string> sentences;
   if (model.held_blocks.empty()) return sentences;
-  add_edge_loads(model, sentences);
-  add_point_loads(model, sentences);
+  const std::vector<bool> held = held_flags(model);
+  add_edge_loads(model, held, sentences);
+  add_point_loads(model, held, sentences);
   if (sentences.size() > most_sentences) {
     const std::size_t more = sentences.size() - most_sentences + 1;
     sentences.resize(most_sentences - 1);
     sentences.push_back(fmt::format("{} more loads lie on blocks that are held, in whole or in part", more));
   }
-  add_supports(model, sentences);
+  add_supports(model, held, sentences);
   return sentences;
 }
 

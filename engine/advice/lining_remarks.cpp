@@ -7,7 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/geometry/segment.h"
+#include "engine/model/lining_chord.h"
+#include "engine/terms/lining.h"
 
 namespace dda {
 namespace {
@@ -16,16 +17,6 @@ constexpr double thickest = 0.1;                          // of the wall's radiu
 constexpr double sharpest_corner = std::numbers::pi / 6;  // rad, between neighbouring faces
 constexpr double shortest_element = 1;                    // of the thickness, on average
 constexpr double to_degrees = 180 / std::numbers::pi;
-
-double turn_of(const Lining& lining, std::size_t element) {
-  const Vec2& from = lining.start_of(element).tangent;
-  const Vec2& to = lining.end_of(element).tangent;
-  return std::atan2(cross(from, to), from.dot(to));
-}
-
-double length_of(const Lining& lining, std::size_t element) {
-  return (lining.end_of(element).point - lining.start_of(element).point).norm();
-}
 
 struct Course {
   double length = 0;           // m
@@ -37,12 +28,12 @@ struct Course {
 Course course_of(const Lining& lining) {
   Course course;
   for (std::size_t i = 0; i < lining.elements(); ++i) {
-    const double turn = turn_of(lining, i);
-    course.length += length_of(lining, i);
+    const double turn = angle_between(lining.start_of(i).tangent, lining.end_of(i).tangent);
+    course.length += chord_of(lining, i).norm();
     course.turn += turn;
     if (std::abs(turn) <= course.sharpest) continue;
     course.sharpest = std::abs(turn);
-    course.corner = (lining.start_of(i).point + lining.end_of(i).point) / 2;
+    course.corner = middle_of(lining, i);
   }
   return course;
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/model/lining_chord.h"
+
 namespace dda {
 namespace {
 
@@ -20,7 +22,7 @@ LiningValues values_of(const Simulation& simulation, std::size_t lining, std::si
 // Between which blocks an element is, and its middle as drawn.
 Json place_of(const Model& model, const Lining& lining, std::size_t element) {
   const auto name = [&](const LiningNode& node) { return model.blocks[static_cast<std::size_t>(node.block)].name; };
-  const Vec2 middle = (lining.start_of(element).point + lining.end_of(element).point) / 2;
+  const Vec2 middle = middle_of(lining, element);
   return {{"between", {name(lining.start_of(element)), name(lining.end_of(element))}},
           {"place_m", {middle.x(), middle.y()}}};
 }

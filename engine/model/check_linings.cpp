@@ -5,6 +5,7 @@
 
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
+#include "engine/model/lining_chord.h"
 
 namespace dda::model_checks {
 namespace {
@@ -33,7 +34,7 @@ void check_lining(const Model& model, const Item& item, const Lining& lining) {
     item.fail("nodes", fmt::format("{}", lining.nodes.size()), fmt::format("at least {} faces of the wall", least));
   for (const LiningNode& node : lining.nodes) check_node(model, item, node);
   for (std::size_t i = 0; i < lining.elements(); ++i)
-    if ((lining.end_of(i).point - lining.start_of(i).point).norm() <= model.length_tolerance)
+    if (chord_of(lining, i).norm() <= model.length_tolerance)
       item.fail("nodes", fmt::format("{} and {} in one place", i, i + 1), "faces one behind the other");
   if (lining.first_stage != 0) item.index("first stage", lining.first_stage, model.stages.size());
 }

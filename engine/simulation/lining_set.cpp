@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/model/lining_chord.h"
+
 namespace dda {
 namespace {
 
@@ -107,7 +109,7 @@ LiningSet::LiningSet(const Model& model, const State& state) {
       element.block_b = b.block;
       element.can_yield = lining.yields();
       element.strength = strength;
-      element.stiffness = lining_stiffness(section, drawn_chord(a, b).norm());
+      element.stiffness = lining_stiffness(section, chord_of(lining, i).norm());
       element.waits = lining.first_stage > 0;
       place(model, state, a, b, element);
       elements_.push_back(element);
@@ -117,9 +119,8 @@ LiningSet::LiningSet(const Model& model, const State& state) {
 
 SectionForces LiningSet::forces(const Model& model, std::size_t lining, std::size_t element) const {
   const LiningElement& at = this->element(lining, element);
-  const Lining& drawn = model.linings[lining];
   const Vec3 force = at.force();
-  const double length = drawn_chord(drawn.start_of(element), drawn.end_of(element)).norm();
+  const double length = chord_of(model.linings[lining], element).norm();
   const double used = at.can_yield ? utilisation(at.strength, force) : 0;
   return {-force(0), force(1) - force(2) / 2, force(1) + force(2) / 2, force(2) / length, used};
 }

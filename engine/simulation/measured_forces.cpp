@@ -4,6 +4,7 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/geometry/segment.h"
+#include "engine/model/lining_chord.h"
 #include "engine/model/tolerance.h"
 #include "engine/simulation/block_system.h"
 
@@ -163,7 +164,7 @@ ForceAndMoment across_linings(const Simulation& simulation, const Measurement& l
   for (const Lining& lining : system.model.linings) {
     for (std::size_t i = 0; i < lining.elements(); ++i) {
       const LiningElement& element = system.reinforcement.linings.elements()[next++];
-      const Vec2 middle = (lining.start_of(i).point + lining.end_of(i).point) / 2;
+      const Vec2 middle = middle_of(lining, i);
       const int side = side_of_line(system.model, line, element.block_a, element.block_b, middle);
       if (side == 0) continue;
       const Mat36& rows = side > 0 ? element.rows.a : element.rows.b;

@@ -10,6 +10,7 @@
 #include "engine/advice/chain_errors.h"
 #include "engine/advice/explicit_offer.h"
 #include "engine/advice/load_history.h"
+#include "engine/advice/sudden_loads.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/model/quantity_names.h"
 #include "engine/simulation/block_terms.h"
@@ -55,6 +56,9 @@ double coarsest_dt(double period, double stable_dt) {
   return stable_dt > 0 ? std::min(period / 4, stable_dt) : period / 4;
 }
 
+// Steps in a period, and blocks in a wavelength, of a load's main frequency: with fewer, what comes is no wave like it.
+constexpr double least_in_period = 4;
+
 class Adviser {
  public:
   Adviser(const Simulation& simulation, const AdviceQuestion& question)
@@ -62,7 +66,9 @@ class Adviser {
         model_(simulation.model()),
         contacts_(simulation.contacts()),
         drawn_(make_contacts(model_)),
-        question_(question) {
+        question_(question),
+        unseen_(unseen_load_findings(model_)),
+        sudden_(sudden_loads(model_)) {
     if (!question.frequency) load_ = scene_load(model_);
     frequency_ = question.frequency ? question.frequency : default_frequency();
     for (std::size_t i = 0; frequency_ && i < model_.materials.size(); ++i)
@@ -77,7 +83,8 @@ class Adviser {
     advice.wanted_error = question_.error;
     advice.size = size_of(contacts_, matrix);
     advice.joints_may_open = contacts_.can_change;
-    advice.unseen = unseen_loads(model_);
+    for (const LoadFinding& finding : unseen_) advice.unseen.push_back(finding.sentence);
+    for (const LoadFinding& finding : sudden_) advice.sudden.push_back(finding.sentence);
     for (std::size_t i = 0; i < model_.stages.size(); ++i) {
       const Stage& stage = model_.stages[i];
       advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
@@ -118,6 +125,26 @@ class Adviser {
         for (const Direction& direction : directions_for(lattice))
           advice.waves.push_back(of_wave(lattice, stage, kind, direction, advice.stable_dt));
     return advice;
+  }
+
+  // Readings of a wave that jumps look good, as they are means over all of it, while its front is far off; those of one
+  // that steps or blocks pass over are readings of something else. Empty where figures say what comes.
+  [[nodiscard]] std::string why_no_figures(const Stage& stage, double wavelength, double block_size) const {
+    if (!load_) return "";
+    const auto concerns = [&](const LoadFinding& finding) {
+      return finding.history == load_->source &&
+             model_.stages[static_cast<std::size_t>(finding.stage)].name == stage.name;
+    };
+    if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return concerns(each) && !each.leaves_figures; }))
+      return "it jumps, which no mesh and dt carry without overshoot and ringing: no figures";
+    if (std::ranges::any_of(unseen_, concerns)) return "steps of this dt see too little of it: no figures";
+    if (stage.dt > load_->history.period / least_in_period)
+      return fmt::format("too short for steps of {:g} s, {:.2g} in a period of its main frequency: no figures",
+                         stage.dt, load_->history.period / stage.dt);
+    if (block_size > wavelength / least_in_period)
+      return fmt::format("too short for blocks of {:.4g} m, {:.2g} in a wavelength of its main frequency: no figures",
+                         block_size, wavelength / block_size);
+    return "";
   }
 
   // What is assumed of the mesh, or of a load on it, is no foretelling.
@@ -164,6 +191,9 @@ class Adviser {
     advice.distance = question.place();
     advice.steady = question.steady_errors(*frequency_);
     advice.asked_history = true;
+    const double wavelength = advice.speed * load_->history.period;
+    if (advice.not_foretold = why_no_figures(stage, wavelength, advice.block_size); !advice.not_foretold.empty())
+      return advice;
     advice.history = question.history_errors(load_->history);
     if (!advice.history)
       advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
@@ -222,6 +252,8 @@ class Adviser {
     const WaveQuestion question{lattice, stage, kind, direction.unit, advice.distance};
     advice.steady = steady_errors(question, *frequency_);
     advice.asked_history = load_.has_value();
+    if (load_) advice.not_foretold = why_no_figures(stage, advice.speed * load_->history.period, advice.block_size);
+    if (!advice.not_foretold.empty()) return advice;
     if (load_) foretell_history(question, lattice, advice);
     if (question_.limits) advice.limits = limits_of(question, advice, stable_dt);
     return advice;
@@ -257,6 +289,7 @@ class Adviser {
   const ContactSet& contacts_;  // as they are followed
   const ContactSet drawn_;      // joints as drawn, along which waves are predicted
   const AdviceQuestion& question_;
+  std::vector<LoadFinding> unseen_, sudden_;
   std::optional<SceneLoad> load_;
   std::optional<double> frequency_;
   std::vector<Lattice> lattices_;

@@ -63,6 +63,7 @@ struct Advice {
   bool joints_may_open = false;
   bool damped = false;              // some stage damps velocities, which the errors do not count
   std::vector<std::string> unseen;  // sentences of loads that time steps pass over
+  std::vector<std::string> sudden;  // and of loads that jump
   std::vector<StageAdvice> stages;
 };
 

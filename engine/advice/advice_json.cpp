@@ -19,6 +19,7 @@ Json to_json(const HistoryErrors& history) {
           {"speed", to_json(history.speed)},
           {"amplitude", to_json(history.amplitude)},
           {"peak", history.arrival.peak},
+          {"largest", history.arrival.largest},
           {"peak_speed", history.arrival.peak_speed},
           {"onset_speed", history.arrival.onset_speed}};
 }
@@ -101,6 +102,7 @@ std::string to_json_text(const Advice& advice) {
                      {"joints_may_open", advice.joints_may_open},
                      {"damped", advice.damped},
                      {"unseen_loads", advice.unseen},
+                     {"sudden_loads", advice.sudden},
                      {"stages", stages}};
   return json.dump(2) + "\n";
 }

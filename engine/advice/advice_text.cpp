@@ -54,11 +54,12 @@ void add_history(const WaveAdvice& wave, Text& text) {
   text.line("    speed      {}   (by cross-correlation)", split(history.speed));
   text.line("    amplitude  {}   (least-squares fit)", split(history.amplitude));
   if (std::abs(history.arrival.peak_speed) > 0.5) {
-    text.line("    no peak to read: the load does not turn back");
+    text.line("    largest value {}; no peak to read: the load does not turn back", percent(history.arrival.largest));
     return;
   }
-  text.line("    peak {}; speed by peak {}, by onset {}", percent(history.arrival.peak),
-            percent(history.arrival.peak_speed), percent(history.arrival.onset_speed));
+  text.line("    largest value {}; first peak {}; speed by first peak {}, by onset {}",
+            percent(history.arrival.largest), percent(history.arrival.peak), percent(history.arrival.peak_speed),
+            percent(history.arrival.onset_speed));
 }
 
 std::string blocks_of(const WaveAdvice& wave, double scale) {
@@ -186,9 +187,9 @@ void add_steady_in_short(const Advice& advice, const StageAdvice& stage, const W
 std::string history_in_short(const WaveAdvice& wave) {
   const std::string which = fmt::format("  {} wave in \"{}\", {}", wave.kind, wave.material, wave.direction_name);
   if (!wave.history) return fmt::format("{}: {}", which, wave.not_foretold);
-  return fmt::format("{}, after {:.4g} m: speed {}, amplitude {}, peak {}; mostly by {}", which, wave.history->place,
-                     percent(wave.history->speed.total()), percent(wave.history->amplitude.total()),
-                     percent(wave.history->arrival.peak), wave.cause());
+  return fmt::format("{}, after {:.4g} m: speed {}, amplitude {}, largest value {}; mostly by {}", which,
+                     wave.history->place, percent(wave.history->speed.total()),
+                     percent(wave.history->amplitude.total()), percent(wave.history->arrival.largest), wave.cause());
 }
 
 }  // namespace
@@ -200,6 +201,7 @@ std::string to_text(const Advice& advice) {
             advice.size.factor.nonzeros);
   if (!advice.load.empty()) text.line("load {}", advice.load);
   for (const std::string& sentence : advice.unseen) text.line("note: {}", sentence);
+  for (const std::string& sentence : advice.sudden) text.line("note: {}", sentence);
   if (!advice.frequency)
     text.line(
         "nothing is said of waves: give --frequency, or \"target_frequency\" or a load with a history in the scene");
@@ -212,6 +214,8 @@ std::string to_text(const Advice& advice) {
 
 std::vector<std::string> to_short_text(const Advice& advice) {
   std::vector<std::string> lines;
+  if (!advice.sudden.empty()) lines.emplace_back();
+  for (const std::string& sentence : advice.sudden) lines.push_back("note: " + sentence);
   for (const StageAdvice& stage : advice.stages) {
     if (stage.waves.empty()) continue;
     lines.insert(lines.end(), {"", fmt::format("predicted for waves of {:.6g} Hz, stage \"{}\"; dda advise says more",

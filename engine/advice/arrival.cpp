@@ -17,6 +17,26 @@ struct Fit {
   double coefficient = 0;  // normalised correlation
 };
 
+// Where a function with one summit between `low` and `high` has it, by golden sections.
+template <typename Value>
+double place_of_largest(const Value& value, double low, double high) {
+  constexpr double ratio = 0.6180339887498949;
+  double left = high - ratio * (high - low), right = low + ratio * (high - low);
+  double at_left = value(left), at_right = value(right);
+  for (int i = 0; i < 30; ++i) {
+    if (at_left > at_right) {
+      high = std::exchange(right, left);
+      at_right = at_left;
+      at_left = value(left = high - ratio * (high - low));
+    } else {
+      low = std::exchange(left, right);
+      at_left = at_right;
+      at_right = value(right = low + ratio * (high - low));
+    }
+  }
+  return (low + high) / 2;
+}
+
 class Comparison {
  public:
   Comparison(const std::vector<double>& trace, double interval, const std::function<double(double)>& exact)
@@ -42,7 +62,8 @@ class Comparison {
     const double near = best_of_row(0, pitch, static_cast<int>(std::ceil(low / pitch - 1e-9)),
                                     static_cast<int>(std::floor(high / pitch + 1e-9)));
     const double nearer = best_of_row(near, pitch / fine, -fine, fine);
-    return largest_between(std::max(nearer - pitch / fine, low), std::min(nearer + pitch / fine, high));
+    return place_of_largest([&](double lag) { return fit(lag).coefficient; }, std::max(nearer - pitch / fine, low),
+                            std::min(nearer + pitch / fine, high));
   }
 
  private:
@@ -55,24 +76,6 @@ class Comparison {
       best = middle + i * pitch;
     }
     return best;
-  }
-
-  [[nodiscard]] double largest_between(double low, double high) const {
-    constexpr double ratio = 0.6180339887498949;
-    double left = high - ratio * (high - low), right = low + ratio * (high - low);
-    double at_left = fit(left).coefficient, at_right = fit(right).coefficient;
-    for (int i = 0; i < 30; ++i) {
-      if (at_left > at_right) {
-        high = std::exchange(right, left);
-        at_right = at_left;
-        at_left = fit(left = high - ratio * (high - low)).coefficient;
-      } else {
-        low = std::exchange(left, right);
-        at_left = at_right;
-        at_right = fit(right = low + ratio * (high - low)).coefficient;
-      }
-    }
-    return (low + high) / 2;
   }
 
   const std::vector<double>& trace_;
@@ -122,13 +125,63 @@ Marks marks_of(const std::vector<double>& values, double interval, double sign) 
   return marks;
 }
 
+// Of what is known everywhere. A row of samples says near which of them a summit is.
+class Exact {
+ public:
+  Exact(const std::function<double(double)>& value, double interval, std::size_t samples)
+      : value_(value), pitch_(interval / finer) {
+    row_.resize((samples - 1) * finer + 1);
+    for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = value(static_cast<double>(i) * pitch_);
+  }
+
+  // The peak that samples have at that time, or a kink beside it that they pass over.
+  [[nodiscard]] double peak_near(const Marks& marks) const {
+    const double up = marks.peak > 0 ? 1 : -1;
+    const double middle = std::round(marks.peak_time / pitch_);
+    const auto first = static_cast<std::size_t>(std::max(0.0, middle - finer));
+    const std::size_t last = std::min(static_cast<std::size_t>(std::max(0.0, middle)) + finer, row_.size() - 1);
+    std::size_t top = first;
+    for (std::size_t i = first; i <= last; ++i)
+      if (up * row_[i] > up * row_[top]) top = i;
+    return up * std::max(up * row_[top], up * value_(summit_near(top)));
+  }
+
+  [[nodiscard]] double largest(double until) const {
+    std::size_t top = 0;
+    for (std::size_t i = 0; i < row_.size() && static_cast<double>(i) * pitch_ <= until; ++i)
+      if (std::abs(row_[i]) > std::abs(row_[top])) top = i;
+    return std::max(std::abs(row_[top]), std::abs(value_(std::min(summit_near(top), until))));
+  }
+
+ private:
+  static constexpr std::size_t finer = 8;
+
+  [[nodiscard]] double summit_near(std::size_t top) const {
+    const double at = static_cast<double>(top) * pitch_;
+    const double last = static_cast<double>(row_.size() - 1) * pitch_;
+    return place_of_largest([&](double t) { return row_[top] > 0 ? value_(t) : -value_(t); },
+                            std::max(at - pitch_, 0.0), std::min(at + pitch_, last));
+  }
+
+  const std::function<double(double)>& value_;
+  double pitch_;  // s
+  std::vector<double> row_;
+};
+
+double largest_of(const std::vector<double>& values, double interval, double until) {
+  double largest = 0;
+  for (std::size_t i = 0; i < values.size() && static_cast<double>(i) * interval <= until; ++i)
+    largest = std::max(largest, std::abs(values[i]));
+  return largest;
+}
+
 double speed_error(double on_time, double lag) { return on_time / (on_time + lag) - 1; }
 
 }  // namespace
 
 std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
                                           const std::function<double(double)>& exact, double on_time, double period,
-                                          const Lags& lags) {
+                                          const Lags& lags, double until) {
   constexpr double pitch = longest_lag / 40;  // of a period
   const Comparison comparison(trace, interval, exact);
   const double limit = longest_lag * period;
@@ -136,14 +189,17 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   const Fit fit = comparison.fit(lag);
   const bool at_end = lag < lags.earliest - 0.99 * limit || lag > lags.latest + 0.99 * limit;
   if (!(fit.coefficient > 0) || at_end || on_time + lag <= 0) return std::nullopt;
-  std::vector<double> wanted(trace.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = exact(static_cast<double>(i) * interval);
-  const Marks due = marks_of(wanted, interval, 0);
+  // Times are read alike from what should come and what comes, so that what samples do to them is in both.
+  std::vector<double> samples(trace.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = exact(static_cast<double>(i) * interval);
+  const Marks due = marks_of(samples, interval, 0);
+  const Exact wanted(exact, interval, trace.size());
   const Marks found = marks_of(trace, interval, due.peak);
   ArrivalErrors errors;
   errors.speed = speed_error(on_time, lag);
   errors.amplitude = fit.factor - 1;
-  errors.peak = found.peak / due.peak - 1;
+  errors.peak = found.peak / wanted.peak_near(due) - 1;
+  errors.largest = largest_of(trace, interval, until) / wanted.largest(until) - 1;
   errors.peak_speed = speed_error(on_time, found.peak_time - due.peak_time);
   errors.onset_speed = speed_error(on_time, found.onset_time - due.onset_time);
   return errors;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -14,7 +15,8 @@ struct ArrivalErrors {
   double amplitude = 0;    // of the factor of that fit
   double peak = 0;         // of the first peak: the first extreme beyond half of the largest value of its sign, which
                            // is one that has a tenth of the largest of all
-  double peak_speed = 0;   // by the time of it
+  double largest = 0;      // of the largest absolute value, among samples, of either sign and wherever it comes
+  double peak_speed = 0;   // by the time of the first peak
   double onset_speed = 0;  // by the time at which a tenth of it is passed on the way to it
 };
 
@@ -30,9 +32,11 @@ struct Lags {
 
 // `trace` is sampled at 0, interval, ...; `exact` is what it should be, begins at `on_time` (s) and varies over times
 // not much shorter than `period` (s). Nothing where the trace nowhere resembles it, or comes 0.45 periods before or
-// after `lags`: beyond half a period a wave is mistaken for the next swing.
+// after `lags`: beyond half a period a wave is mistaken for the next swing. Peaks of `exact` are its own and not
+// those of its samples: a kink between two samples counts in full. The largest values are those up to `until` (s).
 std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
                                           const std::function<double(double)>& exact, double on_time, double period,
-                                          const Lags& lags = {});
+                                          const Lags& lags = {},
+                                          double until = std::numeric_limits<double>::infinity());
 
 }  // namespace dda

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -67,6 +68,39 @@ TEST(Arrival, RoundOffOfTheOtherSignIsNoPeak) {
   EXPECT_NEAR(errors->peak, -0.1, 1e-5);  // as for the sine cycle above
   EXPECT_NEAR(errors->peak_speed, due, 1e-5);
   EXPECT_NEAR(errors->onset_speed, due, 1e-4);
+}
+
+// A triangle whose summit lies between two samples: the exact wave has all of it, so what is read of the samples alone
+// is its own loss. Without a trace that differs, the first peak is short by what the parabola through the samples
+// misses.
+TEST(Arrival, AKinkBetweenSamplesCountsInFull) {
+  constexpr double coarse = 1e-3;
+  const auto triangle = [](double t) { return std::max(0.0, 1 - std::abs(t - on_time - 4.4e-3) / 4e-3); };
+  std::vector<double> trace;
+  for (int i = 0; i < 40; ++i) trace.push_back(triangle(i * coarse));
+  const auto errors = read_arrival(trace, coarse, triangle, on_time, period);
+  ASSERT_TRUE(errors.has_value());
+  EXPECT_NEAR(errors->amplitude, 0, 1e-9);
+  // Samples 0.9, 0.85 and 0.65 beside the summit: -1/10 of the largest; the parabola through them 0.9 + 1/60.
+  EXPECT_NEAR(errors->largest, -0.1, 1e-6);
+  EXPECT_NEAR(errors->peak, 0.9 + 1.0 / 60 - 1, 1e-6);
+}
+
+// A record's first bump beyond half of its largest value is one thing, its largest value another.
+TEST(Arrival, TheFirstPeakIsNotTheLargest) {
+  const auto bump = [](double t, double at) {
+    return std::abs(t - at) > 2e-3 ? 0 : std::pow(std::cos(std::numbers::pi * (t - at) / 4e-3), 2);
+  };
+  const auto wave = [&](double first, double second) {
+    return [=](double t) { return first * bump(t, on_time + 3e-3) - second * bump(t, on_time + 8e-3); };
+  };
+  const auto errors = read_arrival(sampled(wave(0.4, 0.9)), interval, wave(0.7, 1), on_time, period);
+  ASSERT_TRUE(errors.has_value());
+  EXPECT_NEAR(errors->peak, 0.4 / 0.7 - 1, 1e-5);  // as for the sine cycle above
+  EXPECT_NEAR(errors->largest, -0.1, 1e-9);
+  const auto cut = read_arrival(sampled(wave(0.4, 0.9)), interval, wave(0.7, 1), on_time, period, {}, on_time + 5e-3);
+  ASSERT_TRUE(cut.has_value());
+  EXPECT_NEAR(cut->largest, 0.4 / 0.7 - 1, 1e-9);
 }
 
 TEST(Arrival, NothingWhereTheWaveIsHalfAPeriodOffItsTime) {

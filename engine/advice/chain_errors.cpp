@@ -197,7 +197,8 @@ Complex ChainQuestion::integral(Causes causes, Complex s) const {
 std::optional<ArrivalErrors> ChainQuestion::read(Causes causes, const LoadHistory& load) const {
   const Lags lags = phase(causes, 2 * std::numbers::pi / load.period).lags;
   const Traces found = traces(causes, load, lags);
-  return read_arrival(found.found, found.interval, found.exact, path_.time_to(joint_), load.period, lags);
+  return read_arrival(found.found, found.interval, found.exact, path_.time_to(joint_), load.period, lags,
+                      load.seen_until());
 }
 
 std::optional<TotalErrors> ChainQuestion::total_history_errors(const LoadHistory& load) const {

@@ -88,5 +88,16 @@ TEST(Lattice, ScaledRowsKeepTheirHeight) {
   EXPECT_NEAR(signed_area(mesh.ring), 9, 1e-12);
 }
 
+// The patch has none of the scene's blocks: `dda check` refused scenes with loads that change in a stage after one that
+// removes rock, or in it.
+TEST(Lattice, OfAStageThatRemovesBlocksHasTheSameMatrices) {
+  const Lattice lattice = lattice_of(courses(bonded(InterfaceLaw::consistent), 0));
+  Stage stage = steps(trapezoidal_integrator(), 1e-4);
+  const LatticeMatrices whole = lattice_matrices(lattice, stage);
+  stage.removal.blocks = {3};
+  stage.removal.relaxation = PiecewiseLinear{{0, 1}, {1, 0}};
+  EXPECT_EQ(lattice_matrices(lattice, stage).stiffness, whole.stiffness);
+}
+
 }  // namespace
 }  // namespace dda

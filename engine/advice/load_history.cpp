@@ -87,9 +87,9 @@ std::optional<SceneLoad> load_of(const Model& model, const Load& load, const Vec
   if (std::holds_alternative<Constant>(load.history)) return std::nullopt;
   const auto value = [history = load.history](double t) { return evaluate(history, t); };
   const LoadHistory history = history_of(model, load.history, value);
-  return SceneLoad{history,    place, description_of(model, load.block, load.history, history.period, ""),
-                   load.block, force, Vec2::Zero(),
-                   place};
+  return SceneLoad{
+      history,    &load.history, place,        description_of(model, load.block, load.history, history.period, ""),
+      load.block, force,         Vec2::Zero(), place};
 }
 
 // A wave carries the velocity of what moves: a displacement's history is differentiated, an acceleration's integrated.
@@ -102,13 +102,11 @@ std::optional<SceneLoad> motion_of(const Model& model, const Motion& motion, con
   history.displacement = [=](double t) {
     return t < 0 ? 0 : factors(start + t).displacement - factors(start).displacement;
   };
-  return SceneLoad{history,
-                   place,
-                   description_of(model, motion.block, motion.history, history.period, ", which is moved"),
-                   motion.block,
-                   motion.amplitude,
-                   Vec2::Zero(),
-                   place};
+  return SceneLoad{
+      history,      &motion.history,
+      place,        description_of(model, motion.block, motion.history, history.period, ", which is moved"),
+      motion.block, motion.amplitude,
+      Vec2::Zero(), place};
 }
 
 std::optional<SceneLoad> first_drive(const Model& model) {
@@ -140,7 +138,7 @@ std::string words_for(const TimeFunction& history) {
     return fmt::format("a table of {} points", table->times.size());
   if (const auto* decay = std::get_if<ExponentialDecay>(&history))
     return fmt::format("a pulse that decays in {:.6g} s", decay->decay_time);
-  return "a record";
+  return std::holds_alternative<Constant>(history) ? "constant" : "a record";
 }
 
 Vec2 way_of(const SceneLoad& load) {

@@ -11,12 +11,13 @@ namespace dda {
 
 struct SceneLoad {
   LoadHistory history;
-  Vec2 place = Vec2::Zero();      // m, of the load
-  std::string description;        // for people
-  int block = 0;                  // that is driven
-  Vec2 motion = Vec2::Zero();     // direction of the force or of the prescribed motion
-  Vec2 face = Vec2::Zero();       // normal into the rock of the loaded edge; zero where something else drives
-  Vec2 looked_at = Vec2::Zero();  // m, the measurement farthest from it; where there is none, its own place
+  const TimeFunction* source = nullptr;  // of the model that the load was found in
+  Vec2 place = Vec2::Zero();             // m, of the load
+  std::string description;               // for people
+  int block = 0;                         // that is driven
+  Vec2 motion = Vec2::Zero();            // direction of the force or of the prescribed motion
+  Vec2 face = Vec2::Zero();              // normal into the rock of the loaded edge; zero where something else drives
+  Vec2 looked_at = Vec2::Zero();         // m, the measurement farthest from it; where there is none, its own place
 };
 
 // Unit vector of the way from there: square to a loaded edge, else towards where it is looked at; zero where that is
@@ -27,7 +28,7 @@ Vec2 way_of(const SceneLoad& load);
 // support or held block that moves.
 std::optional<SceneLoad> scene_load(const Model& model);
 
-// "a table of 40 points".
+// "a table of 40 points"; "constant".
 std::string words_for(const TimeFunction& history);
 
 // The highest frequency of a sine among loads and prescribed motions, Hz.

@@ -20,8 +20,19 @@ Eigen::FFT<double> half_spectrum() {
 
 }  // namespace
 
+std::size_t transform_size(std::size_t least) {
+  const auto is_smooth = [](std::size_t n) {
+    for (const std::size_t factor : {2U, 3U, 5U})
+      while (n % factor == 0) n /= factor;
+    return n == 1;
+  };
+  std::size_t size = std::max<std::size_t>(2, least + least % 2);
+  while (!is_smooth(size)) size += 2;
+  return size;
+}
+
 LoadSpectrum::LoadSpectrum(const std::vector<double>& samples, double interval)
-    : length_(samples.size()), size_(2 * ((2 * samples.size() + 1) / 2)), interval_(interval) {
+    : length_(samples.size()), size_(transform_size(2 * samples.size())), interval_(interval) {
   decay_ = -std::log(come_round) / (static_cast<double>(size_) * interval);
   std::vector<double> weighed(size_, 0);
   for (std::size_t i = 0; i < length_; ++i)

@@ -1,12 +1,17 @@
 // A load history through a transfer function: weighs every frequency that the history holds.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "engine/advice/time_steps.h"
 
 namespace dda {
+
+// The least even number from `least` on that has no prime factors but 2, 3 and 5. A fast Fourier transform takes n
+// times the sum of the factors of n: of 16,381 samples, a prime, as long as all the rest of an advice many times over.
+std::size_t transform_size(std::size_t least);
 
 // A load history as samples at 0, interval, 2 interval, ... (s), and the frequencies it is made of. The samples are
 // followed by as much silence and weighed by exp(-decay t), so that what outlasts them does not come round again.

@@ -21,6 +21,19 @@ std::vector<double> load(int samples) {
   return values;
 }
 
+// Even sizes of small factors are at most a tenth apart from 100 on.
+TEST(LoadTrace, TransformsAreOfSizesWithSmallFactors) {
+  for (const std::size_t least : {2UL, 4098UL, 8002UL, 32762UL, 39998UL}) {
+    std::size_t size = transform_size(least);
+    EXPECT_GE(size, least);
+    EXPECT_LE(static_cast<double>(size), 1.1 * static_cast<double>(least));
+    EXPECT_EQ(size % 2, 0U);
+    for (const std::size_t factor : {2UL, 3UL, 5UL})
+      while (size % factor == 0) size /= factor;
+    EXPECT_EQ(size, 1U) << least;
+  }
+}
+
 TEST(LoadTrace, ADelayIsADelay) {
   for (const int samples : {799, 800}) {
     const LoadSpectrum spectrum(load(samples), interval);

@@ -42,33 +42,37 @@ Span changing(const TimeFunction& history) {
   return {};
 }
 
-class Sentences {
+class Findings {
  public:
-  explicit Sentences(const Model& model) : model_(model) {}
+  explicit Findings(const Model& model) : model_(model) {}
 
   template <typename Load>
   void add_load(const Load& load) {
     if (std::holds_alternative<Constant>(load.history)) return;
-    add(fmt::format("the load on block \"{}\", {},", name_of(model_, load.block), words_for(load.history)),
+    add(load.history,
+        fmt::format("the load on block \"{}\", {},", name_of(model_, load.block), words_for(load.history)),
         changing(load.history), [&](double t) { return evaluate(load.history, t); });
   }
   template <typename Motion>
   void add_motion(const Motion& motion) {
     if (std::holds_alternative<Constant>(motion.history) || motion.amplitude.isZero(0)) return;
-    add(fmt::format("the motion of block \"{}\", {},", name_of(model_, motion.block), words_for(motion.history)),
+    add(motion.history,
+        fmt::format("the motion of block \"{}\", {},", name_of(model_, motion.block), words_for(motion.history)),
         changing(motion.history), [&](double t) { return motion_at(motion.kind, motion.history, t).displacement; });
   }
-  [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
+  [[nodiscard]] std::vector<LoadFinding> take() { return std::move(findings_); }
 
  private:
   template <typename Value>
-  void add(const std::string& what, const Span& changes, const Value& value) {
+  void add(const TimeFunction& history, const std::string& what, const Span& changes, const Value& value) {
     double begin = 0;
-    for (const Stage& stage : model_.stages) {
+    for (std::size_t i = 0; i < model_.stages.size(); ++i) {
+      const Stage& stage = model_.stages[i];
       const double from = std::max(changes.from, begin), to = std::min(changes.to, begin + stage.duration);
       // Whole steps of the stage: what lies beside the history is seen with it.
       if (!stage.integrator.is_static && from < to)
-        add(stage, what, to - from, value, begin + std::floor((from - begin) / stage.dt) * stage.dt,
+        add({static_cast<int>(i), &history, what}, to - from, value,
+            begin + std::floor((from - begin) / stage.dt) * stage.dt,
             begin + std::ceil((to - begin) / stage.dt) * stage.dt);
       begin += stage.duration;
     }
@@ -83,22 +87,25 @@ class Sentences {
     return seen_.insert(print).second;
   }
 
+  // `finding`: what is looked at, in place of its sentence.
   template <typename Value>
-  void add(const Stage& stage, const std::string& what, double shortest, const Value& value, double from, double to) {
+  void add(const LoadFinding& finding, double shortest, const Value& value, double from, double to) {
+    const Stage& stage = model_.stages[static_cast<std::size_t>(finding.stage)];
     if (!is_new(value, from, to)) return;
     const double share = unseen_share(value, from, to, stage.dt, shortest);
     if (!(share > too_much)) return;
     double dt = stage.dt;
     for (int i = 0; i < 40 && unseen_share(value, from, to, dt, shortest) > little; ++i) dt /= 2;
-    sentences_.push_back(fmt::format(
-        "stage \"{}\": {} changes faster than steps of {:g} s can see: they miss {:.0f} % of it; dt of {:.2g} "
-        "s sees it",
-        stage.name, what, stage.dt, std::min(100.0, 100 * share), dt));
+    findings_.push_back(
+        {finding.stage, finding.history,
+         fmt::format("stage \"{}\": {} changes faster than steps of {:g} s can see: they miss {:.0f} % of it; dt of "
+                     "{:.2g} s sees it",
+                     stage.name, finding.sentence, stage.dt, std::min(100.0, 100 * share), dt)});
   }
 
   const Model& model_;
   std::set<std::array<double, 16>> seen_;
-  std::vector<std::string> sentences_;
+  std::vector<LoadFinding> findings_;
 };
 
 }  // namespace
@@ -121,13 +128,19 @@ double unseen_share(const std::function<double(double)>& history, double from, d
   return whole > 0 ? std::sqrt(missed / whole) : 0;
 }
 
+std::vector<LoadFinding> unseen_load_findings(const Model& model) {
+  Findings findings(model);
+  for (const EdgeLoad& load : model.edge_loads) findings.add_load(load);
+  for (const PointLoad& load : model.point_loads) findings.add_load(load);
+  for (const PointSupport& support : model.supports) findings.add_motion(support);
+  for (const HeldBlock& held : model.held_blocks) findings.add_motion(held);
+  return findings.take();
+}
+
 std::vector<std::string> unseen_loads(const Model& model) {
-  Sentences sentences(model);
-  for (const EdgeLoad& load : model.edge_loads) sentences.add_load(load);
-  for (const PointLoad& load : model.point_loads) sentences.add_load(load);
-  for (const PointSupport& support : model.supports) sentences.add_motion(support);
-  for (const HeldBlock& held : model.held_blocks) sentences.add_motion(held);
-  return sentences.take();
+  std::vector<std::string> sentences;
+  for (LoadFinding& finding : unseen_load_findings(model)) sentences.push_back(std::move(finding.sentence));
+  return sentences;
 }
 
 }  // namespace dda

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/advice/load_finding.h"
 #include "engine/model/model.h"
 
 namespace dda {
@@ -15,7 +16,8 @@ namespace dda {
 // All that is longer than an eighth of `shortest` is found.
 double unseen_share(const std::function<double(double)>& history, double from, double to, double dt, double shortest);
 
-// A sentence for every history of which a stage sees too little, without a full stop.
+// One for every history of which a stage sees too little, and their sentences alone.
+std::vector<LoadFinding> unseen_load_findings(const Model& model);
 std::vector<std::string> unseen_loads(const Model& model);
 
 }  // namespace dda

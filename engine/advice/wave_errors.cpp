@@ -155,7 +155,7 @@ class Reader {
     const auto exact = [&](double t) { return t > due ? load_.value(t - due) : 0.0; };
     const Trace trace = trace_of(question_, load_, place_, causes);
     return read_arrival(trace.values, trace.interval, exact, due, load_.period,
-                        lags_of(changed(causes), place_.distance, load_.period));
+                        lags_of(changed(causes), place_.distance, load_.period), load_.seen_until());
   }
 
  private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -55,6 +56,9 @@ struct LoadHistory {
   double run = 0;                       // s, that the run goes on after that
   // Where something is moved: `value` is its velocity and this its displacement, over one amplitude. Else empty.
   std::function<double(double)> displacement = {};
+
+  // s, the end of the run where that is known.
+  [[nodiscard]] double seen_until() const { return run > 0 ? run : std::numeric_limits<double>::infinity(); }
 };
 
 // s, that a trace has to last: until the wave has passed, however late.

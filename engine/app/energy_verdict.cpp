@@ -69,7 +69,7 @@ bool has_material_damping(const Model& model) {
 // What loads, weight and motions did, and what was there at the start, J per m of thickness.
 double brought(const EnergyLedger& energy) {
   return std::abs(energy.external_work) + std::abs(energy.gravity_work) + energy.initial_kinetic +
-         energy.initial_strain + energy.initial_contact + energy.initial_bolts;
+         energy.initial_strain + energy.initial_contact + energy.initial_bolts + energy.initial_linings;
 }
 
 // What static stages take is damping in the ledger, so this is of stages in motion.

@@ -11,6 +11,7 @@
 
 #include "engine/core/error.h"
 #include "engine/record/atomic_file.h"
+#include "engine/scene/file_kind.h"
 #include "engine/view/page.h"
 #include "engine/view/quantities.h"
 #include "engine/view/run_facts.h"
@@ -88,7 +89,17 @@ void draw_picture(const ViewOptions& options, std::ostream& out) {
 
 }  // namespace
 
+void expect_folder(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(folder, ignored)) return;
+  const auto kind = kind_other_than_scene(folder);
+  const std::string advice = kind ? kind->command : "dda run makes one of a scene";
+  throw InputError("", "the folder of the run", folder.string() + ", which is " + (kind ? kind->what : "a file"),
+                   "a folder with results; " + advice);
+}
+
 void view_run(const ViewOptions& options, std::ostream& out) {
+  expect_folder(options.folder);
   if (!options.svg_frame.empty()) return draw_picture(options, out);
   PageOptions page;
   page.folder = options.folder;

@@ -21,6 +21,9 @@ struct ViewOptions {
   std::vector<double> window;  // left, bottom, right, top, m; empty: all blocks
 };
 
+// InputError where the folder of a run is a file, with what it is and which command reads it.
+void expect_folder(const std::filesystem::path& folder);
+
 // Says on `out` what was written. InputError for what is wrong with options or run; std::runtime_error when the file
 // cannot be written.
 void view_run(const ViewOptions& options, std::ostream& out);

@@ -148,9 +148,13 @@ ContactSet make_contacts(const Model& model) {
       contacts.states[i].broken = {true, true};
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
+  fit_to_neighbours(model, contacts);
+  return contacts;
+}
+
+void fit_to_neighbours(const Model& model, ContactSet& contacts) {
   stiffen_rows(model, contacts);
   contacts.outline_compliance = outline_compliance_of(model, contacts);
-  return contacts;
 }
 
 Mat3 outline_stiffness(const ContactSet& contacts, std::size_t block, const Mat3& elasticity) {

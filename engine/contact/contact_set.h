@@ -46,7 +46,12 @@ InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_
 Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,
                    const InterfaceState& state);
 
-// Takes out the interfaces of blocks that are absent, `absent` saying so of each block.
+// What follows from all interfaces of a block together: rows of blocks that bend, and what projected stretches take off
+// their blocks. Anew whenever interfaces have been left out.
+void fit_to_neighbours(const Model& model, ContactSet& contacts);
+
+// Takes out the interfaces of blocks that are absent, `absent` saying so of each block. fit_to_neighbours() is to
+// follow.
 void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
 
 // Where an interface is now: its ends follow their blocks, its normal turns with the mean of the two edges.

@@ -7,6 +7,14 @@
 namespace {
 
 std::atomic<long> count{0};
+std::atomic<std::size_t> largest{0};
+
+void note(std::size_t size) {
+  count.fetch_add(1, std::memory_order_relaxed);
+  std::size_t before = largest.load(std::memory_order_relaxed);
+  while (size > before && !largest.compare_exchange_weak(before, size, std::memory_order_relaxed)) {
+  }
+}
 
 }  // namespace
 
@@ -18,7 +26,7 @@ extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile
 
 namespace {
 
-void on_malloc(const volatile void*, std::size_t) { count.fetch_add(1, std::memory_order_relaxed); }
+void on_malloc(const volatile void*, std::size_t size) { note(size); }
 void on_free(const volatile void*) {}
 const int hooks_installed = __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free);
 
@@ -37,22 +45,22 @@ void* __libc_memalign(std::size_t alignment, std::size_t size);
 // NOLINTEND(readability-identifier-naming)
 
 void* malloc(std::size_t size) {
-  count.fetch_add(1, std::memory_order_relaxed);
+  note(size);
   return __libc_malloc(size);
 }
 
 void* calloc(std::size_t number, std::size_t size) {
-  count.fetch_add(1, std::memory_order_relaxed);
+  note(number * size);
   return __libc_calloc(number, size);
 }
 
 void* realloc(void* memory, std::size_t size) {
-  count.fetch_add(1, std::memory_order_relaxed);
+  note(size);
   return __libc_realloc(memory, size);
 }
 
 void* memalign(std::size_t alignment, std::size_t size) {
-  count.fetch_add(1, std::memory_order_relaxed);
+  note(size);
   return __libc_memalign(alignment, size);
 }
 
@@ -69,5 +77,9 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
 namespace dda {
 
 long allocations_so_far() { return count.load(std::memory_order_relaxed); }
+
+std::size_t largest_allocation() { return largest.load(std::memory_order_relaxed); }
+
+void forget_largest_allocation() { largest.store(0, std::memory_order_relaxed); }
 
 }  // namespace dda

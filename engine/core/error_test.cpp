@@ -23,5 +23,16 @@ TEST(InputError, TakesTheFileLater) {
   EXPECT_EQ(located.field(), "time step");
 }
 
+// Whatever was quoted from a damaged file: UTF-8 stays UTF-8.
+TEST(InputError, StaysOneSentenceOfReadableLength) {
+  const std::string long_value(100'000, 'x');
+  const std::string text = InputError("f", "a\nfield", "\t" + long_value, "less").what();
+  EXPECT_EQ(text, "f: a field is  " + long_value.substr(0, 399) + "..., expected less");
+  std::string accents;
+  while (accents.size() < 1000) accents += "\u00e4";
+  const std::string cut = InputError("", "x" + accents, "y", "z").what();
+  EXPECT_EQ(cut, "x" + accents.substr(0, 398) + "... is y, expected z");
+}
+
 }  // namespace
 }  // namespace dda

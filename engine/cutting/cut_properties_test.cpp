@@ -1,6 +1,7 @@
 // What must hold for any lines, checked by geometry that knows nothing of how blocks are found.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -186,6 +187,62 @@ TEST(CutProperties, JointsCoverTheLinesLessWhatIsReported) {
     }
     EXPECT_NEAR(joints + trimmed, length, 1e-9 + moved);
   }
+}
+
+// Three lines that make a triangle of the size of round-off, two corners of which are further apart than it: links
+// beside the other's end changed places in every round, until the last one allowed.
+TEST(CutProperties, TrianglesOfTheSizeOfRoundOffComeToAnEnd) {
+  const RockPlan square = square_plan(100);
+  const double round_off = 1e-8 * std::sqrt(2) * 100;
+  for (const double apart : {1.001, 1.02, 1.1, 1.2, 1.3}) {
+    for (const double angle : {55., 60., 70., 75.}) {
+      SCOPED_TRACE(testing::Message() << apart << " apart, " << angle << " deg");
+      const double half = apart * round_off / 2;
+      const Vec2 a(50, 50 + half);
+      const Vec2 b(50, 50 - half);
+      const Vec2 c(50 + half * std::tan(angle * std::numbers::pi / 180), 50);
+      RockPlan plan = square;
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(a, c)}) {
+        const Vec2 along = (to - from).normalized();
+        add_line(plan, {from - 20 * along, to + 20 * along});
+      }
+      const CutRock rock = cut_rock(plan);
+      EXPECT_LE(rock.pieces_noded, 60u);  // 13 to begin with, and some again
+      expect_sound(rock, plan);
+    }
+  }
+}
+
+// Blocks in a row that become one after the other part of a neighbour take rounds, and each looks at these blocks only.
+TEST(CutProperties, SomeSmallBlocksDoNotCostAnotherLookAtAll) {
+  Lots lots(11);
+  RockPlan plan = square_plan();
+  for (int i = 0; i < 100; ++i) add_line(plan, {lots.point(0, 10), lots.point(0, 10)});
+  for (int i = 0; i < 20; ++i) add_line(plan, {{1 + 1e-3 * i, 0.1}, {1 + 1e-3 * i, 9.9}});
+  CutOptions options;
+  options.least_area = 1e-3;
+  const CutRock rock = cut_rock(plan, options);
+  EXPECT_GT(rock.merged, 100);
+  const std::size_t at_first = rock.blocks.size() + static_cast<std::size_t>(rock.merged);
+  EXPECT_LE(rock.outlines_traced, at_first + 2 * static_cast<std::size_t>(rock.merged));
+  expect_sound(rock, plan);
+}
+
+// What is welded is noded again, and what is far from there is not: an end beside a line costs no second pass over
+// thousands of lines.
+TEST(CutProperties, OneEndBesideALineDoesNotCostAnotherNoding) {
+  Lots lots(7);
+  RockPlan plan = square_plan();
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 from = lots.point(1, 9);
+    add_line(plan, {from, from + lots.point(-1, 1)});
+  }
+  add_line(plan, {{0.1, 1}, {0.1, 9}});
+  add_line(plan, {{0.1 + 5e-8, 5}, {0.9, 7}});
+  const CutRock rock = cut_rock(plan);
+  EXPECT_GE(count(rock, Cleaning::round_off_closed), 1);
+  const auto at_first = static_cast<double>(4 + 3 * plan.lines.size());  // a line and what prolongs it at both ends
+  EXPECT_LT(static_cast<double>(rock.pieces_noded), 1.05 * at_first);
 }
 
 }  // namespace

@@ -105,6 +105,7 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   say("finding crossings");
   Noding noding =
       welded(node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid), pieces, plan, rock.cleaned);
+  rock.pieces_noded = noding.pieces_noded;
   say("finding blocks");
   Arrangement arrangement(std::move(noding));
   const std::vector<FacePlace> places = places_of_faces(arrangement, pieces, plan);
@@ -120,6 +121,7 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
       merge_blocks(arrangement, places, {pieces.tolerance, options.least_area, options.least_angle}, groups);
   append(rock.cleaned, std::move(merging.cleaned));
   rock.merged = merging.merged;
+  rock.outlines_traced = merging.traced;
   rock.dropped_area = merging.dropped_area;
   part_where_touching(arrangement, groups, pieces, merging.outlines, rock.cleaned);
   finish_blocks(arrangement, groups, places, merging.outlines, pieces, plan, rock);

@@ -1,6 +1,7 @@
 // A plan of rock, cut into blocks.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -75,6 +76,8 @@ struct CutRock {
   double dropped_area = 0;   // m2, of it in slivers without neighbour; blocks are the rest
   int merged = 0;            // blocks that went to a neighbour
   int dangles_trimmed = 0;
+  std::size_t outlines_traced = 0;  // of blocks, before any were merged and after
+  std::size_t pieces_noded = 0;     // straight pieces that were compared with others to find where they meet
 };
 
 // Throws InputError, without a file, for a plan that cannot be cut: a boundary that crosses itself, an opening outside

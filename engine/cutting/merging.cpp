@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "engine/geometry/segment.h"
 
@@ -64,24 +67,72 @@ class Merger {
          FaceGroups& groups)
       : arrangement_(arrangement), places_(places), limits_(limits), groups_(groups) {}
 
+  // After the first round only outlines of blocks that took part in a merger are traced again.
   Merging run() {
-    bool changed = true;
-    while (changed) {
-      result_.outlines = trace_outlines(arrangement_, groups_);
-      changed = merge_once();
+    OutlineTracer tracer(arrangement_, groups_);
+    std::vector<int> all(at(arrangement_.half_edges()));
+    std::iota(all.begin(), all.end(), 0);
+    blocks_ = traced(tracer, all);
+    std::vector<bool> touched(at(arrangement_.faces()), false);
+    while (merge_once(touched)) {
+      trace_again(tracer, touched);
+      touched.assign(touched.size(), false);
     }
+    for (Block& block : blocks_) result_.outlines.push_back(std::move(block.outline));
     return std::move(result_);
   }
 
  private:
-  bool merge_once() {
-    std::vector<Faulty> faulty;
-    for (const Outline& outline : result_.outlines) {
+  struct Block {
+    Outline outline;
+    double area = 0;
+    std::optional<Cleaning> fault;
+
+    // The first of its half-edges: walks begin with theirs, and are traced in that order.
+    [[nodiscard]] int first() const {
+      return outline.holes.empty() ? outline.outer.front()
+                                   : std::min(outline.outer.front(), outline.holes.front().front());
+    }
+  };
+
+  std::vector<Block> traced(OutlineTracer& tracer, const std::vector<int>& half_edges) {
+    std::vector<Block> blocks;
+    for (Outline& outline : tracer.trace(half_edges)) {
       const Shape shape = shape_of(arrangement_, outline);
-      if (const auto why = fault(shape, limits_)) faulty.push_back({&outline, shape.area, *why});
+      blocks.push_back({std::move(outline), shape.area, fault(shape, limits_)});
+      ++result_.traced;
+    }
+    return blocks;
+  }
+
+  void trace_again(OutlineTracer& tracer, const std::vector<bool>& touched) {
+    std::vector<Block> kept;
+    std::vector<int> half_edges;
+    const auto take = [&](const std::vector<int>& walk) {
+      half_edges.insert(half_edges.end(), walk.begin(), walk.end());
+    };
+    for (Block& block : blocks_) {
+      if (!touched[at(block.outline.group)]) {
+        kept.push_back(std::move(block));
+        continue;
+      }
+      take(block.outline.outer);
+      for (const auto& hole : block.outline.holes) take(hole);
+    }
+    std::sort(half_edges.begin(), half_edges.end());
+    std::vector<Block> again = traced(tracer, half_edges);
+    blocks_.clear();
+    std::merge(std::move_iterator(kept.begin()), std::move_iterator(kept.end()), std::move_iterator(again.begin()),
+               std::move_iterator(again.end()), std::back_inserter(blocks_),
+               [](const Block& a, const Block& b) { return a.first() < b.first(); });
+  }
+
+  bool merge_once(std::vector<bool>& touched) {
+    std::vector<Faulty> faulty;
+    for (const Block& block : blocks_) {
+      if (block.fault) faulty.push_back({&block.outline, block.area, *block.fault});
     }
     std::stable_sort(faulty.begin(), faulty.end(), [](const Faulty& a, const Faulty& b) { return a.area < b.area; });
-    std::vector<bool> touched(at(arrangement_.faces()), false);
     bool changed = false;
     for (const Faulty& each : faulty) changed = merge(each, touched) || changed;
     return changed;
@@ -134,6 +185,7 @@ class Merger {
   const std::vector<FacePlace>& places_;
   const MergeLimits& limits_;
   FaceGroups& groups_;
+  std::vector<Block> blocks_;  // by the first of their half-edges
   Merging result_;
 };
 

@@ -1,6 +1,7 @@
 // Blocks that are too narrow, too small or too sharp go to a neighbour.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/cutting/trace.h"
@@ -18,6 +19,7 @@ struct Merging {
   std::vector<Cleaned> cleaned;
   int merged = 0;
   double dropped_area = 0;
+  std::size_t traced = 0;  // outlines, over all rounds
 };
 
 // Merges until no block is below the limits, each time the smallest first, with the neighbour that has most of its

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 
 #include "engine/cutting/quadrants.h"
 #include "engine/geometry/segment.h"
@@ -49,14 +50,8 @@ Vec2 place_of_crossing(const Pixel& pixel, const Straight& a, const Straight& b,
   return (computed - centre).cwiseAbs().maxCoeff() <= grid.step() ? computed : centre;
 }
 
-std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
-                                     const std::vector<KnownNode>& known, const PixelGrid& grid) {
-  std::vector<Candidate> found;
-  for (const KnownNode& node : known) found.push_back({node.pixel, Kind::known, node.position});
-  for (const Piece& piece : pieces) {
-    for (const Pixel& end : {piece.segment.from, piece.segment.to})
-      found.push_back({end, Kind::end_of_piece, grid.centre_of(end)});
-  }
+void add_crossings(const std::vector<Piece>& pieces, const std::vector<Straight>& straights, const PixelGrid& grid,
+                   std::vector<Candidate>& found) {
   visit_crowds(pieces, [&](const Quadrant& quadrant, const std::vector<int>& crowd) {
     for (std::size_t i = 0; i < crowd.size(); ++i) {
       for (std::size_t j = i + 1; j < crowd.size(); ++j) {
@@ -69,6 +64,17 @@ std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std
       }
     }
   });
+}
+
+std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
+                                     const std::vector<KnownNode>& known, const PixelGrid& grid) {
+  std::vector<Candidate> found;
+  for (const KnownNode& node : known) found.push_back({node.pixel, Kind::known, node.position});
+  for (const Piece& piece : pieces) {
+    for (const Pixel& end : {piece.segment.from, piece.segment.to})
+      found.push_back({end, Kind::end_of_piece, grid.centre_of(end)});
+  }
+  add_crossings(pieces, straights, grid, found);
   return found;
 }
 
@@ -112,21 +118,120 @@ std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vecto
   return entries;
 }
 
+void add_link(Noding& noding, int a, int b, int straight) {
+  if (a != b) noding.links.push_back({std::min(a, b), std::max(a, b), straight});
+}
+
+void put_in_order(std::vector<Link>& links) {
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+}
+
+// One noding after another.
+class Again {
+ public:
+  Again(const Renoding& changed, const std::vector<Straight>& straights, const PixelGrid& grid)
+      : changed_(changed), region_(changed.pixels, changed.places, changed.reach) {
+    for (const ChangedLink& each : changed.links) {
+      const PixelSegment segment{changed.pixels[at(each.link.from)], changed.pixels[at(each.link.to)]};
+      is_near_.push_back(each.is_changed || region_.meets(box_of(segment)));
+      if (is_near_.back()) near_.push_back({segment, each.link.straight});
+    }
+    std::vector<Candidate> crossings;
+    add_crossings(near_, straights, grid, crossings);
+    place_nodes(std::move(crossings));
+  }
+
+  Noding links() {
+    std::vector<bool> is_asked(noding_.pixels.size());
+    for (std::size_t node = 0; node < is_asked.size(); ++node)
+      is_asked[node] = region_.meets({noding_.pixels[node], noding_.pixels[node]});
+    for (std::size_t i = 0; i < is_near_.size(); ++i) {
+      const Link& link = changed_.links[i].link;
+      const int from = new_number_[at(link.from)];
+      const int to = new_number_[at(link.to)];
+      if (is_near_[i])
+        is_asked[at(from)] = is_asked[at(to)] = true;
+      else
+        add_link(noding_, from, to, link.straight);
+    }
+    add_near_links(is_asked);
+    put_in_order(noding_.links);
+    noding_.pieces_noded = near_.size();
+    return std::move(noding_);
+  }
+
+ private:
+  // Nodes that stay, and crossings between them; a node that stays counts before a crossing in its pixel.
+  void place_nodes(std::vector<Candidate> crossings) {
+    std::vector<int> staying;
+    for (std::size_t node = 0; node < changed_.stays.size(); ++node) {
+      if (changed_.stays[node]) staying.push_back(static_cast<int>(node));
+    }
+    const auto candidate = [&](int node) {
+      return Candidate{changed_.pixels[at(node)], Kind::known, changed_.positions[at(node)]};
+    };
+    const auto less = [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); };
+    std::sort(staying.begin(), staying.end(), [&](int a, int b) { return less(candidate(a), candidate(b)); });
+    std::sort(crossings.begin(), crossings.end(), less);
+    new_number_.assign(changed_.stays.size(), -1);
+    auto crossing = crossings.begin();
+    for (const int node : staying) {
+      for (; crossing != crossings.end() && less(*crossing, candidate(node)); ++crossing) add_node(*crossing);
+      add_node(candidate(node));
+      new_number_[at(node)] = static_cast<int>(noding_.pixels.size()) - 1;
+    }
+    for (; crossing != crossings.end(); ++crossing) add_node(*crossing);
+  }
+
+  void add_node(const Candidate& candidate) {
+    if (!noding_.pixels.empty() && noding_.pixels.back() == candidate.pixel) return;
+    noding_.pixels.push_back(candidate.pixel);
+    noding_.positions.push_back(candidate.position);
+  }
+
+  void add_near_links(const std::vector<bool>& is_asked) {
+    std::vector<Pixel> pixels;
+    std::vector<int> numbers;
+    for (std::size_t node = 0; node < is_asked.size(); ++node) {
+      if (!is_asked[node]) continue;
+      pixels.push_back(noding_.pixels[node]);
+      numbers.push_back(static_cast<int>(node));
+    }
+    const std::vector<Entry> entries = entries_of(near_, pixels);
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+      if (entries[i].piece != entries[i - 1].piece) continue;
+      add_link(noding_, numbers[at(entries[i - 1].node)], numbers[at(entries[i].node)],
+               near_[at(entries[i].piece)].straight);
+    }
+  }
+
+  const Renoding& changed_;
+  PixelRegion region_;
+  std::vector<bool> is_near_;  // by link
+  std::vector<Piece> near_;
+  std::vector<int> new_number_;  // by node; -1: it does not stay
+  Noding noding_;
+};
+
 }  // namespace
 
 Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
                    const std::vector<KnownNode>& known, const PixelGrid& grid) {
   Noding noding;
+  noding.pieces_noded = pieces.size();
   fill_nodes(candidates_of(pieces, straights, known, grid), noding);
   const std::vector<Entry> entries = entries_of(pieces, noding.pixels);
   for (std::size_t i = 1; i < entries.size(); ++i) {
-    if (entries[i].piece != entries[i - 1].piece) continue;
-    const auto [from, to] = std::minmax(entries[i - 1].node, entries[i].node);
-    noding.links.push_back({from, to, pieces[at(entries[i].piece)].straight});
+    if (entries[i].piece == entries[i - 1].piece)
+      add_link(noding, entries[i - 1].node, entries[i].node, pieces[at(entries[i].piece)].straight);
   }
-  std::sort(noding.links.begin(), noding.links.end());
-  noding.links.erase(std::unique(noding.links.begin(), noding.links.end()), noding.links.end());
+  put_in_order(noding.links);
   return noding;
+}
+
+Noding node_again(const Renoding& changed, const std::vector<Straight>& straights, const PixelGrid& grid) {
+  return Again(changed, straights, grid).links();
 }
 
 }  // namespace dda

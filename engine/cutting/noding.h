@@ -5,10 +5,13 @@
 // what comes out does not depend on the order of the segments.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <vector>
 
 #include "engine/cutting/pixel.h"
+#include "engine/cutting/pixel_region.h"
 
 namespace dda {
 
@@ -44,13 +47,34 @@ struct KnownNode {
 };
 
 struct Noding {
-  std::vector<Pixel> pixels;    // of the nodes, ascending
-  std::vector<Vec2> positions;  // m, of the nodes; each in its pixel: an end as given, else the crossing
-  std::vector<Link> links;      // ascending, each once
+  std::vector<Pixel> pixels;     // of the nodes, ascending
+  std::vector<Vec2> positions;   // m, of the nodes; each in its pixel: an end as given, else the crossing
+  std::vector<Link> links;       // ascending, each once
+  std::size_t pieces_noded = 0;  // how many pieces were compared with others, what that cost
 };
 
 // `known` are the places of the drawing that nodes keep. Other ends of pieces get the middle of a pixel.
 Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
                    const std::vector<KnownNode>& known, const PixelGrid& grid);
+
+// A link of a noding that was changed, with the nodes' numbers there.
+struct ChangedLink {
+  Link link;
+  bool is_changed = false;  // since it was noded with the others
+};
+
+// What has to be noded again, and where.
+struct Renoding {
+  std::vector<Pixel> pixels;  // of the nodes
+  std::vector<Vec2> positions;
+  std::vector<bool> stays;         // by node; links lead to such nodes only
+  std::vector<ChangedLink> links;  // ascending, each once
+  std::vector<PixelBox> places;    // around links that changed, as they were and as they are
+  std::int64_t reach = 0;          // pixels around these in which nodes may have moved
+};
+
+// The same as to node all links. Those that did not change only meet in their nodes: only what comes near `places` is
+// compared with others.
+Noding node_again(const Renoding& changed, const std::vector<Straight>& straights, const PixelGrid& grid);
 
 }  // namespace dda

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "engine/geometry/segment.h"
@@ -94,26 +95,42 @@ Vec2 way_inside(const Arrangement& arrangement, const Loop& loop, double distanc
 
 }  // namespace
 
-std::vector<Outline> trace_outlines(const Arrangement& arrangement, const FaceGroups& groups) {
-  std::vector<Outline> outlines;
-  std::vector<int> outline_of(at(arrangement.faces()), -1);
-  std::vector<bool> seen(at(arrangement.half_edges()), false);
-  for (int start = 0; start < arrangement.half_edges(); ++start) {
-    const int group = groups.of(arrangement.face(start));
-    if (seen[at(start)] || group == FaceGroups::outside || !is_border(arrangement, groups, start)) continue;
-    std::vector<int> walk = walk_from(arrangement, groups, start);
-    for (const int h : walk) seen[at(h)] = true;
-    int& number = outline_of[at(group)];
-    if (number < 0) {
-      number = static_cast<int>(outlines.size());
-      outlines.push_back({group, {}, {}});
-    }
-    if (double_area(arrangement, walk) > 0)
-      outlines[at(number)].outer = std::move(walk);
-    else
-      outlines[at(number)].holes.push_back(std::move(walk));
+OutlineTracer::OutlineTracer(const Arrangement& arrangement, const FaceGroups& groups)
+    : arrangement_(arrangement),
+      groups_(groups),
+      outline_of_(at(arrangement.faces()), -1),
+      seen_(at(arrangement.half_edges()), false) {}
+
+std::vector<Outline> OutlineTracer::trace(const std::vector<int>& half_edges) {
+  for (const int h : half_edges) {
+    seen_[at(h)] = false;
+    outline_of_[at(groups_.of(arrangement_.face(h)))] = -1;
   }
+  std::vector<Outline> outlines;
+  for (const int h : half_edges) trace_from(h, outlines);
   return outlines;
+}
+
+void OutlineTracer::trace_from(int start, std::vector<Outline>& outlines) {
+  const int group = groups_.of(arrangement_.face(start));
+  if (seen_[at(start)] || group == FaceGroups::outside || !is_border(arrangement_, groups_, start)) return;
+  std::vector<int> walk = walk_from(arrangement_, groups_, start);
+  for (const int h : walk) seen_[at(h)] = true;
+  int& number = outline_of_[at(group)];
+  if (number < 0) {
+    number = static_cast<int>(outlines.size());
+    outlines.push_back({group, {}, {}});
+  }
+  if (double_area(arrangement_, walk) > 0)
+    outlines[at(number)].outer = std::move(walk);
+  else
+    outlines[at(number)].holes.push_back(std::move(walk));
+}
+
+std::vector<Outline> trace_outlines(const Arrangement& arrangement, const FaceGroups& groups) {
+  std::vector<int> all(at(arrangement.half_edges()));
+  std::iota(all.begin(), all.end(), 0);
+  return OutlineTracer(arrangement, groups).trace(all);
 }
 
 bool part_touching(Arrangement& arrangement, const std::vector<Outline>& outlines, const PixelGrid& grid,

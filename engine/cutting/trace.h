@@ -16,6 +16,23 @@ struct Outline {
 // Of all groups but that outside, by the first of their half-edges.
 std::vector<Outline> trace_outlines(const Arrangement& arrangement, const FaceGroups& groups);
 
+// The same of some groups at a time, after these have changed.
+class OutlineTracer {
+ public:
+  OutlineTracer(const Arrangement& arrangement, const FaceGroups& groups);
+
+  // `half_edges`, ascending, are all that border the groups asked for; others among them are passed over.
+  std::vector<Outline> trace(const std::vector<int>& half_edges);
+
+ private:
+  void trace_from(int start, std::vector<Outline>& outlines);
+
+  const Arrangement& arrangement_;
+  const FaceGroups& groups_;
+  std::vector<int> outline_of_;  // by group
+  std::vector<bool> seen_;       // by half-edge
+};
+
 // Where the outline of a block touches itself in a point, as around a block that hangs with one corner at a joint, the
 // blocks in the loop get a corner of their own, `distance` (m) inside the loop or less. Appends what was done to
 // `cleaned` and returns whether there was anything.

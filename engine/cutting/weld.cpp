@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -18,7 +20,12 @@ namespace {
 
 constexpr double share_of_tolerance = 1e-2;
 constexpr double least_steps = 4;  // of the grid: twice what rounding moves a node, on either side
-constexpr int most_rounds = 20;    // two do; more only where welding brings other places together
+// Of round-off, by which a link may pass a node without going through it: 1/sqrt(2). Let the corners A and B of a
+// triangle be further apart than round-off, and A as near to BC as B is to AC. Were both links led through the other
+// corner, they would change places, round after round. With this share the angles at A and B are less than 45 degrees
+// in that case, so the one at C is obtuse, and B is not beside AC but beyond its end.
+constexpr double share_beside_links = 0.7071;
+constexpr int most_rounds = 20;  // two do; more only where welding brings other places together
 constexpr int none = -1;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -30,21 +37,28 @@ struct Detour {
   int node = 0;
 };
 
-// One round: which nodes become one, where links have to be led, and the pieces that come of it.
+using Places = std::vector<PixelBox>;
+
+// One round: which nodes become one, where links have to be led, and what comes of it.
 class Welder {
  public:
-  Welder(Noding& noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned)
+  // `unseen`: around what came or changed since nodes and links were last compared; nothing: compare all.
+  Welder(Noding& noding, const PlanPieces& pieces, const RockPlan& plan, const std::optional<Places>& unseen,
+         std::vector<Cleaned>& cleaned)
       : noding_(noding),
         pieces_(pieces),
         plan_(plan),
         cleaned_(cleaned),
         round_off_(round_off_of(pieces)),
+        reach_(static_cast<std::int64_t>(2 * round_off_ / pieces.grid.step() + 2 * least_steps)),
         into_(noding.pixels.size()),
         bounds_(noding.pixels.size(), {none, none}),
         links_at_(noding.pixels.size(), 0),
         is_tip_(noding.pixels.size(), false),
+        is_moved_(noding.pixels.size(), false),
         is_dropped_(needless_prolongations(noding, pieces)) {
     std::iota(into_.begin(), into_.end(), 0);
+    if (unseen) region_.emplace(noding.pixels, *unseen, reach_);
     for (const Link& link : noding_.links) {
       for (const int node : {link.from, link.to}) {
         ++links_at_[at(node)];
@@ -58,31 +72,36 @@ class Welder {
     put_on_bounds();
     const bool any_dropped = std::find(is_dropped_.begin(), is_dropped_.end(), true) != is_dropped_.end();
     if (take_away_passed() || any_dropped) return true;
+    has_compared_ = true;
     const bool any_joined = join_nodes();
     find_detours();
     return any_joined || !detours_.empty();
   }
 
-  [[nodiscard]] std::vector<Piece> new_pieces() {
-    std::vector<Link> links = led_links();
-    std::sort(links.begin(), links.end());
-    std::vector<Piece> pieces;
-    for (std::size_t first = 0, last = 0; first < links.size(); first = last) {
-      while (last < links.size() && links[last] == links[first]) ++last;
-      const Link& link = links[first];
-      const bool closed = pieces_.sources[at(link.straight)].curve != no_curve;
-      if (closed && (last - first) % 2 == 0) continue;  // there and back: it encloses nothing
-      pieces.push_back({{noding_.pixels[at(link.from)], noding_.pixels[at(link.to)]}, link.straight});
-    }
-    return pieces;
-  }
+  // Whether nodes and links were compared, and not only those taken away that are not needed.
+  [[nodiscard]] bool has_compared() const { return has_compared_; }
 
-  [[nodiscard]] std::vector<KnownNode> nodes_left() const {
-    std::vector<KnownNode> left;
-    for (std::size_t node = 0; node < into_.size(); ++node) {
-      if (at(into_[node]) == node) left.push_back({noding_.pixels[node], noding_.positions[node]});
+  // What comes of it, to be noded again.
+  [[nodiscard]] Renoding renoding() {
+    Renoding changed;
+    lead_links(changed);
+    std::sort(changed.links.begin(), changed.links.end(),
+              [](const ChangedLink& a, const ChangedLink& b) { return a.link < b.link; });
+    std::vector<ChangedLink> links;
+    for (auto first = changed.links.begin(), last = first; first != changed.links.end(); first = last) {
+      last = std::find_if(first, changed.links.end(),
+                          [&](const ChangedLink& each) { return !(each.link == first->link); });
+      const bool closed = pieces_.sources[at(first->link.straight)].curve != no_curve;
+      if (closed && (last - first) % 2 == 0) continue;  // there and back: it encloses nothing
+      links.push_back({first->link, std::all_of(first, last, [](const ChangedLink& each) { return each.is_changed; })});
     }
-    return left;
+    changed.links = std::move(links);
+    changed.stays.resize(into_.size());
+    for (std::size_t node = 0; node < into_.size(); ++node) changed.stays[node] = at(into_[node]) == node;
+    changed.reach = reach_;
+    changed.pixels = std::move(noding_.pixels);
+    changed.positions = std::move(noding_.positions);
+    return changed;
   }
 
  private:
@@ -172,11 +191,22 @@ class Welder {
     return (noding_.positions[at(a)] - noding_.positions[at(b)]).norm();
   }
 
+  [[nodiscard]] bool is_unseen(const PixelBox& box) const { return !region_ || region_->meets(box); }
+
   [[nodiscard]] std::vector<std::pair<int, int>> near_pairs() const {
     std::vector<Box> boxes;
-    boxes.reserve(noding_.positions.size());
-    for (const Vec2& position : noding_.positions) boxes.push_back(expanded(Box{position, position}, round_off_ / 2));
+    std::vector<int> nodes;
+    for (std::size_t node = 0; node < noding_.positions.size(); ++node) {
+      if (!is_unseen({noding_.pixels[node], noding_.pixels[node]})) continue;
+      const Vec2& position = noding_.positions[node];
+      boxes.push_back(expanded(Box{position, position}, round_off_ / 2));
+      nodes.push_back(static_cast<int>(node));
+    }
     std::vector<std::pair<int, int>> pairs = overlapping_pairs(boxes);
+    for (auto& [a, b] : pairs) {
+      a = nodes[at(a)];
+      b = nodes[at(b)];
+    }
     std::erase_if(pairs, [&](const auto& pair) {
       const auto& [a, b] = pair;
       return is_tip_[at(a)] || is_tip_[at(b)] || distance_of(a, b) > round_off_;
@@ -233,7 +263,7 @@ class Welder {
     std::vector<int> links;
     for (std::size_t i = 0; i < noding_.links.size(); ++i) {
       const Link link = joined(noding_.links[i]);
-      if (link.from == link.to) continue;
+      if (link.from == link.to || !is_unseen(box_between(link.from, link.to))) continue;
       pieces.push_back({{noding_.pixels[at(link.from)], noding_.pixels[at(link.to)]}, link.straight});
       links.push_back(static_cast<int>(i));
     }
@@ -241,6 +271,7 @@ class Welder {
     std::vector<int> nodes;
     for (std::size_t node = 0; node < into_.size(); ++node) {
       if (at(into_[node]) != node || is_tip_[node]) continue;
+      if (!is_unseen({noding_.pixels[node], noding_.pixels[node]})) continue;
       pixels.push_back(noding_.pixels[node]);
       nodes.push_back(static_cast<int>(node));
     }
@@ -261,7 +292,8 @@ class Welder {
     if (node == link.from || node == link.to) return;
     const Segment way{noding_.positions[at(link.from)], noding_.positions[at(link.to)]};
     const double share = closest_parameter(way, noding_.positions[at(node)]);
-    if (share <= 0 || share >= 1 || distance(way, noding_.positions[at(node)]) > round_off_) return;
+    if (share <= 0 || share >= 1 || distance(way, noding_.positions[at(node)]) > share_beside_links * round_off_)
+      return;
     const bool is_kept =
         is_bound(pieces_, link.straight, plan_) && bounds_[at(node)][0] != none;  // two that would not bend
     if (!is_kept) detours_.push_back({number, share, node});
@@ -277,6 +309,7 @@ class Welder {
       if (!is_bound(pieces_, link.straight, plan_)) continue;
       position = foot;
       noding_.pixels[at(detour.node)] = pieces_.grid.pixel_of(foot);
+      is_moved_[at(detour.node)] = true;
     }
   }
 
@@ -288,23 +321,32 @@ class Welder {
     return one.from == other.from && one.to == other.to;
   }
 
-  [[nodiscard]] std::vector<Link> led_links() const {
-    std::vector<Link> led;
+  [[nodiscard]] PixelBox box_between(int a, int b) const {
+    return box_of({noding_.pixels[at(a)], noding_.pixels[at(b)]});
+  }
+
+  void lead_links(Renoding& changed) const {
     auto detour = detours_.begin();
-    const auto add = [&](int a, int b, int straight) {
-      if (a != b) led.push_back({std::min(a, b), std::max(a, b), straight});
+    const auto add = [&](int a, int b, int straight, bool is_changed) {
+      if (a == b) return;
+      changed.links.push_back({{std::min(a, b), std::max(a, b), straight}, is_changed});
+      if (is_changed) changed.places.push_back(box_between(a, b));
     };
     for (std::size_t i = 0; i < noding_.links.size(); ++i) {
+      const Link& old = noding_.links[i];
+      const Link link = joined(old);
+      const bool is_led = detour != detours_.end() && at(detour->link) == i;
+      const bool is_changed =
+          is_dropped_[i] || is_led || !(link == old) || is_moved_[at(link.from)] || is_moved_[at(link.to)];
+      if (is_changed) changed.places.push_back(box_between(old.from, old.to));
       if (is_dropped_[i]) continue;
-      const Link link = joined(noding_.links[i]);
       int from = link.from;
       for (; detour != detours_.end() && at(detour->link) == i; ++detour) {
-        add(from, detour->node, link.straight);
+        add(from, detour->node, link.straight, true);
         from = detour->node;
       }
-      add(from, link.to, link.straight);
+      add(from, link.to, link.straight, is_changed);
     }
-    return led;
   }
 
   void note(const Vec2& from, const Vec2& to) {
@@ -317,10 +359,14 @@ class Welder {
   const RockPlan& plan_;
   std::vector<Cleaned>& cleaned_;
   double round_off_;
+  std::int64_t reach_;  // pixels around what changed in which something else may be near it
+  std::optional<PixelRegion> region_;
+  bool has_compared_ = false;
   std::vector<int> into_;                   // by node: that which it becomes, itself where it stays
   std::vector<std::array<int, 2>> bounds_;  // by node: straights of boundary and holes that it lies on
   std::vector<int> links_at_;
   std::vector<bool> is_tip_;
+  std::vector<bool> is_moved_;
   std::vector<bool> is_dropped_;  // by link
   std::vector<Detour> detours_;
 };
@@ -332,10 +378,18 @@ double round_off_of(const PlanPieces& pieces) {
 }
 
 Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned) {
+  std::optional<Places> unseen;
   for (int round = 0; round < most_rounds; ++round) {
-    Welder welder(noding, pieces, plan, cleaned);
+    Welder welder(noding, pieces, plan, unseen, cleaned);
     if (!welder.weld()) break;
-    noding = node_pieces(welder.new_pieces(), pieces.straights, welder.nodes_left(), pieces.grid);
+    const std::size_t noded = noding.pieces_noded;
+    const Renoding changed = welder.renoding();
+    if (welder.has_compared())
+      unseen = changed.places;
+    else if (unseen)
+      unseen->insert(unseen->end(), changed.places.begin(), changed.places.end());
+    noding = node_again(changed, pieces.straights, pieces.grid);
+    noding.pieces_noded += noded;
   }
   return noding;
 }

@@ -3,7 +3,8 @@
 // Who draws an opening along joints computes its corners, and gets them beside the joints' crossings by round-off. The
 // grid of noding is finer than that: it keeps both, with faces between them that are as narrow and as long as the
 // outline. Merged as slivers, those around a corner of the opening would leave spurs of no width. So nodes that are
-// nearer than round-off become one before there are faces, and links that pass a node that close go through it.
+// nearer than round-off become one before there are faces, and links that pass a node almost that close (0.7) go
+// through it.
 #pragma once
 
 #include <vector>

@@ -10,7 +10,8 @@
 namespace dda {
 namespace {
 
-// Coordinates carry a round-off of 1e-16 of the extent; those that were computed on the way a little more.
+// Coordinates carry a round-off of 1e-16 of the extent; those that were computed on the way a little more. The extent
+// is the diameter, which is the same whichever way the scene is turned: ends that just touch are told by it.
 constexpr double tolerance_of_extent = 1e-9;
 
 void fill_geometry(Model& model) {
@@ -18,7 +19,7 @@ void fill_geometry(Model& model) {
     block.shape = normalized(std::move(block.shape));
     block.moments = area_moments(block.shape);
   }
-  model.length_tolerance = tolerance_of_extent * extent(model);
+  model.length_tolerance = tolerance_of_extent * diameter(model);
 }
 
 // Weight of the heaviest rock above, the largest initial stress and the largest traction, together.

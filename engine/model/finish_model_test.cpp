@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/geometry/rotation.h"
 #include "engine/model/model.h"
 
 namespace dda {
@@ -48,6 +49,19 @@ TEST(FinishModel, FillsMomentsAndTolerance) {
   EXPECT_DOUBLE_EQ(model.blocks[1].moments.xx, 8.0 / 12);
   EXPECT_DOUBLE_EQ(model.mass_of(1), 5000);
   EXPECT_DOUBLE_EQ(model.length_tolerance, 1e-9 * std::sqrt(17.0));
+}
+
+// Static steps tell by the tolerance which ends touch: its size must not depend on the axes of the drawing.
+TEST(FinishModel, ToleranceIsTheSameWhicheverWayTheSceneIsTurned) {
+  for (const double angle : {0.0, 0.35, 0.7, 1.2}) {
+    Model model;
+    model.materials = {{"rock", 2500, 20e9, 0.25, PlaneState::strain}};
+    model.blocks = {rectangle("a", 0, 2, 1), rectangle("b", 2, 2, 1)};
+    for (Block& block : model.blocks)
+      for (Vec2& corner : block.shape.outer) corner = rotation(angle) * corner;
+    finish_model(model);
+    EXPECT_NEAR(model.length_tolerance, 1e-9 * std::sqrt(17.0), 1e-22) << angle;
+  }
 }
 
 TEST(FinishModel, TurnsOutlinesCounterClockwise) {

@@ -26,6 +26,15 @@ void check(const std::vector<double>& times, const std::vector<double>& values) 
   }
 }
 
+// Between numbers near the ends of what a double holds.
+void check_derived(const std::vector<double>& times, const std::vector<double>& values, std::size_t i,
+                   double integral) {
+  const double slope = (values[i] - values[i - 1]) / (times[i] - times[i - 1]);
+  if (std::isfinite(slope) && std::isfinite(integral)) return;
+  throw InputError("", fmt::format("recording sample {}", i), fmt::format("({}, {})", times[i], values[i]),
+                   "a sample with which slopes and integrals are finite numbers");
+}
+
 }  // namespace
 
 Recording::Recording(std::string name, std::vector<double> times, std::vector<double> values)
@@ -38,6 +47,7 @@ Recording::Recording(std::string name, std::vector<double> times, std::vector<do
     integrals_[i] = integrals_[i - 1] + h * (values_[i - 1] + values_[i]) / 2;
     second_integrals_[i] =
         second_integrals_[i - 1] + h * integrals_[i - 1] + h * h * (2 * values_[i - 1] + values_[i]) / 6;
+    check_derived(times_, values_, i, integrals_[i] + second_integrals_[i]);
   }
 }
 

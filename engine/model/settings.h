@@ -80,7 +80,7 @@ struct Stage {
   SolverRequest solver = SolverRequest::automatic;
 
   double velocity_factor = 1;  // k01: velocities are multiplied by it at the end of every step (depends on dt!)
-  double damping_rate = 0;     // 1/s: velocities decay as exp(-damping_rate t), whatever dt is
+  double damping_rate = 0;     // 1/s: velocities are multiplied by exp(-damping_rate dt) at the ends of steps
 
   MaterialDamping material_damping;  // in dynamic stages of scenes in which nothing can change
 
@@ -101,7 +101,7 @@ struct Stage {
   bool lateral_inertia = true;
 
   // Static stages: the stage has done its work, and ends, when the forces out of balance are below this share of the
-  // largest load or in-situ force; 0 runs all of its steps and does not ask.
+  // largest force that acts (simulation/equilibrium.h); 0 runs all of its steps and does not ask.
   double equilibrium = 0;
 
   // Contacts that are closed do not slide and joints do not break: for turning on gravity. What exceeds the friction

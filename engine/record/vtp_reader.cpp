@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -27,6 +28,11 @@ std::string text_of(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path, ignored)) refuse(path, "missing");
   return read_file(path);
 }
+
+// Nothing that a run writes is larger, and squares of such numbers are numbers too.
+constexpr double largest = 1e150;
+
+bool is_sane(double number) { return std::abs(number) <= largest; }  // false of what is no number
 
 template <typename Number>
 std::optional<Number> number_of(const std::string& text) {
@@ -86,7 +92,7 @@ class Reader {
     VtkArray array{tag.attribute("Name"), *components, {}};
     const std::string type = tag.attribute("type");
     if (type == "Float64")
-      array.values = numbers<double>(bytes);
+      array.values = sane(numbers<double>(bytes), array.name);
     else if (type == "Int32")
       array.values = numbers<std::int32_t>(bytes);
     else if (type == "Int64")
@@ -103,6 +109,11 @@ class Reader {
     std::vector<Number> result(bytes.size() / sizeof(Number));
     if (!result.empty()) std::memcpy(result.data(), bytes.data(), result.size() * sizeof(Number));
     return result;
+  }
+
+  [[nodiscard]] std::vector<double> sane(std::vector<double> numbers, const std::string& name) const {
+    if (!std::ranges::all_of(numbers, is_sane)) refuse(path_, "damaged (" + name + " beyond all numbers)");
+    return numbers;
   }
 
   [[nodiscard]] std::vector<std::string> texts(const std::string& name, std::string_view bytes) const {
@@ -167,7 +178,7 @@ std::vector<SeriesEntry> read_series(const std::filesystem::path& index) {
   while (const auto tag = tags.next()) {
     if (tag->name != "DataSet") continue;
     const auto time = number_of<double>(tag->attribute("timestep"));
-    if (!time) refuse(index, "damaged (timestep \"" + tag->attribute("timestep") + "\")");
+    if (!time || !is_sane(*time)) refuse(index, "damaged (timestep \"" + tag->attribute("timestep") + "\")");
     entries.push_back({*time, index.parent_path() / tag->attribute("file")});
   }
   return entries;

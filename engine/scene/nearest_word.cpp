@@ -33,10 +33,11 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
   constexpr std::size_t longest_misspelling = 40;
   if (word.size() > longest_misspelling) return "";
   std::string nearest;
-  std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t fewest = longest_misspelling;
   for (const std::string& candidate : known) {
     const std::size_t count = edits(word, candidate);
-    if (count < fewest) {
+    const std::size_t close = std::max(word.size(), candidate.size()) / 3;
+    if (count <= close && count < fewest) {
       fewest = count;
       nearest = candidate;
     }

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/model/tolerance.h"
 #include "engine/scene/free_outline.h"
+#include "engine/scene/named_blocks.h"
 
 namespace dda {
 namespace {
@@ -100,9 +101,12 @@ PiecewiseLinear read_table(const Field& field) {
 
 std::vector<int> blocks_called(const Field& field, const std::vector<std::string>& groups, const Model& model) {
   const std::string name = field.text();
-  std::vector<int> blocks;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (model.blocks[i].name == name || groups[i] == name) blocks.push_back(static_cast<int>(i));
+  NamedBlocks named;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    if (model.blocks[i].name == name) named.of_block.push_back(static_cast<int>(i));
+    if (groups[i] == name) named.of_group.push_back(static_cast<int>(i));
+  }
+  std::vector<int> blocks = only_meaning(named, field);
   if (blocks.empty()) {
     std::vector<std::string> names = groups;
     for (const Block& block : model.blocks) names.push_back(block.name);

@@ -47,9 +47,6 @@ void read_duration(const Field& field, Stage& stage) {
     return;
   }
   stage.automatic_dt = is_left_open;
-  if (dt && is_left_open && stage.integrator.is_explicit())
-    dt->fail("a time, which \"central_difference\" needs (dda says how long it may be of any that is too long)");
-  if (stage.integrator.is_explicit()) (void)field.at("dt");
   if (!is_left_open) stage.dt = dt->positive(Dimension::time);
   const Field duration = field.at("duration");
   stage.duration = duration.positive(Dimension::time);

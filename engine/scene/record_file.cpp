@@ -74,8 +74,12 @@ class RecordReader {
     read_header();
     while (next_line()) read_sample();
     if (times_.size() < 2) fail(place_, fmt::format("of {} samples", times_.size()), "at least two");
-    Recording recording(request_.file.filename().string(), std::move(times_), std::move(values_));
-    return request_.correct_baseline ? recording.corrected() : recording;
+    try {
+      Recording recording(request_.file.filename().string(), std::move(times_), std::move(values_));
+      return request_.correct_baseline ? recording.corrected() : recording;
+    } catch (const InputError& error) {
+      fail(place_ + ", " + error.field(), error.value(), error.expected());
+    }
   }
 
  private:

@@ -1,11 +1,13 @@
 #include "engine/scene/scene.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
+#include "engine/scene/file_kind.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/read_openings.h"
 #include "engine/scene/scene_parts.h"
@@ -52,13 +54,20 @@ std::vector<PlanOpening> openings_of(const Field& scene, const Model& model) {
   return openings;
 }
 
+std::string line_of(const Field& field) {
+  std::string text = field.text();
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  if (std::ranges::any_of(text, is_control)) field.fail("one line of text, without control characters");
+  return text;
+}
+
 SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   SceneParts parts;
   Model& model = parts.model;
   const Scheme scheme = read_scheme(scene);
   if (const auto frequency = scene.find("target_frequency"))
     model.expected.frequency = frequency->positive(Dimension::frequency);
-  if (const auto title = scene.find("title")) model.title = title->text();
+  if (const auto title = scene.find("title")) model.title = line_of(*title);
   BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, model);
   parts.groups = std::move(facts.groups);
   parts.openings = openings_of(scene, model);
@@ -90,11 +99,15 @@ Model parse_scene(std::string_view json_text, const std::string& name_for_errors
 }
 
 std::string scene_text(const std::filesystem::path& file) {
+  std::string text;
   try {
-    return read_file(file, most_input_bytes);
+    text = read_file(file, most_input_bytes);
   } catch (const UnreadableFile& error) {
     throw InputError(file.string(), "the scene file", error.why(), "a JSON file");
   }
+  if (const auto kind = kind_other_than_scene(file, text))
+    throw InputError(file.string(), "the scene file", kind->what, "a scene (JSON); " + kind->command);
+  return text;
 }
 
 SceneParts read_scene_parts(const std::filesystem::path& file) {

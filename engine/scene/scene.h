@@ -18,7 +18,8 @@ Model read_scene(const std::filesystem::path& file);
 Model parse_scene(std::string_view json_text, const std::string& name_for_errors,
                   const std::filesystem::path& folder = {});
 
-// The text of a scene file. InputError for one that is missing, no regular file, or larger than any scene.
+// The text of a scene file. InputError for one that is missing, no regular file, larger than
+// any scene, or a drawing, a frame or the like: then it says which command reads that.
 std::string scene_text(const std::filesystem::path& file);
 
 // The published JSON Schema (draft 7) of scene files, as text.

@@ -139,7 +139,7 @@ struct BlockSystem {
     auto& [model, state, contacts, waves, supports, reinforcement, held, terms, damping, external, excavated,
            free_field, audit, costs, clock, plan, coefficients, forces, increment, drag] = self;
     const bool moves = self.geometry_moves();
-    if (moves || contacts.can_change || !reinforcement.bolts.empty()) archive(contacts);
+    if (!model.stays_linear()) archive(contacts);  // elsewhere their gaps follow from the state (linear_state)
     if (moves) archive(terms);
     archive.each(supports);
     archive(reinforcement, external, excavated, audit, forces, increment, drag, plan.chi, plan.solver);

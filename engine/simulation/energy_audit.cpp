@@ -68,7 +68,10 @@ void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDampi
     const Vec6 own = of_block(d, i);
     const Vec6 weighted =
         step.damping * own + step.damping_v * state.velocity[i] + step.damping_a * state.acceleration[i];
-    ledger_.radiated += own.dot(c * weighted);
+    const Vec6 at_end = (weighted - step.load_old * state.velocity[i]) / (1 - step.load_old);
+    const double work = own.dot(c * (state.velocity[i] + at_end)) / 2;
+    ledger_.radiated += work;
+    ledger_.numerical += own.dot(c * weighted) - work;
   }
 }
 

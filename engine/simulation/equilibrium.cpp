@@ -63,7 +63,9 @@ bool acts_without_load(const BlockSystem& system) {
     return !system.state.displacement[static_cast<std::size_t>(held.block)].isZero(0);
   };
   const auto is_displaced = [](const SupportElement& support) { return !support.prescribed.isZero(0); };
-  const auto is_tensioned = [](const Bolt& bolt) { return bolt.pretension != 0; };
+  const auto is_tensioned = [&](const Bolt& bolt) {
+    return bolt.pretension != 0 && bolt.first_stage <= static_cast<int>(system.clock.stage);
+  };
   return std::ranges::any_of(system.model.held_blocks, has_moved) ||
          std::ranges::any_of(system.supports, is_displaced) || std::ranges::any_of(system.model.bolts, is_tensioned);
 }
@@ -81,14 +83,15 @@ double round_off_of_motion(const BlockSystem& system) {
 }
 
 // Of the held blocks in N per m of thickness, where steps do not take it from an inertia that these do not have. It is
-// in no balance, but of the size of what rests on them.
+// in no balance, but of the size of what rests on them; no more of it counts than does rest on them, or the ground
+// below a stone would say that a stone in the air is at rest.
 double largest_held_weight(const BlockSystem& system) {
   double largest = 0;
   if (!system.plan.gravity || system.plan.linear) return largest;
-  for (const HeldBlock& held : system.model.held_blocks) {
-    const auto block = static_cast<std::size_t>(held.block);
-    if (!system.excavated.absent.empty() && system.excavated.absent[block]) continue;
-    largest = std::max(largest, system.model.mass_of(held.block) * system.model.gravity.cwiseAbs().maxCoeff());
+  const double gravity = system.model.gravity.norm();
+  for (const int held : system.held.blocks) {
+    const double carried = largest_of(system, system.forces.internal_old, static_cast<std::size_t>(held));
+    largest = std::max(largest, std::min(carried, system.model.mass_of(held) * gravity));
   }
   return largest;
 }

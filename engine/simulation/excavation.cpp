@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/contact/row_bending.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
@@ -65,7 +64,7 @@ void excavate(BlockSystem& s, GeneralStep& general) {
   if (removal.relaxation) keep_as_loads(internal_before, s);
   if (!s.plan.linear) return;
   leave_out(s.excavated.absent, at_rest);
-  stiffen_rows(s.model, at_rest);
+  fit_to_neighbours(s.model, at_rest);
   s.contacts = std::move(at_rest);
 }
 

@@ -106,6 +106,25 @@ TEST(ExplicitStep, AccountsForAllEnergy) {
   }
 }
 
+// Explicit and implicit steps count kinetic energy differently: no stage gains or loses that.
+TEST(ExplicitStep, HandsOverNoEnergyThatItDoesNotHave) {
+  std::mt19937 random(4);
+  for (int scene = 0; scene < 30; ++scene) {
+    const RandomBondedScene drawn(random, true);
+    const Stage first = explicit_stage(0.95 * drawn.stable_dt(), 30);
+    const Stage between = stage_of(trapezoidal_integrator(), 1.7 * drawn.stable_dt(), 15);
+    const Stage last = explicit_stage(0.5 * drawn.stable_dt(), 30);
+    Model model = drawn.with(first);
+    model.stages = {first, between, last, last, between};
+    finish_model(model);
+    Simulation simulation(model);
+    run(simulation, 120);
+    const EnergyLedger& energy = simulation.energy();
+    EXPECT_LT(std::abs(energy.relative_residual()), 1e-11) << "scene " << scene;
+    EXPECT_LT(std::abs(energy.numerical), 1e-10 * energy.scale()) << "scene " << scene;
+  }
+}
+
 TEST(ExplicitStep, GoesOnToTheLastBit) {
   std::mt19937 random(77);
   for (int scene = 0; scene < 12; ++scene) {

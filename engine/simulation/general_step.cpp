@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "engine/contact/foreseen_gap.h"
-#include "engine/contact/row_bending.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/force_balance.h"
@@ -80,7 +79,7 @@ void GeneralStep::leave_out(const std::vector<bool>& absent) {
     dda::leave_out(absent, contacts);
     range_.leave_out(absent, system_.model, contacts.interfaces);
   }
-  stiffen_rows(system_.model, contacts);
+  fit_to_neighbours(system_.model, contacts);
   moved_ = std::numeric_limits<double>::infinity();
 }
 
@@ -351,10 +350,10 @@ void GeneralStep::accept() {
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
-  if (cushion_.wears()) base_is_current_ = false;
   given_friction_.settled(s);
   if (given_friction_.was_given()) ++s.costs.counters.steps_of_given_friction;
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
+  if (cushion_.wears() || more_are_loose) base_is_current_ = false;
   accept_bonded(bonded_, s);  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
@@ -362,16 +361,17 @@ void GeneralStep::accept() {
   const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance;
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts();
-  if (s.plan.contacts_can_change) note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
+  if (s.plan.contacts_can_change) {
+    note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
+    thickness_.note(s.model, s.state, s.contacts, deepest_.in_thickness);
+  }
   s.reinforcement.bolts.accept(solver_.bolts(), s.audit);
   s.reinforcement.linings.accept(s.increment, s.audit);
   accept_supports(s);
   s.sum_internal_forces(s.forces.internal_new);
   finish_step(work, s.stored_energy_now(), s);
   if (geometry_is_late) turn_strains_home(s.state, s.terms);  // what is recorded has the directions of now
-  if (!more_are_loose) return;
-  s.drag.hold_loose(s.model.blocks.size(), s.held);
-  base_is_current_ = false;
+  if (more_are_loose) s.drag.hold_loose(s.model.blocks.size(), s.held);
 }
 
 void GeneralStep::accept_contacts() {

@@ -15,6 +15,7 @@
 #include "engine/core/status.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/contact_range.h"
+#include "engine/simulation/depth_in_thickness.h"
 #include "engine/simulation/given_friction.h"
 #include "engine/simulation/penetration.h"
 #include "engine/simulation/settling_cushion.h"
@@ -58,8 +59,8 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, changing, bonded, base,
-           base_version, base_is_current, rule, rhs, can_be_cut, motion_steps, message] = self;
+    auto& [system, solver, moving, range, moved, acting, deepest, thickness, cushion, given_friction, changing, bonded,
+           base, base_version, base_is_current, rule, rhs, can_be_cut, motion_steps, message] = self;
     if (moving) archive(*moving);
     archive(solver, deepest, cushion, given_friction);
     if (system.geometry_moves()) archive(range, moved, acting.displacement, acting.deformation);
@@ -92,6 +93,7 @@ class GeneralStep : public Step {
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   State acting_;                          // displacements and shapes of the blocks where the step's forces act
   Penetration deepest_;
+  ThicknessWatch thickness_;
   SettlingCushion cushion_;       // of the stage
   GivenFriction given_friction_;  // of the stage
 

@@ -1,10 +1,12 @@
 #include "engine/simulation/initial_acceleration.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cstddef>
 
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step.h"
+#include "engine/solve/largest_entry.h"
 
 namespace dda {
 namespace {
@@ -18,6 +20,14 @@ constexpr double harmful = 1e-4;
 
 // Stiffness of a block's contacts times dt^2 over its mass from which on a step does not resolve how they let go.
 constexpr double unresolved = 1;
+
+// N per m of thickness.
+double largest_of_free_blocks(const Eigen::VectorXd& forces, const BlockSystem& system) {
+  double largest = 0;
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i)
+    if (system.terms.inertia[i].mass > 0) largest = std::max(largest, largest_entry(forces, i, system.terms.area[i]));
+  return largest;
+}
 
 // What contacts without a bond that press by more than `negligible` (N per m of thickness) hold each block with: where
 // they slide, their normal springs alone.
@@ -61,7 +71,7 @@ Vec6 centrifugal_acceleration(const Mat6& mass, std::size_t block, const BlockSy
 void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& system) {
   const Eigen::VectorXd unbalanced = accelerating_forces(system);
   std::vector<Mat6> stiffness =
-      stiffness_of_pressed_contacts(changing, system, pressing * unbalanced.cwiseAbs().maxCoeff());
+      stiffness_of_pressed_contacts(changing, system, pressing * largest_of_free_blocks(unbalanced, system));
   const double dt = system.coefficients.dt;
   for (std::size_t i = 0; i < system.state.acceleration.size(); ++i) {
     const Inertia& inertia = system.terms.inertia[i];

@@ -75,7 +75,11 @@ void LinearForces::begin() {
   const double contact = s.clock.stage == 0 || corrections_end ? contact_energy() : s.audit.ledger().contact;
   energy_offset =
       contact + s.reinforcement.linings.stored_energy() + strain_energy(s.terms, s.state) - elastic_energy();
-  if (s.clock.stage > 0) s.audit.geometry_followed(stored_energy());  // inertia may be another than before
+  if (s.clock.stage > 0) {
+    const StoredEnergy stored = stored_energy();
+    s.audit.kinetic_counted_as(stored.kinetic);  // corrections and strain inertia may be others than before
+    s.audit.geometry_followed(stored);
+  }
   if (s.plan.is_static) return;
   set_held_rates(s.model, s.state);  // dampers act on them from the first moment on
   inertia_force = accelerating_forces(s);

@@ -255,9 +255,9 @@ TEST(Lining, CrushesAllAroundUnderPressureFromAllSides) {
 
 // --- Restarts and branches ---
 
-Model late_lining(bool yields, Kinematics kinematics) {
+Model late_lining(bool yields, const JointMaterial& joint, Kinematics kinematics) {
   LinedHole hole{.outer_radius = 5, .sectors = 10};
-  Model model = lined_hole(hole, yields ? strong(InterfaceLaw::classical) : bond(InterfaceLaw::consistent));
+  Model model = lined_hole(hole, joint);
   if (yields) model.linings[0].compressive_strength = 1e6;
   if (yields) model.linings[0].tensile_strength = 1e5;
   model.linings[0].first_stage = 1;
@@ -268,8 +268,10 @@ Model late_lining(bool yields, Kinematics kinematics) {
 
 TEST(Lining, RestartsAndBranchesToTheBit) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite})
-    for (const bool yields : {false, true}) {
-      const Model model = late_lining(yields, kinematics);
+    for (const auto& [yields, joint] :
+         {std::pair{false, bond(InterfaceLaw::consistent)}, std::pair{true, strong(InterfaceLaw::classical)},
+          std::pair{true, bond(InterfaceLaw::consistent)}, std::pair{true, bond(InterfaceLaw::classical)}}) {
+      const Model model = late_lining(yields, joint, kinematics);
       for (const int stop : {10, 27}) {
         Simulation whole(model);
         run(whole, stop);

@@ -19,7 +19,11 @@ void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, doub
     const double area = std::min(terms.area[static_cast<std::size_t>(element.block_a)],
                                  terms.area[static_cast<std::size_t>(element.block_b)]);
     if (depth <= 0 || depth * depth <= deepest.share * deepest.share * area) continue;
-    deepest = {depth, depth / std::sqrt(area), element.block_a, element.block_b, time};
+    deepest.depth = depth;
+    deepest.share = depth / std::sqrt(area);
+    deepest.block_a = element.block_a;
+    deepest.block_b = element.block_b;
+    deepest.time = time;
   }
 }
 

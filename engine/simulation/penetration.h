@@ -5,6 +5,7 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/simulation/block_terms.h"
+#include "engine/simulation/depth_in_thickness.h"
 
 namespace dda {
 
@@ -12,12 +13,13 @@ struct Penetration {
   double depth = 0;  // m
   double share = 0;  // of the size of the smaller block
   int block_a = -1, block_b = -1;
-  double time = 0;  // s
+  double time = 0;                // s
+  DepthInThickness in_thickness;  // the largest share of a thickness, which may be that of another contact
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [depth, share, block_a, block_b, time] = self;
-    archive(depth, share, block_a, block_b, time);
+    auto& [depth, share, block_a, block_b, time, in_thickness] = self;
+    archive(depth, share, block_a, block_b, time, in_thickness);
   }
 };
 

@@ -130,11 +130,27 @@ TEST(SameMotion, TurnedMirroredMovedOrLarger) {
 
 TEST(SameMotion, SettlesTheSameHoweverNumbered) { expect_same_motion(settling(), other_numberings()); }
 
-// Turned by any angle, where all coordinates are rounded anew, nine of thirty end elsewhere after twenty steps, by 1e-4
-// to 0.2 of the motion. Why is not known: one departs in its second step with as many passes. One more than that fails.
+// The largest force that acts is the weight of the held floor here: its length counts, and not its larger component.
+TEST(SameMotion, IsAsFarOutOfBalanceTurned) {
+  for (int kind = 0; kind < cut_kinds; ++kind) {
+    Model rock = dry_rock(static_cast<CutKind>(kind), 1);
+    rock.stages = {settling()};
+    const double as_drawn = simulation_of(seen(rock, {})).out_of_balance();
+    const double turned = simulation_of(seen(rock, {.name = "turned", .turn = rotation(0.7)})).out_of_balance();
+    EXPECT_NEAR(turned, as_drawn, 1e-9 * as_drawn) << kind;  // round-off of coordinates
+  }
+}
+
+// Turned by any angle all coordinates are rounded anew. Where four corners meet in every node gaps of 1e-16 m then
+// begin open that were closed, the first pass changes other contacts, and friction that holds in more than one way does
+// so in another: two rocks of squares and right angles at 0.7 rad, and one of another kind by 2e-4 of its motion; none
+// at 0.35, one at 0.1 (ADR 59).
+constexpr int turned_rocks_with_several_answers = 3;
+
 TEST(SameMotion, SettlesTheSameTurnedMirroredOrLarger) {
   std::vector<Seen> views = other_places();
-  views.push_back({.view = {.name = "turned", .turn = rotation(0.7)}, .allowed = 9});
+  views.push_back({.view = {.name = "turned", .turn = rotation(0.7)}, .allowed = turned_rocks_with_several_answers});
+  views.push_back({.view = {.name = "turned by half of that", .turn = rotation(0.35)}});
   expect_same_motion(settling(), views);
 }
 

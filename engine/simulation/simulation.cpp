@@ -75,7 +75,7 @@ void spray_linings(const GeneralStep& general, BlockSystem& s) {
 
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
   BlockSystem& s = *system_;
-  stability_limits_ = checked_stability_limits(s.model);
+  stability_limits_ = kept_stability_limits(s.model);
   static_out_of_balance_.assign(s.model.stages.size(), std::numeric_limits<double>::quiet_NaN());
   energy_at_end_.resize(s.model.stages.size());
   for (const InterfaceState& state : s.contacts.states)
@@ -138,6 +138,7 @@ Step& Simulation::stage_step() {
 void Simulation::begin_stage() {
   const PhaseScope scope(Phase::stage);
   BlockSystem& s = *system_;
+  if (s.clock.stage > 0) stage_step().end();
   s.audit.begin_stage();
   s.clock.begun = true;
   s.clock.step = 0;
@@ -233,14 +234,14 @@ Status Simulation::end_stage() {
   std::ranges::move(let_go_of_loose_blocks(s), std::back_inserter(loose_blocks_));
   if (ended.unlimited_strength) release_shear_of_contacts(s);
   s.audit.small_motion.end_stage(s);
+  if (s.plan.is_static) s.audit.has_settled();
   if (at_ends_of_stages_) at_ends_of_stages_();
   let_go_of_supports(s);
-  if (s.plan.is_static) s.audit.has_settled();
   energy_at_end_[s.clock.stage] = s.audit.ledger();
   ++s.clock.stage;
   s.clock.begun = false;
   if (between_stages_ && problem.empty()) between_stages_();
-  if (!finished()) begin_stage();
+  if (!finished() && problem.empty()) begin_stage();
   if (problem.empty()) return Status::ok;
   message_ = problem;
   return Status::not_in_equilibrium;

@@ -54,7 +54,8 @@ using SmallMotionErrors = std::array<SmallMotionError, small_motion_faults>;
 class SmallMotionWatch {
  public:
   void begin_stage(const BlockSystem& system);
-  // After every step.
+  // After every step. Asks in every step of stages that pace themselves, and in every eighth of others, between which
+  // ways are taken for straight.
   void follow(const BlockSystem& system);
   void end_stage(const BlockSystem& system);
 

@@ -18,7 +18,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3831'4e53'4144'44ULL;  // "DDASN18", read as a little-endian number
+constexpr std::uint64_t kind = 0x3931'4e53'4144'44ULL;  // "DDASN19", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>

@@ -11,7 +11,6 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/contact/row_bending.h"
 #include "engine/core/error.h"
 #include "engine/linear/block_vectors.h"
 #include "engine/simulation/held_blocks.h"
@@ -147,7 +146,7 @@ double limit_at(const Model& model, std::size_t index, double dt) {
   ContactSet contacts = make_contacts(model);
   if (!absent.empty()) {
     leave_out(absent, contacts);
-    stiffen_rows(model, contacts);
+    fit_to_neighbours(model, contacts);
   }
   const HeldUnknowns held = make_held_unknowns(model, absent);
   const LinearOperators operators(model, make_block_terms(model, stage), contacts, supports_in(model, index),
@@ -220,15 +219,36 @@ std::size_t first_stage_like(const Model& model, std::size_t stage) {
   return like;
 }
 
+double rounded_down_to_two_digits(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::floor(value / unit) * unit;
+}
+
+// Shorter steps are softened less (ADR 49), so that their own limit is a little shorter, too: by at most half of what
+// the margin leaves, and the caller asks for it.
+void shorten_to(double limit, Stage& stage) {
+  constexpr double margin = 0.95;
+  stage.dt = rounded_down_to_two_digits(margin * limit);
+  stage.dt_reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
+}
+
+double limit_of_stage(const Model& model, const std::vector<double>& known, std::size_t stage) {
+  const std::size_t like = first_stage_like(model, stage);
+  return like < stage ? known[like] : stability_limit(model, stage);
+}
+
 }  // namespace
 
-std::vector<double> checked_stability_limits(const Model& model) {
+std::vector<double> kept_stability_limits(Model& model) {
   std::vector<double> limits(model.stages.size(), 0);
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const Stage& stage = model.stages[i];
+    Stage& stage = model.stages[i];
     if (!stage.integrator.is_explicit()) continue;
-    const std::size_t like = first_stage_like(model, i);
-    limits[i] = like < i ? limits[like] : stability_limit(model, i);
+    limits[i] = limit_of_stage(model, limits, i);
+    if (stage.automatic_dt && stage.dt > limits[i]) {
+      shorten_to(limits[i], stage);
+      limits[i] = limit_of_stage(model, limits, i);
+    }
     if (stage.dt <= limits[i]) continue;
     throw InputError("", named(model, i, "dt"), fmt::format("{:.6g} s", stage.dt),
                      fmt::format("at most {:.6g} s, up to which central differences are stable here{}", limits[i],

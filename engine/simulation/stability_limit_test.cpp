@@ -42,7 +42,7 @@ TEST(StabilityLimit, IsThatOfEachStage) {
     model.stages[3].strain_inertia = 2;
     model.stages[4].dt = model.stages[4].duration = 0.7 * model.stages[0].dt;
     finish_model(model);
-    const std::vector<double> limits = checked_stability_limits(model);
+    const std::vector<double> limits = kept_stability_limits(model);
     for (std::size_t i = 0; i < limits.size(); ++i) EXPECT_EQ(limits[i], stability_limit(model, i)) << i;
     EXPECT_EQ(limits[0], limits[1]);
     EXPECT_LT(limits[0], limits[2]);  // without the support
@@ -85,6 +85,32 @@ TEST(StabilityLimit, IsRefusedBeforeAnythingIsRun) {
       EXPECT_NE(error.expected().find("central differences are stable"), std::string::npos) << error.what();
     }
   }
+}
+
+// Left to the engine, dt is stable, not much shorter than it must be, and said with its reason. A wave that asks for
+// less than what is stable has its way.
+TEST(StabilityLimit, IsKeptWhereDtIsLeftToTheEngine) {
+  std::mt19937 random(17);
+  int shortened = 0;
+  for (int scene = 0; scene < 40; ++scene) {
+    const RandomBondedScene drawn(random, true);
+    Stage stage = RandomBondedScene::random_stage(random, 0, 0);
+    stage.automatic_dt = true;
+    stage.duration = 0.5;
+    const Model left_open = drawn.with(stage);
+    const double asked = left_open.stages[0].dt;
+    const Simulation simulation(left_open);
+    const Stage& chosen = simulation.model().stages[0];
+    const double limit = simulation.stability_limit(0);
+    ASSERT_LE(chosen.dt, limit) << "scene " << scene;
+    if (chosen.dt == asked) continue;
+    ++shortened;
+    EXPECT_GT(asked, limit);
+    EXPECT_GT(chosen.dt, 0.84 * limit) << "scene " << scene;  // 0.95, two digits (10 % at 0.10) and a softer rock
+    EXPECT_NE(chosen.dt_reason.find("stable"), std::string::npos);
+  }
+  EXPECT_GT(shortened, 10);
+  EXPECT_LT(shortened, 40);
 }
 
 // A limit that is named is one that is taken.

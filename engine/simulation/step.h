@@ -24,6 +24,8 @@ class Step {
   virtual void begin() = 0;
   // Advances the system by dt; anything but ok leaves it as it was, and message() says why.
   [[nodiscard]] virtual Status advance(double dt, bool can_be_cut) = 0;
+  // Its stage is over and another begins: the ledger is left as all kinds of step count it.
+  virtual void end() {}
   // Between stages: a step of the other kind goes on, or has gone before.
   virtual void hand_over() = 0;
   virtual void take_over() {}

@@ -2,6 +2,8 @@
 // (Shi 1988).
 #pragma once
 
+#include <cmath>
+
 #include "engine/core/types.h"
 #include "engine/geometry/polygon.h"
 
@@ -23,6 +25,10 @@ struct Inertia {
 
   // Mean square of the distances from the centroid, m^2.
   [[nodiscard]] double polar() const { return squares(0) + squares(1) + beyond; }
+  // How the inertia between rotation and strains follows `beyond`: as the root of that of rotation does. A thin block
+  // that turns and one that shears move nearly alike, and the little that is between them would be lost: the inertia of
+  // a sliver would no longer be positive.
+  [[nodiscard]] double coupling() const { return beyond == 0 ? 1 : std::sqrt(polar() / (squares(0) + squares(1))); }
 };
 
 Mat6 mass_matrix(const Inertia& inertia);
@@ -33,12 +39,15 @@ inline Vec6 momentum(const Inertia& inertia, const Vec6& v) {
   const double yy = inertia.squares(1);
   const double xy = inertia.squares(2);
   const double strain = inertia.strain_inertia;
+  const double coupling = inertia.coupling();
+  const double along = coupling * xy;
+  const double across = coupling * (xx - yy) / 2;
   Vec6 p;
-  p << v(0), v(1),                                                         //
-      inertia.polar() * v(2) + xy * (v(4) - v(3)) + (xx - yy) / 2 * v(5),  //
-      -xy * v(2) + strain * (xx * v(3) + xy / 2 * v(5)),                   //
-      xy * v(2) + strain * (yy * v(4) + xy / 2 * v(5)),                    //
-      (xx - yy) / 2 * v(2) + strain * (xy / 2 * (v(3) + v(4)) + (xx + yy) / 4 * v(5));
+  p << v(0), v(1),                                                     //
+      inertia.polar() * v(2) + along * (v(4) - v(3)) + across * v(5),  //
+      -along * v(2) + strain * (xx * v(3) + xy / 2 * v(5)),            //
+      along * v(2) + strain * (yy * v(4) + xy / 2 * v(5)),             //
+      across * v(2) + strain * (xy / 2 * (v(3) + v(4)) + (xx + yy) / 4 * v(5));
   return inertia.mass * p;
 }
 

@@ -63,14 +63,22 @@ class Path {
   std::vector<double> lengths_;
 };
 
-ColourMap made_sequential() {
-  constexpr std::array<Rgb, 6> colours = {
-      {{255, 246, 205}, {196, 226, 160}, {96, 190, 160}, {38, 142, 176}, {48, 86, 164}, {48, 28, 104}}};
-  const Path path(colours);
+ColourMap along(const Path& path) {
   ColourMap map;
   for (std::size_t i = 0; i < map.size(); ++i)
     map[i] = colour_of(path.at(path.length() * static_cast<double>(i) / 255));
   return map;
+}
+
+ColourMap made_sequential() {
+  constexpr std::array<Rgb, 6> colours = {
+      {{255, 246, 205}, {196, 226, 160}, {96, 190, 160}, {38, 142, 176}, {48, 86, 164}, {48, 28, 104}}};
+  return along(Path(colours));
+}
+
+ColourMap made_utilisation() {
+  constexpr std::array<Rgb, 3> colours = {{{0, 122, 61}, {150, 186, 20}, {240, 138, 0}}};
+  return along(Path(colours));
 }
 
 // Both arms are as long as the shorter of them, so that a step is the same on either side.
@@ -106,6 +114,11 @@ const ColourMap& sequential_map() {
 
 const ColourMap& diverging_map() {
   static const ColourMap map = made_diverging();
+  return map;
+}
+
+const ColourMap& utilisation_map() {
+  static const ColourMap map = made_utilisation();
   return map;
 }
 

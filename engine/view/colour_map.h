@@ -1,4 +1,4 @@
-// Two colour maps with even steps of colour: equal differences of value look equally different.
+// Three colour maps with even steps of colour: equal differences of value look equally different.
 #pragma once
 
 #include <array>
@@ -28,5 +28,8 @@ const ColourMap& sequential_map();
 
 // Blue, light in the middle, red, for quantities of both signs: compression blue, tension red.
 const ColourMap& diverging_map();
+
+// For lines, of how much of its strength something carries: from green, nothing, to the orange of what yields.
+const ColourMap& utilisation_map();
 
 }  // namespace dda

@@ -43,6 +43,18 @@ TEST(ColourMaps, EqualStepsLookEqual) {
   }
 }
 
+// That of lines is shorter, as its colours must stand out from those of blocks on either side: a step of 15 values can
+// just be told apart.
+TEST(ColourMaps, UtilisationGoesFromGreenToOrange) {
+  const auto steps = differences(utilisation_map(), 15);
+  double mean = 0;
+  for (const double step : steps) mean += step / static_cast<double>(steps.size());
+  EXPECT_GT(mean, 0.02);
+  for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_NEAR(steps[i], mean, 0.2 * mean) << i;
+  EXPECT_EQ(to_hex(utilisation_map().front()), "#007a3d") << "as bolts";
+  EXPECT_EQ(to_hex(utilisation_map().back()), "#f08a00") << "as what has yielded";
+}
+
 TEST(ColourMaps, SequentialOneDarkensAllTheWay) {
   double before = 1;
   for (std::size_t i = 0; i < 256; i += 5) {

@@ -1,6 +1,7 @@
 #include "engine/view/histories.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -39,7 +40,7 @@ Histories read_histories(const std::filesystem::path& path) {
     for (bool last = false; !last; ++place) {
       last = take_csv_cell(text, cell);
       const auto value = csv_number(cell);
-      if (!value) refuse(path, "damaged (\"" + cell + "\")");
+      if (!value || std::isinf(*value)) refuse(path, "damaged (\"" + cell + "\")");
       if (place > histories.columns.size()) refuse(path, "damaged (a row is too long)");
       (place == 0 ? histories.times : histories.columns[place - 1].values).push_back(*value);
     }

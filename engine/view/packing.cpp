@@ -107,7 +107,7 @@ void PackedRun::add(const Frame& frame) {
 
 void PackedRun::add_bolts(const std::vector<DrawnBolt>& bolts) {
   const bool first = bolts_.names.empty();
-  std::vector<double> x, y, forces;
+  std::vector<double> x, y, forces, shares;
   for (const DrawnBolt& bolt : bolts) {
     if (first) {
       bolts_.names.push_back(bolt.name);
@@ -119,12 +119,15 @@ void PackedRun::add_bolts(const std::vector<DrawnBolt>& bolts) {
       y.push_back(moved.y());
     }
     forces.push_back(bolt.force);
+    shares.push_back(bolt.utilisation);
+    bolts_.has_utilisation = bolts_.has_utilisation || !std::isnan(bolt.utilisation);
     bolts_.conditions += static_cast<char>(bolt.condition);
     if (std::isfinite(bolt.force)) bolts_.most_force = std::max(bolts_.most_force, std::abs(bolt.force));
   }
   bolts_.x.add(x);
   bolts_.y.add(y);
   bolts_.force.add(forces);
+  bolts_.utilisation.add(shares);
 }
 
 void PackedRun::add_contacts(const std::vector<DrawnContact>& contacts) {
@@ -167,6 +170,7 @@ std::size_t PackedRun::size() const {
   bytes += contact_sites_.size() * (wide_sites() ? 4 : 2) + sites_.sites().size() * sizeof(ContactSite);
   bytes += (drawing_.reference.size() + bolts_.reference.size()) * 2 * sizeof(float);
   bytes += bolts_.x.bytes.size() + bolts_.y.bytes.size() + bolts_.force.bytes.size() + bolts_.conditions.size();
+  if (bolts_.has_utilisation) bytes += bolts_.utilisation.bytes.size();
   return bytes * 4 / 3;
 }
 
@@ -212,6 +216,7 @@ Json PackedRun::bolt_header() const {
           {"x", ranges_of(bolts_.x)},
           {"y", ranges_of(bolts_.y)},
           {"force", ranges_of(bolts_.force)},
+          {"utilisation", bolts_.has_utilisation ? ranges_of(bolts_.utilisation) : Json()},
           {"most_force", bolts_.most_force}};
 }
 
@@ -241,6 +246,7 @@ std::vector<std::pair<std::string, std::string>> PackedRun::sections() const {
     sections.emplace_back("bolt-y", bolts_.y.bytes);
     sections.emplace_back("bolt-force", bolts_.force.bytes);
     sections.emplace_back("bolt-condition", bolts_.conditions);
+    if (bolts_.has_utilisation) sections.emplace_back("bolt-utilisation", bolts_.utilisation.bytes);
   }
   for (std::size_t q = 0; q < quantities_.size(); ++q)
     sections.emplace_back("quantity-" + std::string(drawn_quantities[q].id), quantities_[q].bytes);

@@ -54,7 +54,8 @@ class PackedRun {
     std::vector<std::string> names;       // of each link
     std::vector<std::uint32_t> begin{0};  // link i has the points begin[i] to begin[i + 1]
     std::vector<Vec2> reference;          // m
-    PackedField x, y, force;
+    PackedField x, y, force, utilisation;
+    bool has_utilisation = false;
     std::string conditions;  // a byte for each link, frame by frame
     double most_force = 0;   // N
   };

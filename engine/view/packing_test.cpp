@@ -203,7 +203,24 @@ TEST_F(PackedRunTest, HoldsBolts) {
     for (std::size_t i = 0; i < 2; ++i)
       EXPECT_NEAR(decoded(force[2 * f + i], bolts["force"][f]), own[i].force, 3000.0 / 65534);
   }
+  EXPECT_TRUE(bolts["utilisation"].is_null());
+  EXPECT_FALSE(sections.contains("bolt-utilisation"));
   EXPECT_GE(run.size(), without + (12 * 4 + 3 * (2 * 12 + 2 * 2 + 2)) * 4 / 3);
+}
+
+TEST_F(PackedRunTest, HoldsTheUtilisationOfLinings) {
+  write_bolts(folder_.path(), model_, {0, 0.5, 1});
+  const RunResults results(folder_.path());
+  PackedRun run(results.drawing());
+  Frame frame = results.frame(0);
+  frame.bolts[1].utilisation = 0.25;
+  run.add(frame);
+  std::map<std::string, std::string> sections;
+  for (auto& [name, bytes] : run.sections()) sections[name] = bytes;
+  const auto codes = integers<std::uint16_t>(sections.at("bolt-utilisation"));
+  ASSERT_EQ(codes.size(), 2U);
+  EXPECT_EQ(codes[0], 65535) << "a bolt has none";
+  EXPECT_EQ(decoded(codes[1], run.header()["bolts"]["utilisation"][0]), 0.25);
 }
 
 }  // namespace

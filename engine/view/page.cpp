@@ -123,7 +123,9 @@ void write_page(const PageOptions& options, std::ostream& out) {
   header["summary"] = facts.summary;
   header["frames_in_run"] = results.times().size();
   header["first_quantity"] = options.quantity;
-  header["maps"] = {{"sequential", map_json(sequential_map())}, {"diverging", map_json(diverging_map())}};
+  header["maps"] = {{"sequential", map_json(sequential_map())},
+                    {"diverging", map_json(diverging_map())},
+                    {"utilisation", map_json(utilisation_map())}};
   header["histories"] = histories_json(facts.histories);
   const std::string page = filled(page_template(), {{"TITLE", xml_escaped(facts.title)},
                                                     {"STYLE", std::string(page_style())},

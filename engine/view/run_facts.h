@@ -16,7 +16,8 @@ struct RunFacts {
   std::optional<Histories> histories;
 };
 
-// InputError naming the file for one that is broken.
+// Both throw InputError naming the file for one that is broken.
+nlohmann::ordered_json read_summary(const std::filesystem::path& file);
 RunFacts read_facts(const std::filesystem::path& folder);
 
 }  // namespace dda

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <limits>
 #include <system_error>
+#include <utility>
 
 #include "engine/core/error.h"
 
 namespace dda {
 namespace {
+
+// Blocks that were removed before a run began have no cells: more of them than this would be a slip of a number.
+constexpr std::size_t most_removed = 1'000'000;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& value) {
   throw InputError(path.string(), "the file", value, "a frame that dda run --frames writes; run the scene again");
@@ -80,9 +84,8 @@ const LineNames lining_lines{"linings",
                              -1,
                              {DrawnCondition::elastic, DrawnCondition::yielded, DrawnCondition::waiting}};
 
-void append_lines(const std::filesystem::path& path, const LineNames& names, const std::vector<std::int64_t>& offsets,
-                  std::vector<DrawnBolt>& lines) {
-  const PolyData data = read_vtp(path);
+void append_lines(const std::filesystem::path& path, const PolyData& data, const LineNames& names,
+                  const std::vector<std::int64_t>& offsets, std::vector<DrawnBolt>& lines) {
   if (data.lines.offsets != offsets) refuse(path, fmt::format("of other {} than the first frame", names.kind));
   const auto& name = need_array<std::string>(path, data.cell_data, names.name, 1);
   const auto& status = need_array<std::int32_t>(path, data.cell_data, "status", 1);
@@ -100,6 +103,18 @@ void append_lines(const std::filesystem::path& path, const LineNames& names, con
       line.displacement.push_back(plane(displacement, at));
       line.reference.emplace_back(plane(data.points, at) - line.displacement.back());
     }
+  }
+}
+
+// Of the elements of linings, those of one lining after the other.
+void read_utilisation(const std::filesystem::path& path, const PolyData& data, std::span<DrawnBolt> elements) {
+  const auto& shares = need_array<double>(path, data.cell_data, "utilisation", 1);
+  for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
+    double largest = 0;
+    for (end = begin; end < elements.size() && elements[end].name == elements[begin].name; ++end)
+      largest = std::max(largest, shares[end]);
+    if (largest > 0)
+      for (std::size_t i = begin; i < end; ++i) elements[i].utilisation = shares[i];
   }
 }
 
@@ -142,6 +157,7 @@ void RunResults::read_outlines(const std::filesystem::path& path, const PolyData
   points_in_file_ = first.points.size() / 3;
 
   const auto last = *std::ranges::max_element(block_of);
+  if (std::cmp_greater(last, block_of.size() + most_removed)) refuse(path, fmt::format("damaged (block {})", last));
   std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(std::max(last, -1) + 1));
   for (std::size_t i = 0; i < block_of.size(); ++i) {
     if (block_of[i] < 0) refuse(path, "damaged (block)");
@@ -190,6 +206,16 @@ std::vector<std::optional<std::size_t>> RunResults::cells_of_blocks(const std::f
   return first;
 }
 
+void RunResults::add_lines(std::size_t index, std::vector<DrawnBolt>& lines) const {
+  if (has_bolts()) append_lines(bolts_[index].file, read_vtp(bolts_[index].file), bolt_lines, bolt_offsets_, lines);
+  if (!has_linings()) return;
+  const std::filesystem::path& path = linings_[index].file;
+  const PolyData data = read_vtp(path);
+  const std::size_t bolts = lines.size();
+  append_lines(path, data, lining_lines, lining_offsets_, lines);
+  read_utilisation(path, data, std::span(lines).subspan(bolts));
+}
+
 Frame RunResults::frame(std::size_t index) const {
   const std::filesystem::path& path = frames_.at(index).file;
   const PolyData data = read_vtp(path);
@@ -215,8 +241,7 @@ Frame RunResults::frame(std::size_t index) const {
     }
   }
   if (has_contacts()) frame.contacts = read_contacts(contacts_[index].file, drawing_.blocks());
-  if (has_bolts()) append_lines(bolts_[index].file, bolt_lines, bolt_offsets_, frame.bolts);
-  if (has_linings()) append_lines(linings_[index].file, lining_lines, lining_offsets_, frame.bolts);
+  add_lines(index, frame.bolts);
   return frame;
 }
 

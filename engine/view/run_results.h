@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,9 @@ struct DrawnBolt {
   std::vector<Vec2> displacement;  // m, of these points
   double force = 0;                // N in one bolt, or per m of a lining: axial, tension positive
   DrawnCondition condition = DrawnCondition::elastic;
+  // Of an element of a lining, the share of its strength that it carries; no number of bolts, and of linings of which
+  // no element carries any.
+  double utilisation = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Blocks that have been removed have displacements, stresses and velocities that are no numbers.
@@ -84,6 +88,7 @@ class RunResults {
  private:
   [[nodiscard]] std::vector<SeriesEntry> series_beside(const std::filesystem::path& index) const;
   void read_outlines(const std::filesystem::path& path, const PolyData& first);
+  void add_lines(std::size_t index, std::vector<DrawnBolt>& lines) const;
   void add_ring(const std::filesystem::path& path, const PolyData& first, std::span<const std::int64_t> points);
 
   [[nodiscard]] std::vector<std::optional<std::size_t>> cells_of_blocks(const std::filesystem::path& path,

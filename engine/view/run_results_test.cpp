@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
 #include "engine/view/view_test_support.h"
@@ -206,8 +208,33 @@ TEST_F(RunResultsTest, LiningsAreLinesLikeBolts) {
   EXPECT_EQ(lines[2].force, -2000);
   EXPECT_EQ(lines[2].condition, DrawnCondition::yielded);
   EXPECT_EQ(lines[3].condition, DrawnCondition::waiting);
+  for (const DrawnBolt& line : lines) EXPECT_TRUE(std::isnan(line.utilisation)) << "nothing carries any strength";
   EXPECT_LE((lines[2].reference[1] - Vec2(3, 0)).norm(), round_off);
   EXPECT_LE((lines[2].displacement[1] - Vec2(0.1, -0.2)).norm(), round_off);
+}
+
+// Of bolts, and of linings of which no element carries a share of its strength, there is no utilisation.
+TEST_F(RunResultsTest, LiningsHaveTheirUtilisation) {
+  model_.linings.resize(2);
+  for (Lining& lining : model_.linings)
+    lining.nodes = {{0, {0.5, 0}, {1, 0}}, {1, {3, 0}, {1, 0}}, {2, {7, 0}, {1, 0}}};
+  model_.linings[0].name = "elastic";
+  model_.linings[1].name = "strong";
+  LiningFrameWriter linings(model_, folder_ / "linings.pvd");
+  for (const double time : {0.0, 0.5, 1.0})
+    linings.write(state_at(model_, time),
+                  std::vector<LiningValues>{{2000, 0, 0, 0, LiningCondition::elastic},
+                                            {2000, 0, 0, 0, LiningCondition::elastic},
+                                            {0, 0, 0, 0, LiningCondition::elastic},
+                                            {2000, 0, 0, 0.7 * time, LiningCondition::elastic}});
+  write_bolts(folder_.path(), model_, {0, 0.5, 1});
+  const RunResults results(folder_.path());
+  const std::vector<DrawnBolt> lines = results.frame(2).bolts;
+  ASSERT_EQ(lines.size(), 6U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(std::isnan(lines[i].utilisation)) << i;
+  EXPECT_EQ(lines[4].utilisation, 0);
+  EXPECT_EQ(lines[5].utilisation, 0.7);
+  EXPECT_TRUE(std::isnan(results.frame(0).bolts[5].utilisation));
 }
 
 TEST_F(RunResultsTest, RefusesBoltsOfOtherFrames) {

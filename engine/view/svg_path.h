@@ -1,6 +1,7 @@
 // Path data of SVG, short: relative steps in tenths of a pixel, rounded so that errors do not add up.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -20,14 +21,20 @@ class SvgPath {
 
  private:
   void append(const Vec2& point, char command, bool relative) {
-    const long x = std::lround(10 * point.x());
-    const long y = std::lround(10 * point.y());
+    const long x = tenths_of(point.x());
+    const long y = tenths_of(point.y());
     text_ += command;
     append_number(relative ? x - x_ : x);
     text_ += ' ';
     append_number(relative ? y - y_ : y);
     x_ = x;
     y_ = y;
+  }
+
+  // Of a point beyond all pictures, as damaged frames may have it, a number that can be written, and its steps too.
+  static long tenths_of(double pixels) {
+    constexpr double farthest = 1e15;
+    return std::isnan(pixels) ? 0 : std::lround(std::clamp(10 * pixels, -farthest, farthest));
   }
 
   void append_number(long tenths) {

@@ -13,6 +13,7 @@
 
 #include "engine/core/error.h"
 #include "engine/record/vtp_file.h"
+#include "engine/view/bolt_drawing.h"
 #include "engine/view/colour_scale.h"
 #include "engine/view/force_lines.h"
 #include "engine/view/quantities.h"
@@ -35,11 +36,6 @@ constexpr std::string_view ink = "#1a2129";
 constexpr std::string_view quiet = "#566370";
 constexpr std::string_view compression = "#d4002a";
 constexpr std::string_view tension = "#7a2bd0";
-constexpr std::string_view bolt_colour = "#007a3d";
-constexpr std::string_view yielded_colour = "#f08a00";
-constexpr std::string_view broken_colour = "#1a2129";
-constexpr double thin_bolt = 1.6;   // px, without force
-constexpr double thick_bolt = 5.5;  // px, of the largest force
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
   std::vector<std::string> lines;
@@ -63,7 +59,8 @@ class Picture {
       : drawing_(drawing),
         frame_(frame),
         options_(options),
-        quantity_(drawn_quantities[find_quantity(options.quantity, "--quantity")]) {
+        quantity_(drawn_quantities[find_quantity(options.quantity, "--quantity")]),
+        bolts_(frame.bolts, text_size) {
     for (std::size_t i = 0; i < drawing.reference.size(); ++i)
       points_.emplace_back(drawing.reference[i] + options.deformation_scale * frame.displacement[i]);
     lay_out();
@@ -111,7 +108,7 @@ class Picture {
     title_ = wrapped(options_.title, static_cast<std::size_t>((width_ - 2 * margin) / (letter * title_size)));
     left_ = margin;
     top_ = margin + static_cast<double>(title_.size()) * 1.3 * title_size;
-    key_room_ = 170 + (frame_.bolts.empty() ? 0 : 6 * 1.5 * text_size);
+    key_room_ = 170 + bolts_.key_height();
     height_ = top_ + body_height() + foot + margin / 2;
   }
 
@@ -149,7 +146,6 @@ class Picture {
     if (options_.forces == DrawnForces::joints)
       lines_ = joint_lines(drawing_, points_, frame_.contacts, options_.deformation_scale);
     for (const ForceLine& line : lines_) largest_ = std::max(largest_, line.force);
-    for (const DrawnBolt& bolt : frame_.bolts) largest_bolt_ = std::max(largest_bolt_, std::abs(bolt.force));
   }
 
   // On the page.
@@ -228,36 +224,8 @@ class Picture {
     add_strokes(strokes);
   }
 
-  static std::string_view colour_of(DrawnCondition condition) {
-    if (condition == DrawnCondition::broken) return broken_colour;
-    return condition == DrawnCondition::yielded ? yielded_colour : bolt_colour;
-  }
-
-  [[nodiscard]] double width_of_bolt(double force) const {
-    return thin_bolt + (largest_bolt_ > 0 ? (thick_bolt - thin_bolt) * std::abs(force) / largest_bolt_ : 0);
-  }
-
-  // A broken bolt is dashed.
-  void add_bolt(const std::string& path, double width, DrawnCondition condition) {
-    add("<path stroke=\"#fff\" stroke-width=\"{:.2f}\" d=\"{}\"/>"
-        "<path stroke=\"{}\" stroke-width=\"{:.2f}\"{} d=\"{}\"/>\n",
-        width + 2, path, colour_of(condition), width,
-        condition == DrawnCondition::broken ? " stroke-dasharray=\"4 3\"" : "", path);
-  }
-
   void draw_bolts() {
-    if (frame_.bolts.empty()) return;
-    add("<g fill=\"none\" stroke-linejoin=\"round\">\n");
-    for (const DrawnBolt& bolt : frame_.bolts) {
-      if (bolt.condition == DrawnCondition::waiting) continue;
-      SvgPath path;
-      for (std::size_t i = 0; i < bolt.reference.size(); ++i) {
-        const Vec2 point = at(bolt.reference[i] + options_.deformation_scale * bolt.displacement[i]);
-        i == 0 ? path.move_to(point) : path.line_to(point);
-      }
-      add_bolt(path.text(), width_of_bolt(bolt.force), bolt.condition);
-    }
-    add("</g>\n");
+    text_ += bolts_.links([this](const Vec2& point) { return at(point); }, options_.deformation_scale);
   }
 
   // The arms of the largest principal stress fill its block, as far as that is not much larger than the others.
@@ -314,28 +282,7 @@ class Picture {
     }
     y += size + 2.4 * text_size;
     draw_key(x, y);
-    draw_bolt_key(x, y);
-  }
-
-  void draw_bolt_key(double x, double y) {
-    if (frame_.bolts.empty()) return;
-    add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"600\">Axial force</text>\n<g fill=\"none\">\n", x, y);
-    std::vector<std::pair<std::string, double>> texts;
-    const auto add_row = [&](const std::string& text, double width, DrawnCondition condition) {
-      y += 1.5 * text_size;
-      add_bolt(fmt::format("M{:.1f} {:.1f}h28", x + 2, y - 0.35 * text_size), width, condition);
-      texts.emplace_back(text, y);
-    };
-    const ScaledUnit unit = scaled_unit("N", largest_bolt_);
-    const std::vector<double> values = ticks(0, largest_bolt_ / unit.factor, 2);
-    for (const double value : values)
-      add_row(label(value, values.size() > 1 ? values[1] : 1) + " " + unit.name, width_of_bolt(value * unit.factor),
-              DrawnCondition::elastic);
-    for (const auto& [condition, text] :
-         {std::pair(DrawnCondition::yielded, "yielded"), std::pair(DrawnCondition::broken, "broken")})
-      if (std::ranges::count(frame_.bolts, condition, &DrawnBolt::condition) > 0) add_row(text, thin_bolt, condition);
-    add("</g>\n");
-    for (const auto& [text, height] : texts) add("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 40, height, text);
+    text_ += bolts_.key(x, y);
   }
 
   // Moves y below what it drew.
@@ -374,6 +321,7 @@ class Picture {
   const Frame& frame_;
   const PictureOptions& options_;
   const DrawnQuantity& quantity_;
+  BoltDrawing bolts_;
   std::vector<Vec2> points_;
   std::vector<std::string> title_;
   Window window_;
@@ -382,9 +330,8 @@ class Picture {
   double left_ = 0, top_ = 0, width_ = 0, height_ = 0, plot_width_ = 0, plot_height_ = 0;  // px
   ColourScale colours_;
   std::vector<ForceLine> lines_;
-  double largest_ = 0;       // N/m
-  double largest_bolt_ = 0;  // N
-  double key_room_ = 0;      // px, below the colour bar
+  double largest_ = 0;   // N/m
+  double key_room_ = 0;  // px, below the colour bar
   std::string text_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/record/xml_tags.h"
+#include "engine/view/colour_map.h"
 #include "engine/view/colour_scale.h"
 #include "engine/view/quantities.h"
 #include "engine/view/svg_path.h"
@@ -153,6 +154,32 @@ TEST_F(SvgPictureTest, DrawsBoltsWithTheirKey) {
     height = std::stod(view.substr(view.rfind(' ')));
     for (const XmlTag& tag : tags_of(text, "text")) EXPECT_LT(std::stod(tag.attribute("y")), height);
   }
+}
+
+// An element at half of its strength has the colour that the key has there, one without has that of bolts.
+TEST_F(SvgPictureTest, ColoursLiningsByTheirUtilisation) {
+  const RunResults results(folder_.path());
+  Frame frame = results.frame(1);
+  const auto has = [&](std::string_view what) {
+    return svg_picture(results.drawing(), frame, {}).find(what) != std::string::npos;
+  };
+  DrawnBolt element;
+  element.reference = {{0, 0}, {1, 0}};
+  element.displacement = {{0, 0}, {0, 0}};
+  element.force = -1000;
+  frame.bolts = {element};
+  EXPECT_FALSE(has("Utilisation"));
+  EXPECT_TRUE(has("#007a3d"));
+  frame.bolts[0].utilisation = 0.5;
+  EXPECT_TRUE(has(">Utilisation<"));
+  EXPECT_TRUE(has(">75 %<"));
+  const std::string half = to_hex(utilisation_map()[128]);
+  int drawn = 0;
+  const std::string text = svg_picture(results.drawing(), frame, {});
+  for (const XmlTag& tag : tags_of(text, "path")) drawn += tag.attribute("stroke") == half ? 1 : 0;
+  EXPECT_EQ(drawn, 2) << "the element and the key";
+  frame.bolts[0].condition = DrawnCondition::yielded;
+  EXPECT_TRUE(has(">yielded<"));
 }
 
 }  // namespace

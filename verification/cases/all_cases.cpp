@@ -24,6 +24,7 @@
 #include "verification/cases/joint_strength_cases.h"
 #include "verification/cases/joint_wave_cases.h"
 #include "verification/cases/lame_mode_cases.h"
+#include "verification/cases/lining_cases.h"
 #include "verification/cases/oblique_incidence_cases.h"
 #include "verification/cases/opening_cases.h"
 #include "verification/cases/p_bar_cases.h"
@@ -88,6 +89,7 @@ constexpr std::array subjects{
     wall_cases,                // 8, 26
     direction_cases,           // 42
     advised_wave_cases,        // 42
+    lining_cases,              // 43
 };
 
 std::vector<Case> collect() {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
+#include "verification/chapters/chapter_figures.h"
 #include "verification/chapters/linear_fit.h"
 #include "verification/chapters/strain_relaxation.h"
 
@@ -151,6 +153,29 @@ Table figures(const std::vector<RelaxationResult>& results) {
   return table;
 }
 
+// A line a reading; those with a failed run have none.
+dda::LinePlot over_stress(const std::vector<RelaxationResult>& results, Quantity quantity, const char* title,
+                          const char* unit) {
+  dda::LinePlot plot;
+  plot.title = title;
+  plot.unit = unit;
+  plot.times = relaxation_stresses();
+  plot.across = "initial stress";
+  plot.across_unit = "Pa";
+  for (const RelaxationResult& r : results)
+    if (r.outcomes.size() == plot.times.size()) plot.lines.push_back({r.reading.name, values(r.outcomes, quantity)});
+  return plot;
+}
+
+void add_figures(const std::vector<RelaxationResult>& results, Section& section, Chapter& chapter) {
+  add_figure("6_1_velocity", "Peak velocity of key block 1 over the initial stress, a line a reading",
+             over_stress(results, &Outcome::wall_peak_velocity, "peak velocity of key block 1", "m/s"), section,
+             chapter);
+  add_figure("6_1_acceleration", "Peak acceleration of key block 1 over the initial stress, a line a reading",
+             over_stress(results, &Outcome::wall_peak_acceleration, "peak acceleration of key block 1", "m/s2"),
+             section, chapter);
+}
+
 Bullets described(const std::vector<RelaxationResult>& results) {
   Bullets bullets;
   for (const RelaxationResult& r : results)
@@ -193,7 +218,9 @@ void judge_relaxation(const std::vector<RelaxationResult>& results, Chapter& cha
         "(falling)",
         "6.1: point 3 lies 0.3 m inside the right wall, point 5 20 m from the wall"})
     chapter.assumptions.emplace_back(text);
-  chapter.sections.push_back({"6.1, readings", {described(results), figures(results)}});
+  Section section{"6.1, readings", {described(results), figures(results)}};
+  add_figures(results, section, chapter);
+  chapter.sections.push_back(std::move(section));
 }
 
 }  // namespace verify

@@ -35,12 +35,19 @@ struct Reading {
 // be judged. The reason is extended by the readings that are in the minority and those that cannot tell.
 [[nodiscard]] Statement judged_over(Statement statement, const std::vector<Reading>& readings);
 
+// A figure of the page: an SVG file beside it.
+struct PageFigure {
+  std::string file;
+  std::string svg;
+};
+
 struct Chapter {
   int number = 0;
   std::string title;
   std::vector<Statement> statements;
   std::vector<std::string> assumptions;
   std::vector<Section> sections;      // what the page shows besides
+  std::vector<PageFigure> figures;    // whose files the sections name
   std::vector<std::string> failures;  // runs that ended otherwise than well, a sentence each
 };
 

@@ -109,6 +109,7 @@ void write_chapter(const std::filesystem::path& folder, const Chapter& chapter) 
   const auto file = folder / file_name;
   const std::string before = std::filesystem::exists(file) ? dda::read_file(file) : "";
   dda::write_file(file, with_chapter(before, chapter));
+  for (const PageFigure& figure : chapter.figures) dda::write_file(folder / figure.file, figure.svg);
   dda::write_file(folder / fmt::format("chapter_{}.md", chapter.number), to_markdown(chapter_page(chapter)));
 }
 

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
+#include "engine/core/read_file.h"
+#include "engine/core/temporary_folder.h"
+#include "verification/chapters/chapter_figures.h"
 #include "verification/harness/markdown.h"
 
 namespace verify {
@@ -50,6 +54,20 @@ TEST(ThesisFile, PageShowsVerdictReasonAndFailures) {
   for (const char* text : {"| What it says | 2.5 m/s | ours | **not confirmed** |", "`id` **not confirmed**: Because.",
                            "something", "run a: not_converged"})
     EXPECT_NE(page.find(text), std::string::npos) << text << "\n" << page;
+}
+
+TEST(ThesisFile, FiguresAreFilesBesideThePageWhichNamesThem) {
+  const dda::TemporaryFolder folder;
+  Chapter judged = chapter(6, true);
+  Section section{"Readings", {}};
+  const dda::LinePlot plot{"peak velocity", "m/s", {0, 10e6, 50e6}, {{"level", {0.1, 0.2, 0.4}}}};
+  add_figure("6_1_velocity", "Peak velocity over stress", plot, section, judged);
+  add_figure("nothing", "No line", {"peak velocity", "m/s", {0, 10e6}, {}}, section, judged);
+  judged.sections = {section};
+  write_chapter(folder.path(), judged);
+  EXPECT_NE(dda::read_file(folder / "6_1_velocity.svg").find("peak velocity ("), std::string::npos);
+  EXPECT_NE(dda::read_file(folder / "chapter_6.md").find("(6_1_velocity.svg)"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "nothing.svg"));
 }
 
 }  // namespace

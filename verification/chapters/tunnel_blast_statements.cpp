@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <string>
+#include <utility>
 
+#include "verification/chapters/chapter_figures.h"
 #include "verification/chapters/linear_fit.h"
 #include "verification/chapters/tunnel_blast.h"
 
@@ -193,6 +197,34 @@ Table figures(const TunnelBlastResult& result) {
   return table;
 }
 
+using PeakValues = std::array<double, 4> Outcome::*;
+
+// A line for each of the points 1 to 4 and each stress; those with a failed run have none.
+dda::LinePlot over_friction(const TunnelBlastResult& result, PeakValues peaks, const char* title, const char* unit) {
+  dda::LinePlot plot;
+  plot.title = title;
+  plot.unit = unit;
+  plot.times = blast_frictions();
+  plot.across = "friction angle";
+  plot.across_unit = "deg";
+  for (const double stress : blast_stresses())
+    for (std::size_t point = 0; point < 4; ++point) {
+      dda::PlottedLine line{fmt::format("point {}, {:g} MPa", point + 1, stress / 1e6), {}};
+      for (const Outcome& o : result.outcomes)
+        if (o.stress == stress) line.values.push_back((o.*peaks)[point]);
+      if (line.values.size() == plot.times.size()) plot.lines.push_back(std::move(line));
+    }
+  return plot;
+}
+
+void add_figures(const TunnelBlastResult& result, Section& section, Chapter& chapter) {
+  const std::string& name = result.reading.name;
+  add_figure("6_2_velocity_" + name, fmt::format("`{}`: peak velocities over the friction of the joints", name),
+             over_friction(result, &Outcome::velocity, "peak velocity", "m/s"), section, chapter);
+  add_figure("6_2_acceleration_" + name, fmt::format("`{}`: peak accelerations over the friction of the joints", name),
+             over_friction(result, &Outcome::acceleration, "peak acceleration", "m/s2"), section, chapter);
+}
+
 }  // namespace
 
 void judge_tunnel_blast(const std::vector<TunnelBlastResult>& results, Chapter& chapter) {
@@ -213,7 +245,10 @@ void judge_tunnel_blast(const std::vector<TunnelBlastResult>& results, Chapter& 
         "6.2: points 1 to 4 lie 0.3 m inside walls, roof and floor; key block 1 is the block of point 1"})
     chapter.assumptions.emplace_back(text);
   Section section{"6.2, runs with the blast less those without", {}};
-  for (const TunnelBlastResult& result : results) section.pieces.emplace_back(figures(result));
+  for (const TunnelBlastResult& result : results) {
+    section.pieces.emplace_back(figures(result));
+    add_figures(result, section, chapter);
+  }
   chapter.sections.push_back(std::move(section));
 }
 

@@ -46,15 +46,20 @@ const std::vector<Problem>& catalogue() {
       {40, "Cylindrical cavity under a pressure pulse"},
       {41, "Sudden circular excavation"},
       {42, "Speed of plane waves against direction"},
+      {43, "Lining of a round tunnel"},
   };
   return problems;
 }
 
 const std::vector<Area>& areas() {
   static const std::vector<Area> all = {
-      {"Free motion, impact, energy", 1, 8}, {"Friction and shaking", 9, 13},
-      {"Rocking and toppling", 14, 17},      {"Slopes, roofs, arches, joints", 18, 23},
-      {"Stress and stiffness", 24, 31},      {"Waves, boundaries, blasts", 32, 42},
+      {"Free motion, impact, energy", 1, 8},
+      {"Friction and shaking", 9, 13},
+      {"Rocking and toppling", 14, 17},
+      {"Slopes, roofs, arches, joints", 18, 23},
+      {"Stress and stiffness", 24, 31},
+      {"Waves, boundaries, blasts", 32, 42},
+      {"Supports", 43, 43},
   };
   return all;
 }

@@ -48,11 +48,24 @@ void set_block_length(const Field& value, JobParameters& job) {
                            largest_eta * job.block_length / job.eta()));
 }
 
-void set_dt(const Field& value, JobParameters& job) { job.dt = value.positive(Dimension::time); }
+// s. Beyond these the numbers of a job, such as its samples per period, leave the range of numbers.
+constexpr double shortest_step = 1e-15;
+constexpr double longest_step = 1e3;
+
+void expect_sensible_step(const Field& value, double dt) {
+  if (!(dt >= shortest_step && dt <= longest_step))
+    value.fail(fmt::format("a step from {:g} to {:g} s", shortest_step, longest_step));
+}
+
+void set_dt(const Field& value, JobParameters& job) {
+  job.dt = value.positive(Dimension::time);
+  expect_sensible_step(value, job.dt);
+}
 
 // Comes after the block length.
 void set_cfl(const Field& value, JobParameters& job) {
   job.dt = number(value) * job.block_length / thesis_reference().bar.wave_speed();
+  expect_sensible_step(value, job.dt);
 }
 
 void set_law(const Field& value, JobParameters& job) {

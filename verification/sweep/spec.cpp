@@ -49,9 +49,9 @@ std::vector<JobParameters> read_jobs(const Field& grids) {
   for (const Field& grid : grids.items()) {
     const std::vector<JobParameters> more = jobs_of_grid(grid);
     jobs.insert(jobs.end(), more.begin(), more.end());
+    if (jobs.size() > most_jobs) grids.fail("more", fmt::format("at most {} jobs", most_jobs));
   }
   if (jobs.empty()) grids.fail("at least one grid");
-  if (jobs.size() > most_jobs) grids.fail("more", fmt::format("at most {} jobs", most_jobs));
   return jobs;
 }
 

@@ -4,17 +4,29 @@
 
 #include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
+#include "verification/sweep/job.h"
 
 namespace verify {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Whether it has all that a table or a plot looks for: what a result has, of the same kind or missing.
+bool is_whole(const Json& result) {
+  const Json example = to_json(JobResult{});
+  for (const auto& [name, value] : example.items()) {
+    const auto found = result.find(name);
+    if (found == result.end() || (!found->is_null() && found->is_boolean() != value.is_boolean())) return false;
+  }
+  return true;
+}
+
 std::optional<JobFile> parse(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   try {
-    return JobFile{json.at("status"), json.at("message"), json.at("parameters"), json.at("result")};
+    JobFile job{json.at("status"), json.at("message"), json.at("parameters"), json.at("result")};
+    return job.result.is_object() && (job.status != "ok" || is_whole(job.result)) ? std::optional(job) : std::nullopt;
   } catch (const Json::exception&) {
     return std::nullopt;
   }

@@ -18,7 +18,7 @@ struct JobFile {
   std::string status = "missing";
   std::string message;
   nlohmann::ordered_json parameters;
-  nlohmann::ordered_json result;  // an object, empty unless ok
+  nlohmann::ordered_json result = nlohmann::ordered_json::object();  // empty unless ok
 
   [[nodiscard]] bool ended_by_itself() const { return status != "missing" && status != "crashed"; }
   [[nodiscard]] bool failed() const { return status != "ok" && status != "not_measurable"; }

@@ -53,3 +53,8 @@ function showColourBar(quantity, scale) {
     return tick;
   }));
 }
+
+// Of the share of its strength that a lining carries, from 0 to 1.
+function utilisationColour(map, share) {
+  return map[Math.round(Math.min(Math.max(share, 0), 1) * (map.length - 1))];
+}

@@ -57,7 +57,8 @@ const dda = (() => {
     stage.hovered = hovered;
     const quantity = run.quantities[show.quantity];
     const bolt = px < 0 ? undefined : stage.boltAt(px, py);
-    byId("readout").textContent = bolt ? `${bolt.name}: axial force ${withUnit(bolt.force, "N")}, ${bolt.condition}` :
+    byId("readout").textContent = bolt ? `${bolt.name}: axial force ${withUnit(bolt.force, "N")}, ${bolt.condition}` +
+      (Number.isNaN(bolt.utilisation) ? "" : `, ${(100 * bolt.utilisation).toPrecision(3)} % of its strength`) :
       hovered < 0 ? "" :
       `${run.header.block_names[hovered]}: ${quantity.title.toLowerCase()} ${withUnit(run.value(show.quantity, show.frame, hovered), quantity.unit)}`;
   }

@@ -43,10 +43,11 @@ class Run {
     this.boltY = new Uint16Array(takeSection("bolt-y"));
     this.boltForce = new Uint16Array(takeSection("bolt-force"));
     this.boltCondition = new Uint8Array(takeSection("bolt-condition"));
+    if (this.header.bolts.utilisation) this.boltUtilisation = new Uint16Array(takeSection("bolt-utilisation"));
   }
 
-  // The links of bolts in a frame: points x, y along each, axial force (N in one bolt, tension positive), condition;
-  // without those that wait to be put in.
+  // The links of bolts in a frame: points x, y along each, axial force (N in one bolt, tension positive), condition, and
+  // the share of its strength that an element of a lining carries; without those that wait to be put in.
   bolts(frame, deformationScale) {
     const { bolts } = this.header;
     if (!bolts) return [];
@@ -58,6 +59,8 @@ class Run {
                   this.boltReference[2 * i + 1] + deformationScale * decoded(this.boltY[frame * points + i], bolts.y[frame]));
       }
       return { name, path, force: decoded(this.boltForce[frame * links + link], bolts.force[frame]),
+               utilisation: this.boltUtilisation
+                 ? decoded(this.boltUtilisation[frame * links + link], bolts.utilisation[frame]) : NaN,
                condition: ["elastic", "yielded", "broken", "waiting"][this.boltCondition[frame * links + link]] };
     });
     return all.filter(({ condition }) => condition !== "waiting");

@@ -146,14 +146,22 @@ class Stage {
     context.lineCap = "butt";
   }
 
-  // Yielded ones in a colour of their own, broken ones dashed.
+  // Yielded ones in a colour of their own, linings with a strength by how much of it they carry.
+  colourOfBolt({ condition, utilisation }) {
+    const { ink } = this;
+    if (condition !== "elastic") return { yielded: ink.sliding, broken: ink.broken }[condition];
+    return Number.isNaN(utilisation) ? ink.bolt : utilisationColour(this.run.header.maps.utilisation, utilisation);
+  }
+
+  // Broken ones are dashed.
   drawBolts() {
     const { context, ink } = this;
     for (const halo of [true, false]) {
-      for (const { path, force, condition } of this.bolts) {
+      for (const bolt of this.bolts) {
+        const { path, force, condition } = bolt;
         const width = this.widthOfBolt(force);
         context.lineWidth = halo ? width + 2 : width;
-        context.strokeStyle = halo ? ink.halo : { elastic: ink.bolt, yielded: ink.sliding, broken: ink.broken }[condition];
+        context.strokeStyle = halo ? ink.halo : this.colourOfBolt(bolt);
         context.setLineDash(!halo && condition === "broken" ? [4, 3] : []);
         context.stroke(this.pathAlong(path));
       }

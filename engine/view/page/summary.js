@@ -68,6 +68,13 @@ function showKeys(stage) {
     rows.push("<b>Axial force</b>");
     for (const value of largest > 0 ? values : [0])
       rows.push(`<div>${line(stage.widthOfBolt(value * factor), "bolt", "")}${label(value, step)} ${name}</div>`);
+    if (stage.bolts.some(({ utilisation }) => !Number.isNaN(utilisation))) {
+      rows.push("<b>Utilisation</b>");
+      for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+        const shade = utilisationColour(stage.run.header.maps.utilisation, share);
+        rows.push(`<div>${svg(`<line x1="4" y1="8" x2="30" y2="8" stroke="${shade}" stroke-width="4"/>`)}${100 * share} %</div>`);
+      }
+    }
     const has = (condition) => stage.bolts.some((bolt) => bolt.condition === condition);
     if (has("yielded")) rows.push(`<div>${line(4, "sliding", "")}yielded</div>`);
     if (has("broken")) rows.push(`<div>${line(2, "broken", 'stroke-dasharray="4 3"')}broken</div>`);

@@ -1,0 +1,181 @@
+#include "engine/advice/sudden_loads.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "engine/advice/load_history.h"
+
+namespace dda {
+namespace {
+
+// Shares of the largest value, and of a step within which they come. Half of it within a quarter of a step is a jump
+// for these steps; a sine does that with three steps in a period, which unseen_loads is there for.
+struct Threshold {
+  double change, time;
+};
+constexpr std::array<Threshold, 2> jumps{{{0.1, 0.01}, {0.5, 0.25}}};
+// Tables of displacements have velocities like stairs: ten points in the period of a sine make steps of 0.63.
+constexpr std::array<Threshold, 2> turns{{{0.9, 0.01}, {0.9, 0.25}}};
+
+// Times at which a history has kinks or jumps, and the first of its largest values, s.
+std::vector<double> corners_of(const TimeFunction& history) {
+  std::vector<double> times{0};
+  if (const auto* table = std::get_if<PiecewiseLinear>(&history))
+    times.insert(times.end(), table->times.begin(), table->times.end());
+  if (const auto* sine = std::get_if<SineCycles>(&history))
+    times.insert(times.end(),
+                 {sine->start, sine->start + 0.25 / sine->frequency, sine->start + sine->cycles / sine->frequency});
+  if (const auto* decay = std::get_if<ExponentialDecay>(&history))
+    times.insert(times.end(), {decay->start, decay->start + decay->rise});
+  if (const auto* record = std::get_if<Recorded>(&history))
+    for (const double time : record->recording->times()) times.push_back(record->start + time);
+  std::ranges::sort(times);
+  return times;
+}
+
+struct Drive {
+  const char* what = "the load";
+  int block = 0;
+  Vec2 amplitude = Vec2::Zero();
+  const TimeFunction* history = nullptr;
+  std::function<double(double)> value;  // that a wave carries, of s in the run; 0 before it
+  const std::array<Threshold, 2>* thresholds = &jumps;
+  bool leaves_figures = false;
+};
+
+// Whether the edge load is what keeps the block's own stress, of before the run, in balance.
+bool balances_stress(const Model& model, const EdgeLoad& load) {
+  const Block& block = model.blocks[static_cast<std::size_t>(load.block)];
+  const Vec3& stress = block.initial_stress;
+  const Vec2 edge = (load.to - load.from).normalized();
+  Vec2 normal(edge.y(), -edge.x());
+  if (normal.dot(block.moments.centroid - load.from) > 0) normal = -normal;
+  const Vec2 needed(stress[0] * normal.x() + stress[2] * normal.y(), stress[2] * normal.x() + stress[1] * normal.y());
+  return !needed.isZero(0) &&
+         (evaluate(load.history, 0) * load.traction - needed).norm() <= jumps[0].change * needed.norm();
+}
+
+class Search {
+ public:
+  explicit Search(const Model& model) : model_(model) {}
+
+  void add(const Drive& drive) {
+    const std::vector<double> corners = corners_of(*drive.history);
+    double begin = 0;
+    bool goes_on = true;  // what a static stage ends with is no jump in the next one
+    for (std::size_t i = 0; i < model_.stages.size(); ++i) {
+      const Stage& stage = model_.stages[i];
+      const bool moves = !stage.integrator.is_static && !stage.paces_itself();
+      const auto inside = [&](double t) { return t < begin + stage.duration && (goes_on ? t >= begin : t > begin); };
+      if (moves && stage.velocity_factor == 1) add(drive, static_cast<int>(i), corners, inside);
+      begin += stage.duration;
+      goes_on = moves;
+    }
+  }
+
+  [[nodiscard]] std::vector<LoadFinding> take() {
+    std::vector<LoadFinding> findings;
+    for (const Group& group : groups_)
+      findings.push_back({group.stage, group.first.history, sentence_of(group), group.first.leaves_figures});
+    return findings;
+  }
+
+ private:
+  struct Group {  // of drives that are the same on several blocks
+    Drive first;
+    int stage = 0;
+    double time = 0;  // s, of the first jump
+    int others = 0;
+  };
+
+  template <typename Inside>
+  void add(const Drive& drive, int stage, const std::vector<double>& corners, const Inside& inside) {
+    const double dt = model_.stages[static_cast<std::size_t>(stage)].dt;
+    double largest = 0;
+    for (const double t : corners)
+      for (const double side : {-1, 1}) {
+        const double value = drive.value(t + side * (*drive.thresholds)[0].time * dt / 2);
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+      }
+    const auto jumps_at = [&](double t) {
+      return inside(t) && std::ranges::any_of(*drive.thresholds, [&](const Threshold& threshold) {
+               const double half = threshold.time * dt / 2;
+               return std::abs(drive.value(t + half) - drive.value(t - half)) > threshold.change * largest;
+             });
+    };
+    const auto found = std::ranges::find_if(corners, jumps_at);
+    if (found == corners.end()) return;
+    const std::array<double, 4> key{drive.amplitude.x(), drive.amplitude.y(), static_cast<double>(stage), *found};
+    const auto [known, is_new] = known_.try_emplace({key, drive.what + words_for(*drive.history)}, groups_.size());
+    if (is_new) {
+      groups_.push_back({drive, stage, *found, 0});
+    } else {
+      ++groups_[known->second].others;
+    }
+  }
+
+  [[nodiscard]] std::string sentence_of(const Group& group) const {
+    const std::string& block = model_.blocks[static_cast<std::size_t>(group.first.block)].name;
+    return fmt::format(
+        "stage \"{}\": {} on block \"{}\"{}, {}, jumps at {:g} s: a jump holds all frequencies, which no mesh and dt "
+        "carry without overshoot and ringing; let it rise while the wave crosses several blocks",
+        model_.stages[static_cast<std::size_t>(group.stage)].name, group.first.what, block,
+        group.others > 0 ? fmt::format(" and {} more", group.others) : "", words_for(*group.first.history), group.time);
+  }
+
+  const Model& model_;
+  std::vector<Group> groups_;
+  std::map<std::pair<std::array<double, 4>, std::string>, std::size_t> known_;
+};
+
+template <typename Load>
+Drive load_on(const Load& load, const Vec2& amplitude) {
+  return {"the load", load.block, amplitude, &load.history,
+          [history = load.history](double t) { return t < 0 ? 0 : evaluate(history, t); }};
+}
+
+// Where the place itself jumps its velocity is that of the jump, which motion_at leaves out.
+template <typename Motion>
+std::vector<Drive> motions_of(const Motion& motion) {
+  if (motion.amplitude.isZero(0) || motion.kind == MotionKind::acceleration) return {};
+  const auto drive = [&](const char* what, double MotionFactors::*value, const std::array<Threshold, 2>& thresholds) {
+    return Drive{what,
+                 motion.block,
+                 motion.amplitude,
+                 &motion.history,
+                 [kind = motion.kind, history = motion.history, value](double t) {
+                   return t < 0 ? 0 : motion_at(kind, history, t).*value;
+                 },
+                 &thresholds,
+                 motion.kind != MotionKind::velocity && value == &MotionFactors::velocity};
+  };
+  if (motion.kind == MotionKind::velocity)
+    return {drive("the velocity of the motion", &MotionFactors::velocity, jumps)};
+  return {drive("the motion", &MotionFactors::displacement, jumps),
+          drive("the velocity of the motion", &MotionFactors::velocity, turns)};
+}
+
+}  // namespace
+
+std::vector<LoadFinding> sudden_loads(const Model& model) {
+  Search search(model);
+  for (const EdgeLoad& load : model.edge_loads)
+    if (!load.traction.isZero(0) && !balances_stress(model, load)) search.add(load_on(load, load.traction));
+  for (const PointLoad& load : model.point_loads)
+    if (!load.force.isZero(0)) search.add(load_on(load, load.force));
+  for (const PointSupport& support : model.supports)
+    for (const Drive& drive : motions_of(support)) search.add(drive);
+  for (const HeldBlock& held : model.held_blocks)
+    for (const Drive& drive : motions_of(held)) search.add(drive);
+  return search.take();
+}
+
+}  // namespace dda

@@ -1,0 +1,87 @@
+#include "engine/simulation/depth_in_thickness.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/geometry/segment.h"
+#include "engine/simulation/block_extent.h"
+
+namespace dda {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// Depths below this share of a block's least thickness are not looked at: what rests never gets there.
+constexpr double noted_share = ruinous_share / 2;
+
+// Where the ray from `face` against `normal` leaves the block through an edge of the ring, m from the face. Rings have
+// the block on their left: edges through which a ray leaves run to its left, and that of the face it starts from does
+// not.
+double leaves_at(const Ring& ring, const auto& place_of, const Vec2& face, const Vec2& normal) {
+  double nearest = never;
+  Vec2 from = place_of(ring.back()) - face;
+  for (const Vec2& vertex : ring) {
+    const Vec2 to = place_of(vertex) - face;
+    const double side_from = cross(normal, from), side_to = cross(normal, to);
+    if (side_from >= 0 && side_to < 0) {
+      const double along = -(from + side_from / (side_from - side_to) * (to - from)).dot(normal);
+      if (along > 0) nearest = std::min(nearest, along);
+    }
+    from = to;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+double thickness_behind(const Model& model, const State& state, int block, const Vec2& face, const Vec2& normal) {
+  const Polygon& shape = model.blocks[static_cast<std::size_t>(block)].shape;
+  const auto place_of = [&](const Vec2& vertex) -> Vec2 { return current_position(model, state, block, vertex); };
+  double nearest = leaves_at(shape.outer, place_of, face, normal);
+  for (const Ring& hole : shape.holes) nearest = std::min(nearest, leaves_at(hole, place_of, face, normal));
+  return nearest;
+}
+
+namespace {
+
+void compare(const Model& model, const State& state, int inner, int thinner, const Vec2& corner, const Vec2& normal,
+             double depth, DepthInThickness& deepest) {
+  const double share = depth / thickness_behind(model, state, thinner, corner + depth * normal, normal);
+  if (share > deepest.share) deepest = {depth, share, inner, thinner, corner, state.time};
+}
+
+// A lone vertex is block b's, on a face of a; of a stretch both blocks have a face.
+void look_at(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
+             const Vec2& drawn, double depth, DepthInThickness& deepest) {
+  const Vec2 normal = element.rows_b.block<1, 2>(0, 0).transpose();
+  const Vec2 corner = current_position(model, state, interface.block_b, drawn);
+  compare(model, state, interface.block_b, interface.block_a, corner, normal, depth, deepest);
+  if (is_lone_vertex(element)) return;
+  const Vec2 middle = (interface.from + interface.to) / 2;  // an end may lie on the edge of the far face
+  compare(model, state, interface.block_a, interface.block_b, current_position(model, state, interface.block_a, middle),
+          -normal, depth, deepest);
+}
+
+}  // namespace
+
+void ThicknessWatch::note(const Model& model, const State& state, const ContactSet& contacts,
+                          DepthInThickness& deepest) {
+  if (least_.empty())
+    for (const Block& block : model.blocks) least_.push_back(thickness_of(block, radius_of(block)));
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (element.law != InterfaceLaw::classical) continue;  // the gaps of the others are no distances
+    const InterfaceState& own = contacts.states[i];
+    const double least =
+        std::min(least_[static_cast<std::size_t>(element.block_a)], least_[static_cast<std::size_t>(element.block_b)]);
+    const double asked = std::max(noted_share, deepest.share) * least;
+    for (int end = 0; end < ends_of(element); ++end) {
+      const double depth = -(own.gap(2 * end) + own.held_open(static_cast<std::size_t>(end)));
+      const Interface& interface = contacts.interfaces[i];
+      if (depth > asked)
+        look_at(model, state, interface, element, end == 0 ? interface.from : interface.to, depth, deepest);
+    }
+  }
+}
+
+}  // namespace dda

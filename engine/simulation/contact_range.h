@@ -12,6 +12,7 @@
 #include "engine/contact/contact_set.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
+#include "engine/simulation/depth_in_thickness.h"
 
 namespace dda {
 
@@ -29,6 +30,9 @@ class ContactRange {
   //   - an interface that is not open whose sides have slid by more than its length (a lone vertex: its distance from
   //     the corners of the edge it touches).
   [[nodiscard]] std::string problem(const Model& model, const State& state, const ContactSet& contacts);
+
+  // As drawn.
+  [[nodiscard]] LeastWidths least_widths() const { return {thickness_, least_thickness_}; }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "engine/geometry/segment.h"
-#include "engine/simulation/block_extent.h"
 
 namespace dda {
 namespace {
@@ -64,21 +63,20 @@ void look_at(const Model& model, const State& state, const Interface& interface,
 
 }  // namespace
 
-void ThicknessWatch::note(const Model& model, const State& state, const ContactSet& contacts,
-                          DepthInThickness& deepest) {
-  if (least_.empty())
-    for (const Block& block : model.blocks) least_.push_back(thickness_of(block, radius_of(block)));
+void note_depths_in_thickness(const Model& model, const State& state, const ContactSet& contacts,
+                              const LeastWidths& widths, DepthInThickness& deepest) {
+  const double least_asked = std::max(noted_share, deepest.share) * widths.of_all;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
-    if (element.law != InterfaceLaw::classical) continue;  // the gaps of the others are no distances
     const InterfaceState& own = contacts.states[i];
-    const double least =
-        std::min(least_[static_cast<std::size_t>(element.block_a)], least_[static_cast<std::size_t>(element.block_b)]);
-    const double asked = std::max(noted_share, deepest.share) * least;
     for (int end = 0; end < ends_of(element); ++end) {
       const double depth = -(own.gap(2 * end) + own.held_open(static_cast<std::size_t>(end)));
+      if (depth <= least_asked) continue;                    // nearly all that there is
+      if (element.law != InterfaceLaw::classical) continue;  // the gaps of the others are no distances
+      const double width = std::min(widths.of_blocks[static_cast<std::size_t>(element.block_a)],
+                                    widths.of_blocks[static_cast<std::size_t>(element.block_b)]);
       const Interface& interface = contacts.interfaces[i];
-      if (depth > asked)
+      if (depth > std::max(noted_share, deepest.share) * width)
         look_at(model, state, interface, element, end == 0 ? interface.from : interface.to, depth, deepest);
     }
   }

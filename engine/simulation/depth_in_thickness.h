@@ -9,7 +9,7 @@
 #pragma once
 
 #include <limits>
-#include <vector>
+#include <span>
 
 #include "engine/contact/contact_set.h"
 #include "engine/core/types.h"
@@ -40,13 +40,14 @@ inline constexpr double ruinous_share = 0.1;
 // it; infinite where it does not.
 double thickness_behind(const Model& model, const State& state, int block, const Vec2& face, const Vec2& normal);
 
-// Looks for corners that are deeper, by the thickness that they are in, than any before.
-class ThicknessWatch {
- public:
-  void note(const Model& model, const State& state, const ContactSet& contacts, DepthInThickness& deepest);
-
- private:
-  std::vector<double> least_;  // m, of each block: what its face is asked for at all; empty until there are contacts
+// m, at most the least width of each block and of the thinnest: what corners are compared with before a face is asked.
+struct LeastWidths {
+  std::span<const double> of_blocks;
+  double of_all = 0;
 };
+
+// Takes note of corners that are deeper, by the thickness that they are in, than any before.
+void note_depths_in_thickness(const Model& model, const State& state, const ContactSet& contacts,
+                              const LeastWidths& widths, DepthInThickness& deepest);
 
 }  // namespace dda

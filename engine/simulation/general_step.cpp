@@ -363,7 +363,7 @@ void GeneralStep::accept() {
   accept_contacts();
   if (s.plan.contacts_can_change) {
     note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
-    thickness_.note(s.model, s.state, s.contacts, deepest_.in_thickness);
+    note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
   }
   s.reinforcement.bolts.accept(solver_.bolts(), s.audit);
   s.reinforcement.linings.accept(s.increment, s.audit);

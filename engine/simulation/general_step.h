@@ -15,7 +15,6 @@
 #include "engine/core/status.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/contact_range.h"
-#include "engine/simulation/depth_in_thickness.h"
 #include "engine/simulation/given_friction.h"
 #include "engine/simulation/penetration.h"
 #include "engine/simulation/settling_cushion.h"
@@ -59,8 +58,8 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, acting, deepest, thickness, cushion, given_friction, changing, bonded,
-           base, base_version, base_is_current, rule, rhs, can_be_cut, motion_steps, message] = self;
+    auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, changing, bonded, base,
+           base_version, base_is_current, rule, rhs, can_be_cut, motion_steps, message] = self;
     if (moving) archive(*moving);
     archive(solver, deepest, cushion, given_friction);
     if (system.geometry_moves()) archive(range, moved, acting.displacement, acting.deformation);
@@ -89,11 +88,10 @@ class GeneralStep : public Step {
   BlockSystem& system_;
   ContactSolver solver_;
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
-  ContactRange range_;                    // looked at where they cannot
+  ContactRange range_;                    // looked at where they cannot; widths of blocks
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
   State acting_;                          // displacements and shapes of the blocks where the step's forces act
   Penetration deepest_;
-  ThicknessWatch thickness_;
   SettlingCushion cushion_;       // of the stage
   GivenFriction given_friction_;  // of the stage
 

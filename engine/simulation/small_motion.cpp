@@ -235,7 +235,9 @@ void SmallMotionWatch::begin_stage(const BlockSystem& system) {
     turns_before_.clear();
     for (const Vec6& each : system.state.displacement) turns_before_.push_back(each(2));
   }
-  if (!system.model.stays_linear()) looked_at_ = system.state.displacement;
+  if (system.model.stays_linear()) return;
+  looked_at_ = system.state.displacement;
+  measure(system.model);  // not in the first step that asks, as steps take no memory
 }
 
 // Of its thickness, what some block has gone at most since it was looked at.
@@ -274,6 +276,8 @@ void SmallMotionWatch::end_stage(const BlockSystem& system) {
 
 void SmallMotionWatch::measure(const Model& model) {
   if (!radius_.empty()) return;
+  radius_.reserve(model.blocks.size());
+  thickness_.reserve(model.blocks.size());
   for (const Block& block : model.blocks) {
     radius_.push_back(radius_of(block));
     thickness_.push_back(thickness_of(block, radius_.back()));

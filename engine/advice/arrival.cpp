@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace dda {
 namespace {
 
 constexpr double longest_lag = 0.45;  // of a period
-constexpr double onset_share = 0.1;   // of the largest value
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double onset_share = 0.1;  // of the largest value
 constexpr double other_sign_share = 0.1;
 
 struct Fit {
@@ -199,7 +201,9 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   errors.speed = speed_error(on_time, lag);
   errors.amplitude = fit.factor - 1;
   errors.peak = found.peak / wanted.peak_near(due) - 1;
-  errors.largest = largest_of(trace, interval, until) / wanted.largest(until) - 1;
+  const bool has_come = wanted.largest(until) >= 0.5 * wanted.largest(never);
+  const double looked_at = has_come ? until : never;
+  errors.largest = largest_of(trace, interval, looked_at) / wanted.largest(looked_at) - 1;
   errors.peak_speed = speed_error(on_time, found.peak_time - due.peak_time);
   errors.onset_speed = speed_error(on_time, found.onset_time - due.onset_time);
   return errors;

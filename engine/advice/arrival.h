@@ -33,7 +33,8 @@ struct Lags {
 // `trace` is sampled at 0, interval, ...; `exact` is what it should be, begins at `on_time` (s) and varies over times
 // not much shorter than `period` (s). Nothing where the trace nowhere resembles it, or comes 0.45 periods before or
 // after `lags`: beyond half a period a wave is mistaken for the next swing. Peaks of `exact` are its own and not
-// those of its samples: a kink between two samples counts in full. The largest values are those up to `until` (s).
+// those of its samples: a kink between two samples counts in full. The largest values are those up to `until` (s), or
+// of all where the wave has hardly come by then.
 std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
                                           const std::function<double(double)>& exact, double on_time, double period,
                                           const Lags& lags = {},

@@ -101,6 +101,10 @@ TEST(Arrival, TheFirstPeakIsNotTheLargest) {
   const auto cut = read_arrival(sampled(wave(0.4, 0.9)), interval, wave(0.7, 1), on_time, period, {}, on_time + 5e-3);
   ASSERT_TRUE(cut.has_value());
   EXPECT_NEAR(cut->largest, 0.4 / 0.7 - 1, 1e-9);
+  // A run that is over before the wave comes has no largest value of its own.
+  const auto before = read_arrival(sampled(wave(0.4, 0.9)), interval, wave(0.7, 1), on_time, period, {}, on_time / 2);
+  ASSERT_TRUE(before.has_value());
+  EXPECT_EQ(before->largest, errors->largest);
 }
 
 TEST(Arrival, NothingWhereTheWaveIsHalfAPeriodOffItsTime) {

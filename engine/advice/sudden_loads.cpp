@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -65,20 +67,17 @@ bool balances_stress(const Model& model, const EdgeLoad& load) {
 
 class Search {
  public:
-  explicit Search(const Model& model) : model_(model) {}
+  explicit Search(const Model& model) : model_(model) {
+    for (const Stage& stage : model.stages) end_ += stage.duration;
+  }
 
+  // Many blocks have one drive, whose samples are looked at once; the others are counted.
   void add(const Drive& drive) {
-    const std::vector<double> corners = corners_of(*drive.history);
-    double begin = 0;
-    bool goes_on = true;  // what a static stage ends with is no jump in the next one
-    for (std::size_t i = 0; i < model_.stages.size(); ++i) {
-      const Stage& stage = model_.stages[i];
-      const bool moves = !stage.integrator.is_static && !stage.paces_itself();
-      const auto inside = [&](double t) { return t < begin + stage.duration && (goes_on ? t >= begin : t > begin); };
-      if (moves && stage.velocity_factor == 1) add(drive, static_cast<int>(i), corners, inside);
-      begin += stage.duration;
-      goes_on = moves;
-    }
+    const auto [known, is_new] = known_.try_emplace(print_of(drive));
+    if (is_new)
+      known->second = groups_of(drive);
+    else
+      for (const std::size_t group : known->second) ++groups_[group].others;
   }
 
   [[nodiscard]] std::vector<LoadFinding> take() {
@@ -96,9 +95,42 @@ class Search {
     int others = 0;
   };
 
+  // Amplitude, values at times that no period of a history falls in with, and what it is.
+  using Print = std::pair<std::array<double, 18>, std::string>;
+
+  [[nodiscard]] Print print_of(const Drive& drive) const {
+    std::array<double, 18> numbers{drive.amplitude.x(), drive.amplitude.y()};
+    for (std::size_t i = 2; i < numbers.size(); ++i) {
+      const double value = drive.value(end_ * std::fmod(0.6180339887498949 * static_cast<double>(i), 1.0));
+      numbers[i] = std::isfinite(value) ? value : 0;
+    }
+    return {numbers, drive.what + words_for(*drive.history)};
+  }
+
+  [[nodiscard]] std::vector<std::size_t> groups_of(const Drive& drive) {
+    const std::vector<double> corners = corners_of(*drive.history);
+    std::vector<std::size_t> groups;
+    double begin = 0;
+    bool goes_on = true;  // what a static stage ends with is no jump in the next one
+    for (std::size_t i = 0; i < model_.stages.size(); ++i) {
+      const Stage& stage = model_.stages[i];
+      const bool moves = !stage.integrator.is_static && !stage.paces_itself();
+      const auto inside = [&](double t) { return t < begin + stage.duration && (goes_on ? t >= begin : t > begin); };
+      const auto jump =
+          moves && stage.velocity_factor == 1 ? first_jump(drive, stage.dt, corners, inside) : std::nullopt;
+      if (jump) {
+        groups.push_back(groups_.size());
+        groups_.push_back({drive, static_cast<int>(i), *jump, 0});
+      }
+      begin += stage.duration;
+      goes_on = moves;
+    }
+    return groups;
+  }
+
   template <typename Inside>
-  void add(const Drive& drive, int stage, const std::vector<double>& corners, const Inside& inside) {
-    const double dt = model_.stages[static_cast<std::size_t>(stage)].dt;
+  [[nodiscard]] static std::optional<double> first_jump(const Drive& drive, double dt,
+                                                        const std::vector<double>& corners, const Inside& inside) {
     double largest = 0;
     for (const double t : corners)
       for (const double side : {-1, 1}) {
@@ -112,14 +144,7 @@ class Search {
              });
     };
     const auto found = std::ranges::find_if(corners, jumps_at);
-    if (found == corners.end()) return;
-    const std::array<double, 4> key{drive.amplitude.x(), drive.amplitude.y(), static_cast<double>(stage), *found};
-    const auto [known, is_new] = known_.try_emplace({key, drive.what + words_for(*drive.history)}, groups_.size());
-    if (is_new) {
-      groups_.push_back({drive, stage, *found, 0});
-    } else {
-      ++groups_[known->second].others;
-    }
+    return found == corners.end() ? std::nullopt : std::optional(*found);
   }
 
   [[nodiscard]] std::string sentence_of(const Group& group) const {
@@ -132,8 +157,9 @@ class Search {
   }
 
   const Model& model_;
+  double end_ = 0;  // s, of the last stage
   std::vector<Group> groups_;
-  std::map<std::pair<std::array<double, 4>, std::string>, std::size_t> known_;
+  std::map<Print, std::vector<std::size_t>> known_;
 };
 
 template <typename Load>

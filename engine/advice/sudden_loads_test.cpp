@@ -44,6 +44,19 @@ TEST(SuddenLoads, FindsWhatJumps) {
   }
 }
 
+// One record on the edges of many blocks is looked at once, and two tables that jump at one time are two findings.
+TEST(SuddenLoads, AreAskedOncePerHistory) {
+  Model model = pushed(PiecewiseLinear{{0, 1e-3, 1.0001e-3, 1}, {0, 0, 1, 1}});
+  const EdgeLoad same = model.edge_loads[0];
+  for (int i = 0; i < 3; ++i) model.edge_loads.push_back(same);
+  model.edge_loads.push_back(same);
+  model.edge_loads.back().history = PiecewiseLinear{{0, 1e-3, 1.0001e-3, 1}, {0, 0, 1, 0}};
+  const std::vector<LoadFinding> found = sudden_loads(model);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NE(found[0].sentence.find("and 3 more"), std::string::npos) << found[0].sentence;
+  EXPECT_EQ(found[1].sentence.find("more"), std::string::npos) << found[1].sentence;
+}
+
 TEST(SuddenLoads, SaysNothingOfWhatRises) {
   for (const TimeFunction& history : std::vector<TimeFunction>{
            SineCycles{300, 1, 0}, SineCycles{300, INFINITY, 1e-3}, ExponentialDecay{1e-3, 0, 5e-4},

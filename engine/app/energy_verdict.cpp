@@ -66,7 +66,8 @@ bool has_material_damping(const Model& model) {
   return std::ranges::any_of(model.stages, [](const Stage& stage) { return stage.material_damping.acts(); });
 }
 
-// What loads, weight and motions did, and what was there at the start, J per m of thickness.
+// What loads, weight and motions did in all, and what was there at the start, J per m of thickness. What a load takes
+// back is off it.
 double brought(const EnergyLedger& energy) {
   return std::abs(energy.external_work) + std::abs(energy.gravity_work) + energy.initial_kinetic +
          energy.initial_strain + energy.initial_contact + energy.initial_bolts + energy.initial_linings;
@@ -75,7 +76,7 @@ double brought(const EnergyLedger& energy) {
 // What static stages take is damping in the ledger, so this is of stages in motion.
 std::string loss_of_steps(const Simulation& simulation) {
   const EnergyLedger& energy = simulation.energy();
-  const double all = brought(energy);
+  const double all = std::max(brought(energy), energy.scale());  // a load that goes again has brought nothing in all
   if (!(energy.numerical >= noted_loss * all) || energy.numerical < tolerated_residual * energy.scale() || all == 0)
     return "";
   const std::string cause =

@@ -215,15 +215,19 @@ std::optional<InterfaceState> MovingContacts::lost_end(const Model& model, const
   return found;
 }
 
+// `beside`: the contact that the face is pressed in by already, if any. An end of a stretch comes with a force of its
+// own, and with the depth of another it would have that of the other's springs as well.
 InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface,
-                                           const InterfaceElement& element, double distance) const {
+                                           const InterfaceElement& element, double distance,
+                                           const InterfaceState* beside) const {
   InterfaceState state = new_state(joint_of(model, interface));
   if (const std::optional<InterfaceState> end = lost_end(model, interface)) {
     state = *end;
     seat(element, distance, state);
-  } else {
-    press_no_more(distance, 0, state);
+    return state;
   }
+  press_no_more(distance, 0, state);
+  if (beside != nullptr) share_depth(*beside, state);
   return state;
 }
 
@@ -315,9 +319,10 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
         press_no_more(found[i].gap, moved, own);
       }
     } else {
-      states.push_back(first_state(model, interface, contacts.elements[entry], found[i].gap));
-      const std::ptrdiff_t beside = of_faces[i] ? succession.beside(found[i]) : -1;
-      if (beside >= 0) share_depth(contacts.states[stretches_ + static_cast<std::size_t>(beside)], states.back());
+      const std::ptrdiff_t place = of_faces[i] ? succession.beside(found[i]) : -1;
+      const InterfaceState* beside =
+          place < 0 ? nullptr : &contacts.states[stretches_ + static_cast<std::size_t>(place)];
+      states.push_back(first_state(model, interface, contacts.elements[entry], found[i].gap, beside));
     }
     measure(contacts.elements[entry], found[i].gap, states.back());
   }

@@ -68,7 +68,8 @@ class MovingContacts {
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact, double share) const;
   [[nodiscard]] std::optional<InterfaceState> lost_end(const Model& model, const Interface& interface) const;
   [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface,
-                                           const InterfaceElement& element, double distance) const;
+                                           const InterfaceElement& element, double distance,
+                                           const InterfaceState* beside) const;
 
   ContactSearch search_;
   SurfaceJoints surfaces_;

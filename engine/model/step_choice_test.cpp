@@ -84,6 +84,37 @@ TEST(StepChoice, OfBlocksThatFallFollowsTheirSize) {
   EXPECT_EQ(chosen(model), 2e-4);  // 0.01 * 1 m / 50 m/s, to the last digit
 }
 
+// Not where that is let go over a time: then the change of the load decides.
+TEST(StepChoice, OfRockRemovedAtOnceIsThatOfTheBlocksBesideIt) {
+  Model model = row_of_squares(false);
+  model.gravity = {0, -9.81};
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].removal.blocks = {3};
+  finish_model(model);
+  EXPECT_EQ(model.stages[0].dt, 2e-3);  // 0.01 sqrt(1/9.81) = 3.2 ms, of blocks that fall
+  EXPECT_EQ(model.stages[1].dt, 2e-4);  // half of 1 m / (2000 m/s) = 250 us
+
+  Model slow = row_of_squares(false);
+  slow.gravity = {0, -9.81};
+  slow.stages.push_back(slow.stages[0]);
+  slow.stages[1].removal = {{3}, PiecewiseLinear{{0, 1}, {1, 0}}};
+  finish_model(slow);
+  EXPECT_EQ(slow.stages[1].dt, 2e-3);
+}
+
+TEST(StepChoice, OfJointsThatGetTheirOwnStrengthAtOnceIsThatOfTheBlocks) {
+  Model model = row_of_squares(false);
+  model.gravity = {0, -9.81};
+  model.stages.push_back(model.stages[0]);
+  finish_model(model);
+  EXPECT_EQ(model.stages[1].dt, 2e-3);
+  for (Stage& stage : model.stages) stage.dt = 0;
+  model.stages[0].unlimited_strength = true;
+  finish_model(model);
+  EXPECT_EQ(model.stages[0].dt, 2e-3);
+  EXPECT_EQ(model.stages[1].dt, 2e-4);  // half of 1 m / (2000 m/s) = 250 us
+}
+
 TEST(StepChoice, OfWavesFollowsTheFrequencyAndTheIntegrator) {
   Model model = row_of_squares(true);
   EXPECT_EQ(chosen(model), 2e-4);  // half of 1 m / (2000 m/s) = 250 us

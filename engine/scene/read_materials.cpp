@@ -139,6 +139,16 @@ void check_projected_law(const Field& field, const JointMaterial& joint) {
   if (joint.dilation_angle > 0) field.at("dilation_angle").fail("0, or to be left out: the projected law has none yet");
 }
 
+// A joint that carried its load by the stress of the blocks has springs from when it breaks, and they begin with the
+// whole of that load: what they store of it, force squared over twice the stiffness, was brought by nothing. So they
+// are chosen stiff, as for "auto", unless the scene has springs of its own.
+void choose_springs_of_broken_ends(const Field& field, JointMaterial& joint) {
+  const bool carries_stress = joint.law == InterfaceLaw::consistent || joint.law == InterfaceLaw::cubic;
+  const bool can_break = !joint.bonded && (joint.cohesion > 0 || joint.tensile_strength > 0);
+  const bool has_own = field.has("normal_spring") || field.has("spring_over_young");
+  if (carries_stress && can_break && !has_own) joint.automatic_stiffness = true;
+}
+
 InterfaceLaw read_law(const Field& field) {
   using enum InterfaceLaw;
   const std::vector laws = {consistent, cubic, classical, projected};
@@ -156,6 +166,7 @@ JointMaterial read_joint(const std::string& name, const Field& field, const Sche
   read_springs(field, joint);
   read_consistent_law(field, joint);
   check_projected_law(field, joint);
+  choose_springs_of_broken_ends(field, joint);
   return joint;
 }
 

@@ -57,6 +57,9 @@ void check(const JointMaterial& then, const JointMaterial& now) {
   const std::string field = "joints." + name;
   expect(then.law == law, field + ".law", "kind");
   expect_equal(then.bonded, bonded, field + ".bonded");
+  if (is_dry(then) != is_dry(now))
+    refuse(field, is_dry(now) ? "without cohesion and tensile strength" : "with cohesion or tensile strength",
+           is_dry(then) ? "none" : "some");
   expect_equal(then.automatic_stiffness, automatic_stiffness, field + ".normal_stiffness \"auto\"");
   expect_equal(then.normal_spring, normal_spring, field + ".normal_spring");
   expect_equal(then.spring_over_young, spring_over_young, field + ".spring_over_young");
@@ -67,9 +70,6 @@ void check(const JointMaterial& then, const JointMaterial& now) {
   expect_equal(then.penalty, penalty, field + ".penalty");
   expect_equal(stabilisation_of(then), stabilisation.value_or(default_stabilisation), field + ".stabilisation");
   expect_equal(then.stabilisation.has_value(), stabilisation.has_value(), field + ".stabilisation");
-  if (is_dry(then) != is_dry(now))
-    refuse(field, is_dry(now) ? "without cohesion and tensile strength" : "with cohesion or tensile strength",
-           is_dry(then) ? "none" : "some");
 }
 
 bool are_same(const Integrator& a, const Integrator& b) {

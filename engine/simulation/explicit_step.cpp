@@ -93,7 +93,11 @@ void ExplicitStep::begin() {
   if (s.clock.stage > 0) s.audit.kinetic_counted_as(stored_energy().kinetic);
 }
 
-void ExplicitStep::end() { system_.audit.kinetic_counted_as(linear_.stored_energy().kinetic); }
+// Momenta of blocks on their own are not followed from step to step.
+void ExplicitStep::end() {
+  if (solver_.is_by_blocks()) linear_.operators->inertia_times.multiply(flat(system_.state.velocity), linear_.momentum);
+  system_.audit.kinetic_counted_as(linear_.stored_energy().kinetic);
+}
 
 void ExplicitStep::hand_over() {
   write_linear_states(system_);

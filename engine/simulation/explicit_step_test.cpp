@@ -9,6 +9,7 @@
 #include "engine/core/allocation_counter.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/simulation/block_system.h"
 #include "engine/simulation/explicit_models.h"
 #include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/stability_limit.h"
@@ -122,6 +123,31 @@ TEST(ExplicitStep, HandsOverNoEnergyThatItDoesNotHave) {
     const EnergyLedger& energy = simulation.energy();
     EXPECT_LT(std::abs(energy.relative_residual()), 1e-11) << "scene " << scene;
     EXPECT_LT(std::abs(energy.numerical), 1e-10 * energy.scale()) << "scene " << scene;
+  }
+}
+
+// A static stage that follows takes off the kinetic energy that the blocks have, and finds no other at the start than
+// central differences count otherwise.
+TEST(ExplicitStep, EndsWithTheKineticEnergyOfItsVelocities) {
+  std::mt19937 random(9);
+  for (int scene = 0; scene < 30; ++scene) {
+    const RandomBondedScene drawn(random, true);
+    const Stage moving = explicit_stage(0.95 * drawn.stable_dt(), 30);
+    Model alone = drawn.with(moving);
+    finish_model(alone);
+    Simulation before(alone);
+    run(before, 30);
+    Model model = drawn.with(moving);
+    model.stages.push_back(stage_of(static_integrator(), 1, 1));
+    finish_model(model);
+    Simulation simulation(model);
+    run(simulation, 31);
+    const double scale = before.energy().scale();
+    const double taken = simulation.energy().damping - before.energy().damping;
+    const double kinetic = kinetic_energy(before.system().terms, before.state());
+    const double found = simulation.energy().initial_kinetic - before.energy().initial_kinetic;
+    EXPECT_NEAR(found, kinetic - before.energy().kinetic, 1e-11 * scale) << scene;
+    EXPECT_GE(taken, kinetic - 1e-11 * scale) << scene;  // and what it finds on its way
   }
 }
 

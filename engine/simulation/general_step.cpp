@@ -169,8 +169,7 @@ void GeneralStep::pose(double end) {
   aim(system_.model, system_.state, end_of_motion(system_, motion_steps_, end), system_.held);
 }
 
-// True when the step must be solved again: loose blocks of a static stage have got a drag, or contacts are looked for
-// from further away.
+// True when the step must be solved again, with drag on loose blocks or contacts looked for from further away.
 bool GeneralStep::moves_further_than_seen() {
   const bool is_far = system_.plan.is_static && largest_motion(system_) > ContactSearch::reach / 2;
   if (is_far && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
@@ -363,7 +362,8 @@ void GeneralStep::accept() {
   accept_contacts();
   if (s.plan.contacts_can_change) {
     note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
-    note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
+    if (s.plan.finite_kinematics)  // or contacts stay those of the drawing, and nothing can pass
+      note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
   }
   s.reinforcement.bolts.accept(solver_.bolts(), s.audit);
   s.reinforcement.linings.accept(s.increment, s.audit);

@@ -228,7 +228,8 @@ double rounded_down_to_two_digits(double value) {
 // the margin leaves, and the caller asks for it.
 void shorten_to(double limit, Stage& stage) {
   constexpr double margin = 0.95;
-  stage.dt = rounded_down_to_two_digits(margin * limit);
+  const double longest = rounded_down_to_two_digits(margin * limit);
+  stage.dt = stage.duration > longest ? stage.duration / std::ceil(stage.duration / longest) : longest;
   stage.dt_reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
 }
 

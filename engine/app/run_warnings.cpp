@@ -21,8 +21,10 @@ std::string penetration_warning(const Simulation& simulation) {
 std::string loose_warning(const Simulation& simulation) {
   const auto& loose = simulation.loose_blocks();
   if (loose.empty()) return "";
-  return fmt::format("warning: nothing holds {}; in static stages they stayed where they were, so that others settle",
-                     named_with_places(simulation.model(), loose));
+  return fmt::format(
+      "warning: nothing holds {}; in static stages they were held where half of their size of sinking and sliding "
+      "had taken them, so that others settle",
+      named_with_places(simulation.model(), loose));
 }
 
 }  // namespace

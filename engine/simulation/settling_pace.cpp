@@ -31,9 +31,9 @@ double transit_time(const Model& model) {
   return diameter(model) / slowest;
 }
 
-// Contacts that cannot slide make the step a convex problem.
+// Contacts that cannot slide make the step a convex problem, but where blocks move only that of one geometry.
 bool is_convex(const Stage& stage, bool contacts_can_change) {
-  return stage.unlimited_strength || !contacts_can_change;
+  return (stage.unlimited_strength && stage.kinematics == Kinematics::small) || !contacts_can_change;
 }
 
 }  // namespace

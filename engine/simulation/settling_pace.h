@@ -3,9 +3,10 @@
 // A static step solves (c_m M + K) d = forces out of balance, c_m = 2/dt^2: the longer it is, the nearer it comes to
 // equilibrium, and the more contacts change in it. Unit of all lengths is the transit time T of the scene, its diameter
 // over the slowest speed sqrt(E/rho) of its rock: the slowest mode of closely joined blocks has a period of some T, so
-// a step of r T divides what is out of balance by about (pi r)^2/2. Where contacts cannot slide a step is a convex
-// problem (or a linear one), which is solved at any length: steps begin long. With friction they begin short, grow as
-// the open-close iteration settles easily, and shrink where it does not.
+// a step of r T divides what is out of balance by about (pi r)^2/2. Where contacts cannot slide and
+// blocks keep their geometry a step is a convex problem (or a linear one), which is solved at any length: steps begin
+// long. With friction they begin short, grow as the open-close iteration settles easily, and shrink where it does not;
+// so they do where blocks move, as one long step can open many joints at once, after which they close elsewhere.
 #pragma once
 
 #include <cstdint>

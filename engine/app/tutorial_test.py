@@ -4,9 +4,12 @@
 Usage: tutorial_test.py PROGRAM PAGE EXAMPLES. In blocks of code, a line that begins with "dda " is a command and the lines below
 it are what it prints; a line "..." stands for any lines, a page that shows nothing asks for nothing, and seconds may differ. A
 block that begins with "{" is a scene, which the text before it names: "... `name.json`:". An image is the file that the text
-before it names, "`name.svg`". Files of EXAMPLES lie in the folder.
+before it names, "`name.svg`". A table that begins with "| `summary.json` | | `FOLDER` | ..." has figures that the summary.json of these
+folders must have: place ("peaks.ejected.blocks", a number of it names an entry of a list), what it is, a value for each folder. Files and
+folders of EXAMPLES lie in the folder.
 """
 
+import json
 import re
 import shlex
 import shutil
@@ -35,6 +38,43 @@ def steps_of(page):
 def images_of(page):
     """The file that a command writes, and the image of the page that must be the same."""
     return re.findall(r"`([\w./]+\.svg)`[^\n]*\n\n!\[[^\]]*\]\(([^)]+)\)", page)
+
+
+# Units that a page may show in place of those of the files.
+UNITS = {"kJ/m": 1e3, "t/m": 1e3}
+
+
+def cells_of(row):
+    return [cell.strip(" `") for cell in row.strip().strip("|").split("|")]
+
+
+def figures_of(page):
+    """(folder, place, value shown, its unit) of every figure in the tables of figures."""
+    for table in re.findall(r"^\| `summary\.json` \|.*\n\|[-| ]+\n(?:\|.*\n)+", page, re.MULTILINE):
+        head, _, *rows = [cells_of(row) for row in table.splitlines()]
+        for place, _, *shown in rows:
+            for folder, cell in zip(head[2:], shown, strict=True):
+                value, _, unit = cell.partition(" ")
+                yield folder, place, value, unit
+
+
+def value_at(place, content):
+    for key in place.split("."):
+        content = content[int(key) if isinstance(content, list) else key]
+    return content
+
+
+def is_as_shown(value, shown, unit):
+    """Whether a value is the one shown, to one unit of the last digit shown beside rounding: other compilers round otherwise."""
+    digits = len(shown.partition(".")[2])
+    return abs(value / UNITS.get(unit, 1) - float(shown)) < 1.5 * 10.0**-digits
+
+
+def wrong_figures(page, folder):
+    for run_folder, place, shown, unit in figures_of(page):
+        value = value_at(place, json.loads((Path(folder) / run_folder / "summary.json").read_text()))
+        if not is_as_shown(value, shown, unit):
+            yield f"{place} of {run_folder} is {value}, but the page has {shown} {unit}"
 
 
 def matches(shown, printed):
@@ -79,6 +119,9 @@ def main():
             if (Path(folder) / made).read_bytes() != (Path(page).parent / image).read_bytes():
                 print(f"{image} is not what {made} came out as")
                 return 1
+        if wrong := list(wrong_figures(text, folder)):
+            print("\n".join(wrong))
+            return 1
     print(f"{tried} commands do what the page says")
     return 0 if tried else 1
 

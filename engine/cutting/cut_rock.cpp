@@ -62,6 +62,14 @@ void part_where_touching(Arrangement& arrangement, const FaceGroups& groups, con
     outlines = trace_outlines(arrangement, groups);
 }
 
+// The blocks are whole, so this is no reason to refuse them; but some may be as thin as round-off.
+std::string unfinished_remark(const PlanPieces& pieces) {
+  return fmt::format(
+      "corners and lines nearer to each other than {:.3g} m may be left, expected none after all rounds of closing "
+      "round-off; a larger \"tolerance\" joins them",
+      round_off_of(pieces));
+}
+
 CutRock cut_filled(const RockPlan& plan, const CutOptions& options) {
   FilledPlan filled = with_cells(plan, options);
   CutRock rock = cut_rock(filled.plan, options);
@@ -103,9 +111,10 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   rock.boundary_area = boundary_area(plan);
   append(rock.cleaned, std::move(pieces.cleaned));
   say("finding crossings");
-  Noding noding =
-      welded(node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid), pieces, plan, rock.cleaned);
+  Noding noding = welded(node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid), pieces, plan,
+                         rock.cleaned, options.most_rounds);
   rock.pieces_noded = noding.pieces_noded;
+  if (noding.is_unfinished) rock.remarks.push_back(unfinished_remark(pieces));
   say("finding blocks");
   Arrangement arrangement(std::move(noding));
   const std::vector<FacePlace> places = places_of_faces(arrangement, pieces, plan);

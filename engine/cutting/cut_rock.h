@@ -16,6 +16,7 @@ struct CutOptions {
   double least_area = 0;   // m2: smaller blocks are merged into a neighbour
   double least_angle = 0;  // rad: so are blocks with a sharper corner
   std::size_t most_blocks = 2'000'000;
+  int most_rounds = 20;  // of closing round-off; when they are used up, a remark says so
   // Called with what is being done, before each part of the work.
   std::function<void(std::string_view)> progress;
 };
@@ -70,11 +71,12 @@ struct CutRock {
   std::vector<CutJoint> joints;
   std::vector<Cleaned> cleaned;
   std::vector<CutFill> fills;
-  double tolerance = 0;      // m, that was used
-  double boundary_area = 0;  // m2: boundary less holes, from the plan
-  double left_out_area = 0;  // m2, of it in openings that are left out
-  double dropped_area = 0;   // m2, of it in slivers without neighbour; blocks are the rest
-  int merged = 0;            // blocks that went to a neighbour
+  std::vector<std::string> remarks;  // sentences on what was not done as it should be, though all areas are right
+  double tolerance = 0;              // m, that was used
+  double boundary_area = 0;          // m2: boundary less holes, from the plan
+  double left_out_area = 0;          // m2, of it in openings that are left out
+  double dropped_area = 0;           // m2, of it in slivers without neighbour; blocks are the rest
+  int merged = 0;                    // blocks that went to a neighbour
   int dangles_trimmed = 0;
   std::size_t outlines_traced = 0;  // of blocks, before any were merged and after
   std::size_t pieces_noded = 0;     // straight pieces that were compared with others to find where they meet

@@ -235,5 +235,21 @@ TEST(CutRock, RefusesWhatCannotBeCut) {
   expect_refusal(many, "cut into 10 blocks, expected at most 5", options);
 }
 
+// Two lines as far apart as round-off become one in the first round; were there no more rounds, whether that was all
+// would not be known.
+TEST(CutRock, RoundsOfClosingRoundOffThatAreUsedUpAreRemarkedOn) {
+  RockPlan plan = square_plan();
+  add_line(plan, {{0, 3}, {10, 3}});
+  add_line(plan, {{0, 3 + 1e-9}, {10, 3}});
+  EXPECT_TRUE(cut_rock(plan).remarks.empty());
+  CutOptions options;
+  options.most_rounds = 1;
+  const CutRock rock = cut_rock(plan, options);
+  expect_sound(rock, plan);
+  ASSERT_EQ(rock.remarks.size(), 1U);
+  EXPECT_EQ(rock.remarks[0].find("corners and lines nearer to each other than 1.41e-07 m may be left"), 0U)
+      << rock.remarks[0];
+}
+
 }  // namespace
 }  // namespace dda

@@ -176,13 +176,15 @@ class ShortEdges {
     return Goal{b, a, rank(a) > 0 ? places.position(a) : middle};
   }
 
-  [[nodiscard]] bool all_sound(const ShortEdge& edge, const Places& places) {
-    for (const int node : {edge.a, edge.b}) {
-      for (const std::size_t block : blocks_at_.at(node)) {
-        if (defect(polygon_of(blocks_[block], places))) return false;
-      }
-    }
-    return true;
+  // Most blocks at one end of a short edge are at the other too; each is asked once.
+  [[nodiscard]] bool all_sound(const ShortEdge& edge, const Places& places) const {
+    std::vector<std::size_t> around = blocks_at_.at(edge.a);
+    const std::vector<std::size_t>& more = blocks_at_.at(edge.b);
+    around.insert(around.end(), more.begin(), more.end());
+    std::ranges::sort(around);
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    return std::ranges::none_of(
+        around, [&](std::size_t block) { return defect(polygon_of(blocks_[block], places)).has_value(); });
   }
 
   const Arrangement& arrangement_;

@@ -51,6 +51,7 @@ struct Noding {
   std::vector<Vec2> positions;   // m, of the nodes; each in its pixel: an end as given, else the crossing
   std::vector<Link> links;       // ascending, each once
   std::size_t pieces_noded = 0;  // how many pieces were compared with others, what that cost
+  bool is_unfinished = false;    // welding used up its rounds: places nearer than round-off may be left
 };
 
 // `known` are the places of the drawing that nodes keep. Other ends of pieces get the middle of a pixel.

@@ -25,7 +25,6 @@ constexpr double least_steps = 4;  // of the grid: twice what rounding moves a n
 // corner, they would change places, round after round. With this share the angles at A and B are less than 45 degrees
 // in that case, so the one at C is obtuse, and B is not beside AC but beyond its end.
 constexpr double share_beside_links = 0.7071;
-constexpr int most_rounds = 20;  // two do; more only where welding brings other places together
 constexpr int none = -1;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -377,11 +376,12 @@ double round_off_of(const PlanPieces& pieces) {
   return std::max(share_of_tolerance * pieces.tolerance, least_steps * pieces.grid.step());
 }
 
-Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned) {
+Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned,
+              int most_rounds) {
   std::optional<Places> unseen;
   for (int round = 0; round < most_rounds; ++round) {
     Welder welder(noding, pieces, plan, unseen, cleaned);
-    if (!welder.weld()) break;
+    if (!welder.weld()) return noding;
     const std::size_t noded = noding.pieces_noded;
     const Renoding changed = welder.renoding();
     if (welder.has_compared())
@@ -391,6 +391,7 @@ Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std
     noding = node_again(changed, pieces.straights, pieces.grid);
     noding.pieces_noded += noded;
   }
+  noding.is_unfinished = true;
   return noding;
 }
 

@@ -17,7 +17,9 @@ namespace dda {
 double round_off_of(const PlanPieces& pieces);
 
 // Boundary and holes stay as drawn: what is near them moves onto them. Appends to `cleaned` what moved by more than a
-// step of the grid.
-Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned);
+// step of the grid. Two rounds do; there are more only where welding brings other places together. When they are used
+// up, the noding says so; its links still meet in nodes only.
+Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned,
+              int most_rounds);
 
 }  // namespace dda

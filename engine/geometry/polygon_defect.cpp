@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/polygon.h"
@@ -113,13 +114,19 @@ Reason edge_defect(const Polygon& polygon, double tolerance) {
   return std::nullopt;
 }
 
-// Of rings that neither cross nor touch: one vertex tells where a hole lies.
+// Of rings that neither cross nor touch: one vertex tells where a hole lies. Only holes whose boxes hold the vertex are
+// asked, as rock between short joints has thousands of holes that are far from each other.
 Reason nesting_defect(const Polygon& polygon) {
+  if (polygon.holes.empty()) return std::nullopt;
   const Polygon solid = {polygon.outer, {}};
+  std::vector<Box> boxes;
+  for (const Ring& hole : polygon.holes) boxes.push_back(bounding_box(hole));
+  const BoxIndex index(std::move(boxes));
   for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
     const Vec2& vertex = polygon.holes[i].front();
     if (!contains(solid, vertex)) return fmt::format("inconsistent: hole {} lies outside the outer ring", i);
-    for (std::size_t j = 0; j < polygon.holes.size(); ++j) {
+    for (const int other : index.overlapping({vertex, vertex})) {
+      const auto j = static_cast<std::size_t>(other);
       if (j == i || !contains({polygon.holes[j], {}}, vertex)) continue;
       return fmt::format("inconsistent: hole {} lies inside hole {}", i, j);
     }

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <numbers>
 
@@ -125,6 +127,39 @@ RC_GTEST_PROP(PolygonDefectProperty, ADrawnInHoleIsValidAndAShiftedOneIsNot, ())
   const double angle = random::number(-3.2, 3.2);
   const Vec2 shift = 2.1 * Vec2(std::cos(angle), std::sin(angle));
   RC_ASSERT(defect({outer, {random::transformed({hole, {}}, Mat2::Identity(), shift).outer}}) != std::nullopt);
+}
+
+// Square holes in rows, apart from each other.
+Polygon with_holes(int rows) {
+  Polygon polygon = {box(0, 0, rows, rows), {}};
+  for (int i = 0; i < rows * rows; ++i) {
+    const double x = i % rows + 0.25;
+    const double y = i / rows + 0.25;
+    polygon.holes.push_back(box(x, y, x + 0.5, y + 0.5));
+  }
+  return polygon;
+}
+
+double seconds_to_check(const Polygon& polygon) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const std::clock_t began = std::clock();
+    EXPECT_FALSE(defect(polygon).has_value());
+    least = std::min(least, static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC);
+  }
+  return least;
+}
+
+// Sixteen times as many holes take about sixteen times as long where each is compared with its neighbours, and 256
+// times where it is compared with all; the bound is half-way in powers of ten.
+TEST(PolygonDefect, ManyHolesAreComparedWithThoseNearOnly) {
+  EXPECT_LE(seconds_to_check(with_holes(80)), 64 * seconds_to_check(with_holes(20)));
+}
+
+TEST(PolygonDefect, OneHoleInAnotherIsFoundAmongMany) {
+  Polygon polygon = with_holes(20);
+  polygon.holes.push_back(box(7.4, 5.4, 7.6, 5.6));
+  EXPECT_EQ(defect(polygon), "inconsistent: hole 400 lies inside hole 107");
 }
 
 }  // namespace

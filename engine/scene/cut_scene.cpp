@@ -103,6 +103,7 @@ class Cutter {
     cut_entry.rock = read_rock(*rock, from, model_);
     cut_entry.rock.options.progress = progress_;
     cut_entry.cut = dda::cut(cut_entry.rock);
+    std::ranges::copy(cut_entry.cut.remarks, std::back_inserter(cut_entry.rock.remarks));
     result_.entries.push_back(std::move(cut_entry));
   }
 

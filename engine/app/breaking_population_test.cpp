@@ -1,4 +1,4 @@
-// Stressed rock with brittle joints, an opening removed at once: sixty by lot. Joints that break hand what they carried
+// Stressed rock with brittle joints, an opening removed at once: thirty by lot. Joints that break hand what they carried
 // to springs, and springs that began with it compressed by nothing gave up to a seventh of all energy away.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int scenes = 60;
+constexpr int scenes = 30;
 
 // Share of the largest energy. Springs of broken joints add at most 1 % to the compliance of the blocks, and as much
 // of what the blocks store is the most that they can give; a run that gains it is refused.
@@ -64,7 +64,7 @@ TEST(BreakingPopulation, JointsThatBreakGiveNoEnergy) {
     EXPECT_LT(simulation.energy().gain(), allowed_gain) << "seed " << seed;
     with_friction += simulation.energy().friction > 0.01 * simulation.energy().scale();
   }
-  EXPECT_GE(with_friction, 20);  // or nothing broke
+  EXPECT_GE(with_friction, 10);  // or nothing broke
 }
 
 }  // namespace

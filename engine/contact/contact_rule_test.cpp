@@ -115,6 +115,27 @@ TEST(DampedContact, ActsOnTheRateOfTheGap) {
   EXPECT_NEAR(after.force(1), spring / 2 * 0.02, round_off * spring);
 }
 
+// A dashpot may bring an end to its friction though its spring alone is well below. What slides then lies in line with
+// both, so it goes the way of the force, and spring and dashpot go on bearing that force together.
+TEST(DampedContact, SlidesTheWayItIsPushed) {
+  Draw draw;
+  const InterfaceElement element = contact_with(7);
+  int slid = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const InterfaceState start = at_gap(-0.5, 0.2 * draw());
+    InterfaceTrial trial = start_trial(element, {0, 0, 0.5}, start, {.dashpot_rate = 10});
+    trial.gap << -0.5 + 0.1 * draw(), start.gap(1) + draw(), 0, 0;
+    respond(element, trial);
+    const InterfaceState after = finish_trial(element, start, trial);
+    if (after.status[0] != ContactStatus::sliding) continue;
+    ++slid;
+    EXPECT_GE((after.slip[0] - start.slip[0]) * trial.force(1), -round_off * spring);
+    EXPECT_NEAR(after.force(1) + dashpot_force(element, trial)(1), trial.force(1), round_off * spring);
+    EXPECT_NEAR(dashpot_force(element, trial)(1), 3.5 * 10 * (after.gap(1) - start.gap(1)), round_off * spring);
+  }
+  EXPECT_GT(slid, 100);
+}
+
 TEST(StickingContact, CarriesAnyShearWhileClosedAndNoneWhenOpen) {
   const InterfaceElement element = contact_with(0);
   const ContactRule rule{.sticks = true, .touching = 1e-9};

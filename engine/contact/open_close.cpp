@@ -92,10 +92,22 @@ bool slides(const InterfaceTrial& trial, int end) {
          trial.active(normal_row(end) + 1) < 1;
 }
 
-// What the spring of an end that slides keeps of its shear.
+// How far the slider in line with spring and dashpot, which lie side by side, has gone where they bear `force` alone.
+double yielded(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
+  const Row row = row_of(springs, trial, normal_row(end) + 1);
+  const double beyond = stuck_force(row, trial.gap(normal_row(end) + 1)) - trial.force(normal_row(end) + 1);
+  return elastic_gap(beyond, row.stiffness + row.dashpot, 0);
+}
+
+// What the spring of an end that slides keeps of its shear. Beside a dashpot it is less than the friction: what the
+// dashpot bears of that comes to nothing when the step ends, and a spring that took it over would be stretched against
+// the way of the slip, with energy from nowhere.
 double shear_kept(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
   const Eigen::Index row = normal_row(end) + 1;
-  if (!trial.rule.conserves_energy) return trial.force(row);
+  if (!trial.rule.conserves_energy) {
+    if (springs.dashpot(row) == 0) return trial.force(row);
+    return springs.stiffness(row) * (trial.gap(row) - yielded(springs, trial, end));
+  }
   const double friction = trial.capacity[static_cast<std::size_t>(end)] / 2;
   return std::clamp(springs.stiffness(row) * trial.gap(row), -friction, friction);
 }
@@ -112,13 +124,6 @@ bool slips(const InterfaceSprings& springs, const InterfaceTrial& trial, int end
 double slip_in_step(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
   const Eigen::Index row = normal_row(end) + 1;
   return trial.gap(row) - elastic_gap(shear_kept(springs, trial, end), springs.stiffness(row), trial.gap(row));
-}
-
-// The same as the law of hardening sees it, dashpot included.
-double yielded(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
-  const Row row = row_of(springs, trial, normal_row(end) + 1);
-  const double beyond = stuck_force(row, trial.gap(normal_row(end) + 1)) - trial.force(normal_row(end) + 1);
-  return elastic_gap(beyond, row.stiffness + row.dashpot, 0);
 }
 
 // What the capacity gains for each metre of slip where every metre of rise presses by `stiffness` more.
@@ -299,7 +304,10 @@ Vec4 dashpot_force(const InterfaceSprings& springs, const InterfaceTrial& trial)
     const Row tangent = row_of(springs, trial, n + 1);
     if (!normal.broken) continue;
     force(n) = trial.force(n) - spring(trial.rule, normal.stiffness, normal.start, trial.normal_gap(end)).force;
-    if (trial.active(n + 1) >= 1) force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
+    if (trial.active(n + 1) >= 1)
+      force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
+    else if (!trial.rule.conserves_energy && trial.normal_gap(end) < 0)
+      force(n + 1) = trial.force(n + 1) - shear_kept(springs, trial, end);
   }
   return force;
 }

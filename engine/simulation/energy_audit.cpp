@@ -106,13 +106,16 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
                                     const InterfaceState& after, const Vec4& gap_change, const Vec4& extra_force,
                                     const Vec4& dashpot_force) {
   const double work = gap_change.dot((before.force + after.force) / 2 + extra_force);
-  const double dashpot = gap_change.dot(dashpot_force);
+  double dashpot = gap_change.dot(dashpot_force);
   double friction = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
-    // Where a step turns the slip round, the mean force may point against it: that is no friction.
-    friction +=
-        std::max(0.0, (before.force(shear_row) + after.force(shear_row)) / 2 * (after.slip[end] - before.slip[end]));
+    // What slides bears what spring and dashpot bear together. Where a step turns the slip round, the mean force may
+    // point against it: that is no friction.
+    const double slip = after.slip[end] - before.slip[end];
+    const double spring_force = (before.force(shear_row) + after.force(shear_row)) / 2;
+    friction += std::max(0.0, (spring_force + dashpot_force(shear_row)) * slip);
+    dashpot -= dashpot_force(shear_row) * slip;
     // What sliding up its own slope gives back against the normal force is no loss.
     const auto normal_row = shear_row - 1;
     const double pressing =

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/advice/remarks.h"
+#include "engine/advice/ringing_weight.h"
 #include "engine/app/branch_origin.h"
 #include "engine/app/frame_clock.h"
 #include "engine/app/lining_report.h"
@@ -64,6 +65,9 @@ class Run {
         probes_(checked_probes()),
         lock_(checked_folder()),
         resumed_(position_to_resume()) {
+    if (!options.from)
+      for (std::string& sentence : ringing_weight(simulation_.model(), simulation_.contacts()))
+        remarks_.push_back(std::move(sentence));
     phases_.emplace_back("read and set up", wall_seconds() - began_);
     setting_up_.reset();
   }

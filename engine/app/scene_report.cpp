@@ -14,6 +14,7 @@
 
 #include "engine/advice/advice.h"
 #include "engine/advice/remarks.h"
+#include "engine/advice/ringing_weight.h"
 #include "engine/app/measurement_report.h"
 #include "engine/app/recording_report.h"
 #include "engine/app/stiffness_report.h"
@@ -294,6 +295,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   if (const Simulation* columns = simulation.free_field_columns()) add_free_field(model, *columns, text);
   add_size(model, contacts, matrix, text);
   for (const std::string& remark : remarks_on(model, contacts)) text.line("remark", "{}", remark);
+  for (const std::string& remark : ringing_weight(model, contacts)) text.line("remark", "{}", remark);
   for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(simulation, i, matrix, text);
   add_waves(simulation, frequency, text);
   return text.take();

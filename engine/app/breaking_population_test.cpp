@@ -1,5 +1,5 @@
-// Stressed rock with brittle joints, an opening removed at once: thirty by lot. Joints that break hand what they carried
-// to springs, and springs that began with it compressed by nothing gave up to a seventh of all energy away.
+// Stressed rock with brittle joints, an opening removed at once: thirty by lot. Joints that break hand what they
+// carried to springs, and springs that began with it compressed by nothing gave up to a seventh of all energy away.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -13,6 +13,10 @@ constexpr double never = std::numeric_limits<double>::infinity();
 // Depths below this share of a block's least thickness are not looked at: what rests never gets there.
 constexpr double noted_share = ruinous_share / 2;
 
+// Nor those below this share of the smaller block's side. The tip of a needle is as thin as one likes, and what presses
+// there closes a joint by more than that without going anywhere. Plates thinner than 4e-6 of their length are beyond it.
+constexpr double noted_of_side = 1e-3;
+
 // Where the ray from `face` against `normal` leaves the block through an edge of the ring, m from the face. Rings have
 // the block on their left: edges through which a ray leaves run to its left, and that of the face it starts from does
 // not.
@@ -43,20 +47,26 @@ double thickness_behind(const Model& model, const State& state, int block, const
 
 namespace {
 
+double smaller_area(const Model& model, const Interface& interface) {
+  return std::min(model.blocks[static_cast<std::size_t>(interface.block_a)].moments.area,
+                  model.blocks[static_cast<std::size_t>(interface.block_b)].moments.area);
+}
+
 void compare(const Model& model, const State& state, int inner, int thinner, const Vec2& corner, const Vec2& normal,
              double depth, DepthInThickness& deepest) {
   const double share = depth / thickness_behind(model, state, thinner, corner + depth * normal, normal);
   if (share > deepest.share) deepest = {depth, share, inner, thinner, corner, state.time};
 }
 
-// A lone vertex is block b's, on a face of a; of a stretch both blocks have a face.
+// A lone vertex is block b's, on a face of a; of a stretch both blocks have a face, and are as thick as in its middle:
+// its end may lie on the edge of the far face, or in the tip of a needle, which is as thin as one likes.
 void look_at(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
              const Vec2& drawn, double depth, DepthInThickness& deepest) {
   const Vec2 normal = element.rows_b.block<1, 2>(0, 0).transpose();
-  const Vec2 corner = current_position(model, state, interface.block_b, drawn);
+  const Vec2 middle = is_lone_vertex(element) ? drawn : Vec2((interface.from + interface.to) / 2);
+  const Vec2 corner = current_position(model, state, interface.block_b, middle);
   compare(model, state, interface.block_b, interface.block_a, corner, normal, depth, deepest);
   if (is_lone_vertex(element)) return;
-  const Vec2 middle = (interface.from + interface.to) / 2;  // an end may lie on the edge of the far face
   compare(model, state, interface.block_a, interface.block_b, current_position(model, state, interface.block_a, middle),
           -normal, depth, deepest);
 }
@@ -76,6 +86,7 @@ void note_depths_in_thickness(const Model& model, const State& state, const Cont
       const double width = std::min(widths.of_blocks[static_cast<std::size_t>(element.block_a)],
                                     widths.of_blocks[static_cast<std::size_t>(element.block_b)]);
       const Interface& interface = contacts.interfaces[i];
+      if (depth * depth <= noted_of_side * noted_of_side * smaller_area(model, interface)) continue;
       if (depth > std::max(noted_share, deepest.share) * width)
         look_at(model, state, interface, element, end == 0 ? interface.from : interface.to, depth, deepest);
     }

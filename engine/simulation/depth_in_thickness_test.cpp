@@ -68,6 +68,29 @@ Simulation thrown(double thickness, double speed, double young) {
   return simulation_of(std::move(model));
 }
 
+// A needle under a block, pressed in evenly by 0.1 mm: at the tip that is more than all there is of it.
+TEST(DepthInThickness, OfStretchesIsThatInTheirMiddle) {
+  for (const double height : {0.1, 0.01, 0.001}) {
+    Model model = model_of({{{{0, 0}, {1, 0}, {0, height}}, {}}, {{{1, 0}, {1, 1}, {0, 1}, {0, height}}, {}}});
+    model.joints[0].law = InterfaceLaw::classical;
+    finish_model(model);
+    const State state = initial_state(model);
+    ContactSet contacts = make_contacts(model);
+    ASSERT_EQ(contacts.interfaces.size(), 1U);
+    for (const int row : {0, 2}) contacts.states[0].gap(row) = -1e-4;
+    DepthInThickness deepest;
+    const std::vector<double> widths(2, 0.0);
+    note_depths_in_thickness(model, state, contacts, {widths, 0}, deepest);
+    if (height > 0.01) {  // less than a thousandth of its side, which is the root of half its height times its length
+      EXPECT_EQ(deepest.share, 0) << height;
+    } else {
+      // Straight through from the slope, which has not moved here: the face is taken to be 0.1 mm before the corner.
+      const double middle = height / 2 * std::hypot(1, height) + 1e-4;
+      EXPECT_NEAR(deepest.share, 1e-4 / middle, 1e-3 * 1e-4 / middle) << height;
+    }
+  }
+}
+
 // The oracle is where the block ends: below a plate that neither moves nor breaks.
 TEST(DepthInThickness, OfBlocksThatHavePassedIsMoreThanHalf) {
   std::mt19937 random(11);

@@ -20,11 +20,8 @@ const JointMaterial& joint_of(const Model& model, const Interface& interface) {
   return model.joints[at(interface.joint)];
 }
 
-// The two blocks of an interface or of an end of one, the smaller index first.
-template <typename Between>
-std::pair<int, int> pair_of(const Between& between) {
-  return std::minmax(between.block_a, between.block_b);
-}
+// The two blocks of an interface, the smaller index first.
+std::pair<int, int> pair_of(const Interface& interface) { return std::minmax(interface.block_a, interface.block_b); }
 
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
@@ -65,6 +62,21 @@ InterfaceState new_state(const JointMaterial& joint) {
   state.broken = {true, true};
   state.residual = {failed, failed};
   state.status = {ContactStatus::open, ContactStatus::open};
+  return state;
+}
+
+// `from_stretch`: what ends of stretches leave to the contact, if any. They come with a force of their own, and with
+// the depth of another contact the springs would have that one's as well. `beside`: the contact that the face is
+// pressed in by already, if any.
+InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& element, double distance,
+                           const std::optional<InterfaceState>& from_stretch, const InterfaceState* beside) {
+  InterfaceState state = from_stretch.value_or(new_state(joint));
+  if (from_stretch) {
+    seat(element, distance, state);
+    return state;
+  }
+  press_no_more(distance, 0, state);
+  if (beside != nullptr) share_depth(*beside, state);
   return state;
 }
 
@@ -168,8 +180,7 @@ void MovingContacts::end_stretches(const Model& model, const State& state, bool 
   drop_stretches(ends, contacts);
 }
 
-// Forces, slip and dilation of stretches that end go on in the vertex contacts that take their place. They are sorted
-// by their pair of blocks, so that first_state() finds them quickly.
+// Forces, slip and dilation of stretches that end go on in the vertex contacts that take their place.
 void MovingContacts::keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones,
                                const std::vector<char>& ends) {
   for (std::size_t i = 0; i < stretches_; ++i) {
@@ -188,47 +199,10 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
       own.residual = {has_failed || whole.residual[end], has_failed};
       own.slip[0] = whole.slip[end];
       own.dilation[0] = whole.dilation[end];
-      lost_ends_.push_back(
-          {interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to, normal, own});
+      lost_ends_.add({interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to,
+                      (interface.to - interface.from).normalized(), normal, own});
     }
   }
-  std::stable_sort(lost_ends_.begin(), lost_ends_.end(),
-                   [](const StretchEnd& a, const StretchEnd& b) { return pair_of(a) < pair_of(b); });
-}
-
-// The end of a stretch that was where the contact is; of two that met at a vertex within a face the forces of both.
-std::optional<InterfaceState> MovingContacts::lost_end(const Model& model, const Interface& interface) const {
-  const std::pair<int, int> pair = pair_of(interface);
-  auto end = std::lower_bound(lost_ends_.begin(), lost_ends_.end(), pair,
-                              [](const StretchEnd& each, const auto& wanted) { return pair_of(each) < wanted; });
-  std::optional<InterfaceState> found;
-  for (; end != lost_ends_.end() && pair_of(*end) == pair; ++end) {
-    if ((end->place - interface.from).norm() > point_tolerance(model)) continue;
-    const double sense = end->block_a == interface.block_a ? 1 : -1;
-    if (sense * end->normal.dot(interface.normal) < same_direction) continue;
-    if (found) {
-      found->force += end->state.force;
-    } else {
-      found = end->state;
-    }
-  }
-  return found;
-}
-
-// `beside`: the contact that the face is pressed in by already, if any. An end of a stretch comes with a force of its
-// own, and with the depth of another it would have that of the other's springs as well.
-InterfaceState MovingContacts::first_state(const Model& model, const Interface& interface,
-                                           const InterfaceElement& element, double distance,
-                                           const InterfaceState* beside) const {
-  InterfaceState state = new_state(joint_of(model, interface));
-  if (const std::optional<InterfaceState> end = lost_end(model, interface)) {
-    state = *end;
-    seat(element, distance, state);
-    return state;
-  }
-  press_no_more(distance, 0, state);
-  if (beside != nullptr) share_depth(*beside, state);
-  return state;
 }
 
 Interface MovingContacts::interface_of(const Model& model, const VertexContact& contact, double share) const {
@@ -242,6 +216,24 @@ Interface MovingContacts::interface_of(const Model& model, const VertexContact& 
   interface.joint = surfaces_.joint_of(model, outlines, contact);
   if (depends_on_length(joint_of(model, interface))) interface.share = share;
   return interface;
+}
+
+// For each of `found`, of which those that go on from `earlier` contacts have nothing to come. Empty where no stretch
+// has ended, as in nearly all steps.
+std::vector<std::optional<InterfaceState>> MovingContacts::left_by_stretches(
+    const Model& model, const std::vector<VertexContact>& found, const std::vector<std::ptrdiff_t>& earlier) const {
+  if (lost_ends_.empty()) return {};
+  std::vector<std::size_t> places;
+  std::vector<Interface> heirs;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (earlier[i] >= 0) continue;
+    places.push_back(i);
+    heirs.push_back(interface_of(model, found[i], 0));
+  }
+  const auto left = lost_ends_.shared_among(heirs, point_tolerance(model));
+  std::vector<std::optional<InterfaceState>> all(found.size());
+  for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = left[k];
+  return all;
 }
 
 void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& contacts) {
@@ -297,6 +289,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   std::vector<InterfaceState> states(contacts.states.begin(),
                                      contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_));
   Succession succession(known_, found, of_faces, search_.outlines());
+  const std::vector<std::optional<InterfaceState>> left = left_by_stretches(model, found, succession.earlier());
   const std::size_t total = stretches_ + found.size();
   contacts.interfaces.resize(total);
   contacts.elements.resize(total);
@@ -322,7 +315,8 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
       const std::ptrdiff_t place = of_faces[i] ? succession.beside(found[i]) : -1;
       const InterfaceState* beside =
           place < 0 ? nullptr : &contacts.states[stretches_ + static_cast<std::size_t>(place)];
-      states.push_back(first_state(model, interface, contacts.elements[entry], found[i].gap, beside));
+      states.push_back(first_state(joint_of(model, interface), contacts.elements[entry], found[i].gap,
+                                   left.empty() ? std::nullopt : left[i], beside));
     }
     measure(contacts.elements[entry], found[i].gap, states.back());
   }

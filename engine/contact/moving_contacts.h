@@ -3,12 +3,14 @@
 // between their two blocks are broken.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/contact/contact_search.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/lost_ends.h"
 #include "engine/contact/surface_joints.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/model/model.h"
@@ -50,14 +52,6 @@ class MovingContacts {
   }
 
  private:
-  // An end of a stretch, in place of which there is now a vertex contact.
-  struct StretchEnd {
-    int block_a = 0, block_b = 0;
-    Vec2 place;   // m, as drawn
-    Vec2 normal;  // unit, now, from a into b
-    InterfaceState state;
-  };
-
   [[nodiscard]] std::vector<char> ending_stretches(const Model& model, const ContactSet& contacts, bool dry_ones) const;
   void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones,
                  const std::vector<char>& ends);
@@ -66,14 +60,12 @@ class MovingContacts {
   void refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts);
   void forget_corners_apart(const std::vector<VertexContact>& found);
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact, double share) const;
-  [[nodiscard]] std::optional<InterfaceState> lost_end(const Model& model, const Interface& interface) const;
-  [[nodiscard]] InterfaceState first_state(const Model& model, const Interface& interface,
-                                           const InterfaceElement& element, double distance,
-                                           const InterfaceState* beside) const;
+  [[nodiscard]] std::vector<std::optional<InterfaceState>> left_by_stretches(
+      const Model& model, const std::vector<VertexContact>& found, const std::vector<std::ptrdiff_t>& earlier) const;
 
   ContactSearch search_;
   SurfaceJoints surfaces_;
-  std::vector<StretchEnd> lost_ends_;           // between the loss of a stretch and the next search
+  LostEnds lost_ends_;                          // between the loss of a stretch and the next search
   std::size_t stretches_ = 0;                   // leading entries of the ContactSet that are joints with strength
   std::vector<VertexContact> known_;            // the others, in the same order
   std::vector<VertexContact> covered_;          // what the last search has taken out

@@ -10,8 +10,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "engine/advice/load_history.h"
 
@@ -41,6 +44,21 @@ std::vector<double> corners_of(const TimeFunction& history) {
     for (const double time : record->recording->times()) times.push_back(record->start + time);
   std::ranges::sort(times);
   return times;
+}
+
+std::size_t mark_of(const std::vector<double>& numbers) {
+  return std::hash<std::string_view>{}(
+      {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)});
+}
+
+// Differs where tables or recordings do, which may have the same words and values at the same few times.
+std::size_t mark_of(const TimeFunction& history) {
+  constexpr std::size_t odd = 31;
+  if (const auto* table = std::get_if<PiecewiseLinear>(&history))
+    return odd * mark_of(table->times) + mark_of(table->values);
+  if (const auto* record = std::get_if<Recorded>(&history))
+    return std::hash<const void*>{}(record->recording.get()) + odd * std::hash<double>{}(record->start);
+  return 0;
 }
 
 struct Drive {
@@ -95,8 +113,8 @@ class Search {
     int others = 0;
   };
 
-  // Amplitude, values at times that no period of a history falls in with, and what it is.
-  using Print = std::pair<std::array<double, 18>, std::string>;
+  // Amplitude, values at times that no period of a history falls in with, what it is, and which table or recording.
+  using Print = std::tuple<std::array<double, 18>, std::string, std::size_t>;
 
   [[nodiscard]] Print print_of(const Drive& drive) const {
     std::array<double, 18> numbers{drive.amplitude.x(), drive.amplitude.y()};
@@ -104,7 +122,7 @@ class Search {
       const double value = drive.value(end_ * std::fmod(0.6180339887498949 * static_cast<double>(i), 1.0));
       numbers[i] = std::isfinite(value) ? value : 0;
     }
-    return {numbers, drive.what + words_for(*drive.history)};
+    return {numbers, drive.what + words_for(*drive.history), mark_of(*drive.history)};
   }
 
   [[nodiscard]] std::vector<std::size_t> groups_of(const Drive& drive) {

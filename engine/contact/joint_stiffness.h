@@ -4,9 +4,9 @@
 // leave the choice to the engine. Chosen is, per area,
 //   k_n = max(E / (compliance_target t), p / (penetration_target t)), but k_n share dt^2 / m at most largest_chi
 // E: Young's modulus of the softer block; t, m: the smaller thickness and mass; p: Expected::pressure; dt: the
-// longest step of any stage; share: the length for which the contact stands. The first term makes a joint add at most
-// compliance_target to the compliance of the blocks beside it, the second lets it be pressed in by at most
-// penetration_target of a block whatever lies above. The limit keeps half of the digits of a solve.
+// longest step of any stage that is not static; share: the length for which the contact stands. The first term makes a
+// joint add at most compliance_target to the compliance of the blocks beside it, the second lets it be pressed in by at
+// most penetration_target of a block whatever lies above. The limit keeps half of the digits of a solve.
 #pragma once
 
 #include "engine/contact/interface.h"

@@ -135,15 +135,29 @@ void limit_by_motion(const Model& model, const std::vector<const Block*>& blocks
     tighten(limit, motion_share * size / fastest, fmt::format("blocks of {:.3g} m at {:.3g} m/s", size, fastest));
 }
 
-// What removed blocks, or joints that could not break before, held back is let go within no time, and every block
-// beside them rings at its own frequency.
-void limit_by_release(const Stage* before, const Stage& stage, double transit, Limit& limit) {
+bool supports_let_go_before(const Model& model, std::size_t stage) {
+  return std::ranges::any_of(model.supports, [&](const PointSupport& support) {
+    return support.takes_force_along && support.last_stage + 1 == static_cast<int>(stage);
+  });
+}
+
+bool begins_under_stress(const Model& model) {
+  return std::ranges::any_of(model.blocks, [](const Block& block) { return !block.initial_stress.isZero(0); });
+}
+
+// What removed blocks, supports, or joints that could not break before held back is let go within no time, and every
+// block beside them rings at its own frequency. So it is with stress that no stage has settled.
+void limit_by_release(const Model& model, std::size_t index, double transit, Limit& limit) {
+  const Stage& stage = model.stages[index];
+  const Stage* before = index > 0 ? &model.stages[index - 1] : nullptr;
   const auto half_a_transit = [&](const char* why) {
     tighten(limit, transit_share * transit, fmt::format("half the time of a wave through a block, as {}", why));
   };
   if (!stage.removal.blocks.empty() && !stage.removal.relaxation) half_a_transit("rock is removed at once");
   if (before != nullptr && before->unlimited_strength && !stage.unlimited_strength)
     half_a_transit("joints get their own strength at once");
+  if (before != nullptr && supports_let_go_before(model, index)) half_a_transit("supports let go at once");
+  if (before == nullptr && begins_under_stress(model)) half_a_transit("stress begins to act at once");
 }
 
 bool blocks_can_part(const Model& model) {
@@ -158,14 +172,14 @@ double rounded_down(double dt) {
   return power;
 }
 
-void choose(const Model& model, const Stage* before, Stage& stage) {
+void choose(const Model& model, std::size_t index, Stage& stage) {
   const std::vector<const Block*> blocks = moving_blocks(model);
   const double transit =
       typical(blocks, [&](const Block& block) { return side_of(block) / bar_speed(rock_of(model, block)); });
   Limit limit;
   limit_by_waves(model, stage, limit);
   if (blocks_can_part(model)) limit_by_motion(model, blocks, limit);
-  if (blocks_can_part(model)) limit_by_release(before, stage, transit, limit);
+  if (blocks_can_part(model)) limit_by_release(model, index, transit, limit);
   if (!std::isfinite(limit.dt)) tighten(limit, transit_share * transit, "half the time of a wave through a block");
   if (limit.dt < least_transits * transit)
     limit = {least_transits * transit, "a twentieth of the time of a wave through a block, the least"};
@@ -201,10 +215,9 @@ std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, 
 }
 
 void choose_time_steps(Model& model) {
-  const Stage* before = nullptr;
-  for (Stage& stage : model.stages) {
-    if (stage.automatic_dt && stage.dt == 0) choose(model, before, stage);
-    before = &stage;
+  for (std::size_t i = 0; i < model.stages.size(); ++i) {
+    Stage& stage = model.stages[i];
+    if (stage.automatic_dt && stage.dt == 0) choose(model, i, stage);
   }
 }
 

@@ -115,6 +115,33 @@ TEST(StepChoice, OfJointsThatGetTheirOwnStrengthAtOnceIsThatOfTheBlocks) {
   EXPECT_EQ(model.stages[1].dt, 2e-4);  // half of 1 m / (2000 m/s) = 250 us
 }
 
+TEST(StepChoice, OfSupportsThatLetGoAtOnceIsThatOfTheBlocks) {
+  for (const bool takes_force_along : {false, true}) {
+    Model model = row_of_squares(false);
+    model.gravity = {0, -10};
+    PointSupport prop;
+    prop.point = {0.5, 0.5};
+    prop.stiffness = 1e9;
+    prop.last_stage = 0;
+    prop.takes_force_along = takes_force_along;
+    model.supports = {prop};
+    model.stages.insert(model.stages.begin(), Stage{});
+    model.stages[0].integrator = static_integrator();
+    finish_model(model);
+    const bool is_release = model.stages[1].dt_reason.find("supports let go at once") != std::string::npos;
+    EXPECT_EQ(is_release, takes_force_along) << model.stages[1].dt_reason << model.stages[1].dt;
+  }
+}
+
+TEST(StepChoice, OfStressThatNothingHasSettledIsThatOfTheBlocks) {
+  Model model = row_of_squares(false);
+  model.gravity = {0, -10};
+  model.blocks[0].initial_stress = {-1e6, -1e6, 0};
+  finish_model(model);
+  EXPECT_NE(model.stages[0].dt_reason.find("stress begins to act at once"), std::string::npos)
+      << model.stages[0].dt_reason;
+}
+
 TEST(StepChoice, OfWavesFollowsTheFrequencyAndTheIntegrator) {
   Model model = row_of_squares(true);
   EXPECT_EQ(chosen(model), 2e-4);  // half of 1 m / (2000 m/s) = 250 us

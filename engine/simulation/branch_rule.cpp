@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/joint_stiffness.h"
 #include "engine/core/error.h"
 
 namespace dda {
@@ -143,6 +144,13 @@ void check_free_field(const Model& then, const Model& now) {
     expect(have_same_viscous_edges(then, now), "viscous_boundaries", "list beside free-field sides");
 }
 
+// Springs that a contact has, or has from when its joint breaks.
+bool have_same_springs(const Model& then, const Interface& a, const Model& now, const Interface& b) {
+  if (now.joints[static_cast<std::size_t>(b.joint)].bonded) return true;
+  const Springs before = springs_of(then, a), after = springs_of(now, b);
+  return before.normal == after.normal && before.shear == after.shear;
+}
+
 // Automatic stiffness depends on loads and time steps, and what a cubic joint is on all joints and stages.
 void check_contacts(const Model& then, const Model& now) {
   const ContactSet before = make_contacts(then);
@@ -150,7 +158,9 @@ void check_contacts(const Model& then, const Model& now) {
   for (std::size_t i = 0; i < std::min(before.elements.size(), after.elements.size()); ++i) {
     const InterfaceElement& a = before.elements[i];
     const InterfaceElement& b = after.elements[i];
-    if (a.law == b.law && a.stiffness == b.stiffness && a.dashpot == b.dashpot) continue;
+    if (a.law == b.law && a.stiffness == b.stiffness && a.dashpot == b.dashpot &&
+        have_same_springs(then, before.interfaces[i], now, after.interfaces[i]))
+      continue;
     throw InputError(
         "",
         fmt::format("the joint of blocks \"{}\" and \"{}\"", now.blocks[static_cast<std::size_t>(b.block_a)].name,

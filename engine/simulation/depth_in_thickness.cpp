@@ -14,7 +14,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double noted_share = ruinous_share / 2;
 
 // Nor those below this share of the smaller block's side. The tip of a needle is as thin as one likes, and what presses
-// there closes a joint by more than that without going anywhere. Plates thinner than 4e-6 of their length are beyond it.
+// there closes a joint by more than that without going anywhere. Plates thinner than 4e-6 of their length are beyond
+// it.
 constexpr double noted_of_side = 1e-3;
 
 // Where the ray from `face` against `normal` leaves the block through an edge of the ring, m from the face. Rings have

@@ -119,6 +119,7 @@ Status ExplicitStep::advance(double dt, bool /*can_be_cut*/) {
   const double end = s.end_of_step(dt);
   if (s.plan.loads) s.loads_at(end, s.forces.load_new);
   aim(s.model, s.state, end, s.held);
+  remember();
   move();
   s.state.time = end;
   if (s.plan.supports) accept_supports(s);
@@ -136,11 +137,22 @@ Status ExplicitStep::advance(double dt, bool /*can_be_cut*/) {
   return Status::ok;
 }
 
-// The state of a step that failed is that of its start, but for round-off.
+void ExplicitStep::remember() {
+  if (system_.plan.supports) before_.supports = system_.supports;
+  before_.audit = system_.audit;
+  before_.dashpot_force = dashpot_force_;
+  before_.mass_damping_force = mass_damping_force_;
+}
+
+// The state of a step that failed is that of its start, but for round-off, and so are supports and the ledger.
 Status ExplicitStep::take_back(double time, Status status) {
   BlockSystem& s = system_;
   for (std::size_t i = 0; i < s.state.velocity.size(); ++i) take_back_block(i);
   s.state.time = time;
+  if (s.plan.supports) s.supports = before_.supports;
+  static_cast<EnergyAudit&>(s.audit) = before_.audit;
+  dashpot_force_ = before_.dashpot_force;
+  mass_damping_force_ = before_.mass_damping_force;
   set_held_rates(s.model, s.state);
   return status;
 }

@@ -56,7 +56,7 @@ class ExplicitStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, linear, solver, dashpots, place, mass_damping, dashpot_force, mass_damping_force, rhs, acceleration,
-           next_acceleration, message] = self;
+           next_acceleration, before, message] = self;
     archive(linear, dashpot_force, mass_damping_force);
     // The others follow from the system, or are written before they are read.
   }
@@ -68,11 +68,19 @@ class ExplicitStep : public Step {
     Mat6 matrix;  // C
   };
 
+  // What a step changes before it is known whether it can be taken, and that cannot be counted back.
+  struct Before {
+    std::vector<SupportElement> supports;
+    EnergyAudit audit;
+    Eigen::VectorXd dashpot_force, mass_damping_force;
+  };
+
   [[nodiscard]] BlockMatrix inertia_in_step() const;
   void find_dashpots();
   void move();
   void move_block(std::size_t i);
   [[nodiscard]] Status solve_coupled();
+  void remember();
   Status take_back(double time, Status status);
   void take_back_block(std::size_t i);
   [[nodiscard]] ExplicitStepSums balance();
@@ -96,6 +104,7 @@ class ExplicitStep : public Step {
   Eigen::VectorXd mass_damping_force_;   // a M v as the last balance had it; empty without
   Eigen::VectorXd rhs_, acceleration_;   // of the solve where inertia couples blocks
   std::vector<Vec6> next_acceleration_;  // at the end of the step
+  Before before_;
   std::string message_;
 };
 

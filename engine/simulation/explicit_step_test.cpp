@@ -256,11 +256,23 @@ TEST(ExplicitStep, AStepThatFailsLeavesTheStateAsItWas) {
     Simulation simulation = simulation_of(model);
     Status status = Status::ok;
     State before;
+    EnergyLedger ledger;
+    std::vector<Vec2> gaps;
+    const auto gaps_of_supports = [&] {
+      std::vector<Vec2> all;
+      for (const SupportElement& support : simulation.system().supports) all.push_back(support.gap);
+      return all;
+    };
     while (status == Status::ok && !simulation.finished()) {
       before = simulation.state();
+      ledger = simulation.energy();
+      gaps = gaps_of_supports();
       status = simulation.step();
     }
     ASSERT_EQ(status, Status::not_finite) << i;
+    EXPECT_EQ(simulation.energy().external_work, ledger.external_work);
+    EXPECT_EQ(simulation.energy().residual(), ledger.residual());
+    EXPECT_EQ(gaps_of_supports(), gaps);
     const State& now = simulation.state();
     EXPECT_EQ(now.time, before.time);
     EXPECT_EQ(now.acceleration, before.acceleration);

@@ -207,8 +207,15 @@ Status Simulation::advance(double dt, int reductions_left) {
   const bool can_be_cut = !stage.integrator.is_static && reductions_left > 0 && cuts < cuts_before_sure_passes;
   const Status status = stage_step().advance(dt, can_be_cut);
   if (status != Status::not_converged || reductions_left == 0) return status;
-  const Status first_half = advance(dt / 2, reductions_left - 1);
-  return first_half == Status::ok ? advance(dt / 2, reductions_left - 1) : first_half;
+  if (cuts == 0) memory_.note_start(system_->state.acceleration);
+  return advance_by_halves(dt, reductions_left);
+}
+
+Status Simulation::advance_by_halves(double dt, int reductions_left) {
+  for (int half = 0; half < 2; ++half)
+    if (const Status status = advance(dt / 2, reductions_left - 1); status != Status::ok) return status;
+  memory_.halve(system_->state.acceleration);
+  return Status::ok;
 }
 
 bool Simulation::is_settling() const { return !finished() && system_->stage().paces_itself(); }

@@ -22,6 +22,7 @@
 #include "engine/model/energy.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
+#include "engine/simulation/acceleration_memory.h"
 #include "engine/simulation/bolt_set.h"
 #include "engine/simulation/equilibrium.h"
 #include "engine/simulation/lining_set.h"
@@ -112,6 +113,7 @@ class Simulation {
   [[nodiscard]] Step& stage_step();
   void begin_stage();
   [[nodiscard]] Status advance(double dt, int reductions_left);
+  [[nodiscard]] Status advance_by_halves(double dt, int reductions_left);
   [[nodiscard]] bool is_over();
   [[nodiscard]] Status end_stage();
 
@@ -126,6 +128,7 @@ class Simulation {
   std::vector<UnbalancedBlock> loose_blocks_;
   std::vector<double> stability_limits_;  // s, one a stage, 0 where steps are implicit
   double in_situ_force_ = 0;              // N per m of thickness, the largest on an interface
+  AccelerationMemory memory_;             // within a step that is cut
   std::function<void()> at_ends_of_stages_, between_stages_;
 };
 

@@ -228,6 +228,21 @@ TEST(CutProperties, SomeSmallBlocksDoNotCostAnotherLookAtAll) {
   expect_sound(rock, plan);
 }
 
+// Rock around thin wedges takes in one after the other, a round each; its outline is looked at once more, at the end.
+TEST(CutProperties, ManySliversInOneBlockDoNotCostALookEach) {
+  RockPlan plan = square_plan();  // with the tolerance 1.4e-5 m; a wedge is 2.5e-6 m wide, by area and perimeter
+  for (int i = 0; i < 50; ++i) {
+    const Vec2 tip(0.1 * i + 1, 0.05 * i + 1);
+    const Vec2 to(0.05, 0);
+    add_line(plan, {tip, tip + to, tip + to + Vec2(0, 5e-6), tip});
+  }
+  const CutRock rock = cut_rock(plan);
+  EXPECT_EQ(rock.blocks.size(), 1U);
+  EXPECT_EQ(rock.merged, 50);
+  EXPECT_EQ(rock.outlines_traced, 51U + 1U);
+  expect_sound(rock, plan);
+}
+
 // What is welded is noded again, and what is far from there is not: an end beside a line costs no second pass over
 // thousands of lines.
 TEST(CutProperties, OneEndBesideALineDoesNotCostAnotherNoding) {

@@ -67,7 +67,8 @@ class Merger {
          FaceGroups& groups)
       : arrangement_(arrangement), places_(places), limits_(limits), groups_(groups) {}
 
-  // After the first round only outlines of blocks that took part in a merger are traced again.
+  // After the first round only outlines of blocks that took part in a merger are traced again, at once where they could
+  // have a fault.
   Merging run() {
     OutlineTracer tracer(arrangement_, groups_);
     std::vector<int> all(at(arrangement_.half_edges()));
@@ -78,7 +79,10 @@ class Merger {
       trace_again(tracer, touched);
       touched.assign(touched.size(), false);
     }
-    for (Block& block : blocks_) result_.outlines.push_back(std::move(block.outline));
+    trace_grown(tracer);
+    for (Block& block : blocks_) {
+      if (!block.is_gone) result_.outlines.push_back(std::move(block.outline));
+    }
     return std::move(result_);
   }
 
@@ -86,7 +90,10 @@ class Merger {
   struct Block {
     Outline outline;
     double area = 0;
+    double perimeter = 0;  // m; of a block that grew, at most
     std::optional<Cleaning> fault;
+    std::vector<int> grown;  // half-edges, of a block that grew and is traced at the end: its outline is among them
+    bool is_gone = false;
 
     // The first of its half-edges: walks begin with theirs, and are traced in that order.
     [[nodiscard]] int first() const {
@@ -99,29 +106,90 @@ class Merger {
     std::vector<Block> blocks;
     for (Outline& outline : tracer.trace(half_edges)) {
       const Shape shape = shape_of(arrangement_, outline);
-      blocks.push_back({std::move(outline), shape.area, fault(shape, limits_)});
+      blocks.push_back({std::move(outline), shape.area, shape.perimeter, fault(shape, limits_), {}, false});
       ++result_.traced;
     }
     return blocks;
   }
 
-  void trace_again(OutlineTracer& tracer, const std::vector<bool>& touched) {
-    std::vector<Block> kept;
-    std::vector<int> half_edges;
-    const auto take = [&](const std::vector<int>& walk) {
-      half_edges.insert(half_edges.end(), walk.begin(), walk.end());
-    };
+  static void append_outline(const Outline& outline, std::vector<int>& half_edges) {
+    half_edges.insert(half_edges.end(), outline.outer.begin(), outline.outer.end());
+    for (const auto& hole : outline.holes) half_edges.insert(half_edges.end(), hole.begin(), hole.end());
+  }
+
+  static void append_half_edges(const Block& block, std::vector<int>& half_edges) {
+    if (block.grown.empty())
+      append_outline(block.outline, half_edges);
+    else
+      half_edges.insert(half_edges.end(), block.grown.begin(), block.grown.end());
+  }
+
+  // Whether the two together have no fault, whatever the outline of both is: its length is no more than that of the
+  // two. Twice the limits leaves room for round-off. Corners are known only when they are traced.
+  [[nodiscard]] bool are_sound_together(const Block& a, const Block& b) const {
+    const double area = (a.area + b.area) / 2;
+    return limits_.angle <= 0 && area >= limits_.area && 2 * area > limits_.width * (a.perimeter + b.perimeter);
+  }
+
+  // A large block takes in one sliver after the other, a round each; its outline is needed at the end only.
+  static void grow(Block& block, const Block& taken) {
+    if (block.grown.empty()) append_outline(block.outline, block.grown);
+    append_half_edges(taken, block.grown);
+    block.area += taken.area;
+    block.perimeter += taken.perimeter;
+    block.fault.reset();
+  }
+
+  // A block that took in another. Without neighbour a sliver goes outside, where nothing is traced.
+  struct Pair {
+    Block* whole = nullptr;
+    Block* part = nullptr;
+  };
+
+  [[nodiscard]] std::map<int, Pair> pairs_of(const std::vector<bool>& touched) {
+    std::map<int, Pair> pairs;  // by group
     for (Block& block : blocks_) {
-      if (!touched[at(block.outline.group)]) {
-        kept.push_back(std::move(block));
+      const int own = block.outline.group;
+      if (!touched[at(own)]) continue;
+      const int now = groups_.of(own);
+      block.is_gone = now != own;
+      if (block.is_gone) block.fault.reset();
+      if (now != FaceGroups::outside) (block.is_gone ? pairs[now].part : pairs[now].whole) = &block;
+    }
+    return pairs;
+  }
+
+  void trace_again(OutlineTracer& tracer, const std::vector<bool>& touched) {
+    std::vector<int> half_edges;
+    for (auto& [group, pair] : pairs_of(touched)) {
+      if (are_sound_together(*pair.whole, *pair.part)) {
+        grow(*pair.whole, *pair.part);
         continue;
       }
-      take(block.outline.outer);
-      for (const auto& hole : block.outline.holes) take(hole);
+      pair.whole->is_gone = true;
+      append_half_edges(*pair.whole, half_edges);
+      append_half_edges(*pair.part, half_edges);
     }
+    put_in(tracer, std::move(half_edges));
+  }
+
+  void trace_grown(OutlineTracer& tracer) {
+    std::vector<int> half_edges;
+    for (Block& block : blocks_) {
+      if (block.is_gone || block.grown.empty()) continue;
+      block.is_gone = true;
+      append_half_edges(block, half_edges);
+    }
+    put_in(tracer, std::move(half_edges));
+  }
+
+  // Those traced from the half-edges, in place of what is gone.
+  void put_in(OutlineTracer& tracer, std::vector<int> half_edges) {
+    if (half_edges.empty()) return;
+    std::erase_if(blocks_, [](const Block& block) { return block.is_gone; });
     std::sort(half_edges.begin(), half_edges.end());
     std::vector<Block> again = traced(tracer, half_edges);
-    blocks_.clear();
+    std::vector<Block> kept = std::exchange(blocks_, {});
     std::merge(std::move_iterator(kept.begin()), std::move_iterator(kept.end()), std::move_iterator(again.begin()),
                std::move_iterator(again.end()), std::back_inserter(blocks_),
                [](const Block& a, const Block& b) { return a.first() < b.first(); });

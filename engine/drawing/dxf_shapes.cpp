@@ -10,6 +10,7 @@
 
 #include "engine/core/error.h"
 #include "engine/drawing/dxf_names.h"
+#include "engine/drawing/fit_spline.h"
 
 namespace dda {
 namespace {
@@ -141,17 +142,33 @@ std::size_t add_old_polyline(std::span<const DxfEntity> entities, const DxfPlace
   return taken + 1;
 }
 
+// Where there are no control points. Without a tangent an end is not bent.
+BSpline spline_through_fit_points(const DxfEntity& entity, const DxfPlacement& placement) {
+  constexpr int closed = 1;
+  const std::vector<double> x = entity.numbers(11);
+  const std::vector<double> y = entity.numbers(21);
+  if (x.empty()) fail(entity, "a spline without points", "control points or fit points");
+  if (x.size() != y.size()) fail(entity, fmt::format("of {} fit points", x.size()), "as many x as y");
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < x.size(); ++i) points.emplace_back(x[i], y[i]);
+  FitEnds ends{entity.point(12), entity.point(13), (entity.whole(70) & closed) != 0};
+  auto spline = fit_spline(points, ends);
+  if (!spline)
+    fail(entity, fmt::format("of {} fit points", x.size()), "two different ones or more, three where it is closed");
+  for (Vec2& point : spline->points) point = placement.at(point);
+  return std::move(*spline);
+}
+
 BSpline spline_of(const DxfEntity& entity, const DxfPlacement& placement) {
   constexpr int highest_degree = 25;
   BSpline spline;
   spline.degree = entity.whole(71, 3);
   if (spline.degree < 1 || spline.degree > highest_degree)
     fail(entity, fmt::format("of degree {}", spline.degree), fmt::format("a degree from 1 to {}", highest_degree));
-  spline.knots = entity.numbers(40);
   const std::vector<double> x = entity.numbers(10);
   const std::vector<double> y = entity.numbers(20);
-  if (x.empty())
-    fail(entity, "a spline without control points", "control points; fit points alone do not say its shape");
+  if (x.empty()) return spline_through_fit_points(entity, placement);
+  spline.knots = entity.numbers(40);
   if (x.size() != y.size() || x.size() <= static_cast<std::size_t>(spline.degree))
     fail(entity, fmt::format("of {} control points", x.size()), "as many x as y, and more than its degree");
   if (spline.knots.size() != x.size() + static_cast<std::size_t>(spline.degree) + 1)

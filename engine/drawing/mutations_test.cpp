@@ -80,6 +80,19 @@ TEST(Mutations, OfDxf) {
   }
 }
 
+TEST(Mutations, OfSplinesThroughFitPoints) {
+  std::string seed = "0\nSECTION\n2\nENTITIES\n";
+  for (const char* ends :
+       {"10\n0\n20\n0\n11\n4\n21\n0\n", "10\n4\n20\n0\n11\n0\n21\n4\n", "10\n0\n20\n4\n11\n0\n21\n0\n"})
+    seed += std::string("0\nLINE\n8\numriss\n") + ends;
+  const std::size_t from = seed.size();
+  seed +=
+      "0\nSPLINE\n8\nrock\n70\n0\n71\n3\n74\n4\n12\n1\n22\n1\n11\n0\n21\n1\n11\n1\n21\n1."
+      "5\n11\n2\n21\n1\n11\n4\n21\n1\n";
+  seed += "0\nSPLINE\n8\nrock\n70\n1\n11\n1\n21\n1\n11\n2\n21\n1\n11\n1\n21\n2\n0\nENDSEC\n0\nEOF\n";
+  expect_both(read_mutations(seed, from, read_dxf, 4000));
+}
+
 TEST(Mutations, OfCsv) {
   expect_both(
       read_mutations("layer,x1,y1,x2,y2,x,y\numriss,0,0,4,0,,\numriss,4,0,0,4,,\numriss,0,4,0,0,,\nrock,0,1,4,1,,\n"

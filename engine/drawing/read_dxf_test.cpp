@@ -144,7 +144,9 @@ TEST(ReadDxf, WhatIsWrongIsSaidInOneSentence) {
       {dxf("0\nINSERT\n8\nrock\n2\nA\n"), "plan.dxf line 6 (INSERT) is symbol \"A\", expected a block of the drawing"},
       {in_itself, "(INSERT) is symbols in symbols more than 16 deep"},
       {dxf("0\nCIRCLE\n8\ntunnel\n40\n0\n"), "plan.dxf line 6 (CIRCLE) is of radius 0, expected a radius above 0"},
-      {dxf("0\nSPLINE\n8\nrock\n11\n0\n21\n0\n"), "(SPLINE) is a spline without control points"},
+      {dxf("0\nSPLINE\n8\nrock\n71\n3\n"),
+       "(SPLINE) is a spline without points, expected control points or fit points"},
+      {dxf("0\nSPLINE\n8\nrock\n11\n0\n21\n0\n"), "(SPLINE) is of 1 fit points, expected two different ones or more"},
       {dxf("0\nCIRCLE\n8\ntunnel\n40\n1\n210\n1\n230\n0\n"), "is drawn in a plane that is not that of x and y"},
       {dxf(square(0, 4) + line("Dim", 0, 0, 1, 1)),
        "plan.dxf line 54 is on the unknown layer \"Dim\", expected one of boundary, rock, tunnel"},
@@ -161,6 +163,35 @@ TEST(ReadDxf, WhatIsWrongIsSaidInOneSentence) {
        "(layer absorbing boundary) is at (2, 1) m, off the boundary"},
   };
   for (const auto& each : all) expect_refused([&] { plan_of(read_dxf(each.first, "plan.dxf", 0), {}); }, each.second);
+}
+
+std::string fit_points(const std::vector<Vec2>& points, int flags, const std::string& more = "") {
+  std::string text = "0\nSPLINE\n8\ntunnel\n70\n" + std::to_string(flags) + "\n71\n3\n" + more;
+  for (const Vec2& p : points) text += "11\n" + std::to_string(p.x()) + "\n21\n" + std::to_string(p.y()) + "\n";
+  return text;
+}
+
+// The curve through 16 points of a circle leaves it by 5/384 (2 pi/16)^4 = 3.1e-4 of the radius at most, its chords the
+// curve by 1e-3 m: 2 pi r times both is 0.0083 m2; to_string leaves coordinates of six digits.
+TEST(ReadDxf, ASplineOfFitPointsAloneIsTheCubicThroughThem) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 16; ++i)
+    points.emplace_back(2 + std::cos(i * std::numbers::pi / 8), 2 + std::sin(i * std::numbers::pi / 8));
+  DrawingOptions options;
+  options.chords.length = 1e-3;
+  const RockPlan plan = plan_of(read_dxf(dxf(square(0, 4) + fit_points(points, 1)), "plan.dxf", 0), options);
+  ASSERT_EQ(plan.openings.size(), 1U);
+  EXPECT_NEAR(std::abs(signed_area(plan.openings[0].outline)), std::numbers::pi, 0.0083);
+}
+
+TEST(ReadDxf, ControlPointsGoBeforeFitPoints) {
+  const std::string control =
+      "40\n0\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n1\n40\n1\n"
+      "10\n0\n20\n0\n10\n1\n20\n0\n10\n2\n20\n0\n10\n3\n20\n0\n";
+  const LineDrawing drawing = read_dxf(dxf(fit_points({{0, 0}, {1, 5}, {3, 0}}, 0, control)), "plan.dxf", 0);
+  ASSERT_EQ(drawing.lines.size(), 1U);
+  ASSERT_EQ(drawing.lines[0].pieces.size(), 1U);
+  EXPECT_EQ(drawing.lines[0].pieces[0].curve->at(0.5), Vec2(1.5, 0));
 }
 
 TEST(ReadDxf, ATunnelOutsideOfTheRockIsRefusedWithItsLine) {

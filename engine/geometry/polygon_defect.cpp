@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/nearness.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/segment.h"
 
@@ -39,33 +39,12 @@ Reason vertex_defect(const Ring& ring, const std::string& name) {
   return std::nullopt;
 }
 
-// The round-off of the coordinates: two roundings of each of two coordinates, in units of the largest.
-double coordinate_tolerance(const Polygon& polygon) {
-  double largest = 0;
-  for (const Vec2& vertex : polygon.outer) largest = std::max(largest, vertex.lpNorm<Eigen::Infinity>());
-  return 4 * std::numeric_limits<double>::epsilon() * largest;
-}
-
-// All vertices on one line. A figure of eight may have area zero too, but it is told that it crosses itself.
-bool is_flat(const Ring& ring, double tolerance) {
-  const auto farther = [&](const Vec2& p, const Vec2& q) {
-    return (p - ring.front()).squaredNorm() < (q - ring.front()).squaredNorm();
-  };
-  const Segment longest = {ring.front(), *std::max_element(ring.begin(), ring.end(), farther)};
-  return std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return distance(longest, p) <= tolerance; });
-}
-
 Reason repetition(const Ring& ring, const std::string& name, double tolerance) {
   std::vector<Box> boxes;
-  for (const Vec2& vertex : ring) boxes.push_back(expanded(Box{vertex, vertex}, tolerance / 2));
+  for (const Vec2& vertex : ring) boxes.push_back(vertex_box(vertex, tolerance));
   const std::vector<std::pair<int, int>> pairs = overlapping_pairs(boxes);
   if (pairs.empty()) return std::nullopt;
   return fmt::format("degenerate: vertex {} of {} repeats vertex {}", pairs.front().second, name, pairs.front().first);
-}
-
-// Of two edges that follow each other.
-bool folds_back(const Segment& edge, const Segment& next, double tolerance) {
-  return distance(edge, next.end) <= tolerance || distance(next, edge.start) <= tolerance;
 }
 
 Reason conflict_in_ring(const Edge& a, const Edge& b, double tolerance) {
@@ -73,7 +52,7 @@ Reason conflict_in_ring(const Edge& a, const Edge& b, double tolerance) {
   const bool b_follows = b.index == a.index + 1;
   const bool a_follows = a.index == 0 && b.index + 1 == b.ring_size;
   if (!b_follows && !a_follows) {
-    if (distance(a.segment, b.segment) > tolerance) return std::nullopt;
+    if (!touch(a.segment, b.segment, tolerance)) return std::nullopt;
     return fmt::format("self-intersecting: edge {} of {} crosses or touches edge {}", a.index, name, b.index);
   }
   if ((b_follows && folds_back(a.segment, b.segment, tolerance)) ||
@@ -85,7 +64,7 @@ Reason conflict_in_ring(const Edge& a, const Edge& b, double tolerance) {
 
 Reason conflict(const Edge& a, const Edge& b, double tolerance) {
   if (a.ring == b.ring) return conflict_in_ring(a, b, tolerance);
-  if (distance(a.segment, b.segment) > tolerance) return std::nullopt;
+  if (!touch(a.segment, b.segment, tolerance)) return std::nullopt;
   return fmt::format("self-intersecting: {} crosses or touches {}", name_of(b.ring), name_of(a.ring));
 }
 
@@ -104,9 +83,7 @@ std::vector<Edge> edges_of(const Polygon& polygon) {
 Reason edge_defect(const Polygon& polygon, double tolerance) {
   const std::vector<Edge> edges = edges_of(polygon);
   std::vector<Box> boxes;
-  for (const Edge& edge : edges) {
-    boxes.push_back(expanded(expanded(expanded(Box{}, edge.segment.start), edge.segment.end), tolerance));
-  }
+  for (const Edge& edge : edges) boxes.push_back(edge_box(edge.segment, tolerance));
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
     Reason reason = conflict(edges[static_cast<std::size_t>(i)], edges[static_cast<std::size_t>(j)], tolerance);
     if (reason) return reason;
@@ -144,12 +121,26 @@ Reason moment_defect(const Polygon& polygon) {
 
 }  // namespace
 
+double largest_coordinate_of(const Ring& ring) {
+  double largest = 0;
+  for (const Vec2& vertex : ring) largest = std::max(largest, vertex.lpNorm<Eigen::Infinity>());
+  return largest;
+}
+
+bool is_flat(const Ring& ring, double tolerance) {
+  const auto farther = [&](const Vec2& p, const Vec2& q) {
+    return (p - ring.front()).squaredNorm() < (q - ring.front()).squaredNorm();
+  };
+  const Segment longest = {ring.front(), *std::max_element(ring.begin(), ring.end(), farther)};
+  return std::all_of(ring.begin(), ring.end(), [&](const Vec2& p) { return distance(longest, p) <= tolerance; });
+}
+
 std::optional<std::string> defect(const Polygon& polygon) {
   const std::vector<const Ring*> rings = rings_of(polygon);
   for (std::size_t r = 0; r < rings.size(); ++r) {
     if (Reason reason = vertex_defect(*rings[r], name_of(r))) return reason;
   }
-  const double tolerance = coordinate_tolerance(polygon);
+  const double tolerance = coordinate_tolerance(largest_coordinate_of(polygon.outer));
   for (std::size_t r = 0; r < rings.size(); ++r) {
     if (is_flat(*rings[r], tolerance)) return fmt::format("degenerate: {} has no area", name_of(r));
     if (Reason reason = repetition(*rings[r], name_of(r), tolerance)) return reason;

@@ -70,9 +70,16 @@ void GroundPlan::append_stretches(const Ring& ring, int block, const Segment& li
 }
 
 std::vector<Stretch> GroundPlan::stretches_along(const Segment& line) const {
-  const Box line_box = expanded(expanded(expanded(Box{}, line.start), line.end), tolerance_);
+  return stretches_in(expanded(expanded(Box{line.start, line.start}, line.end), tolerance_), line);
+}
+
+std::vector<Stretch> GroundPlan::stretches_at(const Segment& line, const Vec2& point) const {
+  return stretches_in(expanded(Box{point, point}, tolerance_), line);
+}
+
+std::vector<Stretch> GroundPlan::stretches_in(const Box& box, const Segment& line) const {
   std::vector<Stretch> found;
-  for (const int block : index_.overlapping(line_box)) {
+  for (const int block : index_.overlapping(box)) {
     const Polygon& shape = model_->blocks[at(block)].shape;
     append_stretches(shape.outer, block, line, found);
     for (const Ring& hole : shape.holes) append_stretches(hole, block, line, found);

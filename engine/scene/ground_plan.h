@@ -43,6 +43,9 @@ class GroundPlan {
   // Parts of outlines that run along `line`, cut to its ends, in the order of blocks.
   [[nodiscard]] std::vector<Stretch> stretches_along(const Segment& line) const;
 
+  // Of these, those of blocks whose boxes hold `point`.
+  [[nodiscard]] std::vector<Stretch> stretches_at(const Segment& line, const Vec2& point) const;
+
   // Where `line` runs inside of blocks, from its start on; stretches along joints are in none.
   [[nodiscard]] std::vector<Passage> passages_of(const Segment& line) const;
 
@@ -54,6 +57,7 @@ class GroundPlan {
 
  private:
   [[nodiscard]] bool holds(int block, const Vec2& point, double tolerance) const;
+  [[nodiscard]] std::vector<Stretch> stretches_in(const Box& box, const Segment& line) const;
   void append_stretches(const Ring& ring, int block, const Segment& line, std::vector<Stretch>& found) const;
 
   const Model* model_;

@@ -22,12 +22,18 @@ bool is_joint(const std::vector<Stretch>& stretches, double tolerance) {
   return false;
 }
 
+// Two blocks around the middle are enough where they touch; the box of a long line holds many.
+bool is_joint(const GroundPlan& plan, const Segment& line, double tolerance) {
+  return is_joint(plan.stretches_at(line, (line.start + line.end) / 2), tolerance) ||
+         is_joint(plan.stretches_along(line), tolerance);
+}
+
 void read_joint_line(const Field& field, const GroundPlan& plan, Model& model) {
   const int joint = read_joint_reference(field.at("joint"), model);
   const std::vector<Field> points = field.at("points").items();
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Segment part{points[i - 1].vector(Dimension::length), points[i].vector(Dimension::length)};
-    if (!is_joint(plan.stretches_along(part), point_tolerance(model))) {
+    if (!is_joint(plan, part, point_tolerance(model))) {
       field.at("points").fail(fmt::format("without blocks that touch from [{}, {}] to [{}, {}]", part.start.x(),
                                           part.start.y(), part.end.x(), part.end.y()),
                               "a line along which blocks touch");

@@ -208,12 +208,8 @@ Status Simulation::advance(double dt, int reductions_left) {
   const Status status = stage_step().advance(dt, can_be_cut);
   if (status != Status::not_converged || reductions_left == 0) return status;
   if (cuts == 0) memory_.note_start(system_->state.acceleration);
-  return advance_by_halves(dt, reductions_left);
-}
-
-Status Simulation::advance_by_halves(double dt, int reductions_left) {
   for (int half = 0; half < 2; ++half)
-    if (const Status status = advance(dt / 2, reductions_left - 1); status != Status::ok) return status;
+    if (const Status part = advance(dt / 2, reductions_left - 1); part != Status::ok) return part;
   memory_.halve(system_->state.acceleration);
   return Status::ok;
 }

@@ -113,7 +113,6 @@ class Simulation {
   [[nodiscard]] Step& stage_step();
   void begin_stage();
   [[nodiscard]] Status advance(double dt, int reductions_left);
-  [[nodiscard]] Status advance_by_halves(double dt, int reductions_left);
   [[nodiscard]] bool is_over();
   [[nodiscard]] Status end_stage();
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/advice/advice.h"
@@ -55,6 +56,19 @@ TEST(SuddenLoads, AreAskedOncePerHistory) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_NE(found[0].sentence.find("and 3 more"), std::string::npos) << found[0].sentence;
   EXPECT_EQ(found[1].sentence.find("more"), std::string::npos) << found[1].sentence;
+}
+
+// Pulses of as many points that are over between the few times at which all histories are looked at.
+TEST(SuddenLoads, ShortTablesAreToldApart) {
+  const PiecewiseLinear smooth{{1.2e-3, 1.9e-3, 2.6e-3}, {0, 1, 0}}, sudden{{1.2e-3, 1.2001e-3, 2.6e-3}, {0, 1, 0}};
+  Model model = pushed(smooth);
+  model.edge_loads.push_back(model.edge_loads[0]);
+  model.edge_loads.back().history = sudden;
+  EXPECT_EQ(sudden_loads(model).size(), 1U);
+  std::swap(model.edge_loads[0], model.edge_loads[1]);
+  const std::vector<LoadFinding> found = sudden_loads(model);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].sentence.find("more"), std::string::npos) << found[0].sentence;
 }
 
 TEST(SuddenLoads, SaysNothingOfWhatRises) {

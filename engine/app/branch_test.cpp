@@ -182,6 +182,20 @@ TEST_F(Branch, RefusesWhatMustNotDiffer) {
   EXPECT_EQ(run(scene, "first", {"--from", path("first")}).code, 2);
 }
 
+// Springs that joints have from when they break are chosen by the pressure that a scene expects: where that is above
+// E/100, the weight of a thousand such bricks.
+TEST_F(Branch, RefusesOtherSpringsOfJointsThatMayBreak) {
+  json scene = bricks({settle, shake});
+  scene["joints"]["default"]["cohesion"] = "1 MPa";
+  ASSERT_EQ(run(scene, "first").code, 0);
+  scene["steps"].push_back(rest);
+  ASSERT_EQ(run(scene, "same", {"--from", path("first")}).code, 0);
+  scene["loads"] = {{{"block", "high"}, {"edge", "top"}, {"traction", {0, "-20 MPa"}}}};
+  expect_no_branch(scene, "first", "of another law or stiffness");
+  scene["joints"]["default"]["spring_over_young"] = 10;
+  expect_no_branch(scene, "first", "joints.default");
+}
+
 TEST_F(Branch, TakesWhatMayDiffer) {
   ASSERT_EQ(run(bricks({settle, shake}), "first").code, 0);
   json scene = bricks({settle, shake, rest});

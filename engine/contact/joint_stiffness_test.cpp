@@ -120,5 +120,15 @@ TEST(JointStiffness, LongStepsSoftenTheChoice) {
   EXPECT_LT(springs_of_the_joint(model).normal, free);
 }
 
+TEST(JointStiffness, StaticStepsOfAnyLengthDoNot) {
+  Model model = stack(automatic());
+  const double chosen = springs_of_the_joint(model).normal;
+  Stage still;
+  still.integrator = static_integrator();
+  still.dt = 1e3;
+  model.stages.insert(model.stages.begin(), still);
+  EXPECT_EQ(springs_of_the_joint(model).normal, chosen);
+}
+
 }  // namespace
 }  // namespace dda

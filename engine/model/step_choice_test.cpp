@@ -127,9 +127,10 @@ TEST(StepChoice, OfSupportsThatLetGoAtOnceIsThatOfTheBlocks) {
     model.supports = {prop};
     model.stages.insert(model.stages.begin(), Stage{});
     model.stages[0].integrator = static_integrator();
+    model.stages[0].equilibrium = 1e-9;
     finish_model(model);
     const bool is_release = model.stages[1].dt_reason.find("supports let go at once") != std::string::npos;
-    EXPECT_EQ(is_release, takes_force_along) << model.stages[1].dt_reason << model.stages[1].dt;
+    EXPECT_EQ(is_release, takes_force_along) << model.stages[1].dt_reason;
   }
 }
 

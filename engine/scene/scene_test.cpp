@@ -57,6 +57,17 @@ TEST(Scene, JointsTakeWhatTheyLeaveUnsaidFromTheScheme) {
   EXPECT_EQ(thesis.joints[0].shear_to_normal, 0.5);
 }
 
+// The force that a joint carried comes upon its springs at once when it breaks: chosen ones are stiff.
+TEST(Scene, JointsThatMayBreakHaveChosenSpringsUnlessTheyHaveTheirOwn) {
+  const auto are_chosen = [](const std::string& joint) {
+    return bar_with(R"("joints": {"default": {)" + joint + "}}").joints[0].automatic_stiffness;
+  };
+  EXPECT_TRUE(are_chosen(R"("cohesion": 1e6)") && are_chosen(R"("law": "consistent", "tensile_strength": 1e6)"));
+  for (const char* joint : {R"("friction_angle": 0.5)", R"("bonded": true)", R"("law": "classical", "cohesion": 1e6)",
+                            R"("cohesion": 1e6, "spring_over_young": 9)", R"("cohesion": 1e6, "normal_spring": 1e9)"})
+    EXPECT_FALSE(are_chosen(joint)) << joint;
+}
+
 TEST(Scene, IntegratorFollowsFromSchemeJointsAndKinematics) {
   const std::string bonded = R"("joints": {"default": {"bonded": true}})";
   const std::string small = R"({"dt": 1, "duration": 1, "kinematics": "small"})";

@@ -53,9 +53,32 @@ double smaller_area(const Model& model, const Interface& interface) {
                   model.blocks[static_cast<std::size_t>(interface.block_b)].moments.area);
 }
 
+// m: a tenth of what the block measures along its face.
+double short_way(const Model& model, const State& state, int block, const Vec2& along) {
+  double least = never, most = -never;
+  for (const Vec2& vertex : model.blocks[static_cast<std::size_t>(block)].shape.outer) {
+    const double place = along.dot(current_position(model, state, block, vertex));
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  return (most - least) / 10;
+}
+
+// The tip of a needle is as thin as one likes, and a corner beside it goes past it sooner than through it. So a block
+// is taken to be as thick as it is a short way further along the face, on the thicker side.
+double fair_thickness(const Model& model, const State& state, int block, const Vec2& face, const Vec2& normal) {
+  const Vec2 along(-normal.y(), normal.x());
+  const double way = short_way(model, state, block, along);
+  double thickness = thickness_behind(model, state, block, face, normal);
+  for (const double side : {-way, way})
+    if (const double there = thickness_behind(model, state, block, face + side * along, normal); there < never)
+      thickness = std::max(thickness, there);
+  return thickness;
+}
+
 void compare(const Model& model, const State& state, int inner, int thinner, const Vec2& corner, const Vec2& normal,
              double depth, DepthInThickness& deepest) {
-  const double share = depth / thickness_behind(model, state, thinner, corner + depth * normal, normal);
+  const double share = depth / fair_thickness(model, state, thinner, corner + depth * normal, normal);
   if (share > deepest.share) deepest = {depth, share, inner, thinner, corner, state.time};
 }
 

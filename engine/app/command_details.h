@@ -11,6 +11,7 @@ inline constexpr auto program_details =
     "  dda cut plan.dxf --out blocks         the same from a drawing\n"
     "  dda keyblocks slope.json              which blocks can come out, and what holds them\n"
     "  dda fos slope.json                    by how much its joints are stronger than they need be\n"
+    "  dda reaction tunnel.json --opening tunnel    how far its wall comes in at which support pressure\n"
     "  dda run bar.json --out results        run it; histories, summary and checkpoint go to results/\n"
     "  dda view results                      a page that shows the run, when it has frames (--frames 100)\n"
     "  dda report results                    what came of it, on one page\n"

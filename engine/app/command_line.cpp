@@ -17,6 +17,7 @@
 #include "engine/app/cut_command.h"
 #include "engine/app/fos_command.h"
 #include "engine/app/keyblocks_command.h"
+#include "engine/app/reaction_command.h"
 #include "engine/app/report_command.h"
 #include "engine/app/run_command.h"
 #include "engine/app/scene_report.h"
@@ -103,6 +104,7 @@ struct Arguments {
   SpectrumRequest spectrum;
   KeyBlocksRequest key_blocks;
   FosRequest fos;
+  ReactionRequest reaction;
 };
 
 void add_check(CLI::App& app, Arguments& arguments) {
@@ -255,7 +257,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
   const bool unknown_command = argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_meant).empty();
   if (unknown_command)
     return "the command is \"" + std::string(argv[1]) +
-           "\", expected check, advise, cut, keyblocks, fos, run, view, report, spectrum or schema";
+           "\", expected check, advise, cut, keyblocks, fos, reaction, run, view, report, spectrum or schema";
   return error.what();
 }
 
@@ -282,6 +284,7 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
     find_factor_of_safety(arguments.fos, out, errors);
     return 0;
   }
+  if (app.got_subcommand("reaction")) return find_ground_reaction(arguments.reaction, out, errors);
   if (app.got_subcommand("run")) return run(arguments, out, errors);
   if (app.got_subcommand("view")) {
     view_run(arguments.view, out);
@@ -313,6 +316,7 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
   add_cut(app, arguments);
   add_keyblocks(app, arguments.key_blocks);
   add_fos(app, arguments.fos);
+  add_reaction(app, arguments.reaction);
   add_run(app, arguments);
   add_view(app, arguments);
   add_report(app, arguments.report);

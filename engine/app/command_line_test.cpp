@@ -13,7 +13,8 @@ namespace dda {
 namespace {
 
 TEST_F(CommandLine, HelpOfEveryCommandHasExamples) {
-  for (const std::string command : {"", "check", "advise", "keyblocks", "fos", "run", "view", "spectrum", "schema"}) {
+  for (const std::string command :
+       {"", "check", "advise", "keyblocks", "fos", "reaction", "run", "view", "spectrum", "schema"}) {
     std::vector<std::string> arguments = {"--help"};
     if (!command.empty()) arguments.insert(arguments.begin(), command);
     const Outcome outcome = call(arguments);
@@ -34,9 +35,9 @@ TEST_F(CommandLine, VersionAndSchema) {
 TEST_F(CommandLine, MistakesInTheCommandItself) {
   write("scene.json", bar_scene(3, 10));
   expect_refusal({}, "subcommand is required");
-  expect_refusal(
-      {"solve", "scene.json"},
-      "the command is \"solve\", expected check, advise, cut, keyblocks, fos, run, view, report, spectrum or schema");
+  expect_refusal({"solve", "scene.json"},
+                 "the command is \"solve\", expected check, advise, cut, keyblocks, fos, reaction, run, view, report, "
+                 "spectrum or schema");
   expect_refusal({"run", path("scene.json")}, "--out is required");
   expect_refusal({"run", path("scene.json"), "--out", ""}, "--out: is empty, expected a value");
   expect_refusal({"check", ""}, "scene: is empty, expected a value");

@@ -10,12 +10,12 @@
 #include <set>
 
 #include "engine/app/keyblocks_picture.h"
+#include "engine/app/named_opening.h"
 #include "engine/core/error.h"
 #include "engine/core/quantity.h"
 #include "engine/keyblocks/key_blocks.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/folder_lock.h"
-#include "engine/scene/nearest_word.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
 #include "engine/scene/unmerged_scene.h"
@@ -36,27 +36,6 @@ constexpr auto details =
 constexpr double least_safety = 0.01;
 constexpr double most_safety = 1000;
 constexpr double most_acceleration = 1e6;  // m/s2: far beyond all shaking
-
-// Words of `names` as a sentence lists them, no more than a reader wants.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 8;
-  const bool all = names.size() <= most;
-  const std::vector<std::string> shown(names.begin(), all ? names.end() : names.begin() + most);
-  return fmt::format("{}{}", fmt::join(shown, ", "), all ? "" : ", ...");
-}
-
-[[noreturn]] void refuse_opening(const std::string& name, const SceneParts& scene) {
-  std::set<std::string> openings;
-  for (const PlanOpening& opening : scene.openings) openings.insert(opening.name);
-  std::set<std::string> all(scene.groups.begin(), scene.groups.end());
-  all.insert(openings.begin(), openings.end());
-  const std::set<std::string>& known = openings.empty() ? all : openings;
-  const std::string meant = nearest_word(name, std::vector<std::string>(all.begin(), all.end()));
-  const std::string hint = meant.empty() ? "" : fmt::format(" (\"{}\"?)", meant);
-  throw InputError("", "--opening", "\"" + name + "\"",
-                   fmt::format("the name of an opening or of a group of blocks{}: {}", hint,
-                               listed(std::vector<std::string>(known.begin(), known.end()))));
-}
 
 Vec2 acceleration_of(const std::vector<double>& components) {
   if (components.empty()) return Vec2::Zero();

@@ -81,7 +81,8 @@ void refuse_what_is_measured(const Model& model, const Removals& removals) {
 
 void check_relaxation(const Item& item, const Stage& stage) {
   if (!stage.removal.relaxation) return;
-  if (stage.paces_itself()) item.fail("relaxation", "in steps that take no time", "a stage with a dt, or none");
+  if (stage.paces_itself() && stage.duration == 0)
+    item.fail("relaxation", "in a stage that takes no time", "a stage with a dt or a duration, or none");
   check_history(item, *stage.removal.relaxation);
   const double first = evaluate(*stage.removal.relaxation, 0);
   if (std::abs(first - 1) > 1e-12) item.fail("relaxation", fmt::format("{} at its start", first), "1 there");

@@ -91,6 +91,15 @@ TEST(RemovalInScenes, ThatCannotBeIsRefused) {
   expect_sentence_for(timeless, {"steps[2].remove.over", "take no time"});
 }
 
+// With a duration there is a time over which tractions fade: those at its end are what the stage settles under.
+TEST(RemovalInScenes, MayLeaveAShareInAStaticStageThatFindsItsSteps) {
+  const std::string stage =
+      R"(}, {"integrator": "static", "duration": 1, "remove": {"blocks": ["hole"], "table": [[0, 1], [1, 0.3]]})";
+  const Model model = parse_scene(scene_with("", stage), "fading.json");
+  ASSERT_TRUE(model.stages.back().paces_itself());
+  EXPECT_EQ(evaluate(*model.stages.back().removal.relaxation, 1), 0.3);
+}
+
 TEST(RemovalInScenes, OfWhatIsActedOnIsRefused) {
   const auto refused = [](const std::string& more, const std::string& part) {
     expect_sentence_for(scene_with(more, R"(, "remove": ["hole"])"), {"\"motion\" remove is \"a\"", part});

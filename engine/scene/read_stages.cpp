@@ -118,9 +118,9 @@ std::optional<TimeFunction> read_relaxation(const Field& field, const Stage& sta
   const auto table = field.find("table");
   if (over) refuse(field, {"table"}, "beside over");
   if (!over && !table) return std::nullopt;
-  // A dynamic stage without dt has none yet here either, but is given one before it is stepped.
-  if (stage.paces_itself() && !stage.automatic_dt)
-    (over ? *over : *table).fail("left out in a static stage without dt, whose steps take no time");
+  // A static stage that finds its own steps has what is left at the end of its duration from its first step on.
+  if (stage.paces_itself() && stage.duration == 0)
+    (over ? *over : *table).fail("left out in a static stage without dt and duration, whose steps take no time");
   if (over) return PiecewiseLinear{{0, over->positive(Dimension::time)}, {1, 0}};
   PiecewiseLinear rows = read_table(*table);
   if (evaluate(rows, 0) != 1) table->fail("1 at time 0, when the blocks are removed");

@@ -1,0 +1,139 @@
+// `dda reaction` as from a shell.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/app/command_line_test_support.h"
+
+namespace dda {
+namespace {
+
+// A beam of two blocks under 2 MPa, and what carries it: the core of a frame of held blocks, which is taken out.
+const std::string keystone = R"({"dda": 1, "gravity": 9.81,
+ "materials": {"rock": {"density": 2600, "young": 1e10, "poisson": 0.2}},
+ "joints": {"default": {"friction_angle": "20 deg"}},
+ "blocks": [{"polygon": {"name": "floor", "vertices": [[-2, -1], [3, -1], [3, 0], [-2, 0]]}},
+            {"polygon": {"name": "left", "vertices": [[-2, 0], [0, 0], [0, 1], [-0.2, 2], [-2, 2]]}},
+            {"polygon": {"name": "right", "vertices": [[1, 0], [3, 0], [3, 2], [1.2, 2], [1, 1]]}},
+            {"polygon": {"name": "key", "vertices": [[0, 1], [1, 1], [1.2, 2], [-0.2, 2]]}},
+            {"polygon": {"name": "core", "group": "tunnel", "vertices": [[0, 0], [1, 0], [1, 1], [0, 1]]}}],
+ "fixed": ["floor", "left", "right"],
+ "loads": [{"edge": {"from": [-0.2, 2], "to": [1.2, 2]}, "block": "key", "traction": [0, -1e5]}],
+ "steps": [{"integrator": "static"}, {"remove": ["tunnel"], "dt": 1e-3, "duration": 1}]})";
+
+// The same with a key that is wider at its foot, which falls.
+std::string falling_key() {
+  std::string scene = keystone;
+  const auto swap = [&scene](const std::string& from, const std::string& to) {
+    for (std::size_t at = scene.find(from); at != std::string::npos; at = scene.find(from, at + to.size()))
+      scene.replace(at, from.size(), to);
+  };
+  swap("[-0.2, 2]", "[0.2, 2]");
+  swap("[1.2, 2]", "[0.8, 2]");
+  return scene;
+}
+
+class ReactionCommand : public CommandLine {};
+
+TEST_F(ReactionCommand, WritesTheCurve) {
+  write("scene.json", keystone);
+  const Outcome outcome =
+      call({"reaction", path("scene.json"), "--opening", "tunnel", "--steps", "4", "--out", path("out")});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "share 0.5: the wall comes in by")) << outcome.errors;
+  const nlohmann::json report = nlohmann::json::parse(text("out/reaction.json"));
+  ASSERT_EQ(report["points"].size(), 5U);
+  EXPECT_EQ(report["settles_down_to"], 0);
+  EXPECT_TRUE(report["fails_at"].is_null());
+  EXPECT_NEAR(report["wall_length"].get<double>(), 4, 1e-12);
+  const nlohmann::json& last = report["points"][4]["displacement"];
+  EXPECT_GT(last["crown"].get<double>(), 0);
+  EXPECT_EQ(last["largest_of"], "key");
+  EXPECT_EQ(last["left"], 0);  // held
+  EXPECT_EQ(lines(text("out/reaction.csv")), 6);
+  EXPECT_TRUE(contains(text("out/reaction.svg"), "</svg>"));
+}
+
+TEST_F(ReactionCommand, SaysFromWhereOnRockFalls) {
+  write("scene.json", falling_key());
+  const Outcome outcome = call({"reaction", path("scene.json"), "--opening", "tunnel", "--out", path("out")});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.out, "does not come to rest, and the curve ends at")) << outcome.out;
+  const nlohmann::json report = nlohmann::json::parse(text("out/reaction.json"));
+  const nlohmann::json& last = report["points"].back();
+  EXPECT_FALSE(last["settles"]);
+  EXPECT_TRUE(last["displacement"].is_null());
+  EXPECT_EQ(last["loose_blocks"].at(0)["block"], "key");
+  EXPECT_EQ(report["fails_at"], last["share"]);
+  EXPECT_GT(report["settles_down_to"], report["fails_at"]);
+  EXPECT_EQ(lines(text("out/reaction.csv")), static_cast<std::ptrdiff_t>(report["points"].size()));
+  EXPECT_TRUE(contains(text("out/reaction.svg"), "no rest at a share of"));
+}
+
+// A stone in the air, which nothing holds from the start, is no rock that the opening lets fall.
+TEST_F(ReactionCommand, OfRockWithLooseStonesGoesOnToZero) {
+  nlohmann::json scene = nlohmann::json::parse(keystone);
+  scene["blocks"].push_back({{"polygon", {{"name", "stone"}, {"vertices", {{8, 20}, {9, 20}, {9, 21}, {8, 21}}}}}});
+  write("scene.json", scene.dump());
+  const Outcome outcome = call({"reaction", path("scene.json"), "--opening", "tunnel", "--out", path("out")});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.out, "In situ nothing held block \"stone\" at (")) << outcome.out;
+  const nlohmann::json report = nlohmann::json::parse(text("out/reaction.json"));
+  EXPECT_EQ(report["settles_down_to"], 0);
+  EXPECT_EQ(report["loose_in_situ"].at(0)["block"], "stone");
+  EXPECT_EQ(report["points"].back()["loose_blocks"].size(), 0U);
+}
+
+TEST_F(ReactionCommand, WritesTheSameEveryTime) {
+  write("scene.json", falling_key());
+  for (const char* folder : {"one", "two"})
+    ASSERT_EQ(call({"reaction", path("scene.json"), "--opening", "tunnel", "--out", path(folder)}).code, 0);
+  EXPECT_EQ(files_below("one"), files_below("two"));
+}
+
+TEST_F(ReactionCommand, TakesSharesOfItsOwn) {
+  write("scene.json", keystone);
+  ASSERT_EQ(call({"reaction", path("scene.json"), "--opening", "core", "--out", path("no")}).code, 2);
+  ASSERT_EQ(
+      call({"reaction", path("scene.json"), "--opening", "tunnel", "--shares", "0.6,0.25", "--out", path("out")}).code,
+      0);
+  const nlohmann::json report = nlohmann::json::parse(text("out/reaction.json"));
+  ASSERT_EQ(report["points"].size(), 2U);
+  EXPECT_EQ(report["points"][1]["share"], 0.25);
+}
+
+// Rock that falls before anything is taken out has no curve.
+TEST_F(ReactionCommand, OfRockThatDoesNotSettleInSituEndsEarly) {
+  nlohmann::json scene = nlohmann::json::parse(keystone);
+  scene["steps"] =
+      nlohmann::json::parse(R"([{"integrator": "static", "dt": 1e-5, "duration": 1e-5, "equilibrium": 1e-9}])");
+  write("scene.json", scene.dump());
+  const Outcome outcome = call({"reaction", path("scene.json"), "--opening", "tunnel", "--out", path("out")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_TRUE(contains(outcome.errors, "does not settle before \"tunnel\" is taken out: static stage"))
+      << outcome.errors;
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(ReactionCommand, RefusesWhatIsWrongBeforeItWritesAnything) {
+  write("scene.json", keystone);
+  const auto refused = [&](const std::vector<std::string>& more, std::string_view part) {
+    std::vector<std::string> arguments{"reaction", path("scene.json"), "--out", path("out")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refusal(arguments, part);
+  };
+  refused({}, "--opening is required");
+  refused({"--opening", "tunel"},
+          "--opening is \"tunel\", expected the name of an opening or of a group of blocks (\"tunnel\"?)");
+  refused({"--opening", "left"}, "which is held");
+  refused({"--opening", "tunnel", "--steps", "0"}, "--steps is 0, expected a whole number from 1 to 1000");
+  refused({"--opening", "tunnel", "--shares", "0.5,0.5"}, "--shares is 0.5 in place 2, expected numbers from 1 to 0");
+  refused({"--opening", "tunnel", "--shares", "1.1"}, "--shares is 1.1 in place 1");
+  refused({"--opening", "tunnel", "--shares", "nan"}, "--shares is nan in place 1");
+  refused({"--opening", "tunnel", "--shares", "1,0", "--steps", "3"}, "--steps");
+  expect_refusal({"reaction", path("scene.json"), "--opening", "tunnel", "--out", path("scene.json")},
+                 "which is a file");
+  EXPECT_EQ(files_below(".").size(), 1U);
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,112 @@
+#include "engine/reaction/ground_reaction.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/reaction/unloading.h"
+#include "engine/simulation/measured_forces.h"
+#include "engine/simulation/simulation.h"
+#include "engine/simulation/snapshot.h"
+
+namespace dda {
+namespace {
+
+// The moment from which every share begins.
+struct Settled {
+  State state;
+  std::vector<std::byte> snapshot;
+  double pressure = 0;  // Pa, as ReactionCurve::pressure
+  Status status = Status::ok;
+  std::string message;
+  std::vector<UnbalancedBlock> loose;  // of all stages so far
+};
+
+// Mean over the wall of the normal forces that the opening exerts on what stays, Pa, positive in compression.
+double mean_pressure(const Simulation& simulation, const std::vector<int>& opening, const OpeningWall& wall) {
+  Measurement force;
+  force.quantity = Quantity::contact_force;
+  force.others = opening;
+  std::ranges::sort(force.others);
+  for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i)
+    if (!std::ranges::binary_search(force.others, static_cast<int>(i))) force.blocks.push_back(static_cast<int>(i));
+  constexpr Eigen::Index normal = 2;
+  return -contact_force(simulation, force, make_cut(simulation, force))(normal) / wall.length;
+}
+
+// Runs all stages but the last.
+Settled settle(const Model& model, const std::vector<int>& opening, const OpeningWall& wall) {
+  Settled settled;
+  Simulation simulation(model);
+  const std::size_t before = model.stages.size() - 1;
+  const auto keep = [&] {
+    if (stages_done(simulation) != before) return;
+    settled.state = simulation.state();
+    settled.snapshot = save(simulation);
+    settled.pressure = mean_pressure(simulation, opening, wall);
+  };
+  call_between_stages(keep, simulation);
+  while (settled.status == Status::ok && stages_done(simulation) < before) settled.status = simulation.step();
+  settled.message = simulation.message();
+  settled.loose = simulation.loose_blocks();
+  return settled;
+}
+
+bool has(const std::vector<UnbalancedBlock>& blocks, int block) {
+  return std::ranges::find(blocks, block, &UnbalancedBlock::block) != blocks.end();
+}
+
+// Of the last stage, without those that nothing held before.
+std::vector<UnbalancedBlock> newly_loose(const Simulation& simulation, const Settled& settled) {
+  const int last = static_cast<int>(simulation.model().stages.size()) - 1;
+  std::vector<UnbalancedBlock> loose = simulation.loose_blocks();
+  std::erase_if(loose, [&](const auto& each) { return each.stage != last || has(settled.loose, each.block); });
+  return loose;
+}
+
+// All that the end of the run lacks are holds of blocks that had none in situ.
+bool settles_but_for_old_loose_blocks(const Simulation& simulation, const ReactionPoint& point) {
+  return point.status == Status::not_in_equilibrium && point.loose.empty() &&
+         simulation.static_out_of_balance().back() <= simulation.model().stages.back().equilibrium;
+}
+
+ReactionPoint point_at(double share, Model model, const Settled& settled, const OpeningWall& wall) {
+  model.stages.back().removal.relaxation = fading_to(share);
+  Simulation simulation(std::move(model));
+  restore(simulation, settled.state, settled.snapshot);
+  ReactionPoint point;
+  point.share = share;
+  while (point.settles() && !simulation.finished()) point.status = simulation.step();
+  point.motion = motion_of(wall, simulation.model(), settled.state, simulation.state());
+  point.loose = newly_loose(simulation, settled);
+  if (settles_but_for_old_loose_blocks(simulation, point)) point.status = Status::ok;
+  if (!point.settles()) point.reason = simulation.message();
+  return point;
+}
+
+}  // namespace
+
+ReactionCurve ground_reaction(const Model& model, const ReactionQuestion& question,
+                              const std::function<void(const ReactionPoint&)>& progress) {
+  const Unloading unloading = unloading_of(model, question.opening);
+  const Model& scene = unloading.model;
+  ReactionCurve curve;
+  curve.left_out = unloading.left_out;
+  curve.wall = wall_of(question.opening, scene.absent_in(scene.stages.size() - 2), scene);
+  if (curve.wall.faces.empty())
+    throw InputError("", "the opening", "without faces along blocks that stay", "one that the rock touches");
+  const Settled settled = settle(scene, question.opening, curve.wall);
+  curve.in_situ = settled.status;
+  curve.message = settled.message;
+  curve.pressure = settled.pressure;
+  curve.loose_in_situ = settled.loose;
+  for (const double share : question.shares) {
+    if (settled.status != Status::ok || (!curve.points.empty() && !curve.points.back().settles())) break;
+    curve.points.push_back(point_at(share, scene, settled, curve.wall));
+    if (progress) progress(curve.points.back());
+  }
+  return curve;
+}
+
+}  // namespace dda

@@ -1,0 +1,95 @@
+#include "engine/reaction/unloading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "engine/core/error.h"
+
+namespace dda {
+namespace {
+
+// s, of the last stage. It is a fade that a static stage has behind it from its first step on; the time is so short
+// that nothing else changes in it.
+constexpr double fade = 1e-6;
+constexpr double asked_balance = 1e-9;  // as of static stages that find their own steps
+
+Stage static_stage(const std::string& name, const Stage& like) {
+  Stage stage;
+  stage.name = name;
+  stage.integrator = static_integrator();
+  stage.kinematics = like.kinematics;
+  stage.solver = like.solver;
+  stage.equilibrium = like.integrator.is_static && like.equilibrium > 0 ? like.equilibrium : asked_balance;
+  stage.unlimited_strength = like.integrator.is_static && like.unlimited_strength;
+  stage.max_open_close_iterations = like.max_open_close_iterations;
+  stage.max_step_reductions = like.max_step_reductions;
+  return stage;
+}
+
+// The stage that takes the opening out; none: the number of stages.
+std::size_t stage_of(const std::vector<int>& opening, const Model& model) {
+  const auto is_of_opening = [&](int block) { return std::ranges::find(opening, block) != opening.end(); };
+  for (std::size_t i = 0; i < model.stages.size(); ++i) {
+    const std::vector<int>& removed = model.stages[i].removal.blocks;
+    const auto common = static_cast<std::size_t>(std::ranges::count_if(removed, is_of_opening));
+    if (common == 0) continue;
+    if (common != opening.size() || common != removed.size())
+      throw InputError("", "the opening",
+                       fmt::format("of {} blocks, {} of which stage \"{}\" removes, and {} others", opening.size(),
+                                   common, model.stages[i].name, removed.size() - common),
+                       "one that a single stage removes, and nothing else with it");
+    return i;
+  }
+  return model.stages.size();
+}
+
+void keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
+  std::size_t kept = stage_of(opening, model);
+  const bool is_taken_out = kept < model.stages.size();
+  const Stage like = is_taken_out ? model.stages[kept] : model.stages.front();
+  if (!is_taken_out) {
+    const auto moves = [](const Stage& stage) { return !stage.integrator.is_static || !stage.removal.blocks.empty(); };
+    kept = static_cast<std::size_t>(std::ranges::find_if(model.stages, moves) - model.stages.begin());
+  }
+  model.stages.resize(kept);
+  if (model.stages.empty()) model.stages.push_back(static_stage("in situ", like));
+  Stage last = static_stage(is_taken_out ? like.name : "opening", is_taken_out ? like : model.stages.back());
+  last.duration = fade;
+  last.removal = {opening, fading_to(1)};
+  model.stages.push_back(std::move(last));
+}
+
+// Of what is put in with the last stage or would have been later.
+template <typename Support>
+void leave_out_support(int last, std::vector<Support>& supports, std::vector<std::string>& names) {
+  const auto is_late = [last](const Support& support) { return support.first_stage >= last; };
+  for (const Support& support : supports)
+    if (is_late(support)) names.push_back(support.name);
+  std::erase_if(supports, is_late);
+}
+
+}  // namespace
+
+TimeFunction fading_to(double share) { return PiecewiseLinear{{0, fade / 2}, {1, share}}; }
+
+Unloading unloading_of(Model model, const std::vector<int>& opening) {
+  Unloading unloading;
+  keep_stages_in_situ(opening, model);
+  const int last = static_cast<int>(model.stages.size()) - 1;
+  leave_out_support(last, model.bolts, unloading.left_out);
+  leave_out_support(last, model.linings, unloading.left_out);
+  for (PointSupport& support : model.supports)
+    if (support.last_stage >= last) support.last_stage = -1;
+  if (model.free_field_sides.empty())  // else such a scene is refused
+    std::erase_if(model.viscous_edges, [last](const ViscousEdge& edge) { return edge.first_stage > last; });
+  model.measurements.clear();
+  model.peaks.reset();
+  finish_model(model);
+  unloading.model = std::move(model);
+  return unloading;
+}
+
+}  // namespace dda

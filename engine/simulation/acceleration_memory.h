@@ -19,7 +19,7 @@ class AccelerationMemory {
   // Before the first part of a step.
   void note_start(const std::vector<Vec6>& acceleration) { start_ = acceleration; }
 
-  // What follows is twice as long as the last part.
+  // What follows is twice as long as the last part. 6 entries a block.
   void halve(std::vector<Vec6>& acceleration) const;
 
  private:

@@ -139,7 +139,7 @@ Status ExplicitStep::advance(double dt, bool /*can_be_cut*/) {
 
 void ExplicitStep::remember() {
   if (system_.plan.supports) before_.supports = system_.supports;
-  before_.audit = system_.audit;
+  before_.audit = static_cast<const EnergyAudit&>(system_.audit);
   before_.dashpot_force = dashpot_force_;
   before_.mass_damping_force = mass_damping_force_;
 }

@@ -185,8 +185,8 @@ Comparison compare(const Model& model) {
 
 }  // namespace
 
-std::string name_of(Agreement agreement) {
-  switch (agreement) {
+std::string name_of(Agreement found) {
+  switch (found) {
     case Agreement::agreed: return "agreed";
     case Agreement::stopped: return "stopped alike";
     case Agreement::refused: return "refused";

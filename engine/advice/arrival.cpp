@@ -202,7 +202,8 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   errors.amplitude = fit.factor - 1;
   errors.peak = found.peak / wanted.peak_near(due) - 1;
   const bool has_come = wanted.largest(until) >= 0.5 * wanted.largest(never);
-  const double looked_at = has_come ? until : never;
+  double looked_at = never;
+  if (has_come) looked_at = until;
   errors.largest = largest_of(trace, interval, looked_at) / wanted.largest(looked_at) - 1;
   errors.peak_speed = speed_error(on_time, found.peak_time - due.peak_time);
   errors.onset_speed = speed_error(on_time, found.onset_time - due.onset_time);

@@ -13,6 +13,7 @@
 
 #include "engine/advice/far_coordinates.h"
 #include "engine/advice/held_blocks_acted_on.h"
+#include "engine/advice/joint_remarks.h"
 #include "engine/advice/lining_remarks.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/geometry/box.h"
@@ -272,40 +273,6 @@ void remark_on_coarse_steps(const Model& model, const ContactSet& /*contacts*/, 
   }
 }
 
-void remark_on_brittle_joints(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  std::set<int> used;
-  for (const Interface& interface : contacts.interfaces) used.insert(interface.joint);
-  for (const int index : used) {
-    const JointMaterial& joint = model.joints[at(index)];
-    if (joint.bonded || joint.cohesion == 0 || joint.residual_cohesion > 0) continue;
-    remarks.push_back(fmt::format(
-        "joint \"{}\" is brittle: residual_cohesion is 0 or left out, so a contact that fails loses all of its {:g} Pa",
-        joint.name, joint.cohesion));
-  }
-}
-
-// Springs without shear stiffness never reach the strength at which a joint would slide or break.
-void remark_on_shear(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  const bool moves =
-      std::ranges::any_of(model.stages, [](const Stage& s) { return s.kinematics == Kinematics::finite; });
-  std::set<int> used;
-  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    const int joint = contacts.interfaces[i].joint;
-    const InterfaceLaw law = contacts.elements[i].law;
-    const bool has_springs = law == InterfaceLaw::classical || law == InterfaceLaw::projected;
-    if (has_springs || (moves && is_dry(model.joints[at(joint)]))) used.insert(joint);
-  }
-  for (const int index : used) {
-    const JointMaterial& joint = model.joints[at(index)];
-    const bool slides_freely = !joint.bonded && joint.friction_angle == 0 && joint.cohesion == 0;
-    if (joint.shear_to_normal > 0 || joint.shear_stiffness > 0 || slides_freely) continue;
-    remarks.push_back(
-        fmt::format("joint \"{}\": shear_to_normal is 0, so it never resists shear while it is elastic, and what it "
-                    "has of friction or cohesion does not act then",
-                    joint.name));
-  }
-}
-
 bool moves(const PointSupport& support) { return !support.amplitude.isZero(0); }
 bool moves(const HeldBlock& held) { return !held.amplitude.isZero(0) || held.turn != 0; }
 
@@ -343,6 +310,10 @@ void remark_on_held_blocks(const Model& model, const ContactSet& /*contacts*/, R
   for (std::string& sentence : acting_on_held_blocks(model)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_joints(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  for (std::string& sentence : joint_remarks(model, contacts)) remarks.push_back(std::move(sentence));
+}
+
 void remark_on_linings(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   for (std::string& sentence : lining_remarks(model)) remarks.push_back(std::move(sentence));
 }
@@ -352,10 +323,9 @@ void remark_on_coordinates(const Model& model, const ContactSet& contacts, Remar
 }
 
 constexpr auto all_remarks = {
-    remark_on_holding, remark_on_gravity,     remark_on_tension,        remark_on_materials,
-    remark_on_sizes,   remark_on_gaps,        remark_on_steps,          remark_on_coarse_steps,
-    remark_on_loads,   remark_on_shear,       remark_on_brittle_joints, remark_on_chatter,
-    remark_on_linings, remark_on_held_blocks, remark_on_damping_rate,   remark_on_coordinates};
+    remark_on_holding, remark_on_gravity, remark_on_tension,      remark_on_materials,    remark_on_sizes,
+    remark_on_gaps,    remark_on_steps,   remark_on_coarse_steps, remark_on_loads,        remark_on_joints,
+    remark_on_chatter, remark_on_linings, remark_on_held_blocks,  remark_on_damping_rate, remark_on_coordinates};
 
 }  // namespace
 

@@ -161,6 +161,35 @@ const std::vector<OddScene> odd_scenes = {
     {"brittle", [](Model& model) { model.joints[0].cohesion = 1e6; },
      "joint \"default\" is brittle: residual_cohesion is 0 or left out, so a contact that fails loses all of its 1e+06 "
      "Pa"},
+    // 50 kPa / tan(0.6 rad) = 73.1 kPa, on either side of which the joint is as strong as it says or not.
+    {"no_shear_strength_where_it_is_pulled",
+     [](Model& model) {
+       model.joints[0].cohesion = 50e3;
+       model.joints[0].residual_cohesion = 1e3;
+       model.joints[0].tensile_strength = 74e3;
+     },
+     "joint \"default\": tensile_strength is 74000 Pa, but from cohesion / tan(friction_angle) = 7.31e+04 Pa of "
+     "tension "
+     "on it has no shear strength, and the least shear breaks it"},
+    {"shear_strength_where_it_is_pulled",
+     [](Model& model) {
+       model.joints[0].cohesion = 50e3;
+       model.joints[0].residual_cohesion = 1e3;
+       model.joints[0].tensile_strength = 73e3;
+     },
+     ""},
+    {"no_shear_strength_without_cohesion", [](Model& model) { model.joints[0].tensile_strength = 1e3; },
+     "joint \"default\": tensile_strength is 1000 Pa, but from cohesion / tan(friction_angle) = 0 Pa of tension on it "
+     "has "
+     "no shear strength, and the least shear breaks it"},
+    {"shear_strength_without_friction",
+     [](Model& model) {
+       model.joints[0].cohesion = 50e3;
+       model.joints[0].residual_cohesion = 1e3;
+       model.joints[0].friction_angle = 0;
+       model.joints[0].tensile_strength = 1e6;
+     },
+     ""},
     {"no_shear_stiffness",
      [](Model& model) {
        model.joints[0].law = InterfaceLaw::classical;

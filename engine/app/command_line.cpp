@@ -27,6 +27,7 @@
 #include "engine/core/option_values.h"
 #include "engine/core/quantity.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_parts.h"
 
 namespace dda {
 namespace {
@@ -215,9 +216,9 @@ void check_scene(const Arguments& arguments, std::ostream& out) {
   std::optional<double> frequency;
   if (!arguments.frequency.empty())
     frequency = positive_quantity(arguments.frequency, Dimension::frequency, frequencies, "--frequency");
-  const Model model = read_scene(arguments.scene);
+  const SceneParts scene = read_scene_parts(arguments.scene);
   try {
-    out << describe_scene(model, frequency);
+    out << describe_scene(scene.model, frequency, scene.remarks);
   } catch (const InputError& error) {
     throw error.in_file(arguments.scene);
   }

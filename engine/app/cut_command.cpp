@@ -10,6 +10,7 @@
 #include "engine/app/cut_picture.h"
 #include "engine/app/cut_report.h"
 #include "engine/app/exported_blocks.h"
+#include "engine/app/statistics_picture.h"
 #include "engine/core/error.h"
 #include "engine/drawing/read_drawing.h"
 #include "engine/drawing/write_blocks.h"
@@ -78,7 +79,8 @@ struct Output {
 std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, const CutRequest& request) {
   std::vector<Output> outputs{{request.folder / "scene.json", cut.text},
                               {request.folder / "cut.json", report_json(cut, figures)},
-                              {request.folder / "cut.svg", cut_picture(cut)}};
+                              {request.folder / "cut.svg", cut_picture(cut)},
+                              {request.folder / "statistics.svg", statistics_picture(cut)}};
   if (!request.exported.empty())
     outputs.push_back({request.exported, block_file(request.exported, drawing_of_blocks(cut))});
   return outputs;

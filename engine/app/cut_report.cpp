@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "engine/cutting/block_shape.h"
 #include "engine/cutting/rock_statistics.h"
+#include "engine/scene/cut_remarks.h"
 
 namespace dda {
 namespace {
@@ -67,15 +67,10 @@ json fill_entry(const CutFill& fill) {
 }
 
 std::string cleaned_text(const CutScene& scene) {
-  std::map<Cleaning, int> counts;
-  for (const CutEntry& entry : scene.entries) {
-    for (const Cleaned& cleaned : entry.cut.cleaned) ++counts[cleaned.what];
-  }
-  if (counts.empty()) return "cleaned: nothing\n";
-  std::string text;
-  for (const auto& [what, count] : counts)
-    text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", count, to_string(what));
-  return "cleaned: " + text + " (cut.json says where)\n";
+  std::vector<const CutRock*> rocks;
+  for (const CutEntry& entry : scene.entries) rocks.push_back(&entry.cut);
+  const std::string text = cleaned_in_words(rocks);
+  return text.empty() ? "cleaned: nothing\n" : "cleaned: " + text + " (cut.json says where)\n";
 }
 
 }  // namespace

@@ -24,8 +24,6 @@ struct CutFigures {
   double seconds = 0;
 };
 
-inline constexpr double slender_aspect = 10;
-
 CutFigures figures_of(const CutScene& scene, double seconds);
 std::string report_json(const CutScene& scene, const CutFigures& figures);
 std::string report_text(const CutScene& scene, const CutFigures& figures);

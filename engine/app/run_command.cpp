@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -32,6 +33,7 @@
 #include "engine/record/progress.h"
 #include "engine/record/run_folder.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_parts.h"
 #include "engine/simulation/branch.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/simulation.h"
@@ -93,12 +95,20 @@ class Run {
   }
 
  private:
-  [[nodiscard]] Simulation simulation_of_scene() const {
+  [[nodiscard]] Simulation simulation_of_scene() {
     try {
-      return Simulation(parse_scene(scene_text_, options_.scene.string(), options_.scene.parent_path()));
+      SceneParts scene = parse_scene_parts(scene_text_, options_.scene.string(), options_.scene.parent_path());
+      cut_remarks_ = std::move(scene.remarks);
+      return Simulation(std::move(scene.model));
     } catch (const InputError& error) {
       throw error.in_file(options_.scene.string());
     }
+  }
+
+  [[nodiscard]] std::vector<std::string> remarks_on_scene() {
+    std::vector<std::string> remarks = std::move(cut_remarks_);
+    std::ranges::move(remarks_on(simulation_.model(), simulation_.contacts()), std::back_inserter(remarks));
+    return remarks;
   }
 
   // How many stages were done before this run.
@@ -306,9 +316,10 @@ class Run {
   std::unique_ptr<PhaseClock> clock_;  // only of runs that are profiled
   std::optional<PhaseScope> setting_up_;
   std::string scene_text_;
+  std::vector<std::string> cut_remarks_;
   Simulation simulation_;
   // On the scene as drawn, whose contacts are there only before the run goes on from anywhere else.
-  std::vector<std::string> remarks_ = remarks_on(simulation_.model(), simulation_.contacts());
+  std::vector<std::string> remarks_ = remarks_on_scene();
   std::size_t begun_from_;  // stages
   Probes probes_;
   FolderLock lock_;

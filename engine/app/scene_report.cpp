@@ -279,7 +279,8 @@ void add_waves(const Simulation& simulation, std::optional<double> frequency, Te
 
 }  // namespace
 
-std::string describe_scene(const Model& model, std::optional<double> frequency) {
+std::string describe_scene(const Model& model, std::optional<double> frequency,
+                           const std::vector<std::string>& remarks) {
   const Simulation simulation(model);
   const Probes probes(simulation);
   const ContactSet& contacts = simulation.contacts();
@@ -294,6 +295,7 @@ std::string describe_scene(const Model& model, std::optional<double> frequency) 
   add_what_acts(model, text);
   if (const Simulation* columns = simulation.free_field_columns()) add_free_field(model, *columns, text);
   add_size(model, contacts, matrix, text);
+  for (const std::string& remark : remarks) text.line("remark", "{}", remark);
   for (const std::string& remark : remarks_on(model, contacts)) text.line("remark", "{}", remark);
   for (const std::string& remark : ringing_weight(model, contacts)) text.line("remark", "{}", remark);
   for (std::size_t i = 0; i < model.stages.size(); ++i) add_stage(simulation, i, matrix, text);

@@ -65,9 +65,13 @@ class ContactSearch {
   static void visit(Self& self, Archive& archive) {
     auto& [outlines, sizes, smallest_size, absent, lift, grown, room, must_list, just_widened, pairs, wider] = self;
     archive.each(grown);
-    archive(room, must_list, just_widened, pairs,
-            wider);  // sizes are the drawing's; what is absent follows from the stage; outlines and lift are brought
-                     // up to date before they are read
+    archive.of_blocks(room);
+    archive(must_list, just_widened);
+    archive.pairs_of_blocks(pairs);
+    archive(wider);
+    archive.expect(wider.empty() || wider.size() == pairs.size());
+    // Sizes are the drawing's; what is absent follows from the stage; outlines and lift are brought up to date before
+    // they are read.
   }
 
  private:

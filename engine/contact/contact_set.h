@@ -25,6 +25,8 @@ struct ContactSet {
   static void visit(Self& self, Archive& archive) {
     auto& [interfaces, elements, strengths, states, can_change, outline_compliance] = self;
     archive(interfaces, elements, strengths, states);  // the others are the drawing's
+    archive.expect(elements.size() == interfaces.size() && strengths.size() == interfaces.size() &&
+                   states.size() == interfaces.size());
   }
 };
 

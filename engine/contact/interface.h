@@ -22,7 +22,9 @@ struct Interface {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [block_a, block_b, from, to, normal, length, joint, share] = self;
-    archive(block_a, block_b, from, to, normal, length, joint, share);
+    archive.blocks(block_a, block_b);
+    archive.joints(joint);
+    archive(from, to, normal, length, share);
   }
 };
 

@@ -77,7 +77,8 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
   static_assert(sizeof(InterfaceElement) == sizeof(Members));
   using OwnSprings = std::conditional_t<std::is_const_v<Self>, const InterfaceSprings, InterfaceSprings>;
   InterfaceSprings::visit_springs(static_cast<OwnSprings&>(self), archive);
-  archive(self.block_a, self.block_b, self.rows_a, self.rows_b);
+  archive.blocks(self.block_a, self.block_b);
+  archive(self.rows_a, self.rows_b);
   if (has_stress_rows(self)) archive(self.stress_rows_a, self.stress_rows_b, self.strain_rows_a, self.strain_rows_b);
 }
 

@@ -42,13 +42,17 @@ class MovingContacts {
   // Pairs of blocks that can touch before the next change of the list.
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return search_.pairs(); }
 
+  // How many contacts it knows, in the order of the ContactSet.
+  [[nodiscard]] std::size_t known_contacts() const { return stretches_ + known_.size(); }
+
   [[nodiscard]] double size_of(int block) const { return search_.size_of(block); }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [search, surfaces, lost_ends, stretches, known, covered, uncovered] = self;
     // Surfaces are the drawing's; no end is lost between steps.
-    archive(search, stretches, known, covered, uncovered);
+    archive(search, stretches, known, covered);
+    archive.pairs_of_blocks(uncovered);
   }
 
  private:

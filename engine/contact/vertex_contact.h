@@ -27,7 +27,9 @@ struct VertexContact {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [edge_block, vertex_block, edge, vertex, normal, gap] = self;
-    archive(edge_block, vertex_block, edge, vertex, normal, gap);
+    archive.blocks(edge_block, vertex_block);
+    archive.vertices(edge, vertex);
+    archive(normal, gap);
   }
 
   // Identity from step to step.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
 
 #include "engine/geometry/box.h"
@@ -86,6 +87,23 @@ RockStatistics statistics_of(const CutRock& rock) {
   statistics.rqd_level = quality_on_levels(rock.blocks);
   statistics.rqd_upright = quality_on_levels(on_its_side(rock.blocks));
   return statistics;
+}
+
+std::vector<double> length_rose(const std::vector<CutJoint>& joints) {
+  constexpr std::size_t wedges = 18;
+  std::vector<double> shares(wedges, 0.0);
+  double sum = 0;
+  for (const CutJoint& run : joints) {
+    const Vec2 way = run.to - run.from;
+    double angle = std::atan2(way.y(), way.x());
+    if (angle < 0) angle += std::numbers::pi;
+    // What should be on the border of two wedges may be off it by round-off.
+    const auto wedge = static_cast<std::size_t>(std::floor(angle / std::numbers::pi * wedges + 1e-9));
+    shares[wedge % wedges] += way.norm();
+    sum += way.norm();
+  }
+  for (double& share : shares) share = sum > 0 ? share / sum : 0;
+  return shares;
 }
 
 }  // namespace dda

@@ -24,4 +24,8 @@ RockStatistics statistics_of(const CutRock& rock);
 // Lengths of the pieces that a level line at this height cuts out of blocks, in no order. Used for RQD.
 std::vector<double> pieces_on_level(const std::vector<CutBlock>& blocks, double height);
 
+// Shares of the length of all runs by direction, in wedges of ten degrees from level (to the right) over upright to
+// level again. A run on the border of two belongs to the later one. All zero without runs.
+std::vector<double> length_rose(const std::vector<CutJoint>& joints);
+
 }  // namespace dda

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/cutting/cutting_test_support.h"
 
 namespace dda {
@@ -30,6 +32,25 @@ TEST(RockStatistics, ALevelThroughAHoleHasTwoPieces) {
   ASSERT_EQ(pieces.size(), 2U);
   EXPECT_NEAR(pieces[0], 4, 1e-12);
   EXPECT_NEAR(pieces[1], 4, 1e-12);
+}
+
+// 3 m level, drawn either way; 4 m at 45 degrees; 1 m upright; 2 m that fall to the right by 30 degrees.
+TEST(RockStatistics, RoseHasTheLengthInEachDirection) {
+  const double half = std::sqrt(0.5), cosine = std::sqrt(0.75);
+  const auto shares = length_rose({{{0, 0}, {1, 0}, ""},
+                                   {{3, 0}, {1, 0}, ""},
+                                   {{0, 0}, {4 * half, 4 * half}, ""},
+                                   {{2, 5}, {2, 4}, ""},
+                                   {{0, 0}, {2 * cosine, -1}, ""}});
+  ASSERT_EQ(shares.size(), 18U);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double length = i == 0 ? 3 : i == 4 ? 4 : i == 9 ? 1 : i == 15 ? 2 : 0;
+    EXPECT_NEAR(shares[i], length / 10, 1e-12) << i;
+  }
+}
+
+TEST(RockStatistics, RoseWithoutJointsIsEmpty) {
+  for (const double share : length_rose({})) EXPECT_EQ(share, 0);
 }
 
 }  // namespace

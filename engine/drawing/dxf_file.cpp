@@ -134,6 +134,15 @@ int DxfEntity::whole(int code, int otherwise) const {
 
 Vec2 DxfEntity::point(int x_code) const { return {number(x_code), number(x_code + 10)}; }
 
+double DxfEntity::needed_number(int code) const {
+  if (find(code) == nullptr)
+    throw InputError("", fmt::format("{} ({})", origin_, readable(type_)), fmt::format("without group {}", code),
+                     "all coordinates, radii and angles that its type has");
+  return number(code);
+}
+
+Vec2 DxfEntity::needed_point(int x_code) const { return {needed_number(x_code), needed_number(x_code + 10)}; }
+
 std::vector<double> DxfEntity::numbers(int code) const {
   std::vector<double> values;
   for (const DxfGroup& group : groups_) {

@@ -26,6 +26,10 @@ class DxfEntity {
   [[nodiscard]] double number(int code, double otherwise = 0) const;
   [[nodiscard]] int whole(int code, int otherwise = 0) const;
   [[nodiscard]] Vec2 point(int x_code) const;  // y has the code 10 further on
+  // The same for what every entity of its type has: InputError where it is missing, as in a file that was cut short and
+  // mended, or written by hand. (Zero would be a line to the origin, an arc of a whole turn.)
+  [[nodiscard]] double needed_number(int code) const;
+  [[nodiscard]] Vec2 needed_point(int x_code) const;
   [[nodiscard]] std::vector<double> numbers(int code) const;
   [[nodiscard]] double number_of(const DxfGroup& group) const;
   // What follows `key` in the extended data of our own; empty where there is none.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -37,13 +38,13 @@ DrawnLine line_of(const DxfEntity& entity, const DxfPlacement& placement) {
 
 void add_line(const DxfEntity& entity, const DxfPlacement& placement, Pencil& pencil) {
   DrawnLine line = line_of(entity, placement);
-  line.start = placement.at(entity.point(10));
-  line.pieces.push_back({placement.at(entity.point(11)), nullptr});
+  line.start = placement.at(entity.needed_point(10));
+  line.pieces.push_back({placement.at(entity.needed_point(11)), nullptr});
   pencil.add(std::move(line));
 }
 
 void add_point(const DxfEntity& entity, const DxfPlacement& placement, Pencil& pencil) {
-  pencil.add(DrawnPoint{layer_of(entity, placement), entity.origin(), placement.at(entity.point(10))});
+  pencil.add(DrawnPoint{layer_of(entity, placement), entity.origin(), placement.at(entity.needed_point(10))});
 }
 
 // The part of an ellipse about `centre` with the half axes u and v, all in the coordinates of the entity.
@@ -67,26 +68,26 @@ double end_after(double from, double to) {
 }
 
 void add_circle(const DxfEntity& entity, const DxfPlacement& placement, Pencil& pencil) {
-  const double radius = entity.number(40);
+  const double radius = entity.needed_number(40);
   if (!(radius > 0)) fail(entity, fmt::format("of radius {}", radius), "a radius above 0");
   const Mat2 view = seen_from_above(entity);
   const bool arc = entity.type() == "ARC";
-  const double from = arc ? radians * entity.number(50) : 0;
-  const double to = arc ? end_after(from, radians * entity.number(51, 360)) : 2 * std::numbers::pi;
-  add_ellipse(entity, placement, view * entity.point(10), radius * view, from, to, pencil);
+  const double from = arc ? radians * entity.needed_number(50) : 0;
+  const double to = arc ? end_after(from, radians * entity.needed_number(51)) : 2 * std::numbers::pi;
+  add_ellipse(entity, placement, view * entity.needed_point(10), radius * view, from, to, pencil);
 }
 
 // The centre and axes of an ellipse are given in the plane itself, and its extrusion only says which way it turns.
 void add_ellipse(const DxfEntity& entity, const DxfPlacement& placement, Pencil& pencil) {
-  const Vec2 major = entity.point(11);
-  const double ratio = entity.number(40, 1);
+  const Vec2 major = entity.needed_point(11);
+  const double ratio = entity.needed_number(40);
   if (!(major.norm() > 0) || !(ratio > 0)) fail(entity, "without extent", "axes above 0");
   const double side = seen_from_above(entity).determinant();
   Mat2 axes;
   axes.col(0) = major;
   axes.col(1) = side * ratio * Vec2(-major.y(), major.x());
   const double from = entity.number(41);
-  add_ellipse(entity, placement, entity.point(10), axes, from, end_after(from, entity.number(42, 0)), pencil);
+  add_ellipse(entity, placement, entity.needed_point(10), axes, from, end_after(from, entity.number(42, 0)), pencil);
 }
 
 void add_corners(const DxfEntity& entity, const DxfPlacement& placement, const std::vector<Corner>& corners,
@@ -110,15 +111,21 @@ void add_corners(const DxfEntity& entity, const DxfPlacement& placement, const s
 }
 
 void add_light_polyline(const DxfEntity& entity, const DxfPlacement& placement, Pencil& pencil) {
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   std::vector<Corner> corners;
   for (const DxfGroup& group : entity.groups()) {
     if (group.code == 10)
-      corners.push_back({{entity.number_of(group), 0}, 0});
+      corners.push_back({{entity.number_of(group), missing}, 0});
     else if (group.code == 20 && !corners.empty())
       corners.back().at.y() = entity.number_of(group);
     else if (group.code == 42 && !corners.empty())
       corners.back().bulge = entity.number_of(group);
   }
+  if (std::ranges::any_of(corners, [](const Corner& corner) { return std::isnan(corner.at.y()); }))
+    fail(entity, "with a corner that has no group 20", "both coordinates of each");
+  const auto said = static_cast<std::size_t>(std::max(0, entity.whole(90, static_cast<int>(corners.size()))));
+  if (said != corners.size())
+    fail(entity, fmt::format("of {} corners, and says that it has {}", corners.size(), said), "as many as it says");
   add_corners(entity, placement, corners, (entity.whole(70) & 1) != 0, pencil);
 }
 
@@ -133,7 +140,7 @@ std::size_t add_old_polyline(std::span<const DxfEntity> entities, const DxfPlace
   std::size_t taken = 1;
   for (; taken < entities.size() && entities[taken].type() == "VERTEX"; ++taken) {
     const DxfEntity& vertex = entities[taken];
-    if ((vertex.whole(70) & frame_corner) == 0) corners.push_back({vertex.point(10), vertex.number(42)});
+    if ((vertex.whole(70) & frame_corner) == 0) corners.push_back({vertex.needed_point(10), vertex.number(42)});
   }
   if (taken == entities.size() || entities[taken].type() != "SEQEND")
     fail(head, fmt::format("a polyline of {} vertices without an end", taken - 1), "SEQEND after its vertices");

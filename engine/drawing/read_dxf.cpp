@@ -93,7 +93,7 @@ class DxfDraughtsman {
     const Mat2 turn = view * rotation * Vec2(entity.number(41, 1), entity.number(42, 1)).asDiagonal();
     DxfPlacement inner;
     inner.turn = outer.turn * turn;
-    inner.shift = outer.at(view * (entity.point(10) + rotation * offset) - turn * block.base);
+    inner.shift = outer.at(view * (entity.needed_point(10) + rotation * offset) - turn * block.base);
     inner.layer = layer_of(entity, outer);
     draw(block.entities, inner, depth + 1);
   }

@@ -165,6 +165,35 @@ TEST(ReadDxf, WhatIsWrongIsSaidInOneSentence) {
   for (const auto& each : all) expect_refused([&] { plan_of(read_dxf(each.first, "plan.dxf", 0), {}); }, each.second);
 }
 
+// Read as zero, what is missing would be a line to the origin, an arc of a whole turn, or a point elsewhere.
+TEST(ReadDxf, WhatAnEntityMustHaveIsNotGuessed) {
+  const std::string missing = "expected all coordinates, radii and angles that its type has";
+  const std::vector<std::pair<std::string, std::string>> all = {
+      {"LINE\n8\nrock\n10\n1\n20\n1\n", "without group 11"},
+      {"LINE\n8\nrock\n10\n1\n20\n1\n11\n3\n", "without group 21"},
+      {"LINE\n8\nrock\n20\n1\n11\n3\n21\n3\n", "without group 10"},
+      {"POINT\n8\nmeasure point\n10\n1\n", "without group 20"},
+      {"CIRCLE\n8\ntunnel\n40\n1\n", "without group 10"},
+      {"CIRCLE\n8\ntunnel\n10\n2\n20\n2\n", "without group 40"},
+      {"ARC\n8\nrock\n10\n2\n20\n2\n40\n1\n51\n90\n", "without group 50"},
+      {"ARC\n8\nrock\n10\n2\n20\n2\n40\n1\n50\n0\n", "without group 51"},
+      {"ELLIPSE\n8\nrock\n10\n2\n20\n2\n40\n0.5\n", "without group 11"},
+      {"ELLIPSE\n8\nrock\n10\n2\n20\n2\n11\n1\n21\n0\n", "without group 40"},
+      {"POLYLINE\n8\nrock\n0\nVERTEX\n10\n1\n20\n1\n0\nVERTEX\n10\n2\n0\nSEQEND\n", "(VERTEX) is without group 20"}};
+  for (const auto& [entity, value] : all)
+    expect_refused([&] { read_dxf(dxf(square(0, 4) + "0\n" + entity), "plan.dxf", 0); }, value + ", " + missing);
+}
+
+TEST(ReadDxf, CornersOfAPolylineAreAsManyAsItSays) {
+  const std::string corners = "8\nrock\n10\n1\n20\n1\n10\n2\n20\n2\n";
+  const auto read = [&](const std::string& more) {
+    return read_dxf(dxf(square(0, 4) + "0\nLWPOLYLINE\n" + more), "plan.dxf", 0);
+  };
+  EXPECT_EQ(read("90\n2\n" + corners).lines.size(), read(corners).lines.size());
+  expect_refused([&] { read("90\n3\n" + corners); }, "is of 2 corners, and says that it has 3");
+  expect_refused([&] { read("90\n3\n" + corners + "10\n3\n"); }, "is with a corner that has no group 20");
+}
+
 std::string fit_points(const std::vector<Vec2>& points, int flags, const std::string& more = "") {
   std::string text = "0\nSPLINE\n8\ntunnel\n70\n" + std::to_string(flags) + "\n71\n3\n" + more;
   for (const Vec2& p : points) text += "11\n" + std::to_string(p.x()) + "\n21\n" + std::to_string(p.y()) + "\n";

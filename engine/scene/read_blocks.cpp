@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "engine/core/error.h"
 #include "engine/scene/block_group.h"
+#include "engine/scene/cut_remarks.h"
 #include "engine/scene/generators.h"
 #include "engine/scene/read_rock.h"
 #include "engine/scene/sections.h"
@@ -71,11 +74,18 @@ void read_polygon(const Field& field, Model& model) {
   model.blocks.push_back(std::move(block));
 }
 
+void read_rock_entry(const Field& field, const std::filesystem::path& folder, Model& model, BlockFacts& facts) {
+  const Rock rock = read_rock(field, folder, model);
+  const CutRock pieces = cut(rock);
+  append_rock(rock, pieces, model, facts.groups);
+  std::ranges::move(cut_remarks(rock, pieces), std::back_inserter(facts.remarks));
+}
+
 // Appends the blocks of the entry and the group of each.
 void read_entry(const std::string& kind, const Field& field, const std::filesystem::path& folder, Model& model,
-                std::vector<std::string>& groups) {
+                BlockFacts& facts) {
   if (kind == "rock") {
-    append_rock(read_rock(field, folder, model), model, groups);
+    read_rock_entry(field, folder, model, facts);
     return;
   }
   if (kind == "bar") {
@@ -89,8 +99,8 @@ void read_entry(const std::string& kind, const Field& field, const std::filesyst
   }
   const bool is_polygon = kind == "polygon";
   const std::string name = is_polygon ? model.blocks.back().name : kind;
-  groups.resize(model.blocks.size(),
-                value_or(field, is_polygon ? "group" : "name", name, [](const Field& f) { return f.name(); }));
+  facts.groups.resize(model.blocks.size(),
+                      value_or(field, is_polygon ? "group" : "name", name, [](const Field& f) { return f.name(); }));
 }
 
 }  // namespace
@@ -101,7 +111,7 @@ BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, 
   for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
     const auto members = entry.members();
     const auto& [kind, field] = members.front();
-    read_entry(kind, field, folder, model, facts.groups);
+    read_entry(kind, field, folder, model, facts);
     facts.own_stress.resize(model.blocks.size(), field.has("initial_stress"));
   }
   return facts;

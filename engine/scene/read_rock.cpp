@@ -157,8 +157,4 @@ void append_rock(const Rock& rock, const CutRock& cut, Model& model, std::vector
   }
 }
 
-void append_rock(const Rock& rock, Model& model, std::vector<std::string>& groups) {
-  append_rock(rock, cut(rock), model, groups);
-}
-
 }  // namespace dda

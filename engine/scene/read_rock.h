@@ -32,7 +32,6 @@ const std::string& group_name(const Rock& rock, const CutBlock& block);
 
 // Appends the blocks, "GROUP 1", "GROUP 2", ... from left to right in each group, the group of each, and a joint line
 // for every run of a joint that is not the default one.
-void append_rock(const Rock& rock, Model& model, std::vector<std::string>& groups);
 void append_rock(const Rock& rock, const CutRock& cut, Model& model, std::vector<std::string>& groups);
 
 }  // namespace dda

@@ -70,6 +70,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   if (const auto title = scene.find("title")) model.title = line_of(*title);
   BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, model);
   parts.groups = std::move(facts.groups);
+  parts.remarks = std::move(facts.remarks);
   parts.openings = openings_of(scene, model);
   finish_model(model);  // what follows needs the moments, and blocks that do not overlap
   const StressField stresses(scene, std::move(facts.own_stress), model);

@@ -1,4 +1,5 @@
-// A scene with what its model does not keep: the groups of its blocks, and the openings of its rock.
+// A scene with what its model does not keep: the groups of its blocks, the openings of its rock, and what became of
+// that in cutting.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +16,7 @@ struct SceneParts {
   Model model;
   std::vector<std::string> groups;    // of each block
   std::vector<PlanOpening> openings;  // of all rock, in the order of the scene
+  std::vector<std::string> remarks;   // on cutting the rock, see cut_remarks.h
 };
 
 // As read_scene and parse_scene.

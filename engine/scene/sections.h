@@ -25,6 +25,7 @@ void read_joints(const Field& scene, const Scheme& scheme, const std::filesystem
 struct BlockFacts {
   std::vector<std::string> groups;
   std::vector<bool> own_stress;
+  std::vector<std::string> remarks;  // on cutting rock, see cut_remarks.h
 };
 
 // Drawings are looked for relative to `folder`.

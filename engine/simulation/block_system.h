@@ -60,7 +60,9 @@ struct BlockForces {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [load_old, load_new, internal_old, internal_new, most_exchanged] = self;
-    archive(load_old, internal_old, most_exchanged);  // the others are written before they are read
+    archive.of_blocks(load_old, 6);
+    archive.of_blocks(internal_old, 6);
+    archive(most_exchanged);  // the others are written before they are read
   }
 };
 
@@ -142,7 +144,8 @@ struct BlockSystem {
     if (!model.stays_linear()) archive(contacts);  // elsewhere their gaps follow from the state (linear_state)
     if (moves) archive(terms);
     archive.each(supports);
-    archive(reinforcement, external, excavated, audit, forces, increment, drag, plan.chi, plan.solver);
+    archive(reinforcement, external, excavated, audit, forces, drag, plan.chi, plan.solver);
+    archive.of_blocks(increment, 6);
     for (auto& [block, matrix] : damping) archive(matrix);
     if (free_field) archive(*free_field);
     // State and clock are saved beside this; all else follows from the model.

@@ -38,7 +38,8 @@ class ContactRange {
   static void visit(Self& self, Archive& archive) {
     auto& [radius, thickness, absent, slide_limit, of_pair, least_thickness, checked_displacement,
            checked_deformation] = self;
-    archive(checked_displacement, checked_deformation);  // the others are the drawing's
+    archive.of_blocks(checked_displacement);
+    archive.of_blocks(checked_deformation);  // the others are the drawing's
   }
 
  private:

@@ -28,7 +28,8 @@ struct DepthInThickness {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [depth, share, inner, thinner, place, time] = self;
-    archive(depth, share, inner, thinner, place, time);
+    archive.blocks_or_none(inner, thinner);
+    archive(depth, share, place, time);
   }
 };
 

@@ -20,7 +20,9 @@ struct UnbalancedBlock {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [stage, block, place] = self;
-    archive(stage, block, place);
+    archive.stages(stage);
+    archive.blocks(block);
+    archive(place);
   }
 };
 

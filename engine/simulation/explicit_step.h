@@ -57,7 +57,8 @@ class ExplicitStep : public Step {
   static void visit(Self& self, Archive& archive) {
     auto& [system, linear, solver, dashpots, place, mass_damping, dashpot_force, mass_damping_force, rhs, acceleration,
            next_acceleration, before, message] = self;
-    archive(linear, dashpot_force, mass_damping_force);
+    archive(linear, dashpot_force);
+    archive.of_blocks(mass_damping_force, 6);
     // The others follow from the system, or are written before they are read.
   }
 

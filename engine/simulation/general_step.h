@@ -60,9 +60,16 @@ class GeneralStep : public Step {
   static void visit(Self& self, Archive& archive) {
     auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, changing, bonded, base,
            base_version, base_is_current, rule, rhs, can_be_cut, motion_steps, message] = self;
-    if (moving) archive(*moving);
+    if (moving) {
+      archive(*moving);
+      archive.expect(moving->known_contacts() == system.contacts.interfaces.size());
+    }
     archive(solver, deepest, cushion, given_friction);
-    if (system.geometry_moves()) archive(range, moved, acting.displacement, acting.deformation);
+    if (system.geometry_moves()) {
+      archive(range, moved);
+      archive.of_blocks(acting.displacement);
+      archive.of_blocks(acting.deformation);
+    }
     // The others follow from the system, or begin with every step.
   }
 

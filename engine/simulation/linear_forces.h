@@ -41,7 +41,8 @@ struct LinearForces {
   static void visit(Self& self, Archive& archive) {
     auto& [system, operators, rayleigh, momentum, inertia_force, elastic_force, internal_at_rest, energy_offset,
            scratch] = self;
-    archive(momentum, inertia_force, elastic_force, internal_at_rest, energy_offset);
+    for (auto* force : {&momentum, &inertia_force, &elastic_force, &internal_at_rest}) archive.of_blocks(*force, 6);
+    archive(energy_offset);
     // The others follow from the system, or are written before they are read.
   }
 

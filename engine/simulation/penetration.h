@@ -19,7 +19,8 @@ struct Penetration {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [depth, share, block_a, block_b, time, in_thickness] = self;
-    archive(depth, share, block_a, block_b, time, in_thickness);
+    archive.blocks_or_none(block_a, block_b);
+    archive(depth, share, time, in_thickness);
   }
 };
 

@@ -43,7 +43,9 @@ class ReleasedForces {
     template <typename Self, typename Archive>
     static void visit(Self& self, Archive& archive) {
       auto& [stage, start, block, force, drawn_lever, now] = self;
-      archive(stage, start, block, force, drawn_lever, now);
+      archive.stages(stage);
+      archive.blocks(block);
+      archive(start, force, drawn_lever, now);
     }
   };
 

@@ -52,7 +52,9 @@ class SettlingDrag {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [factors, moved, travelled, loose] = self;
-    archive(factors, travelled, loose);  // `moved` is of the step under way
+    archive.of_blocks(factors);
+    archive.of_blocks(travelled);
+    archive.lists_blocks(loose);  // `moved` is of the step under way
   }
 
  private:

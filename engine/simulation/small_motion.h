@@ -36,7 +36,8 @@ struct SmallMotionError {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [fault, error, amount, block, other, place] = self;
-    archive(fault, error, amount, block, other, place);
+    archive(fault, error, amount, place);
+    archive.blocks_or_none(block, other);
   }
 };
 
@@ -65,7 +66,9 @@ class SmallMotionWatch {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [worst, turns_before, looked_at, thickness, radius] = self;
-    archive(worst, turns_before, looked_at);  // the others are the drawing's
+    archive(worst);
+    archive.of_blocks(turns_before);
+    archive.of_blocks(looked_at);  // the others are the drawing's
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/simulation/archive.h"
@@ -18,7 +19,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3931'4e53'4144'44ULL;  // "DDASN19", read as a little-endian number
+constexpr std::uint64_t kind = 0x3032'4e53'4144'44ULL;  // "DDASN20", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>
@@ -30,6 +31,22 @@ void check_parts(const BlockSystem& s, bool follows_contacts, AnyArchive& archiv
   archive.same(s.external.number_of_loads(), "loads");
   archive.same(s.damping.size(), "blocks with viscous edges");
   archive.same(s.model.free_field_sides.size(), "free-field sides");
+}
+
+ArchivedCounts counts_of(const Model& model) {
+  ArchivedCounts counts{model.blocks.size(), model.joints.size(), 0, model.stages.size()};
+  for (const Block& block : model.blocks) {
+    counts.vertices += block.shape.outer.size();
+    for (const Ring& hole : block.shape.holes) counts.vertices += hole.size();
+  }
+  return counts;
+}
+
+template <typename Contact>
+std::vector<std::pair<int, int>> touching_blocks(const std::vector<Contact>& contacts) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const Contact& contact : contacts) pairs.emplace_back(contact.block_a, contact.block_b);
+  return pairs;
 }
 
 // The stage under way must be that of the saved run, and must not be over.
@@ -73,6 +90,7 @@ std::vector<std::byte> Simulation::save() const {
 void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   MemoryReader reader(snapshot);
   BlockSystem& s = *system_;
+  reader.check_against(counts_of(s.model));
   std::uint64_t saved_kind = 0;
   double dt = 0;
   reader(saved_kind);
@@ -90,7 +108,10 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   const Stage& stage = s.stage_in_force();
   set_strain_inertia(stage, s.terms);
   s.plan = make_plan(s.model, s.clock.in_force(), s.contacts, 0, 0);
+  const auto drawn_pairs = touching_blocks(s.contacts.interfaces);
   visit(*this, reader);
+  const auto pairs = touching_blocks(s.contacts.interfaces);
+  reader.expect(touching_blocks(s.contacts.elements) == pairs && (follows_contacts() || pairs == drawn_pairs));
   for (const CounterField& field : counter_fields) reader(s.costs.counters.*field.value);
   reader.expect_end();
   stage_step().set_up(general_->pattern());

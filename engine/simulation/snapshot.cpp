@@ -18,7 +18,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3931'4e53'4144'44ULL;  // "DDASN19", read as a little-endian number
+constexpr std::uint64_t kind = 0x3032'4e53'4144'44ULL;  // "DDASN20", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>
@@ -52,8 +52,9 @@ void check_place_in_run(const BlockSystem& s, double saved_dt) {
 template <typename Self, typename Archive>
 void Simulation::visit(Self& self, Archive& archive) {
   auto& [system, general, linear, explicit_steps, message, pace, static_out_of_balance, energy_at_end, loose_blocks,
-         stability_limits, in_situ_force, memory, at_ends_of_stages, between_stages] = self;
-  archive(*system, *general, *linear, *explicit_steps, pace, loose_blocks);
+         blocks_out_of_balance, excess_at_end, stability_limits, in_situ_force, memory, at_ends_of_stages,
+         between_stages] = self;
+  archive(*system, *general, *linear, *explicit_steps, pace, loose_blocks, blocks_out_of_balance, excess_at_end);
   archive.each(static_out_of_balance);
   archive.each(energy_at_end);  // the message is of the last step; in-situ forces are the drawing's
 }

@@ -87,9 +87,9 @@ TEST_F(ReactionCommand, OfRockWithLooseStonesGoesOnToZero) {
 // and it comes loose as soon as they have their own strength, whatever the share.
 TEST_F(ReactionCommand, OfRockWithSliversThatComeLooseAtOnceGoesOnToZero) {
   nlohmann::json scene = nlohmann::json::parse(keystone);
-  scene["blocks"].push_back({{"polygon", {{"name", "ramp"}, {"vertices", {{10, 0}, {14, 0}, {10, 4}}}}}});
+  scene["blocks"].push_back({{"polygon", {{"name", "ramp"}, {"vertices", {{10, 0}, {11.5, 0}, {10, 1.5}}}}}});
   scene["blocks"].push_back(
-      {{"polygon", {{"name", "sliver"}, {"vertices", {{11.5, 2.5}, {12, 2}, {12.1, 2.1}, {11.6, 2.6}}}}}});
+      {{"polygon", {{"name", "sliver"}, {"vertices", {{10.5, 1}, {10.9, 0.6}, {11, 0.7}, {10.6, 1.1}}}}}});
   scene["fixed"].push_back("ramp");
   scene["steps"][0]["strength"] = "unlimited";
   write("scene.json", scene.dump());
@@ -101,7 +101,8 @@ TEST_F(ReactionCommand, OfRockWithSliversThatComeLooseAtOnceGoesOnToZero) {
   EXPECT_EQ(report["settles_down_to"], 0);
   EXPECT_TRUE(report["loose_in_situ"].empty());
   EXPECT_EQ(report["loose_at_full_share"].at(0)["block"], "sliver");
-  // The same curve as without ramp and sliver, which touch nothing else.
+  // The same curve as without ramp and sliver, which touch nothing else and are no higher: springs are chosen by
+  // height.
   write("scene.json", [&] {
     nlohmann::json alone = nlohmann::json::parse(keystone);
     alone["steps"][0]["strength"] = "unlimited";
@@ -113,9 +114,10 @@ TEST_F(ReactionCommand, OfRockWithSliversThatComeLooseAtOnceGoesOnToZero) {
   ASSERT_EQ(alone["points"].size(), report["points"].size());
   const double whole = alone["points"].back()["displacement"]["mean"];
   for (std::size_t i = 0; i < alone["points"].size(); ++i)
-    // Stages end when forces are out of balance by less than 1e-9 of the largest; springs are some 10 times softer.
+    // Friction remembers its way, and static steps are others while a sliver slides: by at most 0.3 % (ADR 65), here
+    // 3e-5.
     EXPECT_NEAR(report["points"][i]["displacement"]["mean"].get<double>() / whole,
-                alone["points"][i]["displacement"]["mean"].get<double>() / whole, 1e-7);
+                alone["points"][i]["displacement"]["mean"].get<double>() / whole, 3e-3);
 }
 
 // Nothing is computed for a folder that cannot be written to: no share is spoken of.

@@ -45,7 +45,7 @@ std::vector<UnbalancedBlock> liveliest_blocks(const Simulation& simulation) {
   std::vector<UnbalancedBlock> placed;
   for (const int block : blocks) {
     const auto i = static_cast<std::size_t>(block);
-    placed.push_back({0, block, model.blocks[i].moments.centroid + state.displacement[i].head<2>()});
+    placed.push_back({0, block, model.blocks[i].moments.centroid + state.displacement[i].head<2>(), {}});
   }
   return placed;
 }

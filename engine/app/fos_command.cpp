@@ -8,7 +8,7 @@
 #include "engine/app/fos_report.h"
 #include "engine/core/error.h"
 #include "engine/record/atomic_file.h"
-#include "engine/record/folder_lock.h"
+#include "engine/record/reserved_folder.h"
 #include "engine/scene/scene.h"
 
 namespace dda {
@@ -77,14 +77,12 @@ void add_fos(CLI::App& app, FosRequest& request) {
 }
 
 void find_factor_of_safety(const FosRequest& request, std::ostream& out, std::ostream& progress) {
-  if (std::filesystem::exists(request.folder) && !std::filesystem::is_directory(request.folder))
-    throw InputError("", "--out", request.folder.string() + ", which is a file", "a folder");
   const Model model = read_scene(request.scene);
   const SafetyQuestion question = question_of(request, model);
+  const ReservedFolder folder(request.folder, {"fos.json", "fos.svg"});
   const SafetyReport report = answer(request, question, model, progress);
   std::string text = fos_text(report, question, model);
   if (!request.folder.empty()) {
-    const FolderLock lock(request.folder);
     write_file(request.folder / "fos.json", fos_json(report, question, model));
     write_file(request.folder / "fos.svg", fos_picture(report, model));
     text += fmt::format("written: {}\n", (request.folder / "fos.json").string());

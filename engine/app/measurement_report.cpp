@@ -40,6 +40,18 @@ std::string place_of_lining(const Model& model, const Measurement& measurement) 
                      name_of(model, lining.end_of(element).block));
 }
 
+std::string place_of_excess_shear(const Model& model, const Measurement& measurement) {
+  std::string text =
+      measurement.joint < 0
+          ? "of all joints"
+          : fmt::format("of joint \"{}\"", model.joints[static_cast<std::size_t>(measurement.joint)].name);
+  if (measurement.on_line) text += ", " + line_of(measurement);
+  if (measurement.friction_angle || measurement.cohesion)
+    text += fmt::format(", beyond {:g} Pa and a friction of tan {:.4g} rad", measurement.cohesion.value_or(0),
+                        measurement.friction_angle.value_or(0));
+  return text;
+}
+
 std::string place_of(const Model& model, const Measurement& measurement) {
   switch (subject_of(measurement.quantity)) {
     case Subject::block:
@@ -56,6 +68,7 @@ std::string place_of(const Model& model, const Measurement& measurement) {
     case Subject::resultant:
       return fmt::format("on the left of the line {} by its right, moment about {}", line_of(measurement),
                          point(measurement.about));
+    case Subject::excess_shear: return place_of_excess_shear(model, measurement);
     case Subject::contacts: return "of the whole scene";
   }
   return "";

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 
 #include "engine/app/named_opening.h"
@@ -11,7 +12,8 @@
 #include "engine/app/reaction_report.h"
 #include "engine/core/error.h"
 #include "engine/record/atomic_file.h"
-#include "engine/record/folder_lock.h"
+#include "engine/record/csv.h"
+#include "engine/record/reserved_folder.h"
 #include "engine/scene/scene_parts.h"
 
 namespace dda {
@@ -30,20 +32,40 @@ constexpr auto details =
 constexpr int most_steps = 1000;
 constexpr int exit_ended_early = 3;
 
+const std::vector<const char*> file_names{"reaction.json", "reaction.csv", "reaction.svg"};
+
+std::vector<double> equal_steps(int steps) {
+  if (!(steps >= 1 && steps <= most_steps))
+    throw InputError("", "--steps", std::to_string(steps), fmt::format("a whole number from 1 to {}", most_steps));
+  std::vector<double> shares;
+  for (int i = steps; i >= 0; --i) shares.push_back(static_cast<double>(i) / steps);
+  return shares;
+}
+
+// The texts between commas; one behind the last comma is empty where nothing follows.
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts(1);
+  for (const char letter : list) {
+    if (letter == ',')
+      parts.emplace_back();
+    else
+      parts.back() += letter;
+  }
+  return parts;
+}
+
 std::vector<double> shares_of(const ReactionRequest& request) {
-  if (!(request.steps >= 1 && request.steps <= most_steps))
-    throw InputError("", "--steps", std::to_string(request.steps),
-                     fmt::format("a whole number from 1 to {}", most_steps));
-  std::vector<double> shares = request.shares;
-  if (shares.empty())
-    for (int i = request.steps; i >= 0; --i) shares.push_back(static_cast<double>(i) / request.steps);
-  double before = 1;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const bool falls = i == 0 ? shares[i] <= before : shares[i] < before;
-    if (!(falls && shares[i] >= 0))  // nor is what is no number
-      throw InputError("", "--shares", fmt::format("{:g} in place {}", shares[i], i + 1),
+  if (request.shares.empty()) return equal_steps(request.steps);
+  std::vector<double> shares;
+  for (const std::string& part : parts_of(request.shares)) {
+    const std::optional<double> share = csv_number(part);
+    const double before = shares.empty() ? 1 : shares.back();
+    const bool falls = share && (shares.empty() ? *share <= before : *share < before);
+    if (!(falls && *share >= 0))  // nor is what is no number
+      throw InputError("", "--shares",
+                       fmt::format("{} in place {}", share ? part : "\"" + part + "\"", shares.size() + 1),
                        "numbers from 1 to 0, each less than the one before");
-    before = shares[i];
+    shares.push_back(*share);
   }
   return shares;
 }
@@ -71,10 +93,8 @@ void write_files(const std::filesystem::path& folder, const ReactionCurve& curve
   const std::string numbers = reaction_json(curve, opening, model);
   const std::string table = reaction_csv(curve);
   const std::string picture = reaction_picture(curve);
-  const FolderLock lock(folder);
-  write_file(folder / "reaction.json", numbers);
-  write_file(folder / "reaction.csv", table);
-  write_file(folder / "reaction.svg", picture);
+  std::size_t next = 0;
+  for (const std::string& text : {numbers, table, picture}) write_file(folder / file_names[next++], text);
 }
 
 }  // namespace
@@ -89,17 +109,13 @@ void add_reaction(CLI::App& app, ReactionRequest& request) {
       ->required();
   add("--out", request.folder, "folder for the results; made if need be", "DIR");
   CLI::Option* steps = add("--steps", request.steps, "equal ones from a share of 1 to 0; default 10", "N");
-  add("--shares", request.shares, "in place of equal steps: from 1 to 0, decreasing", "SHARE,...")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->excludes(steps);
+  add("--shares", request.shares, "in place of equal steps: from 1 to 0, decreasing", "SHARE,...")->excludes(steps);
 }
 
 int find_ground_reaction(const ReactionRequest& request, std::ostream& out, std::ostream& progress) {
-  if (std::filesystem::exists(request.folder) && !std::filesystem::is_directory(request.folder))
-    throw InputError("", "--out", request.folder.string() + ", which is a file", "a folder");
   const SceneParts scene = read_scene_parts(request.scene);
   const ReactionQuestion question{blocks_of_opening(request.opening, scene), shares_of(request)};
+  const ReservedFolder folder(request.folder, file_names);
   const ReactionCurve curve = answer(request, question, scene.model, progress);
   if (curve.in_situ != Status::ok) {
     progress << fmt::format("dda: the rock does not settle before \"{}\" is taken out: {}\n", request.opening,

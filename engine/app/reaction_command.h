@@ -18,7 +18,7 @@ struct ReactionRequest {
   std::string opening;           // name of an opening of the rock or of a group of blocks
   std::filesystem::path folder;  // for reaction.json, reaction.csv and reaction.svg; empty: none are written
   int steps = 10;                // equal ones from a share of 1 to 0
-  std::vector<double> shares;    // in place of these; or empty
+  std::string shares;            // in place of these, numbers between commas; or empty
 };
 
 // The command with its options and help; parsing fills `request`.

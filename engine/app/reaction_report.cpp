@@ -85,6 +85,11 @@ std::vector<std::string> remarks_on(const ReactionCurve& curve, const Model& mod
   if (!curve.loose_in_situ.empty())
     remarks.push_back(fmt::format("In situ nothing held {} already: that does not end the curve.",
                                   named_with_places(model, curve.loose_in_situ)));
+  if (!curve.loose_at_full_share.empty())
+    remarks.push_back(
+        fmt::format("With all of its support left nothing holds {} any more: that does not end the curve, and the "
+                    "wall is followed without.",
+                    named_with_places(model, curve.loose_at_full_share)));
   if (!curve.left_out.empty())
     remarks.push_back(
         fmt::format("Left out, as support that comes with the opening or later: {}.", fmt::join(curve.left_out, ", ")));
@@ -113,6 +118,7 @@ std::string reaction_json(const ReactionCurve& curve, const std::string& opening
             {"remarks", remarks_on(curve, model)},
             {"left_out", curve.left_out},
             {"loose_in_situ", loose_json(curve.loose_in_situ, model)},
+            {"loose_at_full_share", loose_json(curve.loose_at_full_share, model)},
             {"points", Json::array()}};
   for (const ReactionPoint& point : curve.points) json["points"].push_back(point_json(point, curve.pressure, model));
   return json.dump(1) + "\n";

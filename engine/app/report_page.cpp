@@ -138,7 +138,9 @@ std::string report_page(const std::filesystem::path& folder) {
   page += section("Warnings and remarks", warning_list(facts.summary));
   page += section("Blocks", has_frames ? last_frame(folder) : drawn_blocks(request, folder));
   page += section("Scene", scene_tables(facts.summary, request));
-  page += section("Energies", energy_plots(folder, begin) + release_table(facts.summary));
+  page += section("Energies",
+                  energy_plots(folder, begin) + release_table(facts.summary) + release_rate_table(facts.summary));
+  page += section("Excess shear stress of joints", excess_shear_table(facts.summary));
   page += section("Strongest motion", peaks_part(facts.summary, folder));
   if (facts.histories)
     page += section("Measurements", history_plots(thinned(from(begin, *facts.histories), most_rows)));

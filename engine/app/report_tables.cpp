@@ -113,13 +113,52 @@ std::string release_table(const Json& summary) {
                      shown(release, "difference_relative"));
 }
 
+std::string release_rate_table(const Json& summary) {
+  std::vector<TableRow> rows;
+  for (const Json& rate : summary.value("energy_release_rates", Json::array()))
+    rows.push_back({shown(rate["stage"]), shown(rate["released_J_per_m"]), shown(rate["area_m2"]),
+                    shown(rate["wall_m"]), shown(rate["per_volume_J_per_m3"]), shown(rate["per_wall_J_per_m2"])});
+  return table(
+      {"taken out in stage", "released (J/m)", "area (m2)", "wall (m)", "ERR per volume (J/m3)", "ERR per wall (J/m2)"},
+      rows);
+}
+
+std::string excess_shear_table(const Json& summary) {
+  std::vector<TableRow> rows;
+  for (const Json& each : summary.value("excess_shear", Json::array()))
+    rows.push_back({shown(each["stage"]), shown(each["joint"]), shown(each["largest_Pa"]), shown(each["between"]),
+                    shown(each["place_m"]), shown(each["normal_Pa"]), shown(each["shear_Pa"]),
+                    shown(each["positive_m"]), shown(each["length_m"])});
+  return table({"end of stage", "joint", "largest ESS (Pa)", "between", "at (m)", "normal (Pa)", "shear (Pa)",
+                "above 0 on (m)", "of (m)"},
+               rows);
+}
+
+namespace {
+
+std::string faces_of(const Json& block) {
+  std::string text;
+  for (const Json& face : block.value("held_by", Json::array()))
+    text += fmt::format("{}\"{}\" at {} m", text.empty() ? "" : ", ", shown(face["block"]), shown(face["place_m"]));
+  return text.empty() ? "no face" : text;
+}
+
+std::string unbalanced_sentence(const char* what, const Json& block) {
+  return fmt::format("{} block \"{}\" (number {}, {} kg/m) at {} m in stage \"{}\", held by {}", what,
+                     shown(block["block"]), shown(block, "number"), shown(block, "mass_kg_per_m"),
+                     shown(block["place_m"]), shown(block["stage"]), faces_of(block));
+}
+
+}  // namespace
+
 std::string warning_list(const Json& summary) {
   std::string items;
   const auto add = [&](const std::string& text) { items += "<li>" + xml_escaped(text) + "</li>\n"; };
   if (const std::string message = summary.value("message", ""); !message.empty()) add(message);
   for (const Json& loose : summary.value("loose_blocks", Json::array()))
-    add(fmt::format("nothing held block \"{}\" at {} m in stage \"{}\"", shown(loose["block"]), shown(loose["place_m"]),
-                    shown(loose["stage"])));
+    add(unbalanced_sentence("without equilibrium:", loose));
+  for (const Json& block : summary.value("blocks_out_of_balance", Json::array()))
+    add(unbalanced_sentence("out of balance:", block));
   if (const Json deepest = summary.value("deepest_penetration", Json()); deepest.is_object())
     add(fmt::format("deepest penetration: {} m, {:.2g} % of the smaller block, at {} s between {}",
                     shown(deepest["depth_m"]), 100 * deepest.value("of_smaller_block", 0.0), shown(deepest["time_s"]),

@@ -28,7 +28,13 @@ std::string scene_tables(const Json& summary, const Json& request);
 // Energies released, over the run and stage by stage.
 std::string release_table(const Json& summary);
 
-// Message, loose blocks, deepest penetration and remarks.
+// Of stages that take rock out: energy released, and over the area and the wall.
+std::string release_rate_table(const Json& summary);
+
+// Largest excess shear stress of every joint at the ends of stages.
+std::string excess_shear_table(const Json& summary);
+
+// Message, blocks without equilibrium and the faces that hold them, deepest penetration and remarks.
 std::string warning_list(const Json& summary);
 
 // Counters and seconds.

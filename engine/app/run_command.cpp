@@ -24,6 +24,7 @@
 #include "engine/app/run_request.h"
 #include "engine/app/run_verdict.h"
 #include "engine/app/run_warnings.h"
+#include "engine/app/stage_end_report.h"
 #include "engine/app/stop_signal.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
@@ -201,11 +202,16 @@ class Run {
     out << std::flush;
   }
 
+  // A run that has ended because a stage is no equilibrium has ended for whoever resumes it too.
+  [[nodiscard]] Status status_at_start() const {
+    return unbalanced_end(simulation_).empty() ? Status::ok : Status::not_in_equilibrium;
+  }
+
   Status step_to_the_end(RunFiles& files) {
     Progress progress(simulation_.state().time, end_time(simulation_.model()), options_.quiet ? nullptr : terminal());
     const double begin = wall_seconds();
     double writing = 0;
-    Status status = Status::ok;
+    Status status = status_at_start();
     while (!simulation_.finished() && status == Status::ok) {
       const std::int64_t steps_before = simulation_.state().step;
       time_before_ = simulation_.state().time;
@@ -230,7 +236,8 @@ class Run {
     if (status == Status::stopped) return "stopped by the user; --resume goes on";
     if (status == verdict.status) return fmt::format("{}: {}", to_string(status), verdict.message);
     return fmt::format("{} after step {} at {:.6g} s: {}", to_string(status), simulation_.state().step,
-                       simulation_.state().time, simulation_.message());
+                       simulation_.state().time,
+                       status == Status::not_in_equilibrium ? unbalanced_end(simulation_) : simulation_.message());
   }
 
   [[nodiscard]] std::string warnings(const std::string& energy_warning) const {
@@ -271,10 +278,10 @@ class Run {
     summary.blocks =
         static_cast<std::int64_t>(simulation_.model().blocks.size()) - std::ranges::count(simulation_.absent(), true);
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
-    for (const auto& [stage, block, place] : simulation_.loose_blocks())
-      summary.loose_blocks.push_back({simulation_.model().stages[static_cast<std::size_t>(stage)].name,
-                                      simulation_.model().blocks[static_cast<std::size_t>(block)].name,
-                                      {place.x(), place.y()}});
+    summary.loose_blocks = unbalanced_json(simulation_.loose_blocks(), simulation_.model());
+    summary.blocks_out_of_balance = unbalanced_json(blocks_out_of_balance(simulation_), simulation_.model());
+    summary.energy_release_rates = energy_release_rates_json(simulation_);
+    summary.excess_shear = excess_shear_json(simulation_);
     summary.penetration = penetration();
     if (!linings_of(simulation_).empty()) summary.linings = linings_json(simulation_);
     summary.remarks = remarks_;
@@ -301,6 +308,7 @@ class Run {
   void conclude(Status status, std::ostream& out) const {
     for (const auto& [name, share] : static_stages())
       out << fmt::format("static stage \"{}\": forces out of balance by {:.1e} of the largest force\n", name, share);
+    out << unbalanced_lines(simulation_);
     out << fmt::format("{}: {} steps to {:.6g} s in {:.3g} s, energy residual {:.1e}; results in {}\n",
                        to_string(status), simulation_.state().step, simulation_.state().time, wall_seconds() - began_,
                        simulation_.energy().relative_residual(), options_.folder.string());

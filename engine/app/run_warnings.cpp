@@ -27,10 +27,21 @@ std::string loose_warning(const Simulation& simulation) {
       named_with_places(simulation.model(), loose));
 }
 
+// Only runs that were told to go on come to say this.
+std::string balance_warning(const Simulation& simulation) {
+  const auto& unbalanced = blocks_out_of_balance(simulation);
+  if (unbalanced.empty()) return "";
+  const int first = unbalanced.front().stage;
+  return fmt::format("warning: static stage \"{}\" left forces out of balance on {}, and the run went on",
+                     simulation.model().stages[static_cast<std::size_t>(first)].name,
+                     named_with_places(simulation.model(), of_stage(static_cast<std::size_t>(first), unbalanced)));
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Simulation& simulation) {
-  std::vector<std::string> warnings = {penetration_warning(simulation), loose_warning(simulation)};
+  std::vector<std::string> warnings = {penetration_warning(simulation), loose_warning(simulation),
+                                       balance_warning(simulation)};
   for (const std::string& sentence : unseen_loads(simulation.model())) warnings.push_back("warning: " + sentence);
   std::erase(warnings, "");
   return warnings;

@@ -205,7 +205,8 @@ std::string steps_of(const Stage& stage) {
   if (stage.paces_itself())
     return fmt::format("finds its own steps to equilibrium within {:.2g} of the largest force", stage.equilibrium);
   return fmt::format("{} steps of {:.6g} s{}, {:.6g} s in all", stage.steps(), stage.dt,
-                     stage.automatic_dt ? fmt::format(" (chosen: {})", stage.dt_reason) : "", stage.duration);
+                     stage.chosen_dt.automatic ? fmt::format(" (chosen: {})", stage.chosen_dt.reason) : "",
+                     stage.duration);
 }
 
 std::string removal_of(const Model& model, const Stage& stage) {

@@ -140,7 +140,7 @@ TEST(ReadDxf, WhatIsWrongIsSaidInOneSentence) {
       {"hello\nworld\n", "plan.dxf line 1 is \"hello\", expected a group code of DXF"},
       {dxf("0\nLINE\n8\nrock\n10\n1,5\n"), "plan.dxf line 6 (LINE), group 10 in line 10 is \"1,5\", expected a finite"},
       {dxf("0\nLINE\n8\nrock\n10\nnan\n"), "is \"nan\", expected a finite number"},
-      {dxf("0\nLINE\n8\nrock\n10\n1e13\n"), "plan.dxf line 6 is at (1e+13, 0) m, expected finite coordinates"},
+      {dxf("0\nLINE\n8\nrock\n10\n1e13\n20\n0\n11\n0\n21\n0\n"), "plan.dxf line 6 is at (1e+13, 0) m, expected finite coordinates"},
       {dxf("0\nINSERT\n8\nrock\n2\nA\n"), "plan.dxf line 6 (INSERT) is symbol \"A\", expected a block of the drawing"},
       {in_itself, "(INSERT) is symbols in symbols more than 16 deep"},
       {dxf("0\nCIRCLE\n8\ntunnel\n40\n0\n"), "plan.dxf line 6 (CIRCLE) is of radius 0, expected a radius above 0"},

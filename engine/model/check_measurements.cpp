@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -68,6 +69,14 @@ void check_line(const Item& item, const Measurement& measurement) {
   if (measurement.from == measurement.to) item.fail("to", "the same point as from", "two different points");
 }
 
+void check_excess_shear(const Model& model, const Item& item, const Measurement& measurement) {
+  if (measurement.on_line) check_line(item, measurement);
+  if (measurement.joint != -1) item.index("joint", measurement.joint, model.joints.size());
+  if (!(measurement.friction_angle.value_or(0) >= 0 && measurement.friction_angle.value_or(0) < std::numbers::pi / 2))
+    item.fail("friction angle", fmt::format("{} rad", *measurement.friction_angle), "an angle from 0 to below 90 deg");
+  item.not_negative("cohesion", measurement.cohesion.value_or(0));
+}
+
 void check_measurement(const Model& model, const Item& item, const Measurement& measurement) {
   item.finite("point", measurement.point);
   item.finite("about", measurement.about);
@@ -87,6 +96,7 @@ void check_measurement(const Model& model, const Item& item, const Measurement& 
       if (measurement.on_line) check_line(item, measurement);
       break;
     case Subject::resultant: check_line(item, measurement); break;
+    case Subject::excess_shear: check_excess_shear(model, item, measurement); break;
     case Subject::contacts: break;
   }
 }

@@ -2,6 +2,7 @@
 // which). Indices refer to the vectors of the model, points are as drawn.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ enum class Quantity {
   reaction,         // N, what supports and held blocks exert: x, y, moment
   contact_force,    // N, what `others` exert on `blocks` where they touch: x, y; normal (tension positive) and shear
   resultant,        // N, what the right of a line exerts on its left: x, y, moment
-  contacts,         // of all contacts: how many are open, slide and stick; passes of the step; deepest penetration
+  excess_shear,  // Pa, the largest |shear| - strength of faces on a line or of a joint; m of them where it is positive
+  contacts,      // of all contacts: how many are open, slide and stick; passes of the step; deepest penetration
 };
 
 struct Measurement {
@@ -56,10 +58,15 @@ struct Measurement {
   std::vector<int> blocks = {};
   std::vector<int> others = {};    // of contact forces: what exerts them; ascending, none of `blocks`
   std::vector<int> supports = {};  // of reactions
-  bool on_line = false;            // contact forces: only of contacts drawn on the line below
-  Vec2 from = Vec2::Zero();        // of resultants and contact forces on a line: its ends
+  bool on_line = false;            // contact forces and excess shear: only of contacts drawn on the line below
+  Vec2 from = Vec2::Zero();        // of resultants and of contacts on a line: its ends
   Vec2 to = Vec2::Zero();
   Vec2 about = Vec2::Zero();  // of moments; does not move
+
+  // Of excess shear: this joint alone; -1: all. And the strength that is judged by, in place of each joint's own.
+  int joint = -1;
+  std::optional<double> friction_angle = {};  // rad
+  std::optional<double> cohesion = {};        // Pa
 };
 
 }  // namespace dda

@@ -11,7 +11,7 @@
 namespace dda {
 
 // What a measurement is taken of.
-enum class Subject { block, joint, bolt, lining, reaction, contact_force, resultant, contacts };
+enum class Subject { block, joint, bolt, lining, reaction, contact_force, resultant, excess_shear, contacts };
 
 // A history is called as its measurement, with the suffix behind; the unit is SI.
 struct HistoryFacts {
@@ -38,6 +38,7 @@ inline constexpr std::array<HistoryFacts, 1> energy{{{"", "J"}}};
 inline constexpr std::array<HistoryFacts, 3> force_and_moment{{{"_x", "N"}, {"_y", "N"}, {"_moment", "N m"}}};
 inline constexpr std::array<HistoryFacts, 4> force_on_joint{
     {{"_x", "N"}, {"_y", "N"}, {"_normal", "N"}, {"_shear", "N"}}};
+inline constexpr std::array<HistoryFacts, 2> excess{{{"", "Pa"}, {"_length", "m"}}};
 inline constexpr std::array<HistoryFacts, 5> statistics{
     {{"_open", "-"}, {"_sliding", "-"}, {"_sticking", "-"}, {"_passes", "-"}, {"_penetration", "m"}}};
 
@@ -72,6 +73,7 @@ inline constexpr std::array all_quantities{
     QuantityFacts{Quantity::reaction, "reaction", Subject::reaction, histories::force_and_moment},
     QuantityFacts{Quantity::contact_force, "contact_force", Subject::contact_force, histories::force_on_joint},
     QuantityFacts{Quantity::resultant, "resultant", Subject::resultant, histories::force_and_moment},
+    QuantityFacts{Quantity::excess_shear, "excess_shear", Subject::excess_shear, histories::excess},
     QuantityFacts{Quantity::contacts, "contacts", Subject::contacts, histories::statistics},
 };
 

@@ -50,6 +50,13 @@ enum class Kinematics {
 
 enum class SolverRequest { automatic, cholesky, pcg, dense };
 
+// What becomes of a run when a static stage that asks for equilibrium ends with blocks that have none.
+enum class OnUnbalanced {
+  automatic,  // blocks that nothing holds end it where no stage follows, forces out of balance always
+  carry_on,   // neither does
+  stop,       // both do, in any stage
+};
+
 // What is excavated: blocks that are absent from the start of a stage on.
 struct Removal {
   std::vector<int> blocks;
@@ -69,12 +76,17 @@ struct MaterialDamping {
   [[nodiscard]] double ratio_at(double frequency) const;
 };
 
+// Whether finish_model chooses the time step of a stage, see step_choice.h.
+struct ChosenDt {
+  bool automatic = false;
+  std::string reason;  // why it chose that, one phrase
+};
+
 struct Stage {
   std::string name = "run";
-  double dt = 0;              // s; 0: a static stage that finds its own steps, see paces_itself()
-  double duration = 0;        // s; may be 0 where the stage paces itself
-  bool automatic_dt = false;  // finish_model chooses dt, see step_choice.h
-  std::string dt_reason;      // why it chose that, one phrase
+  double dt = 0;        // s; 0: a static stage that finds its own steps, see paces_itself()
+  double duration = 0;  // s; may be 0 where the stage paces itself
+  ChosenDt chosen_dt;
   Integrator integrator;
   Kinematics kinematics = Kinematics::finite;
   SolverRequest solver = SolverRequest::automatic;
@@ -103,6 +115,7 @@ struct Stage {
   // Static stages: the stage has done its work, and ends, when the forces out of balance are below this share of the
   // largest force that acts (simulation/equilibrium.h); 0 runs all of its steps and does not ask.
   double equilibrium = 0;
+  OnUnbalanced on_unbalanced = OnUnbalanced::automatic;
 
   // Contacts that are closed do not slide and joints do not break: for turning on gravity. What exceeds the friction
   // when such a stage ends slides then.

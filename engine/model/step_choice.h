@@ -41,7 +41,7 @@ struct FastestWave {
 };
 std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt);
 
-// Sets dt and dt_reason of stages with automatic_dt.
+// Sets dt and its reason in stages whose dt is chosen (chosen_dt.automatic).
 void choose_time_steps(Model& model);
 
 }  // namespace dda

@@ -63,14 +63,14 @@ Model row_of_squares(bool bonded) {
   Stage stage;
   stage.duration = 1;
   stage.integrator = generalized_alpha_integrator(bonded ? 0.85 : 0);
-  stage.automatic_dt = true;
+  stage.chosen_dt.automatic = true;
   model.stages = {stage};
   return model;
 }
 
 double chosen(Model model) {
   finish_model(model);
-  EXPECT_FALSE(model.stages[0].dt_reason.empty());
+  EXPECT_FALSE(model.stages[0].chosen_dt.reason.empty());
   return model.stages[0].dt;
 }
 
@@ -129,8 +129,8 @@ TEST(StepChoice, OfSupportsThatLetGoAtOnceIsThatOfTheBlocks) {
     model.stages[0].integrator = static_integrator();
     model.stages[0].equilibrium = 1e-9;
     finish_model(model);
-    const bool is_release = model.stages[1].dt_reason.find("supports let go at once") != std::string::npos;
-    EXPECT_EQ(is_release, takes_force_along) << model.stages[1].dt_reason;
+    const bool is_release = model.stages[1].chosen_dt.reason.find("supports let go at once") != std::string::npos;
+    EXPECT_EQ(is_release, takes_force_along) << model.stages[1].chosen_dt.reason;
   }
 }
 
@@ -139,8 +139,8 @@ TEST(StepChoice, OfStressThatNothingHasSettledIsThatOfTheBlocks) {
   model.gravity = {0, -10};
   model.blocks[0].initial_stress = {-1e6, -1e6, 0};
   finish_model(model);
-  EXPECT_NE(model.stages[0].dt_reason.find("stress begins to act at once"), std::string::npos)
-      << model.stages[0].dt_reason;
+  EXPECT_NE(model.stages[0].chosen_dt.reason.find("stress begins to act at once"), std::string::npos)
+      << model.stages[0].chosen_dt.reason;
 }
 
 TEST(StepChoice, OfWavesFollowsTheFrequencyAndTheIntegrator) {
@@ -169,11 +169,11 @@ TEST(StepChoice, StaysWithinItsBounds) {
 
 TEST(StepChoice, LeavesStatedStepsAlone) {
   Model model = row_of_squares(true);
-  model.stages[0].automatic_dt = false;
+  model.stages[0].chosen_dt.automatic = false;
   model.stages[0].dt = 0.123;
   finish_model(model);
   EXPECT_EQ(model.stages[0].dt, 0.123);
-  EXPECT_EQ(model.stages[0].dt_reason, "");
+  EXPECT_EQ(model.stages[0].chosen_dt.reason, "");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -20,7 +21,7 @@ struct Settled {
   double pressure = 0;  // Pa, as ReactionCurve::pressure
   Status status = Status::ok;
   std::string message;
-  std::vector<UnbalancedBlock> loose;  // of all stages so far
+  std::vector<UnbalancedBlock> loose;  // of all stages so far, and at a share of 1
 };
 
 // Mean over the wall of the normal forces that the opening exerts on what stays, Pa, positive in compression.
@@ -65,10 +66,15 @@ std::vector<UnbalancedBlock> newly_loose(const Simulation& simulation, const Set
   return loose;
 }
 
+// All that the end of the run lacks are holds of blocks that are loose there.
+bool is_balanced_but_for_loose_blocks(const Simulation& simulation) {
+  return simulation.static_out_of_balance().back() <= simulation.model().stages.back().equilibrium;
+}
+
 // All that the end of the run lacks are holds of blocks that had none in situ.
 bool settles_but_for_old_loose_blocks(const Simulation& simulation, const ReactionPoint& point) {
   return point.status == Status::not_in_equilibrium && point.loose.empty() &&
-         simulation.static_out_of_balance().back() <= simulation.model().stages.back().equilibrium;
+         is_balanced_but_for_loose_blocks(simulation);
 }
 
 ReactionPoint point_at(double share, Model model, const Settled& settled, const OpeningWall& wall) {
@@ -85,6 +91,24 @@ ReactionPoint point_at(double share, Model model, const Settled& settled, const 
   return point;
 }
 
+// The blocks that come loose while all of what the opening exerted is still there. Asked of every curve, whichever
+// shares it has, since points do not depend on each other.
+std::vector<UnbalancedBlock> loose_at_full_share(Model model, const Settled& settled) {
+  model.stages.back().removal.relaxation = fading_to(1);
+  Simulation simulation(std::move(model));
+  restore(simulation, settled.state, settled.snapshot);
+  Status status = Status::ok;
+  while (status == Status::ok && !simulation.finished()) status = simulation.step();
+  if (status != Status::not_in_equilibrium || !is_balanced_but_for_loose_blocks(simulation)) return {};
+  return newly_loose(simulation, settled);
+}
+
+std::vector<int> numbers_of(const std::vector<UnbalancedBlock>& blocks) {
+  std::vector<int> numbers;
+  for (const UnbalancedBlock& block : blocks) numbers.push_back(block.block);
+  return numbers;
+}
+
 }  // namespace
 
 ReactionCurve ground_reaction(const Model& model, const ReactionQuestion& question,
@@ -96,14 +120,17 @@ ReactionCurve ground_reaction(const Model& model, const ReactionQuestion& questi
   curve.wall = wall_of(question.opening, scene.absent_in(scene.stages.size() - 2), scene);
   if (curve.wall.faces.empty())
     throw InputError("", "the opening", "without faces along blocks that stay", "one that the rock touches");
-  const Settled settled = settle(scene, question.opening, curve.wall);
+  Settled settled = settle(scene, question.opening, curve.wall);
   curve.in_situ = settled.status;
   curve.message = settled.message;
   curve.pressure = settled.pressure;
   curve.loose_in_situ = settled.loose;
+  if (settled.status == Status::ok) curve.loose_at_full_share = loose_at_full_share(scene, settled);
+  std::ranges::copy(curve.loose_at_full_share, std::back_inserter(settled.loose));
+  const OpeningWall watched = without(numbers_of(curve.loose_at_full_share), curve.wall);
   for (const double share : question.shares) {
     if (settled.status != Status::ok || (!curve.points.empty() && !curve.points.back().settles())) break;
-    curve.points.push_back(point_at(share, scene, settled, curve.wall));
+    curve.points.push_back(point_at(share, scene, settled, watched));
     if (progress) progress(curve.points.back());
   }
   return curve;

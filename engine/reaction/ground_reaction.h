@@ -42,6 +42,10 @@ struct ReactionCurve {
   std::string message;          // of stages that did not settle in situ
   // Blocks that nothing held in situ already, as slivers that joints cut free may be: they do not end the curve.
   std::vector<UnbalancedBlock> loose_in_situ;
+  // Blocks that nothing holds any more as soon as the opening is out, with all of what it exerted still there, as
+  // slivers may be that tractions hold no better than rock: they do not end the curve either, and their faces are not
+  // counted in the motion of the wall.
+  std::vector<UnbalancedBlock> loose_at_full_share;
   std::vector<std::string> left_out;  // names of bolts and linings that come with the opening or later
 };
 

@@ -91,6 +91,16 @@ OpeningWall wall_of(const std::vector<int>& opening, const std::vector<bool>& ab
   return wall;
 }
 
+OpeningWall without(const std::vector<int>& blocks, OpeningWall wall) {
+  const auto is_left_out = [&](const auto& part) { return std::ranges::find(blocks, part.block) != blocks.end(); };
+  if (std::ranges::all_of(wall.faces, is_left_out)) return wall;
+  std::erase_if(wall.faces, is_left_out);
+  for (std::vector<WallPoint>& points : wall.places) std::erase_if(points, is_left_out);
+  wall.length = 0;
+  for (const WallFace& face : wall.faces) wall.length += face.length();
+  return wall;
+}
+
 WallMotion motion_of(const OpeningWall& wall, const Model& model, const State& before, const State& after) {
   const auto moved = [&](int block, const Vec2& point) -> Vec2 {
     return point_displacement(model, after, block, point) - point_displacement(model, before, block, point);

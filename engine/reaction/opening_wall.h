@@ -45,6 +45,10 @@ struct OpeningWall {
 // takes it out.
 [[nodiscard]] OpeningWall wall_of(const std::vector<int>& opening, const std::vector<bool>& absent, const Model& model);
 
+// The wall but for the faces of these blocks; its places are points of the others that lie there. As it is where all of
+// it would go.
+[[nodiscard]] OpeningWall without(const std::vector<int>& blocks, OpeningWall wall);
+
 // How far a wall has come in between two states, m.
 struct WallMotion {
   double mean = 0;                 // inwards, over the length of the wall: area lost over length

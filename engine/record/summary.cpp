@@ -97,13 +97,14 @@ Json to_json(const RunSummary& summary) {
   json["static_stages"] = Json::array();
   for (const auto& [name, share] : summary.out_of_balance)
     json["static_stages"].push_back({{"name", name}, {"out_of_balance", share}});
-  json["loose_blocks"] = Json::array();
-  for (const auto& [stage, block, place] : summary.loose_blocks)
-    json["loose_blocks"].push_back({{"stage", stage}, {"block", block}, {"place_m", {place.first, place.second}}});
+  json["loose_blocks"] = summary.loose_blocks;
+  json["blocks_out_of_balance"] = summary.blocks_out_of_balance;
   json["counters"] = to_json(summary.counters);
   json["energy"] = to_json(summary.energy);
   json["energy_released"] = to_json(energy_release(summary.energy));
   json["energy_released"]["stages"] = released_in_stages(summary);
+  json["energy_release_rates"] = summary.energy_release_rates;
+  json["excess_shear"] = summary.excess_shear;
   if (!summary.linings.is_null()) json["linings"] = summary.linings;
   if (!summary.peaks.is_null()) json["peaks"] = summary.peaks;
   json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);

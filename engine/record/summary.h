@@ -30,13 +30,6 @@ struct DeepestPenetration {
   double time_s = 0;
 };
 
-// A block that nothing held in a static stage, and where its centroid was.
-struct LooseBlock {
-  std::string stage;
-  std::string block;
-  std::pair<double, double> place_m;
-};
-
 // When a stage of the scene lasts, and in which steps; `settles`: its time passes in no motion (it ends at static
 // equilibrium).
 struct StageSpan {
@@ -64,7 +57,10 @@ struct RunSummary {
   std::vector<std::pair<std::string, double>> phases;  // name and seconds, in the order of the run
   std::vector<StageSpan> stages;
   std::vector<std::pair<std::string, double>> out_of_balance;  // static stages: name and share of the largest force
-  std::vector<LooseBlock> loose_blocks;
+  nlohmann::ordered_json loose_blocks = nlohmann::ordered_json::array();           // that nothing held in static stages
+  nlohmann::ordered_json blocks_out_of_balance = nlohmann::ordered_json::array();  // at their ends
+  nlohmann::ordered_json excess_shear = nlohmann::ordered_json::array();           // at ends of stages, by joint
+  nlohmann::ordered_json energy_release_rates = nlohmann::ordered_json::array();   // of stages that remove blocks
   std::string solver;
   std::int64_t blocks = 0;
   std::int64_t contacts = 0;

@@ -82,7 +82,8 @@ TEST(Summary, HoldsEverything) {
   summary.phases = {{"solve", 1.25}, {"assembly", 0.25}};
   summary.stages = {{"gravity", 0, 100, true, 0, ""}, {"quake", 100, 102.5, false, 1e-3, "blocks of 1 m that fall"}};
   summary.out_of_balance = {{"gravity", 3e-7}};
-  summary.loose_blocks = {{"gravity", "sliver", {1.5, 2}}};
+  summary.loose_blocks.push_back({{"stage", "gravity"}, {"block", "sliver"}});
+  summary.energy_release_rates.push_back({{"stage", "quake"}});
   summary.solver = "cholesky";
   summary.blocks = 200;
   summary.contacts = 199;
@@ -100,7 +101,8 @@ TEST(Summary, HoldsEverything) {
                {"name": "quake", "begin_s": 100, "end_s": 102.5, "settles": false, "dt_s": 1e-3,
                 "dt_reason": "blocks of 1 m that fall", "stable_dt_s": null}],
     "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],
-    "loose_blocks": [{"stage": "gravity", "block": "sliver", "place_m": [1.5, 2.0]}],
+    "loose_blocks": [{"stage": "gravity", "block": "sliver"}], "blocks_out_of_balance": [],
+    "energy_release_rates": [{"stage": "quake"}], "excess_shear": [],
     "counters": {"steps": 1, "matrix_rebuilds": 2, "analyses": 3, "factorizations": 4, "solves": 5,
       "solver_iterations": 6, "open_close_iterations": 7, "local_passes": 8, "steps_of_given_friction": 9,
       "contact_searches": 10, "contact_state_changes": 11},

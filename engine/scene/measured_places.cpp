@@ -17,8 +17,8 @@
 namespace dda {
 namespace {
 
-constexpr const char* place_keys[] = {"point",  "block",   "group",   "side", "bolt",
-                                      "lining", "support", "between", "line", "about"};
+constexpr const char* place_keys[] = {"point",   "block", "group", "side",  "bolt",           "lining",  "support",
+                                      "between", "line",  "about", "joint", "friction_angle", "cohesion"};
 
 std::span<const std::string_view> keys_of(Subject subject) {
   static constexpr std::array<std::string_view, 4> block = {"point", "block", "group", "side"};
@@ -28,6 +28,7 @@ std::span<const std::string_view> keys_of(Subject subject) {
   static constexpr std::array<std::string_view, 3> reaction = {"support", "block", "about"};
   static constexpr std::array<std::string_view, 2> contact_force = {"between", "line"};
   static constexpr std::array<std::string_view, 2> resultant = {"line", "about"};
+  static constexpr std::array<std::string_view, 4> excess_shear = {"line", "joint", "friction_angle", "cohesion"};
   switch (subject) {
     case Subject::block: return block;
     case Subject::joint: return joint;
@@ -36,6 +37,7 @@ std::span<const std::string_view> keys_of(Subject subject) {
     case Subject::reaction: return reaction;
     case Subject::contact_force: return contact_force;
     case Subject::resultant: return resultant;
+    case Subject::excess_shear: return excess_shear;
     case Subject::contacts: break;
   }
   return {};
@@ -73,7 +75,7 @@ bool runs_along(const std::vector<Stretch>& stretches, const std::vector<int>& b
 }  // namespace
 
 MeasuredPlaces::MeasuredPlaces(const GroundPlan& plan, const BlockSets& sets, const Model& model)
-    : plan_(plan), sets_(sets), model_(model), bolts_(model.bolts), linings_(model.linings) {}
+    : plan_(plan), sets_(sets), model_(model), bolts_(model.bolts), linings_(model.linings), joints_(model.joints) {}
 
 void MeasuredPlaces::read(const Field& field, Measurement& measurement) const {
   refuse_other_keys(field, measurement.quantity);
@@ -85,6 +87,7 @@ void MeasuredPlaces::read(const Field& field, Measurement& measurement) const {
     case Subject::reaction: place_at_supports(field, measurement); break;
     case Subject::contact_force: place_between(field, measurement); break;
     case Subject::resultant: place_across_line(field, measurement); break;
+    case Subject::excess_shear: place_along_joints(field, measurement); break;
     case Subject::contacts: break;
   }
 }
@@ -202,6 +205,21 @@ void MeasuredPlaces::place_between(const Field& field, Measurement& measurement)
   const std::vector<Stretch> stretches = plan_.stretches_along(line);
   if (!runs_along(stretches, measurement.blocks) || !runs_along(stretches, measurement.others))
     field_of_line->fail("a line along which both sides have edges");
+  measurement.from = line.start;
+  measurement.to = line.end;
+}
+
+// All joints, one of them, or those along a line, judged by their own strengths or by one that is given.
+void MeasuredPlaces::place_along_joints(const Field& field, Measurement& measurement) const {
+  if (const auto joint = field.find("joint")) measurement.joint = joints_.choice(*joint);
+  if (const auto angle = field.find("friction_angle"))
+    measurement.friction_angle = angle->not_negative(Dimension::angle);
+  if (const auto cohesion = field.find("cohesion")) measurement.cohesion = cohesion->not_negative(Dimension::stress);
+  const auto along = field.find("line");
+  measurement.on_line = along.has_value();
+  if (!measurement.on_line) return;
+  const Segment line = read_line(*along);
+  if (plan_.stretches_along(line).empty()) along->fail("a line along which blocks have edges");
   measurement.from = line.start;
   measurement.to = line.end;
 }

@@ -27,6 +27,7 @@ class MeasuredPlaces {
   void place_on_lining(const Field& field, Measurement& measurement) const;
   void place_at_supports(const Field& field, Measurement& measurement) const;
   void place_between(const Field& field, Measurement& measurement) const;
+  void place_along_joints(const Field& field, Measurement& measurement) const;
   void place_across_line(const Field& field, Measurement& measurement) const;
   [[nodiscard]] int block_at_point(const Field& field, const Vec2& point) const;
   void take_held(const std::optional<Field>& name, Measurement& measurement) const;
@@ -34,7 +35,7 @@ class MeasuredPlaces {
   const GroundPlan& plan_;
   const BlockSets& sets_;
   const Model& model_;
-  Names bolts_, linings_;
+  Names bolts_, linings_, joints_;
 };
 
 }  // namespace dda

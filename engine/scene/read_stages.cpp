@@ -46,11 +46,11 @@ void read_duration(const Field& field, Stage& stage) {
     stage.equilibrium = default_equilibrium;
     return;
   }
-  stage.automatic_dt = is_left_open;
+  stage.chosen_dt.automatic = is_left_open;
   if (!is_left_open) stage.dt = dt->positive(Dimension::time);
   const Field duration = field.at("duration");
   stage.duration = duration.positive(Dimension::time);
-  if (stage.automatic_dt) return;
+  if (stage.chosen_dt.automatic) return;
   if (stage.duration < 0.5 * stage.dt) duration.fail(fmt::format("at least one step of {} s", stage.dt));
   if (stage.duration > 1e12 * stage.dt) duration.fail(fmt::format("at most 1e12 steps of {} s", stage.dt));
 }
@@ -93,16 +93,23 @@ void read_accuracy(const Field& field, Stage& stage) {
   stage.lateral_inertia = value_or(field, "lateral_inertia", stage.lateral_inertia, truth);
 }
 
+void read_equilibrium(const Field& equilibrium, Stage& stage) {
+  if (!stage.integrator.is_static) equilibrium.fail("to be left out: only the integrator \"static\" seeks equilibrium");
+  stage.equilibrium = equilibrium.within(0, 1);
+  if (stage.paces_itself() && stage.equilibrium == 0)
+    equilibrium.fail("above 0: without dt equilibrium is what ends the stage");
+}
+
 void read_static(const Field& field, Stage& stage) {
   if (const auto strength = field.find("strength"))
     stage.unlimited_strength = strength->choice({"unlimited", "joints"}) == 0;
-  const auto equilibrium = field.find("equilibrium");
-  if (!equilibrium) return;
-  if (!stage.integrator.is_static)
-    equilibrium->fail("to be left out: only the integrator \"static\" seeks equilibrium");
-  stage.equilibrium = equilibrium->within(0, 1);
-  if (stage.paces_itself() && stage.equilibrium == 0)
-    equilibrium->fail("above 0: without dt equilibrium is what ends the stage");
+  if (const auto equilibrium = field.find("equilibrium")) read_equilibrium(*equilibrium, stage);
+  const auto unbalanced = field.find("on_unbalanced");
+  if (!unbalanced) return;
+  if (stage.equilibrium == 0)
+    unbalanced->fail(
+        "to be left out: this stage is not asked for equilibrium (static, without dt or with equilibrium)");
+  stage.on_unbalanced = unbalanced->choice({"continue", "stop"}) == 0 ? OnUnbalanced::carry_on : OnUnbalanced::stop;
 }
 
 void read_limits(const Field& field, Stage& stage) {

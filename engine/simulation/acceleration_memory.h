@@ -1,29 +1,43 @@
-// What accelerations remember of a step that is cut, when steps are whole again.
+// What accelerations remember of impacts in a step that is cut, when steps are longer again.
 //
 // The generalized-alpha method balances forces with a mean of the accelerations at both ends of a step. So what a step
 // has found goes on in the next ones, and each turns it into velocity in proportion to its dt. After an impact in a
-// short part of a step that was cut, the whole steps that follow would make several times the velocity of it that the
-// impact has left to give: two free blocks flew apart up to 3.2 times as fast as they had met. So what the parts of a
-// step have changed of the accelerations shrinks as the steps grow: it gives what it would have given in steps as short
-// as those it comes from.
+// short part of a step that was cut, the longer ones that follow would make several times the velocity of it that the
+// impact has left to give: two free blocks flew apart up to 3.2 times as fast as they had met. So what an impact has
+// changed of the accelerations of the blocks that it hit shrinks as the steps grow: it gives what it would have given
+// in steps as short as its own. Blocks that nothing has hit keep theirs, whatever the steps were cut for: of a smooth
+// motion they would only lose what holds it back (ADR 66).
 #pragma once
 
 #include <vector>
 
+#include "engine/contact/contact_set.h"
 #include "engine/core/types.h"
 
 namespace dda {
 
 class AccelerationMemory {
  public:
-  // Before the first part of a step.
-  void note_start(const std::vector<Vec6>& acceleration) { start_ = acceleration; }
+  // Before the first part of a step that is cut.
+  void begin(const ContactSet& contacts, const std::vector<Vec6>& acceleration);
 
-  // What follows is twice as long as the last part. 6 entries a block.
-  void halve(std::vector<Vec6>& acceleration) const;
+  // Before a part of length `dt` (s) is tried; and when it has failed.
+  void begin_part(double dt, std::vector<Vec6>& acceleration);
+  void take_back(std::vector<Vec6>& acceleration) const { acceleration = before_; }
+  // It is done: blocks of which a contact has closed or opened in it have been hit.
+  void end_part(double dt, const ContactSet& contacts);
+
+  // All parts are done, and the next step has the length `dt`.
+  void end(double dt, std::vector<Vec6>& acceleration) const { shrink(dt, acceleration); }
 
  private:
-  std::vector<Vec6> start_;
+  void shrink(double dt, std::vector<Vec6>& acceleration) const;
+
+  std::vector<int> closed_;    // ends of contacts of each block, after the last part
+  std::vector<char> was_hit_;  // in this step, of each block
+  std::vector<Vec6> start_;    // of blocks that were hit, before the part in which they were hit first
+  std::vector<Vec6> before_;   // the part that is tried
+  double last_dt_ = 0;         // s, of the last part done; 0 before there was one
 };
 
 }  // namespace dda

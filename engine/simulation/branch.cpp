@@ -199,6 +199,8 @@ void go_on_from(const Simulation& settled, Simulation& fresh) {
   take_over_viscous_edges(before, geometry, s);
   fresh.pace_ = settled.pace_;
   fresh.loose_blocks_ = settled.loose_blocks_;
+  fresh.blocks_out_of_balance_ = settled.blocks_out_of_balance_;
+  fresh.excess_at_end_ = settled.excess_at_end_;
   take_over_results(settled.static_out_of_balance_, s.clock.stage, fresh.static_out_of_balance_);
   take_over_results(settled.energy_at_end_, s.clock.stage, fresh.energy_at_end_);
   fresh.stage_step().set_up(general.pattern());

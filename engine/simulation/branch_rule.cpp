@@ -87,9 +87,9 @@ bool are_same(const std::optional<TimeFunction>& a, const std::optional<TimeFunc
 }
 
 void check(const Stage& then, const Stage& now, const std::string& field) {
-  const auto& [name, dt, duration, automatic_dt, dt_reason, integrator, kinematics, solver, velocity_factor,
-               damping_rate, material_damping, strain_inertia, correct_block_dispersion, correct_time_dispersion,
-               lateral_inertia, equilibrium, unlimited_strength, removal, max_open_close_iterations,
+  const auto& [name, dt, duration, chosen_dt, integrator, kinematics, solver, velocity_factor, damping_rate,
+               material_damping, strain_inertia, correct_block_dispersion, correct_time_dispersion, lateral_inertia,
+               equilibrium, on_unbalanced, unlimited_strength, removal, max_open_close_iterations,
                max_step_reductions] = now;
   expect_equal(then.name, name, field + ".name");
   expect_equal(then.dt, dt, field + ".dt");

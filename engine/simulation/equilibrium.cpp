@@ -14,8 +14,6 @@
 namespace dda {
 namespace {
 
-constexpr std::size_t most_named = 3;
-
 // Blocks may follow a prescribed motion until no force is left; what is smaller than this share of the largest force
 // exchanged on the way counts as none. (All of it would be too much: a first step that is short has the lid of a press
 // push blocks that do not give way yet.)
@@ -128,54 +126,31 @@ double out_of_balance(const BlockSystem& system, double in_situ_force) {
   return largest_of_all(system, unbalanced_shares(system, in_situ_force));
 }
 
-std::vector<int> blocks_out_of_balance(const BlockSystem& system, double in_situ_force, double share) {
+std::vector<UnbalancedBlock> find_blocks_out_of_balance(const BlockSystem& system, double in_situ_force) {
+  const double asked = system.stage().equilibrium;
+  if (!system.plan.is_static || asked == 0) return {};
   const Eigen::VectorXd shares = unbalanced_shares(system, in_situ_force);
   const auto largest = [&](int block) { return largest_of(system, shares, static_cast<std::size_t>(block)); };
   std::vector<int> blocks(system.model.blocks.size());
   std::iota(blocks.begin(), blocks.end(), 0);
-  std::erase_if(blocks, [&](int block) { return largest(block) <= share; });
+  std::erase_if(blocks, [&](int block) { return largest(block) <= asked; });
   std::ranges::stable_sort(blocks, std::ranges::greater(), largest);
-  return blocks;
+  return placed(system, blocks);
 }
 
-std::string equilibrium_problem(const BlockSystem& system, double in_situ_force) {
-  const Stage& ended = system.stage();
-  const double imbalance = out_of_balance(system, in_situ_force);
-  const std::vector<int>& loose = system.drag.loose();
-  const auto named = [&](const std::vector<int>& blocks) {
-    return named_with_places(system.model, placed(system, blocks));
-  };
-  if (ended.equilibrium > 0 && !(imbalance <= ended.equilibrium))
+std::string equilibrium_problem(const Model& model, const StageEnd& end) {
+  const Stage& ended = model.stages[end.stage];
+  if (!ended.integrator.is_static || ended.on_unbalanced == OnUnbalanced::carry_on) return "";
+  if (ended.equilibrium > 0 && !(end.out_of_balance <= ended.equilibrium))
     return fmt::format(
         "static stage \"{}\" ended with forces out of balance by {:.2g} of the largest force, {:.2g} were asked for{}: "
         "{}",
-        ended.name, imbalance, ended.equilibrium, ended.paces_itself() ? "" : "; more steps or a larger dt may help",
-        named(blocks_out_of_balance(system, in_situ_force, ended.equilibrium)));
-  const bool is_last = system.clock.stage + 1 == system.model.stages.size();
-  if (is_last && !loose.empty())
-    return fmt::format("static stage \"{}\" has no equilibrium for {}, which nothing holds", ended.name, named(loose));
-  return "";
-}
-
-std::vector<UnbalancedBlock> placed(const BlockSystem& system, const std::vector<int>& blocks) {
-  std::vector<UnbalancedBlock> found;
-  for (const int block : blocks) {
-    const auto i = static_cast<std::size_t>(block);
-    const Vec2 place = system.model.blocks[i].moments.centroid + system.state.displacement[i].head<2>();
-    found.push_back({static_cast<int>(system.clock.stage), block, place});
-  }
-  return found;
-}
-
-std::string named_with_places(const Model& model, const std::vector<UnbalancedBlock>& blocks) {
-  std::string text = blocks.size() == 1 ? "block " : "blocks ";
-  for (std::size_t i = 0; i < std::min(most_named, blocks.size()); ++i) {
-    const auto& [stage, block, place] = blocks[i];
-    text += fmt::format("{}\"{}\" at ({:.4g}, {:.4g}) m", i == 0 ? "" : ", ",
-                        model.blocks[static_cast<std::size_t>(block)].name, place.x(), place.y());
-  }
-  if (blocks.size() > most_named) text += fmt::format(" and {} more", blocks.size() - most_named);
-  return text;
+        ended.name, end.out_of_balance, ended.equilibrium,
+        ended.paces_itself() ? "" : "; more steps or a larger dt may help", named_with_places(model, end.unbalanced));
+  const bool loose_ones_count = ended.on_unbalanced == OnUnbalanced::stop || end.stage + 1 == model.stages.size();
+  if (!loose_ones_count || end.loose.empty()) return "";
+  return fmt::format("static stage \"{}\" has no equilibrium for {}, which nothing holds", ended.name,
+                     named_with_places(model, end.loose));
 }
 
 }  // namespace dda

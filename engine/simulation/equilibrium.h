@@ -1,30 +1,16 @@
-// What is left of static equilibrium, and which blocks have none.
+// What is left of static equilibrium, which blocks have none, and whether a run goes on without it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "engine/core/types.h"
 #include "engine/model/model.h"
+#include "engine/simulation/unbalanced_block.h"
 
 namespace dda {
 
 struct BlockSystem;
-
-// A block that has no equilibrium, and where its centroid was.
-struct UnbalancedBlock {
-  int stage = 0;
-  int block = 0;
-  Vec2 place = Vec2::Zero();  // m
-
-  template <typename Self, typename Archive>
-  static void visit(Self& self, Archive& archive) {
-    auto& [stage, block, place] = self;
-    archive.stages(stage);
-    archive.blocks(block);
-    archive(place);
-  }
-};
 
 // In static stages, when one begins and after each of its steps: notes what blocks, supports and bolts exchange now,
 // for out_of_balance() to know when it has become next to nothing.
@@ -36,17 +22,20 @@ void note_exchanged_forces(BlockSystem& system);
 // have the same share. Without loads, what is no more than round-off of the motion so far is no force.
 double out_of_balance(const BlockSystem& system, double in_situ_force);
 
-// Blocks that are out of balance by more than `share` of that, the worst first.
-std::vector<int> blocks_out_of_balance(const BlockSystem& system, double in_situ_force, double share);
+// At the end of the stage under way: the blocks that are out of balance by more than the stage asks for, the worst
+// first. None where it does not ask.
+std::vector<UnbalancedBlock> find_blocks_out_of_balance(const BlockSystem& system, double in_situ_force);
 
-// Why the static stage under way, which is at its end, is no equilibrium; empty where it is. Loose blocks, which are
-// held, are a reason where no stage follows.
-std::string equilibrium_problem(const BlockSystem& system, double in_situ_force);
+// How a stage ended.
+struct StageEnd {
+  std::size_t stage = 0;
+  double out_of_balance = 0;                // as out_of_balance()
+  std::vector<UnbalancedBlock> loose;       // blocks that nothing held
+  std::vector<UnbalancedBlock> unbalanced;  // as find_blocks_out_of_balance()
+};
 
-// With the stage under way and their places now.
-std::vector<UnbalancedBlock> placed(const BlockSystem& system, const std::vector<int>& blocks);
-
-// For people: the first few by name and place, and how many more there are.
-std::string named_with_places(const Model& model, const std::vector<UnbalancedBlock>& blocks);
+// Why a run is to end with a stage, which is no equilibrium; empty where it may go on. What counts as a reason is the
+// stage's `on_unbalanced`.
+std::string equilibrium_problem(const Model& model, const StageEnd& end);
 
 }  // namespace dda

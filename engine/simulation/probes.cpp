@@ -13,6 +13,7 @@
 #include "engine/model/quantity_names.h"
 #include "engine/simulation/block_values.h"
 #include "engine/simulation/contact_statistics.h"
+#include "engine/simulation/excess_shear.h"
 
 namespace dda {
 namespace {
@@ -50,6 +51,13 @@ Cut cut_of(const Simulation& simulation, const Measurement& measurement) {
                      measurement.quantity == Quantity::resultant ? "a line with touching blocks on its two sides"
                                                                  : "two sides that touch");
   return make_cut(simulation, measurement);
+}
+
+// Where contacts are followed faces may come later.
+void expect_faces(const Simulation& simulation, const Measurement& measurement) {
+  if (simulation.follows_contacts() || has_faces(simulation, measurement)) return;
+  throw InputError("", fmt::format("measurements \"{}\"", measurement.name), "where no joint with a strength is",
+                   "blocks that touch along a joint that is not bonded, or a friction_angle or cohesion to judge by");
 }
 
 // Interfaces move up in their list when those of removed blocks leave it.
@@ -140,6 +148,7 @@ Probes::Place Probes::place_of(const Simulation& simulation, const Measurement& 
       break;
     case Subject::contact_force:
     case Subject::resultant: place.cut = cut_of(simulation, measurement); break;
+    case Subject::excess_shear: expect_faces(simulation, measurement); break;
     case Subject::block:
     case Subject::bolt:
     case Subject::lining:
@@ -174,6 +183,7 @@ void Probes::write(const Simulation& simulation, const Measurement& measurement,
     case Subject::reaction: copy(reaction(simulation, measurement), values); break;
     case Subject::contact_force: copy(contact_force(simulation, measurement, place.cut), values); break;
     case Subject::resultant: copy(resultant(simulation, measurement, place.cut), values); break;
+    case Subject::excess_shear: copy(excess_shear(simulation, measurement), values); break;
     case Subject::contacts: write_statistics(simulation, values); break;
   }
 }

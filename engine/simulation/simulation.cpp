@@ -45,12 +45,16 @@ Status step_free_field(BlockSystem& s, std::string& message) {
   return status;
 }
 
-// What nothing held is free again. Returns it with the places where it was held.
-std::vector<UnbalancedBlock> let_go_of_loose_blocks(BlockSystem& s) {
-  std::vector<UnbalancedBlock> loose = placed(s, s.drag.loose());
+// What nothing held is free again.
+void let_go_of_loose_blocks(BlockSystem& s) {
+  const bool any = !s.drag.loose().empty();
   s.drag = {};
-  if (!loose.empty()) s.held = make_held_unknowns(s.model, s.excavated.absent);
-  return loose;
+  if (any) s.held = make_held_unknowns(s.model, s.excavated.absent);
+}
+
+template <typename Item>
+void append(std::vector<Item> more, std::vector<Item>& list) {
+  std::ranges::move(more, std::back_inserter(list));
 }
 
 // Bolts of the stage that begins. Who tensions them does work.
@@ -69,6 +73,12 @@ void spray_linings(const GeneralStep& general, BlockSystem& s) {
   if (stage == 0 || std::ranges::count(s.model.linings, stage, &Lining::first_stage) == 0) return;
   const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
   s.reinforcement.linings.put_in_those_of(s.clock.stage, s.model, s.state, geometry);
+}
+
+std::string problem_at_end_of(std::size_t stage, const Simulation& simulation) {
+  return equilibrium_problem(
+      simulation.model(), {stage, simulation.static_out_of_balance()[stage], of_stage(stage, simulation.loose_blocks()),
+                           of_stage(stage, blocks_out_of_balance(simulation))});
 }
 
 }  // namespace
@@ -205,13 +215,25 @@ Status Simulation::advance(double dt, int reductions_left) {
   const Stage& stage = system_->stage();
   const int cuts = stage.max_step_reductions - reductions_left;
   const bool can_be_cut = !stage.integrator.is_static && reductions_left > 0 && cuts < cuts_before_sure_passes;
-  const Status status = stage_step().advance(dt, can_be_cut);
+  const Status status = cuts == 0 ? stage_step().advance(dt, can_be_cut) : advance_part(dt, can_be_cut);
   if (status != Status::not_converged || reductions_left == 0) return status;
-  if (cuts == 0) memory_.note_start(system_->state.acceleration);
+  if (cuts == 0) memory_.begin(system_->contacts, system_->state.acceleration);
   for (int half = 0; half < 2; ++half)
     if (const Status part = advance(dt / 2, reductions_left - 1); part != Status::ok) return part;
-  memory_.halve(system_->state.acceleration);
+  if (cuts > 0) return Status::ok;
+  memory_.end(dt, system_->state.acceleration);
+  set_held_rates(system_->model, system_->state);
   return Status::ok;
+}
+
+Status Simulation::advance_part(double dt, bool can_be_cut) {
+  memory_.begin_part(dt, system_->state.acceleration);
+  const Status status = stage_step().advance(dt, can_be_cut);
+  if (status == Status::ok)
+    memory_.end_part(dt, system_->contacts);
+  else
+    memory_.take_back(system_->state.acceleration);
+  return status;
 }
 
 bool Simulation::is_settling() const { return !finished() && system_->stage().paces_itself(); }
@@ -233,8 +255,11 @@ Status Simulation::end_stage() {
   const Stage& ended = s.stage();
   if (stage_step().is_provisional()) release_shear_of_contacts(s);
   if (s.plan.is_static) static_out_of_balance_[s.clock.stage] = out_of_balance();
-  const std::string problem = s.plan.is_static ? equilibrium_problem(s, in_situ_force_) : "";
-  std::ranges::move(let_go_of_loose_blocks(s), std::back_inserter(loose_blocks_));
+  append(placed(s, s.drag.loose()), loose_blocks_);
+  append(find_blocks_out_of_balance(s, in_situ_force_), blocks_out_of_balance_);
+  const std::string problem = problem_at_end_of(s.clock.stage, *this);
+  append(excess_by_joint(s), excess_at_end_);
+  let_go_of_loose_blocks(s);
   if (ended.unlimited_strength) release_shear_of_contacts(s);
   s.audit.small_motion.end_stage(s);
   if (s.plan.is_static) s.audit.has_settled();
@@ -258,6 +283,19 @@ const LiningSet& linings_of(const Simulation& simulation) { return simulation.sy
 
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation) {
   return std::span(simulation.energy_at_end_).first(stages_done(simulation));
+}
+
+const std::vector<UnbalancedBlock>& blocks_out_of_balance(const Simulation& simulation) {
+  return simulation.blocks_out_of_balance_;
+}
+
+const std::vector<ExcessShear>& excess_at_ends_of_stages(const Simulation& simulation) {
+  return simulation.excess_at_end_;
+}
+
+std::string unbalanced_end(const Simulation& simulation) {
+  const StageClock& clock = simulation.system().clock;
+  return clock.begun || clock.stage == 0 ? "" : problem_at_end_of(clock.stage - 1, simulation);
 }
 
 void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation) {

@@ -25,6 +25,7 @@
 #include "engine/simulation/acceleration_memory.h"
 #include "engine/simulation/bolt_set.h"
 #include "engine/simulation/equilibrium.h"
+#include "engine/simulation/excess_shear.h"
 #include "engine/simulation/lining_set.h"
 #include "engine/simulation/penetration.h"
 #include "engine/simulation/settling_pace.h"
@@ -104,6 +105,8 @@ class Simulation {
   friend void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation);
   friend void call_between_stages(std::function<void()> act, Simulation& simulation);
   friend std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
+  friend const std::vector<UnbalancedBlock>& blocks_out_of_balance(const Simulation& simulation);
+  friend const std::vector<ExcessShear>& excess_at_ends_of_stages(const Simulation& simulation);
   friend void go_on_from(const Simulation& settled, Simulation& fresh);  // see branch.h
 
  private:
@@ -113,6 +116,7 @@ class Simulation {
   [[nodiscard]] Step& stage_step();
   void begin_stage();
   [[nodiscard]] Status advance(double dt, int reductions_left);
+  [[nodiscard]] Status advance_part(double dt, bool can_be_cut);
   [[nodiscard]] bool is_over();
   [[nodiscard]] Status end_stage();
 
@@ -125,6 +129,8 @@ class Simulation {
   std::vector<double> static_out_of_balance_;  // one a stage
   std::vector<EnergyLedger> energy_at_end_;    // one a stage
   std::vector<UnbalancedBlock> loose_blocks_;
+  std::vector<UnbalancedBlock> blocks_out_of_balance_;
+  std::vector<ExcessShear> excess_at_end_;
   std::vector<double> stability_limits_;  // s, one a stage, 0 where steps are implicit
   double in_situ_force_ = 0;              // N per m of thickness, the largest on an interface
   AccelerationMemory memory_;             // within a step that is cut
@@ -139,6 +145,16 @@ const LiningSet& linings_of(const Simulation& simulation);
 
 // What energy() was at the end of each of them.
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
+
+// Blocks that were out of balance at the end of static stages by more than these ask for, the worst of each first.
+const std::vector<UnbalancedBlock>& blocks_out_of_balance(const Simulation& simulation);
+
+// Between two stages and after the last one: why a run is to end with the stage that is over, which is no equilibrium;
+// empty where it may go on. A run that ended so and is restored is told once more.
+std::string unbalanced_end(const Simulation& simulation);
+
+// Excess shear stress at the ends of stages, by joint; of a stage of unlimited strength before what is too much slides.
+const std::vector<ExcessShear>& excess_at_ends_of_stages(const Simulation& simulation);
 
 // Acts at the end of every stage, whatever came of it: supports that end with it are still there, and the next stage
 // has not taken velocities or removed blocks.

@@ -230,7 +230,7 @@ void shorten_to(double limit, Stage& stage) {
   constexpr double margin = 0.95;
   const double longest = rounded_down_to_two_digits(margin * limit);
   stage.dt = stage.duration > longest ? stage.duration / std::ceil(stage.duration / longest) : longest;
-  stage.dt_reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
+  stage.chosen_dt.reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
 }
 
 double limit_of_stage(const Model& model, const std::vector<double>& known, std::size_t stage) {
@@ -246,7 +246,7 @@ std::vector<double> kept_stability_limits(Model& model) {
     Stage& stage = model.stages[i];
     if (!stage.integrator.is_explicit()) continue;
     limits[i] = limit_of_stage(model, limits, i);
-    if (stage.automatic_dt && stage.dt > limits[i]) {
+    if (stage.chosen_dt.automatic && stage.dt > limits[i]) {
       shorten_to(limits[i], stage);
       limits[i] = limit_of_stage(model, limits, i);
     }

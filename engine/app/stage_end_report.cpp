@@ -1,0 +1,97 @@
+#include "engine/app/stage_end_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include "engine/reaction/release_rate.h"
+
+namespace dda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A stage that fails early may have all of its blocks out of balance; the worst ones say where.
+constexpr std::size_t most_listed = 1000;
+constexpr std::size_t most_lines = 10;
+
+const std::string& name_of(int block, const Model& model) { return model.blocks[static_cast<std::size_t>(block)].name; }
+
+const std::string& stage_name(int stage, const Model& model) {
+  return model.stages[static_cast<std::size_t>(stage)].name;
+}
+
+Json vector_json(const Vec2& vector) { return {vector.x(), vector.y()}; }
+
+Json faces_json(const std::vector<HoldingFace>& faces, const Model& model) {
+  Json list = Json::array();
+  for (const HoldingFace& face : faces)
+    list.push_back({{"block", name_of(face.neighbour, model)},
+                    {"place_m", vector_json(face.place)},
+                    {"force_N_per_m", vector_json(face.force)},
+                    {"slides", face.slides}});
+  return list;
+}
+
+void append_lines(const std::vector<UnbalancedBlock>& blocks, const char* what, const Model& model, std::string& text) {
+  for (std::size_t i = 0; i < std::min(most_lines, blocks.size()); ++i)
+    text +=
+        fmt::format("{} in stage \"{}\": {}\n", what, stage_name(blocks[i].stage, model), described(model, blocks[i]));
+  if (blocks.size() > most_lines)
+    text += fmt::format("{}: {} more, see summary.json\n", what, blocks.size() - most_lines);
+}
+
+}  // namespace
+
+Json unbalanced_json(const std::vector<UnbalancedBlock>& blocks, const Model& model) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(most_listed, blocks.size()); ++i)
+    list.push_back({{"stage", stage_name(blocks[i].stage, model)},
+                    {"block", name_of(blocks[i].block, model)},
+                    {"number", blocks[i].block},
+                    {"place_m", vector_json(blocks[i].place)},
+                    {"mass_kg_per_m", model.mass_of(blocks[i].block)},
+                    {"held_by", faces_json(blocks[i].faces, model)}});
+  return list;
+}
+
+std::string unbalanced_lines(const Simulation& simulation) {
+  std::string text;
+  append_lines(simulation.loose_blocks(), "loose", simulation.model(), text);
+  append_lines(blocks_out_of_balance(simulation), "out of balance", simulation.model(), text);
+  return text;
+}
+
+Json excess_shear_json(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  Json list = Json::array();
+  for (const ExcessShear& each : excess_at_ends_of_stages(simulation))
+    list.push_back({{"stage", stage_name(each.stage, model)},
+                    {"joint", model.joints[static_cast<std::size_t>(each.joint)].name},
+                    {"largest_Pa", each.largest},
+                    {"between", {name_of(each.block_a, model), name_of(each.block_b, model)}},
+                    {"place_m", vector_json(each.place)},
+                    {"normal_Pa", each.normal},
+                    {"shear_Pa", each.shear},
+                    {"length_m", each.length},
+                    {"positive_m", each.positive}});
+  return list;
+}
+
+Json energy_release_rates_json(const Simulation& simulation) {
+  Json list = Json::array();
+  for (const ReleaseRate& rate : release_rates(simulation)) {
+    const std::optional<double> per_wall = rate.per_wall();
+    list.push_back({{"stage", simulation.model().stages[rate.stage].name},
+                    {"released_J_per_m", rate.released},
+                    {"area_m2", rate.area},
+                    {"wall_m", rate.wall},
+                    {"per_volume_J_per_m3", rate.per_volume()},
+                    {"per_wall_J_per_m2", per_wall ? Json(*per_wall) : Json()}});
+  }
+  return list;
+}
+
+}  // namespace dda

@@ -1,0 +1,116 @@
+// `dda run` of rock with a loose block, and what it leaves about energy release rates and excess shear stress.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/app/command_line_test_support.h"
+
+namespace dda {
+namespace {
+
+// A box on a held floor, a stone in the air, and under it a core that a later stage may take out.
+std::string loose_rock(const std::string& on_unbalanced, const std::string& later_stages) {
+  return fmt::format(R"({{"dda": 1, "gravity": 9.81,
+ "materials": {{"rock": {{"density": 2600, "young": 1e10, "poisson": 0.2}}}},
+ "joints": {{"default": {{"friction_angle": "20 deg"}}}},
+ "blocks": [{{"polygon": {{"name": "floor", "vertices": [[-2, -1], [6, -1], [6, 0], [-2, 0]]}}}},
+            {{"polygon": {{"name": "box", "vertices": [[-1, 0], [0, 0], [0, 1], [-1, 1]]}}}},
+            {{"polygon": {{"name": "lid", "group": "spoil", "vertices": [[-1, 1], [0, 1], [0, 2], [-1, 2]]}}}},
+            {{"polygon": {{"name": "stone", "vertices": [[4, 20], [5, 20], [5, 21], [4, 21]]}}}}],
+ "fixed": ["floor"],
+ "steps": [{{"name": "settle", "integrator": "static"{}}}{}]}})",
+                     on_unbalanced, later_stages);
+}
+
+const std::string goes_on = R"(, "on_unbalanced": "continue")";
+const std::string stops = R"(, "on_unbalanced": "stop")";
+const std::string moves = R"(, {"name": "move", "dt": 1e-3, "duration": 5e-3})";
+const std::string digs =
+    R"(, {"name": "dig", "integrator": "static", "on_unbalanced": "continue", "remove": ["spoil"]})";
+
+class UnbalancedRun : public CommandLine {
+ protected:
+  [[nodiscard]] nlohmann::json summary() const { return nlohmann::json::parse(text("out/summary.json")); }
+};
+
+TEST_F(UnbalancedRun, EndsOrGoesOnAsItIsTold) {
+  EXPECT_EQ(run_scene(loose_rock("", ""), "out").code, 3);
+  EXPECT_EQ(run_scene(loose_rock(goes_on, ""), "out").code, 0);
+  EXPECT_EQ(run_scene(loose_rock("", moves), "out").code, 0);
+  const Outcome stopped = run_scene(loose_rock(stops, moves), "out");
+  EXPECT_EQ(stopped.code, 3);
+  EXPECT_TRUE(contains(stopped.errors, "\"settle\" has no equilibrium for block \"stone\" at (4.5, 2"))
+      << stopped.errors;
+  EXPECT_EQ(summary()["status"], "not_in_equilibrium");
+  EXPECT_EQ(summary()["loose_blocks"].at(0)["block"], "stone");
+}
+
+TEST_F(UnbalancedRun, ListsBlocksWithNumberMassAndFaces) {
+  write("scene.json", loose_rock(goes_on, moves));
+  const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.out, "loose in stage \"settle\": block \"stone\" (number 3) at (4.5, 2")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "2600 kg/m, held by no face")) << outcome.out;
+  const nlohmann::json listed = summary()["loose_blocks"].at(0);
+  EXPECT_EQ(listed["stage"], "settle");
+  EXPECT_EQ(listed["number"], 3);
+  EXPECT_NEAR(listed["mass_kg_per_m"].get<double>(), 2600, 1e-9);
+  EXPECT_EQ(listed["held_by"].size(), 0U);
+  EXPECT_TRUE(summary()["blocks_out_of_balance"].empty());
+  ASSERT_EQ(call({"report", path("out")}).code, 0);
+  const std::string page = text("out/report.html");
+  EXPECT_TRUE(contains(page, "block &quot;stone&quot; (number 3, 2600 kg/m)")) << page.substr(0, 4000);
+}
+
+// It was "ok" with exit code 0 when it was resumed.
+TEST_F(UnbalancedRun, ThatHasEndedHasEndedWhenItIsResumed) {
+  for (const std::string& scene : {loose_rock("", ""), loose_rock(stops, moves)}) {
+    const Outcome first = run_scene(scene, "out");
+    ASSERT_EQ(first.code, 3);
+    const std::string message = summary()["message"];
+    const Outcome again = call({"run", path("out.json"), "--out", path("out"), "--quiet", "--resume"});
+    EXPECT_EQ(again.code, 3);
+    EXPECT_EQ(again.errors, first.errors);
+    EXPECT_EQ(summary()["status"], "not_in_equilibrium");
+    EXPECT_EQ(summary()["message"], message);
+  }
+}
+
+TEST_F(UnbalancedRun, SaysWhatDiggingReleasedAndWhatJointsCarry) {
+  const Outcome outcome = run_scene(loose_rock(goes_on, digs), "out");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json rates = summary()["energy_release_rates"];
+  ASSERT_EQ(rates.size(), 1U);
+  EXPECT_EQ(rates[0]["stage"], "dig");
+  EXPECT_NEAR(rates[0]["area_m2"].get<double>(), 1, 1e-12);
+  EXPECT_NEAR(rates[0]["wall_m"].get<double>(), 1, 1e-12);
+  const double released = rates[0]["released_J_per_m"];
+  EXPECT_GT(released, 0);
+  EXPECT_EQ(rates[0]["per_volume_J_per_m3"], released);
+  EXPECT_EQ(released, summary()["energy_released"]["stages"].at(1)["released_by_fate"]);
+  const nlohmann::json excess = summary()["excess_shear"];
+  ASSERT_EQ(excess.size(), 2U);
+  EXPECT_EQ(excess[1]["joint"], "default");
+  // The weight of the box on a level floor, without shear: -tan(20 deg) of 1 m of it.
+  EXPECT_NEAR(excess[1]["largest_Pa"].get<double>() / (-2600 * 9.81 * 0.36397023), 1, 1e-6);
+  ASSERT_EQ(call({"report", path("out")}).code, 0);
+  EXPECT_TRUE(contains(text("out/report.html"), "ERR per volume (J/m3)"));
+  EXPECT_TRUE(contains(text("out/report.html"), "largest ESS (Pa)"));
+}
+
+TEST_F(UnbalancedRun, RefusesTheKeyWhereNothingAsksForEquilibrium) {
+  for (const char* steps : {R"({"dt": 1e-3, "duration": 1, "on_unbalanced": "stop"})",
+                            R"({"integrator": "static", "dt": 1e-3, "duration": 1, "on_unbalanced": "stop"})"}) {
+    nlohmann::json scene = nlohmann::json::parse(loose_rock("", ""));
+    scene["steps"] = nlohmann::json::parse(steps);
+    write("scene.json", scene.dump());
+    expect_refusal({"check", path("scene.json")}, "on_unbalanced is \"stop\", expected to be left out");
+  }
+  nlohmann::json scene = nlohmann::json::parse(loose_rock(R"(, "on_unbalanced": "go on")", ""));
+  write("scene.json", scene.dump());
+  expect_refusal({"check", path("scene.json")}, "on_unbalanced is \"go on\"");
+}
+
+}  // namespace
+}  // namespace dda

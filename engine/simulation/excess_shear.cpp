@@ -1,0 +1,181 @@
+#include "engine/simulation/excess_shear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "engine/contact/contact_points.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/tolerance.h"
+#include "engine/simulation/block_system.h"
+#include "engine/simulation/linear_states.h"
+#include "engine/simulation/simulation.h"
+
+namespace dda {
+namespace {
+
+// Cosine between normals of contacts that lie on one face.
+constexpr double same_face = 0.99;
+
+// By where its ends were drawn.
+bool is_on(const Segment& line, const LoadedFace& face, double tolerance) {
+  return distance(line, face.from) <= tolerance && distance(line, face.to) <= tolerance;
+}
+
+bool has_named_strength(const JointMaterial& joint) {
+  return !joint.bonded || joint.friction_angle > 0 || joint.cohesion > 0;
+}
+
+double coulomb(double cohesion, double friction, double normal) { return std::max(0.0, cohesion - friction * normal); }
+
+// By which strength a joint is judged in place of what its contacts can carry now; none: by that.
+std::optional<JudgedStrength> strength_for(const JointMaterial& joint, const std::optional<JudgedStrength>& judged) {
+  if (judged || !joint.bonded) return judged;
+  return JudgedStrength{std::tan(joint.friction_angle), joint.cohesion};
+}
+
+// One contact point with what it can carry in shear, N per m of thickness.
+struct JudgedPoint {
+  ContactPoint point;
+  double capacity = 0;
+};
+
+double capacity_of(const ContactPoint& point, const EndStrength& strength, bool broken, bool residual) {
+  if (broken || strength.is_dry()) return strength.capacity(point.normal_force, residual);
+  return coulomb(strength.cohesion, strength.friction, point.normal_force);
+}
+
+std::vector<JudgedPoint> points_of(const BlockSystem& s, std::size_t i) {
+  const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+  std::vector<ContactPoint> found;
+  append_contact_points(s.model, s.state, s.contacts.interfaces[i], s.contacts.elements[i], state, found);
+  std::vector<JudgedPoint> points;
+  for (std::size_t end = 0; end < found.size(); ++end)
+    points.push_back(
+        {found[end], capacity_of(found[end], s.contacts.strengths[i], state.broken[end], state.residual[end])});
+  return points;
+}
+
+LoadedFace face_of(const std::vector<JudgedPoint>& points, int joint, double length,
+                   const std::optional<JudgedStrength>& judged) {
+  const auto [low, high] = std::minmax(points.front().point.block_a, points.front().point.block_b);
+  LoadedFace face{low,   high, joint, Vec2::Zero(), points.front().point.reference, points.back().point.reference,
+                  length};
+  for (const auto& [point, capacity] : points) {
+    face.place += point.point / static_cast<double>(points.size());
+    face.normal += point.normal_force / length;
+    face.shear += point.shear_force / length;
+    face.strength += capacity / length;
+  }
+  if (judged) face.strength = coulomb(judged->cohesion, judged->friction, face.normal);
+  return face;
+}
+
+// How far the points reach along the face with this normal, m: contacts of two edges are at the ends of what they have
+// in common.
+double extent_of(const std::vector<JudgedPoint>& points, const Vec2& normal) {
+  const auto place = [&normal](const JudgedPoint& judged) { return cross(normal, judged.point.point); };
+  const auto [first, last] = std::ranges::minmax_element(points, {}, place);
+  return place(*last) - place(*first);
+}
+
+// Contacts of single vertices, by their blocks and joint.
+using VertexPoints = std::map<std::tuple<int, int, int>, std::vector<JudgedPoint>>;
+
+// Two vertices or more make a face; one alone has no length.
+void append_faces_of_vertices(const Model& model, const std::optional<JudgedStrength>& judged, VertexPoints& points,
+                              std::vector<LoadedFace>& faces) {
+  for (auto& [key, left] : points) {
+    const int joint = std::get<2>(key);
+    while (!left.empty()) {
+      const Vec2 normal = left.front().point.normal;
+      const auto rest = std::stable_partition(left.begin(), left.end(), [&](const JudgedPoint& other) {
+        return std::abs(other.point.normal.dot(normal)) > same_face;
+      });
+      const std::vector<JudgedPoint> own(left.begin(), rest);
+      left.erase(left.begin(), rest);
+      const double length = extent_of(own, normal);
+      if (length > point_tolerance(model))
+        faces.push_back(
+            face_of(own, joint, length, strength_for(model.joints[static_cast<std::size_t>(joint)], judged)));
+    }
+  }
+}
+
+void add(const LoadedFace& face, ExcessShear& sum) {
+  sum.length += face.length;
+  const double excess = face.excess();
+  if (excess > 0) sum.positive += face.length;
+  if (sum.length > face.length && excess <= sum.largest) return;
+  std::tie(sum.largest, sum.block_a, sum.block_b, sum.normal, sum.shear) =
+      std::tuple(excess, face.block_a, face.block_b, face.normal, face.shear);
+  sum.place = face.place;
+}
+
+std::optional<JudgedStrength> strength_of(const Measurement& measurement) {
+  if (!measurement.friction_angle && !measurement.cohesion) return std::nullopt;
+  return JudgedStrength{std::tan(measurement.friction_angle.value_or(0)), measurement.cohesion.value_or(0)};
+}
+
+std::vector<LoadedFace> faces_of(const Simulation& simulation, const Measurement& measurement) {
+  std::vector<LoadedFace> faces = loaded_faces(simulation.system(), strength_of(measurement));
+  const double tolerance = point_tolerance(simulation.model());
+  std::erase_if(faces, [&](const LoadedFace& face) {
+    const bool is_other = measurement.joint >= 0 && face.joint != measurement.joint;
+    return is_other || (measurement.on_line && !is_on({measurement.from, measurement.to}, face, tolerance));
+  });
+  return faces;
+}
+
+}  // namespace
+
+double LoadedFace::excess() const { return std::abs(shear) - strength; }
+
+std::vector<LoadedFace> loaded_faces(const BlockSystem& s, const std::optional<JudgedStrength>& judged) {
+  std::vector<LoadedFace> faces;
+  VertexPoints vertices;
+  for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
+    const Interface& interface = s.contacts.interfaces[i];
+    const JointMaterial& joint = s.model.joints[static_cast<std::size_t>(interface.joint)];
+    if (!judged && !has_named_strength(joint)) continue;
+    const std::vector<JudgedPoint> points = points_of(s, i);
+    if (interface.length > 0) {
+      faces.push_back(face_of(points, interface.joint, interface.length, strength_for(joint, judged)));
+      continue;
+    }
+    const auto [low, high] = std::minmax(interface.block_a, interface.block_b);
+    std::vector<JudgedPoint>& same = vertices[{low, high, interface.joint}];
+    same.insert(same.end(), points.begin(), points.end());
+  }
+  append_faces_of_vertices(s.model, judged, vertices, faces);
+  return faces;
+}
+
+std::vector<ExcessShear> excess_by_joint(const BlockSystem& s) {
+  std::map<int, ExcessShear> by_joint;
+  for (const LoadedFace& face : loaded_faces(s, std::nullopt)) {
+    ExcessShear& sum = by_joint[face.joint];
+    sum.stage = static_cast<int>(s.clock.stage);
+    sum.joint = face.joint;
+    add(face, sum);
+  }
+  std::vector<ExcessShear> list;
+  for (const auto& [joint, sum] : by_joint) list.push_back(sum);
+  return list;
+}
+
+Vec2 excess_shear(const Simulation& simulation, const Measurement& measurement) {
+  ExcessShear sum;
+  sum.largest = std::numeric_limits<double>::quiet_NaN();
+  for (const LoadedFace& face : faces_of(simulation, measurement)) add(face, sum);
+  return {sum.largest, sum.positive};
+}
+
+bool has_faces(const Simulation& simulation, const Measurement& measurement) {
+  return !faces_of(simulation, measurement).empty();
+}
+
+}  // namespace dda

@@ -1,0 +1,106 @@
+#include "engine/simulation/unbalanced_block.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "engine/contact/contact_points.h"
+#include "engine/simulation/block_system.h"
+#include "engine/simulation/linear_states.h"
+
+namespace dda {
+namespace {
+
+constexpr std::size_t most_named = 3;
+
+// Cosine between normals of contacts that lie on one face.
+constexpr double same_face = 0.99;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Contact points of `block` that carry a force, seen from it: block a is its neighbour, and the normal points into it.
+std::vector<ContactPoint> points_of(int block, const BlockSystem& s) {
+  std::vector<ContactPoint> points;
+  for (std::size_t i = 0; i < s.contacts.elements.size(); ++i) {
+    const InterfaceElement& element = s.contacts.elements[i];
+    if (element.block_a != block && element.block_b != block) continue;
+    const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+    append_contact_points(s.model, s.state, s.contacts.interfaces[i], element, state, points);
+  }
+  std::erase_if(points, [](const ContactPoint& point) { return point.force().isZero(0); });
+  for (ContactPoint& point : points) {
+    if (point.block_b == block) continue;
+    std::swap(point.block_a, point.block_b);
+    point.normal = -point.normal;
+  }
+  return points;
+}
+
+HoldingFace face_of(const std::vector<ContactPoint>& points) {
+  HoldingFace face;
+  face.neighbour = points.front().block_a;
+  for (const ContactPoint& point : points) {
+    face.place += point.point / static_cast<double>(points.size());
+    face.force += point.force();
+    face.slides = face.slides || point.status == ContactStatus::sliding;
+  }
+  return face;
+}
+
+std::vector<HoldingFace> faces_of(int block, const BlockSystem& s) {
+  std::vector<ContactPoint> left = points_of(block, s);
+  std::vector<HoldingFace> faces;
+  while (!left.empty()) {
+    const int neighbour = left.front().block_a;
+    const Vec2 normal = left.front().normal;
+    const auto rest = std::stable_partition(left.begin(), left.end(), [&](const ContactPoint& point) {
+      return point.block_a == neighbour && point.normal.dot(normal) > same_face;
+    });
+    faces.push_back(face_of({left.begin(), rest}));
+    left.erase(left.begin(), rest);
+  }
+  return faces;
+}
+
+}  // namespace
+
+std::vector<UnbalancedBlock> placed(const BlockSystem& system, const std::vector<int>& blocks) {
+  std::vector<UnbalancedBlock> found;
+  for (const int block : blocks) {
+    const Vec2 place = system.model.blocks[at(block)].moments.centroid + system.state.displacement[at(block)].head<2>();
+    found.push_back({static_cast<int>(system.clock.stage), block, place, faces_of(block, system)});
+  }
+  return found;
+}
+
+std::vector<UnbalancedBlock> of_stage(std::size_t stage, std::vector<UnbalancedBlock> blocks) {
+  std::erase_if(blocks, [stage](const UnbalancedBlock& each) { return at(each.stage) != stage; });
+  return blocks;
+}
+
+std::string named_with_places(const Model& model, const std::vector<UnbalancedBlock>& blocks) {
+  std::string text = blocks.size() == 1 ? "block " : "blocks ";
+  for (std::size_t i = 0; i < std::min(most_named, blocks.size()); ++i)
+    text += fmt::format("{}\"{}\" at ({:.4g}, {:.4g}) m", i == 0 ? "" : ", ", model.blocks[at(blocks[i].block)].name,
+                        blocks[i].place.x(), blocks[i].place.y());
+  if (blocks.size() > most_named) text += fmt::format(" and {} more", blocks.size() - most_named);
+  return text;
+}
+
+std::string described(const Model& model, const UnbalancedBlock& block) {
+  std::string text = fmt::format("block \"{}\" (number {}) at ({:.4g}, {:.4g}) m, {:.4g} kg/m, held by ",
+                                 model.blocks[at(block.block)].name, block.block, block.place.x(), block.place.y(),
+                                 model.mass_of(block.block));
+  if (block.faces.empty()) return text + "no face";
+  for (std::size_t i = 0; i < block.faces.size(); ++i) {
+    const HoldingFace& face = block.faces[i];
+    text += fmt::format("{}\"{}\" at ({:.4g}, {:.4g}) m with {:.3g} N/m{}", i == 0 ? "" : ", ",
+                        model.blocks[at(face.neighbour)].name, face.place.x(), face.place.y(), face.force.norm(),
+                        face.slides ? " (slides)" : "");
+  }
+  return text;
+}
+
+}  // namespace dda

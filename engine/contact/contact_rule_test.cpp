@@ -136,6 +136,24 @@ TEST(DampedContact, SlidesTheWayItIsPushed) {
   EXPECT_GT(slid, 100);
 }
 
+// An end that rides up as it slides presses the harder, and with a soft shear spring and a dashpot beside it the force
+// may grow faster with the gap than that of an end that sticks: it slides all the same.
+TEST(DampedContact, SlidesWhereItRidesUp) {
+  InterfaceElement element = contact_with(7);
+  element.stiffness(1) = spring / 50;
+  EndStrength strength{0, 0, 0.5};
+  strength.dilation = 0.4;
+  const InterfaceState start = at_gap(-0.5, 0);
+  InterfaceTrial trial = start_trial(element, strength, start, {.dashpot_rate = 10});
+  trial.gap << -0.5, 3, 0, 0;
+  respond(element, trial);
+  EXPECT_LT(trial.force(1), 3 * (spring / 50 + 3.5 * 10)) << "what it would bear without slip";
+  const InterfaceState after = finish_trial(element, start, trial);
+  EXPECT_EQ(after.status[0], ContactStatus::sliding);
+  EXPECT_GT(after.slip[0], 0.1);
+  EXPECT_LT(after.gap(1), 2.9);
+}
+
 TEST(StickingContact, CarriesAnyShearWhileClosedAndNoneWhenOpen) {
   const InterfaceElement element = contact_with(0);
   const ContactRule rule{.sticks = true, .touching = 1e-9};

@@ -12,6 +12,7 @@
 namespace dda::end_answer {
 
 inline constexpr double at_capacity = 1e-12;
+inline constexpr double steepest_slip = 1 - 1e-9;  // slope of an end that slides; one that sticks has 1 or more
 
 struct Answer {
   double force;
@@ -87,7 +88,9 @@ inline Answer shear(const Row& row, double gap, const InterfaceTrial& trial, std
   if (std::abs(both) < (1 - at_capacity) * yield) return {stuck, slope};
   if (hardening == 0) return {std::copysign(yield, both) - before, 0};
   const double share = hardening / (row.stiffness + row.dashpot + hardening);
-  return {std::copysign((1 - share) * yield + share * std::abs(both), both) - before, share * slope};
+  // With a dashpot the slope of an end that hardens steeply can reach that of a stuck one, by which others know it.
+  return {std::copysign((1 - share) * yield + share * std::abs(both), both) - before,
+          std::min(share * slope, steepest_slip)};
 }
 
 }  // namespace dda::end_answer

@@ -129,8 +129,8 @@ std::string square(double from, double to, const std::string& layer = "boundary"
 
 TEST(ReadDxf, WhatIsWrongIsSaidInOneSentence) {
   const std::string in_itself =
-      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nA\n0\nINSERT\n8\nrock\n2\nA\n0\nENDBLK\n0\nENDSEC\n" +
-      dxf("0\nINSERT\n8\nrock\n2\nA\n");
+      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nA\n0\nINSERT\n8\nrock\n2\nA\n10\n0\n20\n0\n0\nENDBLK\n0\nENDSEC\n" +
+      dxf("0\nINSERT\n8\nrock\n2\nA\n10\n0\n20\n0\n");
   const std::vector<std::pair<std::string, std::string>> all{
       {"AutoCAD Binary DXF\r\n", "plan.dxf is binary DXF, expected DXF as text"},
       {"AC1027xxx", "plan.dxf is a DWG file, expected DXF as text"},

@@ -79,6 +79,19 @@ TEST(GroundReaction, OfAnOpeningThatNoStageTakesOut) {
   EXPECT_NEAR(ground_reaction(model, {{0}, {0}}).points.at(0).motion.mean / expected, 1, 1e-12);
 }
 
+// Weight and stress get in with unlimited strength; the opening is made in rock whose joints have their own.
+TEST(GroundReaction, OfAnOpeningAfterUnlimitedStrengthIsOfRockThatCanSlide) {
+  Model model = rings_around_core(16);
+  model.stages.pop_back();
+  model.stages[0].unlimited_strength = true;
+  const std::vector<Stage> stages = unloading_of(model, {0}).model.stages;
+  ASSERT_EQ(stages.size(), 3U);
+  EXPECT_TRUE(stages[0].unlimited_strength);
+  for (const std::size_t own : {1U, 2U}) EXPECT_FALSE(stages[own].unlimited_strength);
+  EXPECT_TRUE(stages[1].removal.blocks.empty());
+  EXPECT_EQ(stages[2].removal.blocks, std::vector<int>{0});
+}
+
 // Lessened support is what is looked for: what comes with the opening is left out, what was there before stays.
 TEST(GroundReaction, LeavesOutSupportThatComesWithTheOpening) {
   Model model = rings_around_core(16);

@@ -56,6 +56,13 @@ void keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
   }
   model.stages.resize(kept);
   if (model.stages.empty()) model.stages.push_back(static_stage("in situ", like));
+  // Of unlimited strength is the stage by which weight and stress get into the rock. Where the scene does not say
+  // itself what comes then, the joints get their own strength before the opening is made: its curve is that of rock
+  // that slides.
+  if (!is_taken_out && model.stages.back().unlimited_strength) {
+    model.stages.push_back(static_stage("own strength", model.stages.back()));
+    model.stages.back().unlimited_strength = false;
+  }
   Stage last = static_stage(is_taken_out ? like.name : "opening", is_taken_out ? like : model.stages.back());
   last.duration = fade;
   last.removal = {opening, fading_to(1)};

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "engine/geometry/rotation.h"
@@ -64,19 +66,121 @@ TEST(AccelerationMemory, BlocksFlyApartNoFasterThanTheyHaveMet) {
   EXPECT_GT(fastest, 0.5);  // or nothing has met
 }
 
-TEST(AccelerationMemory, HalvesWhatWasGainedAndKeepsTheRest) {
-  AccelerationMemory memory;
+// Blocks 0 and 1 touch or not; block 2 is far away.
+ContactSet touching(ContactStatus status) {
+  ContactSet contacts;
+  InterfaceElement element;
+  element.block_a = 0;
+  element.block_b = 1;
+  InterfaceState state;
+  state.status = {status, ContactStatus::open};
+  contacts.elements = {element};
+  contacts.states = {state};
+  return contacts;
+}
+
+TEST(AccelerationMemory, WhatAnImpactHasGainedShrinksAsStepsGrow) {
   const Vec6 before = Vec6::Constant(-9.81);
-  memory.note_start({before});
-  std::vector<Vec6> now{before};
-  memory.halve(now);
-  EXPECT_EQ(now[0], before);
-  now[0](0) -= 8;
-  now[0](2) = 1;  // faded
-  memory.halve(now);
+  std::vector<Vec6> now(3, before);
+  const ContactSet apart = touching(ContactStatus::open), closed = touching(ContactStatus::locked);
+  AccelerationMemory memory;
+  memory.begin(apart, now);
+  memory.begin_part(1e-3, now);
+  memory.end_part(1e-3, closed);
+  for (Vec6& block : now) {
+    block(0) -= 8;
+    block(2) = 1;  // faded
+  }
+  memory.begin_part(2e-3, now);
   EXPECT_DOUBLE_EQ(now[0](0), before(0) - 4);
   EXPECT_EQ(now[0](1), before(1));
   EXPECT_EQ(now[0](2), 1);
+  EXPECT_EQ(now[2](0), before(0) - 8) << "nothing hit it";
+  memory.take_back(now);  // a part that failed has changed nothing
+  EXPECT_EQ(now[0](0), before(0) - 8);
+  memory.begin_part(1e-3, now);
+  EXPECT_EQ(now[0](0), before(0) - 8) << "as long as the part before";
+  memory.end_part(1e-3, closed);
+  memory.end(8e-3, now);
+  EXPECT_DOUBLE_EQ(now[0](0), before(0) - 1);
+  EXPECT_EQ(now[2](0), before(0) - 8);
+}
+
+// An octagon that turns so fast that each step of 5 ms is cut, 30 m away from all else.
+void add_far_wheel(Model& model) {
+  Ring ring;
+  for (int i = 0; i < 8; ++i) ring.push_back(Vec2(30, 0) + 0.2 * (rotation(i * std::numbers::pi / 4) * Vec2(1, 0)));
+  Block wheel;
+  wheel.name = "wheel";
+  wheel.shape.outer = ring;
+  wheel.initial_spin = 60;
+  model.blocks.push_back(wheel);
+}
+
+Model lone_block() {
+  Model model = model_of({{box_ring(0, 0, 1, 1), {}}}, {"rock", 2600, 20e9, 0.25, PlaneState::stress});
+  model.joints[0].law = InterfaceLaw::classical;
+  return model;
+}
+
+// A triangular pulse pushes a free block to impulse over mass; the steps that a far block needs are none of its own.
+TEST(AccelerationMemory, AFarBlockThatNeedsShortStepsTakesNoMomentumFromOthers) {
+  for (const double pulse : {0.02, 0.05, 0.2}) {
+    Model model = lone_block();
+    add_far_wheel(model);
+    model.point_loads.push_back({0, {0.5, 0.5}, {33e3, 0}, PiecewiseLinear{{0, pulse / 2, pulse}, {0, 1, 0}}});
+    model.stages = {stage_of(generalized_alpha_integrator(0), 0.005, 100, Kinematics::finite)};
+    Simulation simulation = simulation_of(std::move(model));
+    while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+    const double expected = 33e3 * pulse / 2 / 2600;
+    EXPECT_NEAR(simulation.state().velocity[0](0), expected, 1e-6 * expected) << pulse;
+  }
+}
+
+// A block on two springs swings at 32 rad/s: damped by these integrators, or not, and never driven.
+TEST(AccelerationMemory, AFarBlockThatNeedsShortStepsDrivesNoOscillation) {
+  for (const Integrator& integrator :
+       {generalized_alpha_integrator(0), generalized_alpha_integrator(0.5), hht_integrator(0.3)}) {
+    Model model = lone_block();
+    add_far_wheel(model);
+    for (const double x : {0.0, 1.0}) {
+      PointSupport support;
+      support.block = 0;
+      support.point = {x, 0};
+      support.stiffness = 1.3e6;
+      model.supports.push_back(support);
+    }
+    model.blocks[0].initial_velocity = {0, 1};
+    model.stages = {stage_of(integrator, 0.005, 400, Kinematics::finite)};
+    Simulation simulation = simulation_of(std::move(model));
+    double fastest_early = 0, fastest_late = 0;
+    for (int step = 0; !simulation.finished(); ++step) {
+      ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+      double& fastest = step < 100 ? fastest_early : fastest_late;
+      if (step < 100 || step >= 300) fastest = std::max(fastest, std::abs(simulation.state().velocity[0](1)));
+    }
+    EXPECT_GT(fastest_early, 0.9);
+    EXPECT_LE(fastest_late, fastest_early) << integrator.name;
+  }
+}
+
+// What a block is driven by is known, whatever its neighbours' steps.
+TEST(AccelerationMemory, ABlockThatIsDrivenHasTheAccelerationOfItsDrive) {
+  Model model = lone_block();
+  add_far_wheel(model);
+  HeldBlock held;
+  held.block = 0;
+  held.kind = MotionKind::acceleration;
+  held.amplitude = {1, 0};
+  held.history = SineCycles{.frequency = 2};
+  model.held_blocks = {held};
+  model.stages = {stage_of(generalized_alpha_integrator(0), 0.005, 100, Kinematics::finite)};
+  Simulation simulation = simulation_of(std::move(model));
+  while (!simulation.finished()) {
+    ASSERT_EQ(simulation.step(), Status::ok);
+    const double time = simulation.state().time;
+    EXPECT_NEAR(simulation.state().acceleration[0](0), std::sin(4 * std::numbers::pi * time), 1e-9) << time;
+  }
 }
 
 // A block that turns has all of its steps cut, and what an early push has left in its accelerations must fade all the

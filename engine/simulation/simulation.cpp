@@ -222,7 +222,7 @@ Status Simulation::advance(double dt, int reductions_left) {
     if (const Status part = advance(dt / 2, reductions_left - 1); part != Status::ok) return part;
   if (cuts > 0) return Status::ok;
   memory_.end(dt, system_->state.acceleration);
-  set_held_rates(system_->model, system_->state);
+  if (!system_->plan.is_static) set_held_rates(system_->model, system_->state);
   return Status::ok;
 }
 

@@ -302,6 +302,29 @@ void remark_on_chatter(const Model& model, const ContactSet& contacts, Remarks& 
   }
 }
 
+// The same of blocks that slide down a joint under their weight. A contact_damping of 0.2 to 1 lessens it: at the
+// chosen dt cubes on 41 and 45 degrees went 6 to 74 % too far. Below a friction of 0.5 none was found.
+void remark_on_chatter_on_slopes(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  constexpr double least_friction = 0.5;
+  const auto slides = [&](const Interface& interface) {
+    const JointMaterial& joint = model.joints[at(interface.joint)];
+    const double friction = std::tan(joint.friction_angle);
+    if (joint.bonded || joint.cohesion > 0 || friction < least_friction) return false;
+    return std::abs(cross(model.gravity, interface.normal)) >
+               friction * std::abs(model.gravity.dot(interface.normal)) &&
+           std::abs(model.gravity.dot(interface.normal)) > 0.1 * model.gravity.norm();
+  };
+  const auto sliding = std::ranges::find_if(contacts.interfaces, slides);
+  if (sliding == contacts.interfaces.end()) return;
+  for (const Stage& stage : model.stages) {
+    if (stage.integrator.is_static || !with_contacts(stage.integrator).conserves_contact_energy) continue;
+    remarks.push_back(fmt::format(
+        "stage \"{}\": {} damps nothing, and blocks slide down along joint \"{}\": they may chatter and go many times "
+        "too far, with contact_damping and at short steps too; take an integrator that damps",
+        stage.name, stage.integrator.name, model.joints[at(sliding->joint)].name));
+  }
+}
+
 void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
 }
@@ -323,9 +346,10 @@ void remark_on_coordinates(const Model& model, const ContactSet& contacts, Remar
 }
 
 constexpr auto all_remarks = {
-    remark_on_holding, remark_on_gravity, remark_on_tension,      remark_on_materials,    remark_on_sizes,
-    remark_on_gaps,    remark_on_steps,   remark_on_coarse_steps, remark_on_loads,        remark_on_joints,
-    remark_on_chatter, remark_on_linings, remark_on_held_blocks,  remark_on_damping_rate, remark_on_coordinates};
+    remark_on_holding, remark_on_gravity,     remark_on_tension,      remark_on_materials,
+    remark_on_sizes,   remark_on_gaps,        remark_on_steps,        remark_on_coarse_steps,
+    remark_on_loads,   remark_on_joints,      remark_on_chatter,      remark_on_chatter_on_slopes,
+    remark_on_linings, remark_on_held_blocks, remark_on_damping_rate, remark_on_coordinates};
 
 }  // namespace
 

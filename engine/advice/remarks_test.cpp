@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -232,6 +233,22 @@ const std::vector<OddScene> odd_scenes = {
      "stage \"run\": energy_conserving damps nothing, and joint \"default\" has friction without contact_damping: "
      "blocks that are shaken chatter on it and may slide many times too far; take an integrator that damps, or a "
      "contact_damping of 0.2"},
+    // Weight towards 40 degrees from the normal of all joints: beyond the friction of 0.6 rad, and within that of 0.8.
+    {"slides_down_without_damping",
+     [](Model& model) {
+       model.stages[0].integrator = energy_conserving_integrator();
+       model.gravity = 9.81 * Vec2(std::sin(0.7), -std::cos(0.7));
+     },
+     "stage \"run\": energy_conserving damps nothing, and blocks slide down along joint \"default\": they may chatter "
+     "and "
+     "go many times too far, with contact_damping and at short steps too; take an integrator that damps"},
+    {"does_not_slide_down",
+     [](Model& model) {
+       model.stages[0].integrator = energy_conserving_integrator();
+       model.joints[0].friction_angle = 0.8;
+       model.gravity = 9.81 * Vec2(std::sin(0.7), -std::cos(0.7));
+     },
+     ""},
     {"pushed_steadily",
      [](Model& model) {
        model.point_loads.push_back({2, {0.5, 2.5}, {1e3, 0}, Constant{}});

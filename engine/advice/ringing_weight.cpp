@@ -27,13 +27,14 @@ bool is_damped(const Stage& stage) {
   return stage.integrator.is_static || stage.velocity_factor < 1 || stage.damping_rate > 0;
 }
 
-// Blocks whose own weight may slide them, held by friction alone.
+// Blocks that friction alone keeps from sliding under their own weight.
 bool rubs_on_a_slope(const Model& model, const std::vector<bool>& held, const Interface& interface) {
   const JointMaterial& joint = model.joints[at(interface.joint)];
   if (joint.bonded || joint.friction_angle == 0 || joint.cohesion > 0) return false;
   if (held[at(interface.block_a)] && held[at(interface.block_b)]) return false;
   const Vec2 down = model.gravity.normalized();
-  return std::abs(cross(down, interface.normal)) > least_slope && std::abs(down.dot(interface.normal)) > least_slope;
+  const double along = std::abs(cross(down, interface.normal)), across = std::abs(down.dot(interface.normal));
+  return along > least_slope && across > least_slope && along <= std::tan(joint.friction_angle) * across;
 }
 
 // rad/s, of a block with uniform strain and a foot that stays where it is: its ends move apart by h e, its mass feels

@@ -66,6 +66,9 @@ TEST(RingingWeight, NotWhereNothingCreeps) {
   model.joints[0].friction_angle = 0;
   EXPECT_FALSE(is_remarked(model)) << "slides anyway";
   model = block_on_slope(0.4363, 1e-5);
+  model.joints[0].friction_angle = 0.4;
+  EXPECT_FALSE(is_remarked(model)) << "no friction holds it";
+  model = block_on_slope(0.4363, 1e-5);
   model.stages[0].damping_rate = 100;
   EXPECT_FALSE(is_remarked(model)) << "damped";
   model = block_on_slope(0.4363, 1e-5);

@@ -35,7 +35,8 @@ TEST_F(Cut, ADrawingBecomesASceneThatRunsAndADrawingOfItsBlocks) {
   EXPECT_EQ(report["points"][0]["drawn"], path("plan.csv") + " line 8 (layer measure point)");
   EXPECT_EQ(report["cleaned"][0]["line"], path("plan.csv") + " line 7 (layer rock)");
   EXPECT_TRUE(contains(text("out/cut.svg"), "<svg "));
-  EXPECT_TRUE(contains(text("out/statistics.svg"), "rock: 2 blocks, mean area 8 m2, P20 ")) << text("out/statistics.svg");
+  EXPECT_TRUE(contains(text("out/statistics.svg"), "rock: 2 blocks, mean area 8 m2, P20 "))
+      << text("out/statistics.svg");
   EXPECT_FALSE(exists("out/run.lock"));
 
   const Outcome check = call({"check", path("out/scene.json")});

@@ -1,6 +1,7 @@
 #include "engine/simulation/acceleration_memory.h"
 
 #include <cstddef>
+#include <numeric>
 
 namespace dda {
 namespace {
@@ -27,6 +28,30 @@ std::vector<int> closed_ends(const ContactSet& contacts, std::size_t blocks) {
   return closed;
 }
 
+// Blocks that hang together by closed contacts share what an impact leaves: shrunk in some of them alone, it would be
+// no longer as much one way as the other, and their momentum would change. A forest of representatives.
+class Bodies {
+ public:
+  Bodies(const ContactSet& contacts, std::size_t blocks) : parent_(blocks) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+      const InterfaceElement& element = contacts.elements[i];
+      const auto& status = contacts.states[i].status;
+      const bool is_open =
+          status[0] == ContactStatus::open && (is_lone_vertex(element) || status[1] == ContactStatus::open);
+      if (!is_open)
+        parent_[of(static_cast<std::size_t>(element.block_a))] = of(static_cast<std::size_t>(element.block_b));
+    }
+  }
+  std::size_t of(std::size_t block) {
+    while (parent_[block] != block) block = parent_[block] = parent_[parent_[block]];
+    return block;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
 }  // namespace
 
 void AccelerationMemory::begin(const ContactSet& contacts, const std::vector<Vec6>& acceleration) {
@@ -42,14 +67,19 @@ void AccelerationMemory::begin_part(double dt, std::vector<Vec6>& acceleration) 
 }
 
 void AccelerationMemory::end_part(double dt, const ContactSet& contacts) {
+  last_dt_ = dt;
   std::vector<int> closed = closed_ends(contacts, closed_.size());
+  closed_.swap(closed);
+  if (closed == closed_) return;
+  Bodies bodies(contacts, closed.size());
+  std::vector<char> is_hit(closed.size(), 0);
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i] != closed_[i]) is_hit[bodies.of(i)] = 1;
   for (std::size_t i = 0; i < closed.size(); ++i) {
-    if (closed[i] == closed_[i] || was_hit_[i] != 0) continue;
+    if (is_hit[bodies.of(i)] == 0 || was_hit_[i] != 0) continue;
     was_hit_[i] = 1;
     start_[i] = before_[i];
   }
-  closed_.swap(closed);
-  last_dt_ = dt;
 }
 
 void AccelerationMemory::shrink(double dt, std::vector<Vec6>& acceleration) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
+#include "engine/core/status.h"
 #include "engine/core/types.h"
 
 namespace dda {
@@ -26,6 +27,18 @@ class AccelerationMemory {
   void take_back(std::vector<Vec6>& acceleration) const { acceleration = before_; }
   // It is done: blocks of which a contact has closed or opened in it have been hit.
   void end_part(double dt, const ContactSet& contacts);
+
+  // A part of length `dt` (s) that `take()` takes.
+  template <typename Take>
+  [[nodiscard]] Status part(double dt, const ContactSet& contacts, std::vector<Vec6>& acceleration, const Take& take) {
+    begin_part(dt, acceleration);
+    const Status status = take();
+    if (status == Status::ok)
+      end_part(dt, contacts);
+    else
+      take_back(acceleration);
+    return status;
+  }
 
   // All parts are done, and the next step has the length `dt`.
   void end(double dt, std::vector<Vec6>& acceleration) const { shrink(dt, acceleration); }

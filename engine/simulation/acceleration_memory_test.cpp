@@ -70,6 +70,11 @@ TEST(AccelerationMemory, BlocksFlyApartNoFasterThanTheyHaveMet) {
 ContactSet touching(ContactStatus status) {
   ContactSet contacts;
   InterfaceElement element;
+  element.stiffness.setZero();
+  element.rows_a.setZero();
+  element.rows_b.setZero();
+  for (Mat43* rows : {&element.stress_rows_a, &element.stress_rows_b, &element.strain_rows_a, &element.strain_rows_b})
+    rows->setZero();
   element.block_a = 0;
   element.block_b = 1;
   InterfaceState state;

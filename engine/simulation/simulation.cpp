@@ -215,7 +215,8 @@ Status Simulation::advance(double dt, int reductions_left) {
   const Stage& stage = system_->stage();
   const int cuts = stage.max_step_reductions - reductions_left;
   const bool can_be_cut = !stage.integrator.is_static && reductions_left > 0 && cuts < cuts_before_sure_passes;
-  const Status status = cuts == 0 ? stage_step().advance(dt, can_be_cut) : advance_part(dt, can_be_cut);
+  const auto take = [&] { return stage_step().advance(dt, can_be_cut); };
+  const Status status = cuts == 0 ? take() : memory_.part(dt, system_->contacts, system_->state.acceleration, take);
   if (status != Status::not_converged || reductions_left == 0) return status;
   if (cuts == 0) memory_.begin(system_->contacts, system_->state.acceleration);
   for (int half = 0; half < 2; ++half)
@@ -224,16 +225,6 @@ Status Simulation::advance(double dt, int reductions_left) {
   memory_.end(dt, system_->state.acceleration);
   if (!system_->plan.is_static) set_held_rates(system_->model, system_->state);
   return Status::ok;
-}
-
-Status Simulation::advance_part(double dt, bool can_be_cut) {
-  memory_.begin_part(dt, system_->state.acceleration);
-  const Status status = stage_step().advance(dt, can_be_cut);
-  if (status == Status::ok)
-    memory_.end_part(dt, system_->contacts);
-  else
-    memory_.take_back(system_->state.acceleration);
-  return status;
 }
 
 bool Simulation::is_settling() const { return !finished() && system_->stage().paces_itself(); }

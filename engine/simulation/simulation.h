@@ -116,7 +116,6 @@ class Simulation {
   [[nodiscard]] Step& stage_step();
   void begin_stage();
   [[nodiscard]] Status advance(double dt, int reductions_left);
-  [[nodiscard]] Status advance_part(double dt, bool can_be_cut);
   [[nodiscard]] bool is_over();
   [[nodiscard]] Status end_stage();
 

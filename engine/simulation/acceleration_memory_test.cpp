@@ -144,6 +144,7 @@ TEST(AccelerationMemory, AFarBlockThatNeedsShortStepsTakesNoMomentumFromOthers) 
 
 // A block on two springs swings at 32 rad/s: damped by these integrators, or not, and never driven.
 TEST(AccelerationMemory, AFarBlockThatNeedsShortStepsDrivesNoOscillation) {
+  constexpr double missed = 0.16 * 0.16 / 8;  // of a peak that lies between steps, which turn the phase by 0.16 rad
   for (const Integrator& integrator :
        {generalized_alpha_integrator(0), generalized_alpha_integrator(0.5), hht_integrator(0.3)}) {
     Model model = lone_block();
@@ -165,7 +166,7 @@ TEST(AccelerationMemory, AFarBlockThatNeedsShortStepsDrivesNoOscillation) {
       if (step < 100 || step >= 300) fastest = std::max(fastest, std::abs(simulation.state().velocity[0](1)));
     }
     EXPECT_GT(fastest_early, 0.9);
-    EXPECT_LE(fastest_late, fastest_early) << integrator.name;
+    EXPECT_LE(fastest_late, fastest_early * (1 + missed)) << integrator.name;
   }
 }
 

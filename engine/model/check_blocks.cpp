@@ -14,6 +14,9 @@ namespace {
 void check_block(const Model& model, const Item& item, const Block& block) {
   if (const auto why = defect(block.shape)) item.fail("shape", *why, "a simple polygon");
   item.index("material", block.material, model.materials.size());
+}
+
+void check_initial_state(const Item& item, const Block& block) {
   item.finite("initial stress", block.initial_stress);
   item.finite("initial velocity", block.initial_velocity);
   item.finite("initial spin", block.initial_spin);
@@ -41,6 +44,11 @@ void check_blocks(const Model& model) {
       item.fail("name", fmt::format("\"{}\"", block.name), "a name that no other block has");
     }
   }
+}
+
+void check_initial_state(const Model& model) {
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    check_initial_state(Item("blocks", i, model.blocks[i].name), model.blocks[i]);
 }
 
 void check_overlaps(const Model& model) {

@@ -11,7 +11,8 @@ void check_materials(const Model& model);
 void check_joints(const Model& model);
 void check_blocks(const Model& model);    // their shapes must be normalized
 void check_overlaps(const Model& model);  // needs length_tolerance
-void check_loads(const Model& model);     // needs length_tolerance, as the following ones
+void check_initial_state(const Model& model);
+void check_loads(const Model& model);  // needs length_tolerance, as the following ones
 void check_supports(const Model& model);
 void check_viscous_edges(const Model& model);
 void check_held_blocks(const Model& model);

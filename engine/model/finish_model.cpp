@@ -1,3 +1,5 @@
+#include "engine/model/finish_model.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -45,7 +47,7 @@ void check_gravity(const Model& model) {
 
 }  // namespace
 
-void finish_model(Model& model) {
+void finish_blocks(Model& model) {
   using namespace model_checks;
   check_materials(model);
   check_blocks(model);
@@ -54,6 +56,12 @@ void finish_model(Model& model) {
   check_gravity(model);
   fill_geometry(model);
   check_overlaps(model);
+}
+
+void finish_around_blocks(Model& model) {
+  using namespace model_checks;
+  check_joints(model);  // with the lines that say where they are
+  check_initial_state(model);
   check_loads(model);
   check_supports(model);
   check_viscous_edges(model);
@@ -68,6 +76,11 @@ void finish_model(Model& model) {
   check_peaks(model);
   check_projected_joints(model);
   check_removals(model);
+}
+
+void finish_model(Model& model) {
+  finish_blocks(model);
+  finish_around_blocks(model);
 }
 
 }  // namespace dda

@@ -40,11 +40,15 @@ const Material& rock_of(const Model& model, const Block& block) {
 
 double bar_speed(const Material& rock) { return std::sqrt(rock.young / rock.density); }
 
+// Those that are not held; where all are, these, since a step has to have some length.
 std::vector<const Block*> moving_blocks(const Model& model) {
-  std::vector<const Block*> blocks;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (!model.is_held(static_cast<int>(i))) blocks.push_back(&model.blocks[i]);
-  return blocks;
+  std::vector<const Block*> moving;
+  std::vector<const Block*> all;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    all.push_back(&model.blocks[i]);
+    if (!model.is_held(static_cast<int>(i))) moving.push_back(&model.blocks[i]);
+  }
+  return moving.empty() ? all : moving;
 }
 
 // The size that 5 % of the rock is smaller than.

@@ -84,6 +84,13 @@ TEST(StepChoice, OfBlocksThatFallFollowsTheirSize) {
   EXPECT_EQ(chosen(model), 2e-4);  // 0.01 * 1 m / 50 m/s, to the last digit
 }
 
+// A stage has to have some step, also where nothing is left to find.
+TEST(StepChoice, OfHeldBlocksAloneIsThatOfAWaveThroughOne) {
+  Model model = row_of_squares(false);
+  for (int i = 0; i < 10; ++i) model.held_blocks.emplace_back().block = i;
+  EXPECT_EQ(chosen(model), 2e-4);  // half of 1 m / (2000 m/s) = 250 us
+}
+
 // Not where that is let go over a time: then the change of the load decides.
 TEST(StepChoice, OfRockRemovedAtOnceIsThatOfTheBlocksBesideIt) {
   Model model = row_of_squares(false);

@@ -108,6 +108,45 @@ TEST(GroundReaction, LeavesOutSupportThatComesWithTheOpening) {
   EXPECT_EQ(unloading.left_out, std::vector<std::string>{"late"});
 }
 
+// Also where the scene begins with the stage that makes the opening, and the first stage of the curve is another.
+TEST(GroundReaction, KeepsWhatIsLetGoWithTheOpening) {
+  for (const bool with_stage_in_situ : {true, false}) {
+    Model model = rings_around_core(16);
+    if (!with_stage_in_situ) model.stages.erase(model.stages.begin());
+    PointSupport support;
+    support.block = 40;
+    support.point = model.blocks[40].moments.centroid;
+    support.stiffness = 1e9;
+    support.last_stage = with_stage_in_situ ? 1 : 0;
+    support.takes_force_along = true;
+    model.supports.push_back(support);
+    const Model unloaded = unloading_of(model, {0}).model;
+    ASSERT_EQ(unloaded.stages.size(), 2U);
+    ASSERT_EQ(unloaded.supports.size(), 1U);
+    EXPECT_EQ(unloaded.supports[0].last_stage, -1);
+    EXPECT_FALSE(unloaded.supports[0].takes_force_along);
+  }
+}
+
+// A support may come with the first stage that moves: in rock that gets its own strength first it is left out as well.
+TEST(GroundReaction, LeavesOutSupportOfLaterStagesBehindOneOfOurOwn) {
+  Model model = rings_around_core(16);
+  model.stages[0].unlimited_strength = true;
+  model.stages[1] = model.stages[0];
+  model.stages[1].unlimited_strength = false;
+  model.stages[1].integrator = trapezoidal_integrator();
+  model.stages[1].dt = 1e-4;
+  model.stages[1].duration = 1e-2;
+  Bolt bolt;
+  bolt.name = "late";
+  bolt.first_stage = 1;
+  bolt.links = {{1, 40, model.blocks[1].moments.centroid, model.blocks[40].moments.centroid, 1e9}};
+  model.bolts.push_back(bolt);
+  const Unloading unloading = unloading_of(model, {0});
+  ASSERT_EQ(unloading.model.stages.size(), 3U);
+  EXPECT_EQ(unloading.left_out, std::vector<std::string>{"late"});
+}
+
 TEST(GroundReaction, OfBlocksThatNoStageTakesOutAloneIsRefused) {
   Model model = rings_around_core(16);
   model.stages[1].removal.blocks = {0, 1};

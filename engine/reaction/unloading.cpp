@@ -46,7 +46,8 @@ std::size_t stage_of(const std::vector<int>& opening, const Model& model) {
   return model.stages.size();
 }
 
-void keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
+// Returns how many of the scene's own stages are kept.
+int keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
   std::size_t kept = stage_of(opening, model);
   const bool is_taken_out = kept < model.stages.size();
   const Stage like = is_taken_out ? model.stages[kept] : model.stages.front();
@@ -67,15 +68,25 @@ void keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
   last.duration = fade;
   last.removal = {opening, fading_to(1)};
   model.stages.push_back(std::move(last));
+  return static_cast<int>(kept);
 }
 
-// Of what is put in with the last stage or would have been later.
+// What is put in with the first stage that is not kept, or later. What is there from the beginning stays, also where
+// no stage is kept.
 template <typename Support>
-void leave_out_support(int last, std::vector<Support>& supports, std::vector<std::string>& names) {
-  const auto is_late = [last](const Support& support) { return support.first_stage >= last; };
+void leave_out_support(int kept, std::vector<Support>& supports, std::vector<std::string>& names) {
+  const auto is_late = [kept](const Support& support) { return support.first_stage >= std::max(kept, 1); };
   for (const Support& support : supports)
     if (is_late(support)) names.push_back(support.name);
   std::erase_if(supports, is_late);
+}
+
+// What the scene lets go of with the opening or later holds the rock while the opening is made. By number of stage that
+// is any that is not kept: a stage of ours has the number of one of those.
+void keep_if_let_go_later(int kept, PointSupport& support) {
+  if (support.last_stage < kept) return;
+  support.last_stage = -1;
+  support.takes_force_along = false;
 }
 
 }  // namespace
@@ -84,14 +95,12 @@ TimeFunction fading_to(double share) { return PiecewiseLinear{{0, fade / 2}, {1,
 
 Unloading unloading_of(Model model, const std::vector<int>& opening) {
   Unloading unloading;
-  keep_stages_in_situ(opening, model);
-  const int last = static_cast<int>(model.stages.size()) - 1;
-  leave_out_support(last, model.bolts, unloading.left_out);
-  leave_out_support(last, model.linings, unloading.left_out);
-  for (PointSupport& support : model.supports)
-    if (support.last_stage >= last) support.last_stage = -1;
+  const int kept = keep_stages_in_situ(opening, model);
+  leave_out_support(kept, model.bolts, unloading.left_out);
+  leave_out_support(kept, model.linings, unloading.left_out);
+  for (PointSupport& support : model.supports) keep_if_let_go_later(kept, support);
   if (model.free_field_sides.empty())  // else such a scene is refused
-    std::erase_if(model.viscous_edges, [last](const ViscousEdge& edge) { return edge.first_stage > last; });
+    std::erase_if(model.viscous_edges, [kept](const ViscousEdge& edge) { return edge.first_stage > kept; });
   model.measurements.clear();
   model.peaks.reset();
   finish_model(model);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <future>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,6 +14,7 @@
 #include "engine/drawing/read_drawing.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_parts.h"
 #include "engine/scene/schema_check.h"
 #include "engine/scene/sections.h"
 
@@ -73,13 +75,18 @@ std::string written(const json& document) {
   return text + "\n}\n";
 }
 
+struct NewScene {
+  CutScene scene;  // but for its text
+  json document;
+};
+
 class Cutter {
  public:
   // `alone` when the document is only what stands around a drawing.
   Cutter(json document, bool alone, const std::function<void(std::string_view)>& progress)
       : document_(std::move(document)), alone_(alone), progress_(progress) {}
 
-  CutScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
+  NewScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
     const Field scene(document_, "");
     read_materials(scene, model_);
     read_joints(scene, read_scheme(scene), from, model_);
@@ -91,8 +98,7 @@ class Cutter {
     json cut = with_polygons();
     if (alone_) add_marked_places(result_.entries.front().rock, blocks_, cut);
     move_records(cut, from, to);
-    result_.text = written(cut);
-    return std::move(result_);
+    return {std::move(result_), std::move(cut)};
   }
 
  private:
@@ -162,7 +168,7 @@ class Cutter {
   std::vector<Block> blocks_;
 };
 
-CutScene cut_document(const std::filesystem::path& file, const std::filesystem::path& folder,
+NewScene cut_document(const std::filesystem::path& file, const std::filesystem::path& folder,
                       const std::function<void(std::string_view)>& progress) {
   const std::string text = scene_text(file);
   try {
@@ -175,20 +181,42 @@ CutScene cut_document(const std::filesystem::path& file, const std::filesystem::
 }
 
 // Errors name the drawing and a line of it by themselves.
-CutScene cut_drawing(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
+NewScene cut_drawing(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
                      const std::function<void(std::string_view)>& progress) {
   return Cutter(scene_around(file, words), true, progress).cut({}, folder);
+}
+
+// A document with one of its blocks and one of its joint lines, which follow the schema all or none of them.
+json with_one_of_each(const json& document) {
+  json small = json::object();
+  for (const auto& [key, value] : document.items()) {
+    const bool is_of_many = (key == "blocks" || key == "joint_lines") && !value.empty();
+    small[key] = is_of_many ? json::array({value.front()}) : value;
+  }
+  return small;
+}
+
+// Rock in many blocks is a long text, and takes as long to write as to check. So the document is checked: to read the
+// text again would only check the library that writes it.
+void check_document(const json& document, const std::string& name, const std::filesystem::path& folder) {
+  try {
+    check_schema(with_one_of_each(document));
+  } catch (const InputError& error) {
+    throw error.in_file(name);
+  }
+  read_document(document, name, folder);
 }
 
 }  // namespace
 
 CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
                    const std::function<void(std::string_view)>& progress) {
-  CutScene result =
-      is_drawing(file) ? cut_drawing(file, folder, words, progress) : cut_document(file, folder, progress);
+  NewScene made = is_drawing(file) ? cut_drawing(file, folder, words, progress) : cut_document(file, folder, progress);
   if (progress) progress("checking the scene");
-  parse_scene(result.text, file.string() + " (cut)", folder);
-  return result;
+  std::future<std::string> text = std::async(std::launch::async, [&] { return written(made.document); });
+  check_document(made.document, file.string() + " (cut)", folder);
+  made.scene.text = text.get();
+  return std::move(made.scene);
 }
 
 }  // namespace dda

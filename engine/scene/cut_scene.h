@@ -35,7 +35,7 @@ inline const std::string& joint_name(const CutScene& scene, const CutJoint& run)
 }
 
 // `folder` is where the new scene will stand: paths of records are written relative to it. The new scene has been
-// read, so it is known to work. Throws InputError, also for a scene without rock.
+// read as a document, so it is known to work. Throws InputError, also for a scene without rock.
 // `words` are for a drawing; a scene has its own.
 CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder,
                    const DrawingWords& words = {}, const std::function<void(std::string_view)>& progress = {});

@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
+#include "engine/model/finish_model.h"
 #include "engine/scene/file_kind.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/read_openings.h"
@@ -72,13 +73,13 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   parts.groups = std::move(facts.groups);
   parts.remarks = std::move(facts.remarks);
   parts.openings = openings_of(scene, model);
-  finish_model(model);  // what follows needs the moments, and blocks that do not overlap
+  finish_blocks(model);  // what follows needs the moments, and blocks that do not overlap
   const StressField stresses(scene, std::move(facts.own_stress), model);
   stresses.fill(model);
   read_stages(scene, scheme, parts.groups, model);
   read_what_acts(scene, parts, stresses, folder, model);
   read_peaks(scene, parts.groups, parts.openings, model);
-  finish_model(model);
+  finish_around_blocks(model);
   return parts;
 }
 
@@ -97,6 +98,15 @@ SceneParts parse_scene_parts(std::string_view json_text, const std::string& name
 
 Model parse_scene(std::string_view json_text, const std::string& name_for_errors, const std::filesystem::path& folder) {
   return parse_scene_parts(json_text, name_for_errors, folder).model;
+}
+
+Model read_document(const nlohmann::json& document, const std::string& name_for_errors,
+                    const std::filesystem::path& folder) {
+  try {
+    return read_parts(Field(document, ""), folder).model;
+  } catch (const InputError& error) {
+    throw error.in_file(name_for_errors);
+  }
 }
 
 std::string scene_text(const std::filesystem::path& file) {

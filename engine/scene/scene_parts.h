@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +24,9 @@ struct SceneParts {
 SceneParts read_scene_parts(const std::filesystem::path& file);
 SceneParts parse_scene_parts(std::string_view json_text, const std::string& name_for_errors,
                              const std::filesystem::path& folder = {});
+
+// As parse_scene of the text of a document that is known to follow the schema.
+Model read_document(const nlohmann::json& document, const std::string& name_for_errors,
+                    const std::filesystem::path& folder);
 
 }  // namespace dda

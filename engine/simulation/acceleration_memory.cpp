@@ -15,8 +15,8 @@ void shrink_gain(double share, const Eigen::Matrix<double, Size, 1>& weights, co
   if (own.cwiseAbs2().dot(weights) > old.cwiseAbs2().dot(weights)) own = (old + share * (own - old)).eval();
 }
 
-std::vector<int> closed_ends(const ContactSet& contacts, std::size_t blocks) {
-  std::vector<int> closed(blocks, 0);
+void count_closed_ends(const ContactSet& contacts, std::size_t blocks, std::vector<int>& closed) {
+  closed.assign(blocks, 0);
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements[i];
     for (std::size_t end = 0; end < static_cast<std::size_t>(ends_of(element)); ++end) {
@@ -25,14 +25,14 @@ std::vector<int> closed_ends(const ContactSet& contacts, std::size_t blocks) {
       ++closed[static_cast<std::size_t>(element.block_b)];
     }
   }
-  return closed;
 }
 
 // Blocks that hang together by closed contacts share what an impact leaves: shrunk in some of them alone, it would be
 // no longer as much one way as the other, and their momentum would change. A forest of representatives.
 class Bodies {
  public:
-  Bodies(const ContactSet& contacts, std::size_t blocks) : parent_(blocks) {
+  Bodies(const ContactSet& contacts, std::size_t blocks, std::vector<std::size_t>& parent) : parent_(parent) {
+    parent_.resize(blocks);
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
     for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
       const InterfaceElement& element = contacts.elements[i];
@@ -49,13 +49,13 @@ class Bodies {
   }
 
  private:
-  std::vector<std::size_t> parent_;
+  std::vector<std::size_t>& parent_;
 };
 
 }  // namespace
 
 void AccelerationMemory::begin(const ContactSet& contacts, const std::vector<Vec6>& acceleration) {
-  closed_ = closed_ends(contacts, acceleration.size());
+  count_closed_ends(contacts, acceleration.size(), closed_);
   was_hit_.assign(acceleration.size(), 0);
   start_ = acceleration;
   last_dt_ = 0;
@@ -68,15 +68,18 @@ void AccelerationMemory::begin_part(double dt, std::vector<Vec6>& acceleration) 
 
 void AccelerationMemory::end_part(double dt, const ContactSet& contacts) {
   last_dt_ = dt;
-  std::vector<int> closed = closed_ends(contacts, closed_.size());
-  closed_.swap(closed);
-  if (closed == closed_) return;
-  Bodies bodies(contacts, closed.size());
-  std::vector<char> is_hit(closed.size(), 0);
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i] != closed_[i]) is_hit[bodies.of(i)] = 1;
-  for (std::size_t i = 0; i < closed.size(); ++i) {
-    if (is_hit[bodies.of(i)] == 0 || was_hit_[i] != 0) continue;
+  closed_.swap(was_closed_);
+  count_closed_ends(contacts, was_closed_.size(), closed_);
+  if (closed_ != was_closed_) note_hits(contacts);
+}
+
+void AccelerationMemory::note_hits(const ContactSet& contacts) {
+  Bodies bodies(contacts, closed_.size(), bodies_);
+  is_hit_.assign(closed_.size(), 0);
+  for (std::size_t i = 0; i < closed_.size(); ++i)
+    if (closed_[i] != was_closed_[i]) is_hit_[bodies.of(i)] = 1;
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    if (is_hit_[bodies.of(i)] == 0 || was_hit_[i] != 0) continue;
     was_hit_[i] = 1;
     start_[i] = before_[i];
   }

@@ -9,6 +9,7 @@
 // motion they would only lose what holds it back (ADR 66).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -45,12 +46,16 @@ class AccelerationMemory {
 
  private:
   void shrink(double dt, std::vector<Vec6>& acceleration) const;
+  void note_hits(const ContactSet& contacts);
 
-  std::vector<int> closed_;    // ends of contacts of each block, after the last part
-  std::vector<char> was_hit_;  // in this step, of each block
-  std::vector<Vec6> start_;    // of blocks that were hit, before the part in which they were hit first
-  std::vector<Vec6> before_;   // the part that is tried
-  double last_dt_ = 0;         // s, of the last part done; 0 before there was one
+  std::vector<int> closed_;          // ends of contacts of each block, after the last part
+  std::vector<int> was_closed_;      // after the one before it
+  std::vector<std::size_t> bodies_;  // of each block another one that hangs together with it, or itself
+  std::vector<char> is_hit_;         // in the last part, of each body
+  std::vector<char> was_hit_;        // in this step, of each block
+  std::vector<Vec6> start_;          // of blocks that were hit, before the part in which they were hit first
+  std::vector<Vec6> before_;         // the part that is tried
+  double last_dt_ = 0;               // s, of the last part done; 0 before there was one
 };
 
 }  // namespace dda

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <future>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -76,11 +77,14 @@ struct Output {
   std::string text;
 };
 
+// Pictures of rock in many blocks take as long as its report.
 std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, const CutRequest& request) {
+  std::future<std::string> picture = std::async(std::launch::async, [&] { return cut_picture(cut); });
+  std::future<std::string> statistics = std::async(std::launch::async, [&] { return statistics_picture(cut); });
   std::vector<Output> outputs{{request.folder / "scene.json", cut.text},
-                              {request.folder / "cut.json", report_json(cut, figures)},
-                              {request.folder / "cut.svg", cut_picture(cut)},
-                              {request.folder / "statistics.svg", statistics_picture(cut)}};
+                              {request.folder / "cut.json", report_json(cut, figures)}};
+  outputs.push_back({request.folder / "cut.svg", picture.get()});
+  outputs.push_back({request.folder / "statistics.svg", statistics.get()});
   if (!request.exported.empty())
     outputs.push_back({request.exported, block_file(request.exported, drawing_of_blocks(cut))});
   return outputs;

@@ -48,16 +48,28 @@ double capacity_of(const ContactPoint& point, const EndStrength& strength, bool 
   return coulomb(strength.cohesion, strength.friction, point.normal_force);
 }
 
-std::vector<JudgedPoint> points_of(const BlockSystem& s, std::size_t i) {
-  const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
-  std::vector<ContactPoint> found;
-  append_contact_points(s.model, s.state, s.contacts.interfaces[i], s.contacts.elements[i], state, found);
-  std::vector<JudgedPoint> points;
-  for (std::size_t end = 0; end < found.size(); ++end)
-    points.push_back(
-        {found[end], capacity_of(found[end], s.contacts.strengths[i], state.broken[end], state.residual[end])});
-  return points;
-}
+// One contact after the other, in memory that is kept.
+class JudgedPoints {
+ public:
+  explicit JudgedPoints(const BlockSystem& system) : system_(system) {}
+
+  const std::vector<JudgedPoint>& of(std::size_t i) {
+    const BlockSystem& s = system_;
+    const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+    found_.clear();
+    append_contact_points(s.model, s.state, s.contacts.interfaces[i], s.contacts.elements[i], state, found_);
+    points_.clear();
+    for (std::size_t end = 0; end < found_.size(); ++end)
+      points_.push_back(
+          {found_[end], capacity_of(found_[end], s.contacts.strengths[i], state.broken[end], state.residual[end])});
+    return points_;
+  }
+
+ private:
+  const BlockSystem& system_;
+  std::vector<ContactPoint> found_;
+  std::vector<JudgedPoint> points_;
+};
 
 LoadedFace face_of(const std::vector<JudgedPoint>& points, int joint, double length,
                    const std::optional<JudgedStrength>& judged) {
@@ -137,11 +149,12 @@ double LoadedFace::excess() const { return std::abs(shear) - strength; }
 std::vector<LoadedFace> loaded_faces(const BlockSystem& s, const std::optional<JudgedStrength>& judged) {
   std::vector<LoadedFace> faces;
   VertexPoints vertices;
+  JudgedPoints judged_points(s);
   for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
     const Interface& interface = s.contacts.interfaces[i];
     const JointMaterial& joint = s.model.joints[static_cast<std::size_t>(interface.joint)];
     if (!judged && !has_named_strength(joint)) continue;
-    const std::vector<JudgedPoint> points = points_of(s, i);
+    const std::vector<JudgedPoint>& points = judged_points.of(i);
     if (interface.length > 0) {
       faces.push_back(face_of(points, interface.joint, interface.length, strength_for(joint, judged)));
       continue;

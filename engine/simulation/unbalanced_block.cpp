@@ -20,22 +20,33 @@ constexpr double same_face = 0.99;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-// Contact points of `block` that carry a force, seen from it: block a is its neighbour, and the normal points into it.
-std::vector<ContactPoint> points_of(int block, const BlockSystem& s) {
+// Seen from `block`: block a is its neighbour, and the normal points into it.
+ContactPoint seen_from(int block, ContactPoint point) {
+  if (point.block_b == block) return point;
+  std::swap(point.block_a, point.block_b);
+  point.normal = -point.normal;
+  return point;
+}
+
+// Contact points that carry a force, of each of `blocks`, in one way through all contacts.
+std::vector<std::vector<ContactPoint>> points_of(const std::vector<int>& blocks, const BlockSystem& s) {
+  std::vector<std::vector<ContactPoint>> found(blocks.size());
+  std::vector<int> place(s.model.blocks.size(), -1);
+  for (std::size_t i = 0; i < blocks.size(); ++i) place[at(blocks[i])] = static_cast<int>(i);
   std::vector<ContactPoint> points;
   for (std::size_t i = 0; i < s.contacts.elements.size(); ++i) {
     const InterfaceElement& element = s.contacts.elements[i];
-    if (element.block_a != block && element.block_b != block) continue;
+    if (place[at(element.block_a)] < 0 && place[at(element.block_b)] < 0) continue;
     const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+    points.clear();
     append_contact_points(s.model, s.state, s.contacts.interfaces[i], element, state, points);
+    std::erase_if(points, [](const ContactPoint& point) { return point.force().isZero(0); });
+    for (const int block : {element.block_a, element.block_b}) {
+      if (place[at(block)] < 0) continue;
+      for (const ContactPoint& point : points) found[at(place[at(block)])].push_back(seen_from(block, point));
+    }
   }
-  std::erase_if(points, [](const ContactPoint& point) { return point.force().isZero(0); });
-  for (ContactPoint& point : points) {
-    if (point.block_b == block) continue;
-    std::swap(point.block_a, point.block_b);
-    point.normal = -point.normal;
-  }
-  return points;
+  return found;
 }
 
 HoldingFace face_of(const std::vector<ContactPoint>& points) {
@@ -49,8 +60,7 @@ HoldingFace face_of(const std::vector<ContactPoint>& points) {
   return face;
 }
 
-std::vector<HoldingFace> faces_of(int block, const BlockSystem& s) {
-  std::vector<ContactPoint> left = points_of(block, s);
+std::vector<HoldingFace> faces_of(std::vector<ContactPoint> left) {
   std::vector<HoldingFace> faces;
   while (!left.empty()) {
     const int neighbour = left.front().block_a;
@@ -68,9 +78,12 @@ std::vector<HoldingFace> faces_of(int block, const BlockSystem& s) {
 
 std::vector<UnbalancedBlock> placed(const BlockSystem& system, const std::vector<int>& blocks) {
   std::vector<UnbalancedBlock> found;
-  for (const int block : blocks) {
-    const Vec2 place = system.model.blocks[at(block)].moments.centroid + system.state.displacement[at(block)].head<2>();
-    found.push_back({static_cast<int>(system.clock.stage), block, place, faces_of(block, system)});
+  if (blocks.empty()) return found;
+  std::vector<std::vector<ContactPoint>> points = points_of(blocks, system);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::size_t block = at(blocks[i]);
+    const Vec2 place = system.model.blocks[block].moments.centroid + system.state.displacement[block].head<2>();
+    found.push_back({static_cast<int>(system.clock.stage), blocks[i], place, faces_of(std::move(points[i]))});
   }
   return found;
 }

@@ -77,8 +77,9 @@ LinePlot shares_below(const std::string& title, const std::string& across, const
 }
 
 std::string placed(std::size_t panel, double above, const std::string& svg) {
-  const double x = static_cast<double>(panel % 2) * panel_width;
-  const double y = above + static_cast<double>(panel / 2) * panel_height;
+  const std::size_t column = panel % 2, row = panel / 2;
+  const double x = static_cast<double>(column) * panel_width;
+  const double y = above + static_cast<double>(row) * panel_height;
   return fmt::format("<svg x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" {}", x, y, panel_width - 10,
                      panel_height - 6, svg.substr(std::string_view("<svg ").size()));
 }

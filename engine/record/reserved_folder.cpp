@@ -1,6 +1,7 @@
 #include "engine/record/reserved_folder.h"
 
 #include <algorithm>
+#include <ranges>
 #include <stdexcept>
 #include <system_error>
 
@@ -67,7 +68,7 @@ void ReservedFolder::make(const std::filesystem::path& folder) {
 // A folder that has something in it stays, and so do those around it.
 void ReservedFolder::remove_empty() const {
   std::error_code ignored;
-  for (auto each = made_.rbegin(); each != made_.rend(); ++each) std::filesystem::remove(*each, ignored);
+  for (const std::filesystem::path& each : made_ | std::views::reverse) std::filesystem::remove(each, ignored);
 }
 
 }  // namespace dda

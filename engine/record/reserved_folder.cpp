@@ -1,7 +1,6 @@
 #include "engine/record/reserved_folder.h"
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 #include <system_error>
 
@@ -68,7 +67,7 @@ void ReservedFolder::make(const std::filesystem::path& folder) {
 // A folder that has something in it stays, and so do those around it.
 void ReservedFolder::remove_empty() const {
   std::error_code ignored;
-  for (const std::filesystem::path& each : made_ | std::views::reverse) std::filesystem::remove(each, ignored);
+  std::for_each(made_.rbegin(), made_.rend(), [&](const auto& each) { std::filesystem::remove(each, ignored); });
 }
 
 }  // namespace dda

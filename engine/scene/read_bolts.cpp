@@ -68,6 +68,18 @@ Bolt read_properties(const Field& field, const Model& model) {
   return bolt;
 }
 
+// What may surprise who sets an anchor where blocks meet.
+std::string note_on_shared_anchors(const Field& field, const GroundPlan& plan, const Model& model) {
+  std::string note;
+  for (const char* key : {"from", "to"}) {
+    const std::vector<int> blocks = plan.blocks_at(field.at(key).vector(Dimension::length));
+    if (blocks.size() > 1)
+      note += fmt::format("; {} lies where blocks meet ({}), and is taken to be in the one that the bolt runs into",
+                          key, listed(blocks, model));
+  }
+  return note;
+}
+
 void add_anchored_link(const Field& field, const Segment& line, const AxialStiffness& stiffness, const GroundPlan& plan,
                        const Model& model, Bolt& bolt) {
   refuse(field, {"shear_stiffness", "shear_yield_force", "free_length"}, "where the bolt is not grouted");
@@ -75,7 +87,7 @@ void add_anchored_link(const Field& field, const Segment& line, const AxialStiff
   const int last = read_anchor(field.at("to"), line.start, plan, model);
   if (first == last)
     field.at("to").fail("a point in another block than from, \"" + model.blocks[static_cast<std::size_t>(first)].name +
-                        "\"");
+                        "\"" + note_on_shared_anchors(field, plan, model));
   const double length = (line.end - line.start).norm();
   bolt.links = {{first, last, line.start, line.end, stiffness.over(length) / bolt.spacing, 0}};
 }

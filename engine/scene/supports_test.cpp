@@ -226,6 +226,22 @@ TEST(Scene, GroutedBoltThroughAir) {
   EXPECT_EQ(parse_scene(anchored, "scene.json").bolts.at(0).links.size(), 1U);
 }
 
+// On a shared side an anchor is in the block that the bolt runs into: who wanted the other one is told.
+TEST(Scene, BoltAnchoredWhereBlocksMeet) {
+  try {
+    parse_scene(R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}},
+      "blocks": [{"polygon": {"name": "floor", "vertices": [[0, -1], [2, -1], [2, 0], [0, 0]]}},
+                 {"polygon": {"name": "wall", "vertices": [[0, 0], [2, 0], [2, 2], [0, 2]]}}],
+      "bolts": [{"from": [1, 0], "to": [1, 1], "stiffness": 7}], "steps": {"dt": 1, "duration": 1}})",
+                "scene.json");
+    FAIL() << "read";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "scene.json: bolts[0].to is [1,1], expected a point in another block than from, \"wall\"; from lies "
+                 "where blocks meet (\"floor\", \"wall\"), and is taken to be in the one that the bolt runs into");
+  }
+}
+
 struct BadPart {
   std::string what;
   std::string member;

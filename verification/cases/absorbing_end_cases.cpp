@@ -16,6 +16,7 @@
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -133,18 +134,26 @@ void assert_ratios(const std::string& what, const Scheme& scheme, const ClosedFo
     keep_largest(from_closed_form, largest_difference(echo.engine, echo.closed_form));
     if (ratio != 1) continue;
     outcome.assertions.push_back(
-        {fmt::format("|R| of a matched edge, {}, {} (its size is the error)", what, scheme.name), "-",
-         std::abs(echo.reflection), bound, leading_order, std::abs(echo.reflection), 5e-3,
-         "promised at 20 blocks a wavelength"});
+        expect(fmt::format("|R| of a matched edge, {}, {} (its size is the error)", what, scheme.name), "-")
+            .is(std::abs(echo.reflection))
+            .against(bound, leading_order)
+            .off_by(std::abs(echo.reflection))
+            .within(5e-3, "promised at 20 blocks a wavelength"));
   }
   outcome.assertions.push_back(
-      {fmt::format("largest error of R, a = 0 to 10, {}, {} (absolute, with its phase)", what, scheme.name), "-",
-       from_continuum, 0, "(a - 1)/(a + 1)", from_continuum, 1.1 * bound,
-       leading_order + "; at other ratios less; a tenth for the next order"});
+      expect(fmt::format("largest error of R, a = 0 to 10, {}, {} (absolute, with its phase)", what, scheme.name), "-")
+          .is(from_continuum)
+          .against(0, "(a - 1)/(a + 1)")
+          .absolutely()
+          .within(1.1 * bound, leading_order + "; at other ratios less; a tenth for the next order"));
   outcome.assertions.push_back(
-      {fmt::format("largest difference from the closed form, of the peak, a = 0 to 10, {}, {}", what, scheme.name), "-",
-       from_closed_form, 0, "finite chain with this end: inverse z-transform of its waves", from_closed_form,
-       closed_form.tolerance, closed_form.reason});
+      expect(
+          fmt::format("largest difference from the closed form, of the peak, a = 0 to 10, {}, {}", what, scheme.name),
+          "-")
+          .is(from_closed_form)
+          .against(0, "finite chain with this end: inverse z-transform of its waves")
+          .absolutely()
+          .within(closed_form.tolerance, closed_form.reason));
 }
 
 Outcome p_wave(dda::InterfaceLaw law) {
@@ -177,9 +186,10 @@ Outcome springs() {
       const double measured = std::abs(echo.reflection);
       const double predicted = sent_back(scheme.integrator, eta);
       outcome.assertions.push_back(
-          {fmt::format("|R| of an edge of rho c/sqrt(1 + eta_s), springs of {} E, {}", springs, scheme.name), "-",
-           measured, predicted, "abs(Omega^2/48 + i theta/8 + i Omega eta_s/4), to leading order",
-           relative_error(measured, predicted), 0.1, "left out: products of these terms"});
+          expect(fmt::format("|R| of an edge of rho c/sqrt(1 + eta_s), springs of {} E, {}", springs, scheme.name), "-")
+              .is(measured)
+              .against(predicted, "abs(Omega^2/48 + i theta/8 + i Omega eta_s/4), to leading order")
+              .within(0.1, "left out: products of these terms"));
     }
   }
   return outcome;
@@ -202,9 +212,13 @@ Outcome corrected() {
     for (const double courant : {0.25, 0.5, 1.0}) {
       const double measured = sent_back_corrected(law, courant, outcome);
       outcome.assertions.push_back(
-          {fmt::format("|R| of a matched edge, {} and corrected, c dt = {} block lengths (its size is the error)",
-                       name_of(law), courant),
-           "-", measured, 0, "a matched edge of the continuum", measured, 5e-3, "promised at 20 blocks a wavelength"});
+          expect(fmt::format("|R| of a matched edge, {} and corrected, c dt = {} block lengths (its size is the error)",
+                             name_of(law), courant),
+                 "-")
+              .is(measured)
+              .against(0, "a matched edge of the continuum")
+              .absolutely()
+              .within(5e-3, "promised at 20 blocks a wavelength"));
     }
   return outcome;
 }

@@ -22,6 +22,7 @@
 #include "verification/exact/joint_waves.h"
 #include "verification/exact/signal.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -47,14 +48,12 @@ class Readings {
   }
 
   [[nodiscard]] Assertion assertion(const std::string& what) const {
-    return {fmt::format("{}, worst of {} readings: {} (error absolute)", what, count_, worst_.where),
-            "-",
-            worst_.predicted,
-            worst_.measured,
-            fmt::format("error measured in the run; the {} are up to {:.2g} %", count_, 100 * largest_),
-            worst_.predicted - worst_.measured,
-            worst_.allowed(),
-            "promised: 20 % of the measured error, or 0.05 percentage points"};
+    return expect(fmt::format("{}, worst of {} readings: {} (error absolute)", what, count_, worst_.where), "-")
+        .is(worst_.predicted)
+        .against(worst_.measured,
+                 fmt::format("error measured in the run; the {} are up to {:.2g} %", count_, 100 * largest_))
+        .absolutely()
+        .within(worst_.allowed(), "promised: 20 % of the measured error, or 0.05 percentage points");
   }
 
  private:

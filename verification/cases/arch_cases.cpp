@@ -11,6 +11,7 @@
 #include "verification/cases/contact_rig.h"
 #include "verification/cases/limit_search.h"
 #include "verification/exact/arch_thrust.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -60,15 +61,19 @@ Outcome least_thickness() {
   for (const int voussoirs : {8, 15, 16, 24}) {
     const double expected = exact::least_thickness(voussoirs);
     const Bracket got = thinnest(voussoirs, outcome);
-    outcome.assertions.push_back({fmt::format("least thickness over radius, {} voussoirs", voussoirs), "-",
-                                  got.middle(), expected, "line of thrust in this arch (exact/arch_thrust)",
-                                  bracket_error(got, expected), 4e-4,
-                                  "bracket of 5e-5; joints and stones give way: measured up to 2.4e-4"});
+    outcome.assertions.push_back(
+        expect(fmt::format("least thickness over radius, {} voussoirs", voussoirs), "-")
+            .is(got.middle())
+            .against(expected, "line of thrust in this arch (exact/arch_thrust)")
+            .off_by(bracket_error(got, expected))
+            .within(4e-4, "bracket of 5e-5; joints and stones give way: measured up to 2.4e-4"));
   }
   const Bracket many = thinnest(60, outcome);
-  outcome.assertions.push_back({"least thickness over radius, 60 voussoirs against a line of joints", "-",
-                                many.middle(), 0.1075, "Milankovitch 1907", bracket_error(many, 0.1075), 2e-3,
-                                "60 joints leave out 1e-3, digits of the reference"});
+  outcome.assertions.push_back(expect("least thickness over radius, 60 voussoirs against a line of joints", "-")
+                                   .is(many.middle())
+                                   .against(0.1075, "Milankovitch 1907")
+                                   .off_by(bracket_error(many, 0.1075))
+                                   .within(2e-3, "60 joints leave out 1e-3, digits of the reference"));
   return outcome;
 }
 
@@ -113,17 +118,23 @@ Outcome left_alone() {
     heights.push_back(descent(standing, thicker));
   }
   const double drift = heights.back() - heights[heights.size() - steps_left_alone];
-  outcome.assertions.push_back({"descent of the crown within 3 s, 1 % thicker than the thinnest", "m", drift, 0,
-                                "it stands (error over the radius)", drift / radius, 1e-10,
-                                "equilibrium to 1e-9 of the largest weight; target of the project 1e-6"});
+  outcome.assertions.push_back(
+      expect("descent of the crown within 3 s, 1 % thicker than the thinnest", "m")
+          .is(drift)
+          .against(0, "it stands (error over the radius)")
+          .off_by(drift / radius)
+          .within(1e-10, "equilibrium to 1e-9 of the largest weight; target of the project 1e-6"));
 
   const exact::Arch thinner{voussoirs, 0.99 * exact::least_thickness(voussoirs)};
   WatchedRun falling(falling_arch(thinner));
   while (!falling.simulation().finished() && descent(falling, thinner) < radius / 4) falling.step();
   const double fallen = descent(falling, thinner);
-  outcome.assertions.push_back({"part of a quarter of the radius that the crown falls within 3 s, 1 % thinner", "-",
-                                fallen / (radius / 4), 1, "it collapses", std::min(0.0, fallen / (radius / 4) - 1), 0,
-                                "collapse has no end"});
+  outcome.assertions.push_back(
+      expect("part of a quarter of the radius that the crown falls within 3 s, 1 % thinner", "-")
+          .is(fallen / (radius / 4))
+          .against(1, "it collapses")
+          .off_by(std::min(0.0, fallen / (radius / 4) - 1))
+          .within(0, "collapse has no end"));
   outcome.assertions.push_back(energy_assertion("standing", standing.energy_residual()));
   outcome.assertions.push_back(energy_assertion("falling", falling.energy_residual()));
   outcome.counters += standing.simulation().counters();

@@ -12,6 +12,7 @@
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -62,15 +63,20 @@ void reflect(InterfaceLaw law, const End& end, Outcome& outcome) {
   const std::complex<double> measured = reflection(engine, bar, omega);
   const double eta = law == InterfaceLaw::classical ? bar.height / 20 : 0;
   outcome.assertions.push_back(
-      {fmt::format("stress sent back at 150 Hz (error absolute, with its phase), {}, {}", end.name, name_of(law)), "",
-       measured.real(), end.reflected, end.source, std::abs(measured - end.reflected),
-       eta / 2 + omega_length * omega_length / 12,
-       "the chain's own impedance is off by eta_s/2 (springs of 2 x 10 E: 1/40) and Omega^2/24"});
+      expect(fmt::format("stress sent back at 150 Hz (error absolute, with its phase), {}, {}", end.name, name_of(law)),
+             "")
+          .is(measured.real())
+          .against(end.reflected, end.source)
+          .off_by(std::abs(measured - end.reflected))
+          .within(eta / 2 + omega_length * omega_length / 12,
+                  "the chain's own impedance is off by eta_s/2 (springs of 2 x 10 E: 1/40) and Omega^2/24"));
   const double difference = largest_difference(engine, closed_form_histories(bar)[0]);
   outcome.assertions.push_back(
-      {fmt::format("largest difference from the closed form, of the peak, {}, {}", end.name, name_of(law)), "",
-       difference, 0, "finite chain with this end: inverse z-transform of its waves", difference, 1e-9,
-       "promised; the closed form is good to 1e-11"});
+      expect(fmt::format("largest difference from the closed form, of the peak, {}, {}", end.name, name_of(law)), "")
+          .is(difference)
+          .against(0, "finite chain with this end: inverse z-transform of its waves")
+          .absolutely()
+          .within(1e-9, "promised; the closed form is good to 1e-11"));
 }
 
 Outcome reflect(const std::vector<End>& ends) {
@@ -105,13 +111,14 @@ Outcome matched_dashpot() {
       const double theta = thesis ? omega * dt : 0;
       const double predicted = std::abs(std::complex<double>(eta / 4 + omega_length * omega_length / 48, theta / 8));
       const double measured = std::abs(reflection(engine_histories(bar, outcome.counters)[0], bar, omega));
-      outcome.assertions.push_back({fmt::format("part of the stress sent back at 150 Hz, {}, springs of {} E",
-                                                bar.stage.integrator.name, spring),
-                                    "", measured, predicted,
-                                    thesis ? "abs(eta_s/4 + Omega^2/48 + i theta/8), to leading order"
-                                           : "eta_s/4 + Omega^2/48, to leading order",
-                                    relative_error(measured, predicted), 0.1,
-                                    "left out: the square of each term, and of the half block at the end"});
+      outcome.assertions.push_back(
+          expect(fmt::format("part of the stress sent back at 150 Hz, {}, springs of {} E", bar.stage.integrator.name,
+                             spring),
+                 "")
+              .is(measured)
+              .against(predicted, thesis ? "abs(eta_s/4 + Omega^2/48 + i theta/8), to leading order"
+                                         : "eta_s/4 + Omega^2/48, to leading order")
+              .within(0.1, "left out: the square of each term, and of the half block at the end"));
     }
   }
   return outcome;

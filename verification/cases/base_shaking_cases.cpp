@@ -18,6 +18,7 @@
 #include "verification/exact/base_motion.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -101,20 +102,31 @@ Outcome glued_block() {
     }
     outcome.counters += simulation.counters();
     const std::string source = "the record integrated twice, cubic between samples (verification/exact/base_motion.h)";
-    outcome.assertions.push_back({"largest distance of the base from the record, " + kinematics + " kinematics", "m",
-                                  position, 0, source, position / largest, 1e-13,
-                                  "of the largest displacement: round-off of 240 intervals and of the numbers in the "
-                                  "file"});
-    outcome.assertions.push_back({"largest difference of the base's velocity, " + kinematics + " kinematics", "m/s",
-                                  speed, 0, source + " (error absolute)", speed, 1e-13, "the same"});
+    outcome.assertions.push_back(
+        expect("largest distance of the base from the record, " + kinematics + " kinematics", "m")
+            .is(position)
+            .against(0, source)
+            .off_by(position / largest)
+            .within(1e-13,
+                    "of the largest displacement: round-off of 240 intervals and of the numbers in the "
+                    "file"));
+    outcome.assertions.push_back(
+        expect("largest difference of the base's velocity, " + kinematics + " kinematics", "m/s")
+            .is(speed)
+            .against(0, source + " (error absolute)")
+            .absolutely()
+            .within(1e-13, "the same"));
     // Lowest frequency: a fixed-free block of P1 strain glued along its side: E A/L of the block over a third of its
     // mass; the joint of the consistent law adds none.
     const double lowest = 3 * young / (density * length * length);
     double peak = 0;
     for (const double value : record.values) keep_largest(peak, value);
-    outcome.assertions.push_back({"largest lag of the glued block, " + kinematics + " kinematics", "m", lag, 0,
-                                  "elastic answer to its own inertia (error absolute)", lag, 2 * peak / lowest,
-                                  "twice the static answer to the peak acceleration, a rho L^2/(3 E)"});
+    outcome.assertions.push_back(
+        expect("largest lag of the glued block, " + kinematics + " kinematics", "m")
+            .is(lag)
+            .against(0, "elastic answer to its own inertia (error absolute)")
+            .absolutely()
+            .within(2 * peak / lowest, "twice the static answer to the peak acceleration, a rho L^2/(3 E)"));
   }
   return outcome;
 }
@@ -176,16 +188,15 @@ Outcome oscillator() {
     const int steps = order == 1 ? 270 * 160 : 270 * 20;
     const double coarse = error_with(integrator, steps, folder, outcome.counters);
     const double fine = error_with(integrator, 2 * steps, folder, outcome.counters);
-    Assertion assertion{
-        fmt::format("motion relative to the base, {}, dt = {:.3g} s", integrator, end_time / (2 * steps)),
-        "-",
-        fine,
-        0,
-        "two modes by Duhamel's integral of the record, exact between samples "
-        "(verification/exact/base_motion.h)",
-        fine,
-        order == 1 ? 5e-3 : 5e-4,
-        "largest error over the largest motion; falls with dt to the order beside"};
+    Assertion assertion =
+        expect(fmt::format("motion relative to the base, {}, dt = {:.3g} s", integrator, end_time / (2 * steps)), "-")
+            .is(fine)
+            .against(0,
+                     "two modes by Duhamel's integral of the record, exact between samples "
+                     "(verification/exact/base_motion.h)")
+            .absolutely()
+            .within(order == 1 ? 5e-3 : 5e-4,
+                    "largest error over the largest motion; falls with dt to the order beside");
     assertion.order = Order{std::log2(coarse / fine), order};
     outcome.assertions.push_back(assertion);
   }

@@ -18,6 +18,7 @@
 #include "verification/cases/cavity_mesh.h"
 #include "verification/exact/signal.h"
 #include "verification/harness/nearest_block.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -128,8 +129,11 @@ LameErrors lame_errors(int sectors, double outer_radius, Outcome& outcome) {
 }
 
 Assertion stress_row(const std::string& quantity, double error, double tolerance, const std::string& reason) {
-  return {quantity,  "MPa", pressure / 1e6 * error, 0, "Lame 1852, pressure held inside, free outside", error,
-          tolerance, reason};
+  return expect(quantity, "MPa")
+      .is(pressure / 1e6 * error)
+      .against(0, "Lame 1852, pressure held inside, free outside")
+      .off_by(error)
+      .within(tolerance, reason);
 }
 
 Outcome lame_ring() {
@@ -176,25 +180,32 @@ std::vector<Comparison> ring_comparison(int sectors, const Pulse& pulse, Outcome
 
 void assert_difference(const Comparison& c, const std::string& what, double tolerance, const std::string& reason,
                        Outcome& outcome) {
-  outcome.assertions.push_back({fmt::format("{}, radial stress at {:.2f} m (error: rms, of the peak)", what, c.radius),
-                                "MPa", c.difference * c.exact_peak / 1e6, 0, difference_source, c.difference, tolerance,
-                                reason});
+  outcome.assertions.push_back(
+      expect(fmt::format("{}, radial stress at {:.2f} m (error: rms, of the peak)", what, c.radius), "MPa")
+          .is(c.difference * c.exact_peak / 1e6)
+          .against(0, difference_source)
+          .off_by(c.difference)
+          .within(tolerance, reason));
 }
 
 void assert_peak(const Comparison& c, const std::string& what, double tolerance, const std::string& reason,
                  Outcome& outcome) {
-  outcome.assertions.push_back({fmt::format("{}, peak at {:.2f} m", what, c.radius), "MPa", c.peak / 1e6,
-                                c.exact_peak / 1e6, difference_source, relative_error(c.peak, c.exact_peak), tolerance,
-                                reason});
+  outcome.assertions.push_back(expect(fmt::format("{}, peak at {:.2f} m", what, c.radius), "MPa")
+                                   .is(c.peak / 1e6)
+                                   .against(c.exact_peak / 1e6, difference_source)
+                                   .off_by(relative_error(c.peak, c.exact_peak))
+                                   .within(tolerance, reason));
 }
 
 // `travel`: m from the wall.
 void assert_arrival(const Comparison& c, const std::string& what, double travel, double tolerance,
                     const std::string& reason, Outcome& outcome) {
   const double expected = travel / speed;
-  outcome.assertions.push_back({fmt::format("{}, arrival at {:.2f} m by correlation", what, c.radius), "ms",
-                                1e3 * (expected + c.lag), 1e3 * expected, "way from the wall over c_P",
-                                c.lag / expected, tolerance, reason});
+  outcome.assertions.push_back(expect(fmt::format("{}, arrival at {:.2f} m by correlation", what, c.radius), "ms")
+                                   .is(1e3 * (expected + c.lag))
+                                   .against(1e3 * expected, "way from the wall over c_P")
+                                   .off_by(c.lag / expected)
+                                   .within(tolerance, reason));
 }
 
 Outcome smooth_pulses() {
@@ -285,11 +296,14 @@ void assert_directions(const OctagonMesh& mesh, Outcome& outcome) {
   }
   for (const std::size_t i : {std::size_t{0}, std::size_t{3}}) {
     const auto ratio = [&](std::size_t at) { return all[at].peak / all[at].exact_peak; };
-    outcome.assertions.push_back({fmt::format("peak on the diagonal over that on the level, {:.0f} m, squares of {} m",
-                                              all[i].radius, mesh.size),
-                                  "-", ratio(i + 2) / ratio(i), 1,
-                                  "isotropic rock; each peak over the reference's at its radius",
-                                  ratio(i + 2) / ratio(i) - 1, 2e-2, "promised"});
+    outcome.assertions.push_back(
+        expect(fmt::format("peak on the diagonal over that on the level, {:.0f} m, squares of {} m", all[i].radius,
+                           mesh.size),
+               "-")
+            .is(ratio(i + 2) / ratio(i))
+            .against(1, "isotropic rock; each peak over the reference's at its radius")
+            .absolutely()
+            .within(2e-2, "promised"));
   }
 }
 
@@ -330,9 +344,10 @@ Outcome sudden_excavation() {
       const double peak = -lowest(probes[i].hoop) / pressure;
       const double expected = 1 - lowest(exact.histories[i].hoop_stress) / pressure;
       outcome.assertions.push_back(
-          {fmt::format("largest hoop stress over the rock's at {:.3f} a, {} sectors", radii[i], sectors), "-", peak,
-           expected, difference_source + "; 2.255 at a wall let go at once", relative_error(peak, expected),
-           sectors == 32 ? 6e-3 : 3e-3, "measured with margin"});
+          expect(fmt::format("largest hoop stress over the rock's at {:.3f} a, {} sectors", radii[i], sectors), "-")
+              .is(peak)
+              .against(expected, difference_source + "; 2.255 at a wall let go at once")
+              .within(sectors == 32 ? 6e-3 : 3e-3, "measured with margin"));
     }
   }
   return outcome;

@@ -14,6 +14,7 @@
 #include "verification/exact/rock_bolt.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -60,15 +61,17 @@ Outcome force_law() {
       keep_largest(worst, bolt_force_in(simulation) - exact::bolt_force(cable, elongation, largest));
     }
     outcome.counters += simulation.counters();
-    outcome.assertions.push_back({"largest error of the force, " + kinematics + " kinematics", "N", worst, 0,
-                                  "elastic, perfectly plastic, slack (verification/exact/rock_bolt.h)",
-                                  worst / cable.yield_force, 1e-12,
-                                  "of the yield force: round-off of displacements times stiffness"});
+    outcome.assertions.push_back(expect("largest error of the force, " + kinematics + " kinematics", "N")
+                                     .is(worst)
+                                     .against(0, "elastic, perfectly plastic, slack (verification/exact/rock_bolt.h)")
+                                     .off_by(worst / cable.yield_force)
+                                     .within(1e-12, "of the yield force: round-off of displacements times stiffness"));
     const double dissipated = simulation.energy().plastic;
     const double expected = cable.yield_force * exact::plastic_elongation(cable, largest);
-    outcome.assertions.push_back({"dissipated by yielding, " + kinematics + " kinematics", "J/m", dissipated, expected,
-                                  "yield force times plastic elongation", relative_error(dissipated, expected), 1e-12,
-                                  "round-off"});
+    outcome.assertions.push_back(expect("dissipated by yielding, " + kinematics + " kinematics", "J/m")
+                                     .is(dissipated)
+                                     .against(expected, "yield force times plastic elongation")
+                                     .within(1e-12, "round-off"));
   }
   return outcome;
 }
@@ -95,15 +98,17 @@ Outcome hung_blocks() {
     below += 2600 * 2 * 10;
     const auto link = static_cast<std::size_t>(joint);
     const double force = simulation.bolts().state(0, link).force(0);
-    outcome.assertions.push_back({fmt::format("force per metre at joint {} from the top", joint + 1), "N/m", force,
-                                  below, "weight below the joint", relative_error(force, below), 1e-9,
-                                  "what static steps leave out of balance"});
+    outcome.assertions.push_back(expect(fmt::format("force per metre at joint {} from the top", joint + 1), "N/m")
+                                     .is(force)
+                                     .against(below, "weight below the joint")
+                                     .within(1e-9, "what static steps leave out of balance"));
     const double opening = simulation.bolts().elongation(0, link);
     const double expected = (below - 20e3) / 40e6;
-    outcome.assertions.push_back({fmt::format("opening of joint {} from the top", joint + 1), "m", opening, expected,
-                                  "(weight below - pretension)/stiffness, each over the spacing",
-                                  (opening - expected) / 1e-3, 1e-8,
-                                  "of 1 mm: what static steps leave out of balance"});
+    outcome.assertions.push_back(expect(fmt::format("opening of joint {} from the top", joint + 1), "m")
+                                     .is(opening)
+                                     .against(expected, "(weight below - pretension)/stiffness, each over the spacing")
+                                     .off_by((opening - expected) / 1e-3)
+                                     .within(1e-8, "of 1 mm: what static steps leave out of balance"));
   }
   return outcome;
 }
@@ -172,15 +177,20 @@ Outcome incline() {
     const std::string source = "T = W (sin a - cos a tan f)/(cos b + sin b tan f)";
     const auto [held, still_held] = release(bolted_block(inclination, 1.01 * limit, 1), 0.5, outcome.counters);
     const double crept = still_held.position - held.position;
-    outcome.assertions.push_back({text + "slid between 0.5 s and 1 s at 1.01 T", "m", crept, 0,
-                                  source + " holds (error absolute)", crept, 1e-9, "no creep"});
+    outcome.assertions.push_back(expect(text + "slid between 0.5 s and 1 s at 1.01 T", "m")
+                                     .is(crept)
+                                     .against(0, source + " holds (error absolute)")
+                                     .absolutely()
+                                     .within(1e-9, "no creep"));
     const auto [start, end] = release(bolted_block(inclination, 0.99 * limit, 0.15), 0.05, outcome.counters);
     const double pull = std::cos(inclination) + std::sin(inclination) * std::tan(friction_angle);
     const double expected = 0.01 * limit * pull / (weight / 9.81) * 0.1;
     const double gained = end.speed - start.speed;
-    outcome.assertions.push_back({text + "speed gained from 0.05 s to 0.15 s at 0.99 T", "m/s", gained, expected,
-                                  source + "; what is missing accelerates the block", relative_error(gained, expected),
-                                  1e-5, "measured 5e-7: what is left of the block's ringing on its springs"});
+    outcome.assertions.push_back(
+        expect(text + "speed gained from 0.05 s to 0.15 s at 0.99 T", "m/s")
+            .is(gained)
+            .against(expected, source + "; what is missing accelerates the block")
+            .within(1e-5, "measured 5e-7: what is left of the block's ringing on its springs"));
   }
   return outcome;
 }
@@ -203,9 +213,11 @@ double error_of_impact(double dt, Outcome& outcome) {
   advance_to_end(simulation);
   outcome.counters += simulation.counters();
   const dda::EnergyLedger& energy = simulation.energy();
-  outcome.assertions.push_back({fmt::format("energy residual, dt = {:g} s", dt), "J/m", energy.residual(), 0,
-                                "work = stored + dissipated", energy.relative_residual(), 1e-11,
-                                "of the largest term: round-off of 150 to 2400 steps"});
+  outcome.assertions.push_back(expect(fmt::format("energy residual, dt = {:g} s", dt), "J/m")
+                                   .is(energy.residual())
+                                   .against(0, "work = stored + dissipated")
+                                   .off_by(energy.relative_residual())
+                                   .within(1e-11, "of the largest term: round-off of 150 to 2400 steps"));
   return relative_error(simulation.bolts().state(0, 0).plastic(0),
                         exact::plastic_elongation_of_impact(soft, 2600, speed));
 }
@@ -216,10 +228,13 @@ Outcome impact() {
     const double error = error_of_impact(dt, outcome);
     const double expected = exact::plastic_elongation_of_impact(soft, 2600, speed);
     outcome.assertions.push_back(
-        {fmt::format("plastic elongation, dt = {:g} s", dt), "m", (1 + error) * expected, expected,
-         "kinetic energy = N_y^2/(2 k) + N_y times plastic elongation (verification/exact/rock_bolt.h)", error,
-         std::pow(dt * speed * soft.stiffness / soft.yield_force, 2),
-         "square of the share of the elastic range that a step takes: yielding begins within a step"});
+        expect(fmt::format("plastic elongation, dt = {:g} s", dt), "m")
+            .is((1 + error) * expected)
+            .against(expected,
+                     "kinetic energy = N_y^2/(2 k) + N_y times plastic elongation (verification/exact/rock_bolt.h)")
+            .off_by(error)
+            .within(std::pow(dt * speed * soft.stiffness / soft.yield_force, 2),
+                    "square of the share of the elastic range that a step takes: yielding begins within a step"));
   }
   return outcome;
 }

@@ -8,6 +8,7 @@
 #include "engine/simulation/simulation.h"
 #include "verification/exact/bounce.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -84,20 +85,28 @@ Outcome elastic_bounce() {
   for (const double dt : {2e-3, 1e-3, 3e-4, 1e-4}) {
     const Bounce result = bounce(dt, outcome);
     const std::string at = fmt::format(", dt = {} ms", 1e3 * dt);
-    outcome.assertions.push_back({"rebound height" + at, "m", result.rebound, height,
-                                  "height of the fall: an elastic impact keeps the energy",
-                                  relative_error(result.rebound, height), 1e-3, vibration});
-    outcome.assertions.push_back({"energy added or taken by time integration over the work of gravity" + at, "-",
-                                  result.numerical, 0, "0 (error absolute)", result.numerical, 1e-6,
-                                  "gaps measured anew every step: squares of the strains, 1e-7"});
-    outcome.assertions.push_back({"energy residual over the work of gravity" + at, "-", result.residual, 0,
-                                  "0 (error absolute)", result.residual, 1e-8, "promised"});
+    outcome.assertions.push_back(expect("rebound height" + at, "m")
+                                     .is(result.rebound)
+                                     .against(height, "height of the fall: an elastic impact keeps the energy")
+                                     .within(1e-3, vibration));
+    outcome.assertions.push_back(expect("energy added or taken by time integration over the work of gravity" + at, "-")
+                                     .is(result.numerical)
+                                     .against(0, "0 (error absolute)")
+                                     .absolutely()
+                                     .within(1e-6, "gaps measured anew every step: squares of the strains, 1e-7"));
+    outcome.assertions.push_back(expect("energy residual over the work of gravity" + at, "-")
+                                     .is(result.residual)
+                                     .against(0, "0 (error absolute)")
+                                     .absolutely()
+                                     .within(1e-8, "promised"));
     if (dt > 1e-3) continue;
     const double inertia = impact.frequency() * impact.frequency() * dt * dt / 8;
-    outcome.assertions.push_back({"largest penetration of a corner" + at, "m", result.deepest, impact.deepest(),
-                                  "m x'' = -k x - m g", relative_error(result.deepest, impact.deepest()),
-                                  inertia + 2 * spring / young,
-                                  "omega^2 dt^2/8, the peak between two steps, and springs over the box's stiffness"});
+    outcome.assertions.push_back(
+        expect("largest penetration of a corner" + at, "m")
+            .is(result.deepest)
+            .against(impact.deepest(), "m x'' = -k x - m g")
+            .within(inertia + 2 * spring / young,
+                    "omega^2 dt^2/8, the peak between two steps, and springs over the box's stiffness"));
   }
   return outcome;
 }

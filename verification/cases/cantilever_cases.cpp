@@ -9,6 +9,7 @@
 #include "verification/cases/bonded_beam.h"
 #include "verification/cases/contact_rig.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -81,11 +82,16 @@ void add_deflection(double poisson, double shape, double tolerance, Outcome& out
   const double coarse = error(8);
   const double fine = error(16);
   outcome.assertions.push_back(
-      {fmt::format("working deflection, 16 blocks across, {} times as long as high, nu = {}", shape, poisson), "m",
-       expected * (1 + fine), expected,
-       "P L^3/(3 E I) + 1.2 P L/(G A): exact for end tractions P (L - x) y/I, P/(2 I) (h^2/4 - y^2) (Timoshenko and "
-       "Goodier)",
-       fine, tolerance, "measured with a quarter to spare", Order{std::log2(coarse / fine), 2, 0.12}});
+      expect(fmt::format("working deflection, 16 blocks across, {} times as long as high, nu = {}", shape, poisson),
+             "m")
+          .is(expected * (1 + fine))
+          .against(expected,
+                   "P L^3/(3 E I) + 1.2 P L/(G A): exact for end tractions P (L - x) y/I, P/(2 I) (h^2/4 - y^2) "
+                   "(Timoshenko and "
+                   "Goodier)")
+          .off_by(fine)
+          .of_order({std::log2(coarse / fine), 2, 0.12})
+          .within(tolerance, "measured with a quarter to spare"));
 }
 
 Outcome deflection() {
@@ -111,15 +117,17 @@ Outcome clamped() {
   const exact::Cantilever short_beam = beam_of(8, 0);
   const double with_shear = exact::deflection_with_shear(short_beam, load);
   const double got = clamped_deflection(grid_of(short_beam, 16), outcome);
-  outcome.assertions.push_back({"deflection of the load, L/h = 8, held end, 16 blocks across", "m", got, with_shear,
-                                "P L^3/(3 E I) + 1.2 P L/(G A)", relative_error(got, with_shear), 1.5e-3,
-                                "measured 8e-4 (32 blocks across: 3e-4)"});
+  outcome.assertions.push_back(expect("deflection of the load, L/h = 8, held end, 16 blocks across", "m")
+                                   .is(got)
+                                   .against(with_shear, "P L^3/(3 E I) + 1.2 P L/(G A)")
+                                   .within(1.5e-3, "measured 8e-4 (32 blocks across: 3e-4)"));
   const exact::Cantilever slender = beam_of(16, 0);
   const double bending = exact::bending_deflection(slender, load);
   const double bent = clamped_deflection(grid_of(slender, 8), outcome);
-  outcome.assertions.push_back({"deflection of the load, L/h = 16, held end, 8 blocks across", "m", bent, bending,
-                                "P L^3/(3 E I)", relative_error(bent, bending), 7e-3,
-                                "shear adds 0.28 %, 8 blocks across 0.35 %"});
+  outcome.assertions.push_back(expect("deflection of the load, L/h = 16, held end, 8 blocks across", "m")
+                                   .is(bent)
+                                   .against(bending, "P L^3/(3 E I)")
+                                   .within(7e-3, "shear adds 0.28 %, 8 blocks across 0.35 %"));
   return outcome;
 }
 
@@ -185,15 +193,17 @@ Outcome frequency() {
   const exact::Cantilever short_beam = beam_of(8, 0);
   const double with_shear = exact::timoshenko_frequency(short_beam);
   const double got = lowest_frequency(grid_of(short_beam, 16), outcome, residual);
-  outcome.assertions.push_back({"lowest frequency, L/h = 8, 16 blocks across", "Hz", got, with_shear,
-                                "Timoshenko's beam (exact/cantilever)", relative_error(got, with_shear), 5e-4,
-                                "measured 2.5e-4, a part of it from the springs of the held end"});
+  outcome.assertions.push_back(expect("lowest frequency, L/h = 8, 16 blocks across", "Hz")
+                                   .is(got)
+                                   .against(with_shear, "Timoshenko's beam (exact/cantilever)")
+                                   .within(5e-4, "measured 2.5e-4, a part of it from the springs of the held end"));
   const exact::Cantilever slender = beam_of(16, 0);
   const double bending = exact::bending_frequency(slender);
   const double swung = lowest_frequency(grid_of(slender, 8), outcome, residual);
-  outcome.assertions.push_back({"lowest frequency, L/h = 16, 8 blocks across", "Hz", swung, bending,
-                                "1.8751^2/(2 pi) sqrt(E I/(rho A L^4))", relative_error(swung, bending), 5e-3,
-                                "shear and rotary inertia take 0.26 %, 8 blocks across 0.15 %"});
+  outcome.assertions.push_back(expect("lowest frequency, L/h = 16, 8 blocks across", "Hz")
+                                   .is(swung)
+                                   .against(bending, "1.8751^2/(2 pi) sqrt(E I/(rho A L^4))")
+                                   .within(5e-3, "shear and rotary inertia take 0.26 %, 8 blocks across 0.15 %"));
   outcome.assertions.push_back(energy_assertion("two beams", residual));
   return outcome;
 }

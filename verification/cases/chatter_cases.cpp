@@ -6,6 +6,7 @@
 
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/sliding_flutter.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -62,11 +63,13 @@ Outcome chatter() {
       threshold(0.3, 0.9, 50, [&](double friction) { return exact::fastest_growth(block, friction).real() > 1; });
   Outcome outcome;
   const double found = threshold(0.3, 0.9, 8, [&](double friction) { return chatters(friction, outcome); });
-  outcome.assertions.push_back({"friction from which a foot lifts", "-", found, expected,
-                                "first unstable eigenvalue of the sliding block (exact/sliding_flutter)",
-                                relative_error(found, expected), 0.01,
-                                "halved to 0.002; within 1 % of the threshold vibration grows less than threefold in "
-                                "0.1 s, or beats without growing"});
+  outcome.assertions.push_back(
+      expect("friction from which a foot lifts", "-")
+          .is(found)
+          .against(expected, "first unstable eigenvalue of the sliding block (exact/sliding_flutter)")
+          .within(0.01,
+                  "halved to 0.002; within 1 % of the threshold vibration grows less than threefold in "
+                  "0.1 s, or beats without growing"));
   return outcome;
 }
 

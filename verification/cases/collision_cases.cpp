@@ -12,6 +12,7 @@
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/block_row.h"
 #include "verification/exact/collision.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -89,12 +90,17 @@ Passed pass_on(const exact::BlockRow& row, int steps, const exact::BlockRowState
 
 // What every row of blocks must keep.
 void judge_balance(const Passed& passed, int steps, const std::string& name, Outcome& outcome) {
-  outcome.assertions.push_back({"change of momentum, " + name, "-", passed.momentum, 0, "none (error absolute)",
-                                passed.momentum, steps * 1e-15, "round-off of a solve a step"});
-  outcome.assertions.push_back({"numerical dissipation over the energy brought in, " + name, "-", passed.lost, 0,
-                                "none: contact forces of the scheme work as their springs (error absolute)",
-                                passed.lost, 1e-6,
-                                "gaps are measured anew in the geometry reached, which moves by the strains, 2e-7"});
+  outcome.assertions.push_back(expect("change of momentum, " + name, "-")
+                                   .is(passed.momentum)
+                                   .against(0, "none (error absolute)")
+                                   .absolutely()
+                                   .within(steps * 1e-15, "round-off of a solve a step"));
+  outcome.assertions.push_back(
+      expect("numerical dissipation over the energy brought in, " + name, "-")
+          .is(passed.lost)
+          .against(0, "none: contact forces of the scheme work as their springs (error absolute)")
+          .absolutely()
+          .within(1e-6, "gaps are measured anew in the geometry reached, which moves by the strains, 2e-7"));
   outcome.assertions.push_back(energy_assertion(name, passed.residual));
 }
 
@@ -109,12 +115,14 @@ Outcome cradle() {
   const double ratio = softness / 3;
   for (std::size_t i = 0; i < passed.velocity.size(); ++i) {
     const double expected = i + 1 == passed.velocity.size() ? 1 : 0;
-    outcome.assertions.push_back({fmt::format("velocity of block {} over that of the blow", i + 1), "-",
-                                  passed.velocity[i] / speed, expected,
-                                  "equal bodies exchange their velocities (error absolute)",
-                                  passed.velocity[i] / speed - expected, 4 * 10 * ratio * ratio,
-                                  "theory: a blow leaves the square of its frequency over the block's, squared again, "
-                                  "as vibration, (k/3 E)^2 = 1e-7; four blows, ten times"});
+    outcome.assertions.push_back(
+        expect(fmt::format("velocity of block {} over that of the blow", i + 1), "-")
+            .is(passed.velocity[i] / speed)
+            .against(expected, "equal bodies exchange their velocities (error absolute)")
+            .absolutely()
+            .within(4 * 10 * ratio * ratio,
+                    "theory: a blow leaves the square of its frequency over the block's, squared again, "
+                    "as vibration, (k/3 E)^2 = 1e-7; four blows, ten times"));
   }
   judge_balance(passed, steps, "row with gaps", outcome);
   return outcome;
@@ -130,13 +138,19 @@ Outcome touching_row() {
   const Passed passed = pass_on(row, steps, expected, outcome);
   const Order order{std::log2(error(steps / 2) / passed.error), 2, 0.05};
   for (std::size_t i = 0; i < passed.velocity.size(); ++i)
-    outcome.assertions.push_back({fmt::format("velocity of block {} over that of the blow", i + 1), "-",
-                                  passed.velocity[i] / speed, expected.velocity[i] / speed,
-                                  "Runge-Kutta integration of centroids and strains (exact/block_row; error absolute)",
-                                  (passed.velocity[i] - expected.velocity[i]) / speed, 1e-5,
-                                  "second order in dt, measured 7.4e-6 at 380 steps to an impact"});
-  outcome.assertions.push_back({"largest error of a velocity over that of the blow", "-", passed.error, 0,
-                                "exact/block_row (error absolute)", passed.error, 1e-5, "as above", order});
+    outcome.assertions.push_back(
+        expect(fmt::format("velocity of block {} over that of the blow", i + 1), "-")
+            .is(passed.velocity[i] / speed)
+            .against(expected.velocity[i] / speed,
+                     "Runge-Kutta integration of centroids and strains (exact/block_row; error absolute)")
+            .off_by((passed.velocity[i] - expected.velocity[i]) / speed)
+            .within(1e-5, "second order in dt, measured 7.4e-6 at 380 steps to an impact"));
+  outcome.assertions.push_back(expect("largest error of a velocity over that of the blow", "-")
+                                   .is(passed.error)
+                                   .against(0, "exact/block_row (error absolute)")
+                                   .absolutely()
+                                   .of_order(order)
+                                   .within(1e-5, "as above"));
   judge_balance(passed, steps, "touching row", outcome);
   return outcome;
 }
@@ -178,8 +192,11 @@ Collided collide(dda::Model model, const dda::Integrator& integrator, double dt,
 void judge_momentum(const Collided& collided, double m1, double v1, double m2, double tolerance,
                     const std::string& reason, const std::string& name, Outcome& outcome) {
   const double momentum = (m1 * collided.velocity[0] + m2 * collided.velocity[1]) / (m1 * v1) - 1;
-  outcome.assertions.push_back(
-      {"change of momentum, " + name, "-", momentum, 0, "none (error absolute)", momentum, tolerance, reason});
+  outcome.assertions.push_back(expect("change of momentum, " + name, "-")
+                                   .is(momentum)
+                                   .against(0, "none (error absolute)")
+                                   .absolutely()
+                                   .within(tolerance, reason));
 }
 
 Outcome dashpot_collision() {
@@ -195,19 +212,23 @@ Outcome dashpot_collision() {
     const Collided collided =
         collide(damped_collision(softness, damping), dda::energy_conserving_integrator(), dt, 2, outcome);
     const double restitution = (collided.velocity[1] - collided.velocity[0]) / speed;
-    outcome.assertions.push_back({"restitution, " + name, "-", restitution, expected,
-                                  "spring and dashpot that do not pull (exact/collision; error absolute)",
-                                  restitution - expected, 2 * softness,
-                                  "theory: blocks yield by the stiffness of the contacts over theirs"});
+    outcome.assertions.push_back(
+        expect("restitution, " + name, "-")
+            .is(restitution)
+            .against(expected, "spring and dashpot that do not pull (exact/collision; error absolute)")
+            .absolutely()
+            .within(2 * softness, "theory: blocks yield by the stiffness of the contacts over theirs"));
     judge_momentum(collided, light, speed, heavy, 2 / dt * 1e-15, "round-off of a solve a step", name, outcome);
     outcome.assertions.push_back(energy_assertion(name, collided.residual));
     if (damping < 10) continue;
     // Too stiff a dashpot to throw anything back: what remains of the approach is below a thousandth.
     for (int i = 0; i < 2; ++i)
-      outcome.assertions.push_back({fmt::format("velocity of block {}, {}", i + 1, name), "m/s", collided.velocity[i],
-                                    common, "m1 v1/(m1 + m2)", relative_error(collided.velocity[i], common),
-                                    (expected + 2 * softness) * (i == 0 ? heavy / light : 1),
-                                    "theory: the restitution of the dashpot times the share of the other mass"});
+      outcome.assertions.push_back(
+          expect(fmt::format("velocity of block {}, {}", i + 1, name), "m/s")
+              .is(collided.velocity[i])
+              .against(common, "m1 v1/(m1 + m2)")
+              .within((expected + 2 * softness) * (i == 0 ? heavy / light : 1),
+                      "theory: the restitution of the dashpot times the share of the other mass"));
   }
   return outcome;
 }
@@ -239,11 +260,15 @@ Outcome pressed_cart() {
       "round-off of 7e-14 a step: contact springs (8e11 N/m) times motion (2 mm) times dt over the momentum";
   const double lost = exact::reduced_mass(blocks, wagon) * velocity * velocity / 2;
   for (int i = 0; i < 2; ++i)
-    outcome.assertions.push_back({i == 0 ? "velocity of the blocks at the end" : "velocity of the cart at the end",
-                                  "m/s", collided.velocity[i], common, "m1 v1/(m1 + m2)",
-                                  relative_error(collided.velocity[i], common), round_off, round_off_reason});
-  outcome.assertions.push_back({"kinetic energy lost", "J", collided.lost, lost, "m1 m2/(m1 + m2) v1^2/2",
-                                relative_error(collided.lost, lost), 2 * round_off, round_off_reason});
+    outcome.assertions.push_back(
+        expect(i == 0 ? "velocity of the blocks at the end" : "velocity of the cart at the end", "m/s")
+            .is(collided.velocity[i])
+            .against(common, "m1 v1/(m1 + m2)")
+            .within(round_off, round_off_reason));
+  outcome.assertions.push_back(expect("kinetic energy lost", "J")
+                                   .is(collided.lost)
+                                   .against(lost, "m1 m2/(m1 + m2) v1^2/2")
+                                   .within(2 * round_off, round_off_reason));
   judge_momentum(collided, blocks, velocity, wagon, round_off, round_off_reason, "blocks on a cart", outcome);
   outcome.assertions.push_back(energy_assertion("blocks on a cart", collided.residual));
   return outcome;

@@ -14,6 +14,7 @@
 #include "verification/exact/time_scheme.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -117,16 +118,13 @@ Assertion order_of(const dda::Integrator& integrator, const exact::TimeScheme& s
   const double coarse = error_with(integrator, steps, outcome.counters);
   const double fine = error_with(integrator, 2 * steps, outcome.counters);
   const double expected = expected_error(scheme, 2 * steps);
-  Assertion assertion = {
-      "distance from the exact motion, of the start velocity, " + integrator.name,
-      "",
-      fine,
-      expected,
-      "powers of the scheme's amplification matrix for each mode",
-      relative_error(fine, expected),
-      1e-8,
-      "rounding of up to 128,000 steps over the distance, 5e-10 measured; the order is off by the next "
-      "terms, omega dt = 0.03 at most and a decay of 0.05"};
+  Assertion assertion =
+      expect("distance from the exact motion, of the start velocity, " + integrator.name, "")
+          .is(fine)
+          .against(expected, "powers of the scheme's amplification matrix for each mode")
+          .within(1e-8,
+                  "rounding of up to 128,000 steps over the distance, 5e-10 measured; the order is off by the next "
+                  "terms, omega dt = 0.03 at most and a decay of 0.05");
   assertion.order = Order{order(coarse, fine), expected_order, 0.05};
   return assertion;
 }
@@ -176,9 +174,11 @@ Outcome no_decay() {
   const Eigen::Vector2d amplitudes = amplitudes_after(3000, dda::trapezoidal_integrator(), outcome);
   for (int mode = 0; mode < 2; ++mode)
     outcome.assertions.push_back(
-        {std::string("amplitude of the ") + (mode == 0 ? "slower" : "faster") + " mode after 3000 steps", "",
-         amplitudes(mode), 1, "the rule conserves the energy of every mode", amplitudes(mode) - 1, 1e-10,
-         "3000 steps of round-off and of solves of condition 1e3"});
+        expect(std::string("amplitude of the ") + (mode == 0 ? "slower" : "faster") + " mode after 3000 steps", "")
+            .is(amplitudes(mode))
+            .against(1, "the rule conserves the energy of every mode")
+            .absolutely()
+            .within(1e-10, "3000 steps of round-off and of solves of condition 1e3"));
   return outcome;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -71,14 +72,12 @@ double WatchedRun::energy_residual() const {
 }
 
 Assertion energy_assertion(const std::string& run, double residual) {
-  return {"largest energy residual over the largest term, " + run,
-          "-",
-          residual,
-          0,
-          "external work = change of kinetic, strain and contact energy + friction + numerical (error absolute)",
-          residual,
-          1e-8,
-          "target of the project; the balance holds in exact arithmetic"};
+  return expect("largest energy residual over the largest term, " + run, "-")
+      .is(residual)
+      .against(0,
+               "external work = change of kinetic, strain and contact energy + friction + numerical (error absolute)")
+      .absolutely()
+      .within(1e-8, "target of the project; the balance holds in exact arithmetic");
 }
 
 }  // namespace verify

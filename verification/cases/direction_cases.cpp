@@ -12,6 +12,7 @@
 #include "verification/cases/bar_case.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/lattice/bloch.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -76,9 +77,12 @@ void assert_speeds(const Mesh& given, bool corrected, double tolerance, const st
   const Errors coarse = worst(given.mesh, corrected, 20);
   const Errors fine = worst(given.mesh, corrected, 40);
   const auto of = [&](const std::string& wave, double speed, double error, double finer) {
-    outcome.assertions.push_back({fmt::format("{} speed, worst direction, {}", wave, given.name), "m/s",
-                                  speed * (1 + error), speed, "isotropic continuum, plane stress", error, tolerance,
-                                  reason, Order{order(error, finer), corrected ? given.order : 2, 0.1}});
+    outcome.assertions.push_back(expect(fmt::format("{} speed, worst direction, {}", wave, given.name), "m/s")
+                                     .is(speed * (1 + error))
+                                     .against(speed, "isotropic continuum, plane stress")
+                                     .off_by(error)
+                                     .of_order({order(error, finer), corrected ? given.order : 2, 0.1})
+                                     .within(tolerance, reason));
   };
   of("S", exact::s_speed(young, poisson, density), coarse.s, fine.s);
   of("P", exact::p_speed_plane_stress(young, poisson, density), coarse.p, fine.p);
@@ -98,11 +102,15 @@ Outcome few_blocks() {
   Outcome outcome;
   const Errors errors = worst(square_mesh(), true, 5);
   for (const auto& [wave, error] : {std::pair("S", errors.s), std::pair("P", errors.p)})
-    outcome.assertions.push_back({fmt::format("error of the {} speed, worst direction, squares, 5 blocks a wavelength "
-                                              "(error absolute)",
-                                              wave),
-                                  "-", error, 0, "isotropic continuum, plane stress", error, 5e-3,
-                                  "promised at 20 blocks a wavelength"});
+    outcome.assertions.push_back(
+        expect(fmt::format("error of the {} speed, worst direction, squares, 5 blocks a wavelength "
+                           "(error absolute)",
+                           wave),
+               "-")
+            .is(error)
+            .against(0, "isotropic continuum, plane stress")
+            .absolutely()
+            .within(5e-3, "promised at 20 blocks a wavelength"));
   return outcome;
 }
 
@@ -128,9 +136,11 @@ Outcome corner_springs() {
     const double exact = exact::s_speed(young, 0.333, density);
     const double error = relative_error(speeds.s, exact);
     outcome.assertions.push_back(
-        {fmt::format("error of the S speed at 45 degrees, corner springs of {} E (error absolute)", springs), "-",
-         error, published, "an independent prototype, two digits", error - published, 6e-3,
-         "half of the last digit, and a bit"});
+        expect(fmt::format("error of the S speed at 45 degrees, corner springs of {} E (error absolute)", springs), "-")
+            .is(error)
+            .against(published, "an independent prototype, two digits")
+            .absolutely()
+            .within(6e-3, "half of the last digit, and a bit"));
   }
   return outcome;
 }

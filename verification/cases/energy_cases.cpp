@@ -8,6 +8,7 @@
 #include "engine/simulation/simulation.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -72,10 +73,14 @@ Outcome every_entry() {
       keep_largest(worst, simulation.energy().relative_residual());
     }
     outcome.counters += simulation.counters();
-    outcome.assertions.push_back({"energy residual over the largest entry, worst step, " + name, "-", worst, 0,
-                                  "work = change of kinetic, strain and contact energy + friction + dashpots + damping "
-                                  "+ numerical dissipation (error absolute)",
-                                  worst, 1e-8, "promised; round-off of the solves is 1e-12"});
+    outcome.assertions.push_back(
+        expect("energy residual over the largest entry, worst step, " + name, "-")
+            .is(worst)
+            .against(0,
+                     "work = change of kinetic, strain and contact energy + friction + dashpots + damping "
+                     "+ numerical dissipation (error absolute)")
+            .absolutely()
+            .within(1e-8, "promised; round-off of the solves is 1e-12"));
   }
   return outcome;
 }
@@ -106,15 +111,20 @@ Outcome sliding_to_rest() {
   outcome.counters = simulation.counters();
   // Eq. 5 moves a block on by its speed at the end of the step: of m (v0^2 - v1^2)/2 it takes m (v0 - v1)^2/2 itself.
   const double by_friction = kinetic * (1 - dt * friction * gravity / speed);
-  outcome.assertions.push_back({"friction and numerical dissipation after a slide to rest", "J/m",
-                                energy.friction + energy.numerical, kinetic, "m v0^2/2",
-                                relative_error(energy.friction + energy.numerical, kinetic), 1e-3,
-                                "the weight, put on at once, sinks in by 1e-6 m and rings: 1e-4 of the energy"});
-  outcome.assertions.push_back({"friction after a slide to rest", "J/m", energy.friction, by_friction,
-                                "m v0^2/2 (1 - mu g dt/v0) under Eq. 5", relative_error(energy.friction, by_friction),
-                                1e-3, "as above"});
-  outcome.assertions.push_back({"energy residual over the largest entry", "-", energy.relative_residual(), 0,
-                                "0 (error absolute)", energy.relative_residual(), 1e-8, "promised"});
+  outcome.assertions.push_back(
+      expect("friction and numerical dissipation after a slide to rest", "J/m")
+          .is(energy.friction + energy.numerical)
+          .against(kinetic, "m v0^2/2")
+          .within(1e-3, "the weight, put on at once, sinks in by 1e-6 m and rings: 1e-4 of the energy"));
+  outcome.assertions.push_back(expect("friction after a slide to rest", "J/m")
+                                   .is(energy.friction)
+                                   .against(by_friction, "m v0^2/2 (1 - mu g dt/v0) under Eq. 5")
+                                   .within(1e-3, "as above"));
+  outcome.assertions.push_back(expect("energy residual over the largest entry", "-")
+                                   .is(energy.relative_residual())
+                                   .against(0, "0 (error absolute)")
+                                   .absolutely()
+                                   .within(1e-8, "promised"));
   return outcome;
 }
 

@@ -17,6 +17,7 @@
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/cavity.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -40,14 +41,11 @@ void remove_core(dda::Model& model, const dda::Integrator& integrator, double dt
 Assertion nothing_slips(const dda::Simulation& simulation, const FarStress& far) {
   const double stored = far.size() * far.size() / cavity_young;  // of a square metre
   const double friction = simulation.energy().friction;
-  return {"work of friction, over the energy stored in 1 m2",
-          "-",
-          friction / stored,
-          0,
-          "joints that stick throughout",
-          friction / stored,
-          1e-12,
-          "round-off"};
+  return expect("work of friction, over the energy stored in 1 m2", "-")
+      .is(friction / stored)
+      .against(0, "joints that stick throughout")
+      .absolutely()
+      .within(1e-12, "round-off");
 }
 
 // Largest errors, times what they fall with.
@@ -73,18 +71,24 @@ Outcome kirsch_removed_from(const std::vector<dda::JointMaterial>& joints, const
       outcome.counters += simulation.counters();
       const double error = mean_error(simulation, far);
       outcome.assertions.push_back(
-          {fmt::format("stresses from 1.2 to 4 radii, k0 = {}, {} sectors (error: rms, of the larger far stress)", k0,
-                       sectors),
-           "MPa", error * far.size() / 1e6, 0, "Kirsch 1898", error, allowed.rms * std::pow(16.0 / sectors, 2),
-           "measured with margin; falls as their square"});
+          expect(fmt::format("stresses from 1.2 to 4 radii, k0 = {}, {} sectors (error: rms, of the larger far stress)",
+                             k0, sectors),
+                 "MPa")
+              .is(error * far.size() / 1e6)
+              .against(0, "Kirsch 1898")
+              .off_by(error)
+              .within(allowed.rms * std::pow(16.0 / sectors, 2), "measured with margin; falls as their square"));
       if (sectors == 64) outcome.assertions.back().order = Order{order(coarser, error), 2, allowed.order_off};
       const double wall = wall_stress(simulation, static_cast<std::size_t>(sectors));
       const double expected = 3 * far.yy - far.xx;
       const double most = std::max(std::abs(expected), std::abs(3 * far.xx - far.yy));
       outcome.assertions.push_back(
-          {fmt::format("hoop stress at the wall, k0 = {}, {} sectors (error: of the largest there)", k0, sectors),
-           "MPa", wall / 1e6, expected / 1e6, "3 s_yy - s_xx (Kirsch 1898)", (wall - expected) / most,
-           allowed.wall * std::pow(16.0 / sectors, allowed.order_at_wall), allowed.said});
+          expect(fmt::format("hoop stress at the wall, k0 = {}, {} sectors (error: of the largest there)", k0, sectors),
+                 "MPa")
+              .is(wall / 1e6)
+              .against(expected / 1e6, "3 s_yy - s_xx (Kirsch 1898)")
+              .off_by((wall - expected) / most)
+              .within(allowed.wall * std::pow(16.0 / sectors, allowed.order_at_wall), allowed.said));
       if (!joints.empty()) outcome.assertions.push_back(nothing_slips(simulation, far));
       coarser = error;
     }
@@ -125,8 +129,11 @@ Outcome kept_tractions() {
     for (const dda::Vec6& u : simulation.state().displacement) largest = std::max(largest, u.head<2>().norm());
     const double let_go = pressure * (1 + cavity_poisson) / cavity_young;
     outcome.assertions.push_back(
-        {fmt::format("largest displacement in 100 steps, {} (error: of p a/(2 G))", integrator.name), "m", largest, 0,
-         "the block removed is replaced by what it exerted", largest / let_go, 1e-10, "round-off"});
+        expect(fmt::format("largest displacement in 100 steps, {} (error: of p a/(2 G))", integrator.name), "m")
+            .is(largest)
+            .against(0, "the block removed is replaced by what it exerted")
+            .off_by(largest / let_go)
+            .within(1e-10, "round-off"));
   }
   return outcome;
 }
@@ -189,17 +196,21 @@ void assert_peaks(const SuddenRock& rock, int sectors, double tolerance, Outcome
   outcome.counters += simulation.counters();
   const std::string what = fmt::format("nu = {}, {} sectors", rock.poisson, sectors);
   const double hoop = peaks.hoop / pressure;
-  outcome.assertions.push_back({"largest hoop stress at the wall over p, " + what, "-", hoop, rock.peak_hoop,
-                                "wave equation in the radius; 2 when removed slowly",
-                                relative_error(hoop, rock.peak_hoop), tolerance, "measured with margin"});
+  outcome.assertions.push_back(expect("largest hoop stress at the wall over p, " + what, "-")
+                                   .is(hoop)
+                                   .against(rock.peak_hoop, "wave equation in the radius; 2 when removed slowly")
+                                   .within(tolerance, "measured with margin"));
   const double when = speed * peaks.hoop_time;
-  outcome.assertions.push_back({"its time over a/c_P, " + what, "-", when, rock.when, "wave equation in the radius",
-                                relative_error(when, rock.when), 5e-2, "the peak is flat, its time known to 0.05"});
+  outcome.assertions.push_back(expect("its time over a/c_P, " + what, "-")
+                                   .is(when)
+                                   .against(rock.when, "wave equation in the radius")
+                                   .within(5e-2, "the peak is flat, its time known to 0.05"));
   const double still = pressure / (2 * shear_modulus(rock.poisson));
   const double overshoot = peaks.displacement / still;
-  outcome.assertions.push_back({"largest displacement of the wall over p a/(2 G), " + what, "-", overshoot,
-                                1 + rock.overshoot, "wave equation in the radius",
-                                relative_error(overshoot, 1 + rock.overshoot), tolerance / 2, "measured with margin"});
+  outcome.assertions.push_back(expect("largest displacement of the wall over p a/(2 G), " + what, "-")
+                                   .is(overshoot)
+                                   .against(1 + rock.overshoot, "wave equation in the radius")
+                                   .within(tolerance / 2, "measured with margin"));
 }
 
 // Where the energy went when all has come to rest, over pi a^2 p^2/(2 G), which endless rock radiates.
@@ -215,8 +226,10 @@ void assert_energies(const SuddenRock& rock, int sectors, Outcome& outcome) {
   const std::string what = fmt::format("nu = {}, {} sectors", rock.poisson, sectors);
   const auto add = [&](const std::string& name, double value, double expected, const std::string& source,
                        double tolerance, const std::string& reason) {
-    outcome.assertions.push_back({name + " over pi a^2 p^2/(2 G), " + what, "-", value / unit, expected, source,
-                                  relative_error(value / unit, expected), tolerance, reason});
+    outcome.assertions.push_back(expect(name + " over pi a^2 p^2/(2 G), " + what, "-")
+                                     .is(value / unit)
+                                     .against(expected, source)
+                                     .within(tolerance, reason));
   };
   add("energy removed", energy.removed, 1 - 2 * rock.poisson, "strain energy of the rock in the circle", 1e-9,
       "round-off: the polygon has the circle's area");
@@ -235,13 +248,21 @@ void assert_energies(const SuddenRock& rock, int sectors, Outcome& outcome) {
   add("work of the far stress", energy.external_work, 4 * (1 - rock.poisson) / (1 - share),
       "p times the area that the outside closes (Lame); 4 (1 - nu), twice what is released, in endless rock", 1e-2,
       "measured with margin");
-  outcome.assertions.push_back({"both forms of the energy released, over the largest entry, " + what, "-",
-                                release.relative_difference(), 0, "0 (error absolute)", release.relative_difference(),
-                                1e-9, "round-off"});
-  outcome.assertions.push_back({"kinetic energy at the end over that radiated, " + what, "-", energy.kinetic / unit, 0,
-                                "rest", energy.kinetic / unit, 1e-6, "the dashpots have taken it"});
-  outcome.assertions.push_back({"residual of the ledger, " + what, "-", energy.relative_residual(), 0,
-                                "0 (error absolute)", energy.relative_residual(), 1e-9, "round-off"});
+  outcome.assertions.push_back(expect("both forms of the energy released, over the largest entry, " + what, "-")
+                                   .is(release.relative_difference())
+                                   .against(0, "0 (error absolute)")
+                                   .absolutely()
+                                   .within(1e-9, "round-off"));
+  outcome.assertions.push_back(expect("kinetic energy at the end over that radiated, " + what, "-")
+                                   .is(energy.kinetic / unit)
+                                   .against(0, "rest")
+                                   .absolutely()
+                                   .within(1e-6, "the dashpots have taken it"));
+  outcome.assertions.push_back(expect("residual of the ledger, " + what, "-")
+                                   .is(energy.relative_residual())
+                                   .against(0, "0 (error absolute)")
+                                   .absolutely()
+                                   .within(1e-9, "round-off"));
 }
 
 Outcome sudden_removal() {

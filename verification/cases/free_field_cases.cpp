@@ -13,6 +13,7 @@
 #include "verification/cases/bar_case.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -151,19 +152,28 @@ Outcome sides() {
   const Differences coarse = difference(1, true, outcome);
   const Differences fine = difference(0.5, true, outcome);
   const std::string source = "column of the same layers that only shears";
-  outcome.assertions.push_back({"largest difference of any velocity from that of the column, of its largest", "-",
-                                coarse.velocity, 0, source, coarse.velocity, 2e-3,
-                                "the column's velocity varies along a block's side, the load that brings it there does "
-                                "not; measured with margin",
-                                Order{order(coarse.velocity, fine.velocity), 2, 0.1}});
   outcome.assertions.push_back(
-      {"largest difference of any shear stress from that of the column, of its largest", "-", coarse.stress, 0, source,
-       coarse.stress, 3e-3, "the moment that the load lacks is first felt by the strains of the blocks on the sides",
-       Order{order(coarse.stress, fine.stress), 1, 0.2}});
+      expect("largest difference of any velocity from that of the column, of its largest", "-")
+          .is(coarse.velocity)
+          .against(0, source)
+          .absolutely()
+          .of_order({order(coarse.velocity, fine.velocity), 2, 0.1})
+          .within(2e-3,
+                  "the column's velocity varies along a block's side, the load that brings it there does "
+                  "not; measured with margin"));
+  outcome.assertions.push_back(
+      expect("largest difference of any shear stress from that of the column, of its largest", "-")
+          .is(coarse.stress)
+          .against(0, source)
+          .absolutely()
+          .of_order({order(coarse.stress, fine.stress), 1, 0.2})
+          .within(3e-3, "the moment that the load lacks is first felt by the strains of the blocks on the sides"));
   const Differences alone = difference(1, false, outcome);
-  outcome.assertions.push_back({"the same of the velocity where the sides have dashpots alone, against 1", "-",
-                                alone.velocity, 1, "they hold the sides back", alone.velocity - 1, 0.5,
-                                "that the case tells one from the other; measured with margin"});
+  outcome.assertions.push_back(expect("the same of the velocity where the sides have dashpots alone, against 1", "-")
+                                   .is(alone.velocity)
+                                   .against(1, "they hold the sides back")
+                                   .absolutely()
+                                   .within(0.5, "that the case tells one from the other; measured with margin"));
   return outcome;
 }
 

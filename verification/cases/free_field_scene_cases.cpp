@@ -14,6 +14,7 @@
 #include "verification/exact/layered_ground.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -159,16 +160,21 @@ void assert_surface(const Ground& ground, const std::string& wave, const char* m
   const double coarse = difference_from_column(ground, outcome);
   const double fine = difference_from_column(finer(ground), outcome);
   outcome.assertions.push_back(
-      {"largest difference of any point of the surface from the exact motion, " + wave, "-", coarse, 0, source, coarse,
-       tolerance, fmt::format("measured {} with margin", measured),
-       // Blocks' errors are of order 4 inside a layer, of order 2 at its edges; steps' of order 2.
-       Order{order(coarse, fine), 2, 0.4}});
+      expect("largest difference of any point of the surface from the exact motion, " + wave, "-")
+          .is(coarse)
+          .against(0, source)
+          .absolutely()
+          // Blocks' errors are of order 4 inside a layer, of order 2 at its edges; steps' of order 2.
+          .of_order({order(coarse, fine), 2, 0.4})
+          .within(tolerance, fmt::format("measured {} with margin", measured)));
   Ground alone = ground;
   alone.sides = Sides::dashpots;
   const double without = difference_from_column(alone, outcome);
-  outcome.assertions.push_back({"the same with dashpots alone, over that, " + wave, "-", without / coarse, 0,
-                                "they hold the sides back; tolerance on the inverse", coarse / without, 0.02,
-                                "that the case tells one from the other; measured with margin"});
+  outcome.assertions.push_back(expect("the same with dashpots alone, over that, " + wave, "-")
+                                   .is(without / coarse)
+                                   .against(0, "they hold the sides back; tolerance on the inverse")
+                                   .off_by(coarse / without)
+                                   .within(0.02, "that the case tells one from the other; measured with margin"));
 }
 
 Ground surface_of(const Soil& upper, bool p) {
@@ -228,8 +234,12 @@ void assert_gravity(const std::string& kinematics, Outcome& outcome) {
   for (const dda::Vec3& stress : settled.stress) keep_largest(largest, stress.norm());
   const auto assert_small = [&](const std::string& quantity, const std::string& unit, double value,
                                 const std::string& source) {
-    outcome.assertions.push_back({quantity + ", " + kinematics + " kinematics", unit, value, 0, source, value, 1e-6,
-                                  "equilibrium to 1e-10 of the load; what is left of the wave after 3.3 s"});
+    outcome.assertions.push_back(
+        expect(quantity + ", " + kinematics + " kinematics", unit)
+            .is(value)
+            .against(0, source)
+            .absolutely()
+            .within(1e-6, "equilibrium to 1e-10 of the load; what is left of the wave after 3.3 s"));
   };
   advance_until(simulation, settled_at(ground) + ground.quiet - 2 * dt_of(ground));  // loads are known a step ahead
   assert_small("largest velocity 0.2 s after the supports went, before a wave of 1 m/s", "m/s",
@@ -244,9 +254,11 @@ void assert_gravity(const std::string& kinematics, Outcome& outcome) {
   const double shear_modulus = soft.young / (2 * (1 + poisson));
   const double sheared = pushed / (strain * shear_modulus);
   outcome.assertions.push_back(
-      {"largest horizontal stress while the wave passes, of its shear stress, " + kinematics + " kinematics", "-",
-       sheared, 0, "a plane wave shears alone", sheared, strain,
-       "finite shear has normal stress of second order in the strain"});
+      expect("largest horizontal stress while the wave passes, of its shear stress, " + kinematics + " kinematics", "-")
+          .is(sheared)
+          .against(0, "a plane wave shears alone")
+          .absolutely()
+          .within(strain, "finite shear has normal stress of second order in the strain"));
   assert_small("largest velocity 3.3 s after the wave has left", "m/s", largest_velocity(simulation.state()),
                "the ground at rest again");
   assert_small("largest change of any stress since it settled, of the largest", "-",
@@ -293,14 +305,21 @@ Outcome scattered() {
       keep_largest(error_alone, alone.histories[i][step] - reference.histories[i][step]);
     }
   const std::string source = "the same 230 m wide, whose sides are too far to be felt";
-  outcome.assertions.push_back({"largest difference of any point of the surface, of the incident wave", "-", error, 0,
-                                source, error, 0.1,
-                                "dashpots at the sides meet waves at an angle; measured with margin"});
-  outcome.assertions.push_back({"the same, of the largest scattered velocity", "-", error / scattering, 0, source,
-                                error / scattering, 0.25, "the same"});
-  outcome.assertions.push_back({"with dashpots alone, over that", "-", error_alone / error, 0,
-                                "they hold the sides back; tolerance on the inverse", error / error_alone, 0.1,
-                                "that the case tells one from the other; measured with margin"});
+  outcome.assertions.push_back(expect("largest difference of any point of the surface, of the incident wave", "-")
+                                   .is(error)
+                                   .against(0, source)
+                                   .absolutely()
+                                   .within(0.1, "dashpots at the sides meet waves at an angle; measured with margin"));
+  outcome.assertions.push_back(expect("the same, of the largest scattered velocity", "-")
+                                   .is(error / scattering)
+                                   .against(0, source)
+                                   .absolutely()
+                                   .within(0.25, "the same"));
+  outcome.assertions.push_back(expect("with dashpots alone, over that", "-")
+                                   .is(error_alone / error)
+                                   .against(0, "they hold the sides back; tolerance on the inverse")
+                                   .off_by(error / error_alone)
+                                   .within(0.1, "that the case tells one from the other; measured with margin"));
   return outcome;
 }
 

@@ -10,6 +10,7 @@
 
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/block_on_incline.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -102,17 +103,23 @@ void judge(const exact::InclinedBlock& block, Chart& chart, Outcome& outcome, Ba
 void report(double foot, const Chart& chart, Outcome& outcome) {
   for (std::size_t region = 0; region < region_names.size(); ++region) {
     outcome.assertions.push_back(
-        {fmt::format("cells misjudged, b/h = {}, {} cells of \"{}\"", foot, chart.cells[region], region_names[region]),
-         "-", static_cast<double>(chart.wrong[region]), 0,
-         "equations of motion of a rigid block from rest (exact/block_on_incline): Voegele 1979, Sagaseta 1986 (error "
-         "absolute)",
-         chart.cells[region] > 0 ? chart.wrong[region] : std::numeric_limits<double>::quiet_NaN(), 0,
-         "target of the project: every cell outside 0.1 deg"});
+        expect(fmt::format("cells misjudged, b/h = {}, {} cells of \"{}\"", foot, chart.cells[region],
+                           region_names[region]),
+               "-")
+            .is(static_cast<double>(chart.wrong[region]))
+            .against(0,
+                     "equations of motion of a rigid block from rest (exact/block_on_incline): Voegele 1979, Sagaseta "
+                     "1986 (error "
+                     "absolute)")
+            .off_by(chart.cells[region] > 0 ? chart.wrong[region] : std::numeric_limits<double>::quiet_NaN())
+            .within(0, "target of the project: every cell outside 0.1 deg"));
   }
   outcome.assertions.push_back(
-      {fmt::format("acceleration of sliding, largest error, b/h = {}", foot), "m/s2", chart.worst_slide, 0,
-       "g (sin a - cos a tan f) (error absolute)", chart.worst_slide, 1e-7,
-       "round-off of speeds over 25 ms, and what still rings next to toppling: measured 1e-8"});
+      expect(fmt::format("acceleration of sliding, largest error, b/h = {}", foot), "m/s2")
+          .is(chart.worst_slide)
+          .against(0, "g (sin a - cos a tan f) (error absolute)")
+          .absolutely()
+          .within(1e-7, "round-off of speeds over 25 ms, and what still rings next to toppling: measured 1e-8"));
 }
 
 // Cells every `spacing` degrees.

@@ -13,6 +13,7 @@
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/joint_strength.h"
 #include "verification/exact/wave_speeds.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -59,14 +60,18 @@ Outcome hanging_block() {
   Outcome outcome;
   for (const dda::InterfaceLaw law : laws) {
     const Hung holds = hang(law, 1.001 * needed, outcome);
-    outcome.assertions.push_back({"motion of the block, strength 0.1 % above its weight, " + name_of(law), "m",
-                                  holds.motion, 0, "hangs while T > rho g H (error absolute)", holds.motion, 1e-12,
-                                  "theory: none; round-off of forces over stiffness"});
+    outcome.assertions.push_back(expect("motion of the block, strength 0.1 % above its weight, " + name_of(law), "m")
+                                     .is(holds.motion)
+                                     .against(0, "hangs while T > rho g H (error absolute)")
+                                     .absolutely()
+                                     .within(1e-12, "theory: none; round-off of forces over stiffness"));
     outcome.assertions.push_back(energy_assertion("hanging, " + name_of(law), holds.residual));
     const Hung falls = hang(law, 0.999 * needed, outcome);
-    outcome.assertions.push_back({"fall in 0.5 s, strength 0.1 % below the weight, " + name_of(law), "m", falls.motion,
-                                  expected, "g t^2/2, for T < rho g H", relative_error(falls.motion, expected), 1e-12,
-                                  "one rounding a step: Eq. 5 falls exactly, from the step in which the joint breaks"});
+    outcome.assertions.push_back(
+        expect("fall in 0.5 s, strength 0.1 % below the weight, " + name_of(law), "m")
+            .is(falls.motion)
+            .against(expected, "g t^2/2, for T < rho g H")
+            .within(1e-12, "one rounding a step: Eq. 5 falls exactly, from the step in which the joint breaks"));
     outcome.assertions.push_back(energy_assertion("falling, " + name_of(law), falls.residual));
   }
   return outcome;
@@ -146,12 +151,17 @@ Outcome direct_shear() {
       const double peak = exact::shear_strength(joint.cohesion, joint.friction_angle, normal_stress);
       const double residual = exact::shear_strength(0, joint.friction_angle, normal_stress);
       const Sheared sheared = shear(joint, normal_stress, peak, outcome);
-      outcome.assertions.push_back({"peak shear strength, " + name, "Pa", sheared.peak, peak, "c + sigma tan f",
-                                    relative_error(sheared.peak, peak), over_peak / shear_steps,
-                                    "theory: the pull grows by this share of the peak a step"});
-      outcome.assertions.push_back({"shear strength after the peak, " + name, "Pa", sheared.residual, residual,
-                                    "sigma tan f (error over the peak)", (sheared.residual - residual) / peak, 1e-7,
-                                    "measured 1.2e-8 at 2 MPa, in proportion to the stress over Young's modulus"});
+      outcome.assertions.push_back(
+          expect("peak shear strength, " + name, "Pa")
+              .is(sheared.peak)
+              .against(peak, "c + sigma tan f")
+              .within(over_peak / shear_steps, "theory: the pull grows by this share of the peak a step"));
+      outcome.assertions.push_back(
+          expect("shear strength after the peak, " + name, "Pa")
+              .is(sheared.residual)
+              .against(residual, "sigma tan f (error over the peak)")
+              .off_by((sheared.residual - residual) / peak)
+              .within(1e-7, "measured 1.2e-8 at 2 MPa, in proportion to the stress over Young's modulus"));
       energy_residual = std::max(energy_residual, sheared.energy_residual);
     }
     outcome.assertions.push_back(energy_assertion("worst normal stress, " + name_of(law), energy_residual));
@@ -175,12 +185,16 @@ Outcome weakening_joint() {
     const double residual =
         exact::shear_strength(joint.residual_cohesion, *joint.residual_friction_angle, normal_stress);
     const Sheared sheared = shear(joint, normal_stress, peak, outcome);
-    outcome.assertions.push_back({"peak shear strength, " + name, "Pa", sheared.peak, peak, "c + sigma tan f",
-                                  relative_error(sheared.peak, peak), over_peak / shear_steps,
-                                  "theory: the pull grows by this share of the peak a step"});
-    outcome.assertions.push_back({"residual shear strength, " + name, "Pa", sheared.residual, residual,
-                                  "c_r + sigma tan f_r", relative_error(sheared.residual, residual), 1e-7,
-                                  "stress over Young's modulus, 2e-5, times the joint's turn under its slip"});
+    outcome.assertions.push_back(
+        expect("peak shear strength, " + name, "Pa")
+            .is(sheared.peak)
+            .against(peak, "c + sigma tan f")
+            .within(over_peak / shear_steps, "theory: the pull grows by this share of the peak a step"));
+    outcome.assertions.push_back(
+        expect("residual shear strength, " + name, "Pa")
+            .is(sheared.residual)
+            .against(residual, "c_r + sigma tan f_r")
+            .within(1e-7, "stress over Young's modulus, 2e-5, times the joint's turn under its slip"));
     outcome.assertions.push_back(energy_assertion(name, sheared.energy_residual));
   }
   return outcome;
@@ -203,14 +217,18 @@ Outcome dilating_joint() {
     const double expected = std::tan(joint.dilation_angle) * std::min(sheared.slip, reach);
     // The shear springs of the peak (4e11 N/m, both) give back what they held; the slip is longer by that.
     const double given_back = (sheared.peak - sheared.residual) * width / (8 * stiff_sideways.young);
-    outcome.assertions.push_back({"rise, " + name, "m", sheared.rise, expected, "slip tan d",
-                                  relative_error(sheared.rise, expected), 2 * given_back / sheared.slip,
-                                  "theory: slip as seen from outside is short of that of the joint by what its springs "
-                                  "give back when the peak has passed"});
-    outcome.assertions.push_back({"shear strength while it rises, " + name, "Pa", sheared.residual,
-                                  normal_stress * std::tan(joint.friction_angle), "sigma tan f",
-                                  sheared.residual / (normal_stress * std::tan(joint.friction_angle)) - 1, 1e-7,
-                                  "as without dilation: the normal stress is given"});
+    outcome.assertions.push_back(
+        expect("rise, " + name, "m")
+            .is(sheared.rise)
+            .against(expected, "slip tan d")
+            .within(2 * given_back / sheared.slip,
+                    "theory: slip as seen from outside is short of that of the joint by what its springs "
+                    "give back when the peak has passed"));
+    outcome.assertions.push_back(expect("shear strength while it rises, " + name, "Pa")
+                                     .is(sheared.residual)
+                                     .against(normal_stress * std::tan(joint.friction_angle), "sigma tan f")
+                                     .off_by(sheared.residual / (normal_stress * std::tan(joint.friction_angle)) - 1)
+                                     .within(1e-7, "as without dilation: the normal stress is given"));
     outcome.assertions.push_back(energy_assertion(name, sheared.energy_residual));
   }
   return outcome;

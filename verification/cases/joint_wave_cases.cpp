@@ -15,6 +15,7 @@
 #include "verification/exact/joint_waves.h"
 #include "verification/exact/signal.h"
 #include "verification/harness/histories.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -57,15 +58,23 @@ Outcome s_wave_speed() {
   const auto group_error = [&](double length) { return std::pow(two_pi / pulse * length / speed, 2) / 8; };
   const Travel coarse = travel(1, 0.1, outcome);
   const Travel fine = travel(0.5, 0.1, outcome);
-  outcome.assertions.push_back({"speed of an S pulse over 50 m, blocks of 1 m", "m/s", speed * (1 + coarse.speed_error),
-                                speed, source, coarse.speed_error, group_error(1),
-                                "Omega^2/8, the group speed's error at 1/pulse: most of the pulse is slower"});
-  outcome.assertions.push_back({"speed of an S pulse over 50 m, blocks of 0.5 m", "m/s", speed * (1 + fine.speed_error),
-                                speed, source, fine.speed_error, group_error(0.5), "Omega^2/8",
-                                Order{order(coarse.speed_error, fine.speed_error), 2, 0.1}});
-  outcome.assertions.push_back({"peak of the S pulse after 60 m, blocks of 0.5 m", "Pa",
-                                1e6 * (1 + fine.amplitude_error), 1e6, "no loss on the way", fine.amplitude_error, 5e-3,
-                                "dispersion spreads the pulse; measured with margin"});
+  outcome.assertions.push_back(
+      expect("speed of an S pulse over 50 m, blocks of 1 m", "m/s")
+          .is(speed * (1 + coarse.speed_error))
+          .against(speed, source)
+          .off_by(coarse.speed_error)
+          .within(group_error(1), "Omega^2/8, the group speed's error at 1/pulse: most of the pulse is slower"));
+  outcome.assertions.push_back(expect("speed of an S pulse over 50 m, blocks of 0.5 m", "m/s")
+                                   .is(speed * (1 + fine.speed_error))
+                                   .against(speed, source)
+                                   .off_by(fine.speed_error)
+                                   .of_order({order(coarse.speed_error, fine.speed_error), 2, 0.1})
+                                   .within(group_error(0.5), "Omega^2/8"));
+  outcome.assertions.push_back(expect("peak of the S pulse after 60 m, blocks of 0.5 m", "Pa")
+                                   .is(1e6 * (1 + fine.amplitude_error))
+                                   .against(1e6, "no loss on the way")
+                                   .off_by(fine.amplitude_error)
+                                   .within(5e-3, "dispersion spreads the pulse; measured with margin"));
   return outcome;
 }
 
@@ -98,12 +107,16 @@ Outcome linear_joints(WaveKind kind, int joints) {
     const auto expected = exact::joints_transmission(omega, bar.impedance(), stiffness, joints, spacing, bar.speed()) *
                           std::polar(1.0, omega * (joints - 1) * spacing / bar.speed());
     outcome.assertions.push_back(
-        {fmt::format("|T| of {} joint{}, {} wave, {} Hz (error of the incident wave, with its phase)", joints,
-                     joints > 1 ? "s" : "", name_of(kind), frequency),
-         "-", std::abs(ratio), std::abs(expected),
-         joints > 1 ? "transfer matrices (Cai & Zhao 2000)" : "1/sqrt(1 + (omega Z/(2 k))^2) (Pyrak-Nolte 1990)",
-         std::abs(ratio - expected), 2e-3,
-         "1e-2 promised; blocks shorten the way between joints by Omega^2/24 of it, times the joints' resonance"});
+        expect(fmt::format("|T| of {} joint{}, {} wave, {} Hz (error of the incident wave, with its phase)", joints,
+                           joints > 1 ? "s" : "", name_of(kind), frequency),
+               "-")
+            .is(std::abs(ratio))
+            .against(std::abs(expected), joints > 1 ? "transfer matrices (Cai & Zhao 2000)"
+                                                    : "1/sqrt(1 + (omega Z/(2 k))^2) (Pyrak-Nolte 1990)")
+            .off_by(std::abs(ratio - expected))
+            .within(2e-3,
+                    "1e-2 promised; blocks shorten the way between joints by Omega^2/24 of it, times the joints' "
+                    "resonance"));
   }
   return outcome;
 }
@@ -155,10 +168,10 @@ Outcome slip_joint() {
     const double absorbed = std::sqrt(1 - transmitted * transmitted - reflected * reflected);
     const exact::SlipJointEnergies exact = exact::slip_joint(strength);
     const auto assert_share = [&](const std::string& what, double value, double expected) {
-      outcome.assertions.push_back({fmt::format("{}, strength {} of the wave", what, strength), "-", value, expected,
-                                    "incident stress clipped at the strength (Miller 1978)",
-                                    relative_error(value, expected), 1e-2,
-                                    "promised; 54 blocks a wavelength, blocks keep no sharp corners"});
+      outcome.assertions.push_back(expect(fmt::format("{}, strength {} of the wave", what, strength), "-")
+                                       .is(value)
+                                       .against(expected, "incident stress clipped at the strength (Miller 1978)")
+                                       .within(1e-2, "promised; 54 blocks a wavelength, blocks keep no sharp corners"));
     };
     assert_share("root of the energy transmitted", transmitted, exact.transmitted);
     assert_share("root of the energy reflected", reflected, exact.reflected);

@@ -13,6 +13,7 @@
 #include "verification/cases/bar_case.h"
 #include "verification/cases/swing.h"
 #include "verification/exact/wave_speeds.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -68,14 +69,13 @@ Outcome lame_mode() {
     const double omega = swing_frequency(simulation, shape, 4);
     outcome.counters += simulation.counters();
     const double error = relative_error(omega, expected);
-    Assertion row{fmt::format("frequency of the Lame mode, {0} x {0} blocks", blocks),
-                  "rad/s",
-                  omega,
-                  expected,
-                  "sqrt(2) pi c_S/a",
-                  error,
-                  6e-3 * 64 / (blocks * blocks),
-                  "an independent prototype: 4.1e-3, 1.2e-3 and 3.1e-4 at 8, 16 and 32 blocks, with margin"};
+    Assertion row =
+        expect(fmt::format("frequency of the Lame mode, {0} x {0} blocks", blocks), "rad/s")
+            .is(omega)
+            .against(expected, "sqrt(2) pi c_S/a")
+            .off_by(error)
+            .within(6e-3 * 64 / (blocks * blocks),
+                    "an independent prototype: 4.1e-3, 1.2e-3 and 3.1e-4 at 8, 16 and 32 blocks, with margin");
     if (blocks == 32) row.order = Order{order(coarser, error), 2, 0.15};
     outcome.assertions.push_back(row);
     coarser = error;

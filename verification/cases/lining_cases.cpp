@@ -12,6 +12,7 @@
 #include "verification/cases/bar_case.h"
 #include "verification/exact/lined_hole.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -101,8 +102,11 @@ RingErrors run_ring(const exact::LinedHole& hole, int sectors, Outcome& outcome)
   advance_to_end(simulation);
   outcome.counters += simulation.counters();
   const double residual = simulation.energy().relative_residual();
-  outcome.assertions.push_back({fmt::format("residual of the ledger, {} faces", sectors), "-", residual, 0,
-                                "0 (error absolute)", residual, 1e-10, "round-off"});
+  outcome.assertions.push_back(expect(fmt::format("residual of the ledger, {} faces", sectors), "-")
+                                   .is(residual)
+                                   .against(0, "0 (error absolute)")
+                                   .absolutely()
+                                   .within(1e-10, "round-off"));
   return errors_of(simulation, exact::lining_forces(hole));
 }
 
@@ -120,23 +124,33 @@ Outcome hydrostatic() {
       const RingErrors errors = run_ring(hole, sectors, outcome);
       const double error = errors.thrust / expected;
       outcome.assertions.push_back(
-          {fmt::format("thrust, {:g} % let go before, {} faces (error: largest of all elements)", 100 * let_go,
-                       sectors),
-           "kN/m", errors.largest_thrust / 1e3, expected / 1e3, source, error, 0.03 * std::pow(16.0 / sectors, 2),
-           "measured with margin; falls as its square"});
+          expect(fmt::format("thrust, {:g} % let go before, {} faces (error: largest of all elements)", 100 * let_go,
+                             sectors),
+                 "kN/m")
+              .is(errors.largest_thrust / 1e3)
+              .against(expected / 1e3, source)
+              .off_by(error)
+              .within(0.03 * std::pow(16.0 / sectors, 2), "measured with margin; falls as its square"));
       if (sectors == 64) outcome.assertions.back().order = Order{order(coarser, error), 2, 0.3};
       coarser = error;
       outcome.assertions.push_back(
-          {fmt::format("moment over thrust times thickness, {:g} % let go before, {} faces", 100 * let_go, sectors),
-           "-", errors.moment / (expected * hole.thickness), 0, "0 (error absolute)",
-           errors.moment / (expected * hole.thickness), 1e-9, "all elements are alike"});
+          expect(
+              fmt::format("moment over thrust times thickness, {:g} % let go before, {} faces", 100 * let_go, sectors),
+              "-")
+              .is(errors.moment / (expected * hole.thickness))
+              .against(0, "0 (error absolute)")
+              .absolutely()
+              .within(1e-9, "all elements are alike"));
     }
     const double thick = exact::thick_ring_thrust(hole);
     outcome.assertions.push_back(
-        {fmt::format("closed form of the thin ring, {:g} % let go before, against a ring inside of the wall",
-                     100 * let_go),
-         "kN/m", expected / 1e3, thick / 1e3, "Lame for rock and ring", relative_error(expected, thick),
-         hole.thickness / hole.radius, "thickness over radius: the axis lies on the wall (ADR 55)"});
+        expect(fmt::format("closed form of the thin ring, {:g} % let go before, against a ring inside of the wall",
+                           100 * let_go),
+               "kN/m")
+            .is(expected / 1e3)
+            .against(thick / 1e3, "Lame for rock and ring")
+            .off_by(relative_error(expected, thick))
+            .within(hole.thickness / hole.radius, "thickness over radius: the axis lies on the wall (ADR 55)"));
   }
   return outcome;
 }
@@ -154,13 +168,19 @@ Outcome biaxial() {
       const RingErrors errors = run_ring(hole, sectors, outcome);
       const std::string what = fmt::format(", k0 = {:g}, {} faces", k0, sectors);
       const double thrust = errors.thrust / largest;
-      outcome.assertions.push_back({"error of the thrust" + what + " (of the largest)", "kN/m", errors.thrust / 1e3, 0,
-                                    source, thrust, 0.03 * std::pow(16.0 / sectors, 2),
-                                    "measured with margin; falls as its square"});
+      outcome.assertions.push_back(
+          expect("error of the thrust" + what + " (of the largest)", "kN/m")
+              .is(errors.thrust / 1e3)
+              .against(0, source)
+              .off_by(thrust)
+              .within(0.03 * std::pow(16.0 / sectors, 2), "measured with margin; falls as its square"));
       const double moment = errors.moment / std::abs(expected.moment_2);
-      outcome.assertions.push_back({"error of the moment" + what + " (of the largest)", "kN m/m", errors.moment / 1e3,
-                                    0, source, moment, 0.3 * std::pow(16.0 / sectors, 1.3),
-                                    "measured with margin; moments are differences of turns (ADR 55)"});
+      outcome.assertions.push_back(expect("error of the moment" + what + " (of the largest)", "kN m/m")
+                                       .is(errors.moment / 1e3)
+                                       .against(0, source)
+                                       .off_by(moment)
+                                       .within(0.3 * std::pow(16.0 / sectors, 1.3),
+                                               "measured with margin; moments are differences of turns (ADR 55)"));
       if (sectors == 64) {
         outcome.assertions[outcome.assertions.size() - 2].order = Order{order(coarser_thrust, thrust), 2, 0.3};
         outcome.assertions.back().order = Order{order(coarser_moment, moment), 1.3, 0.3};
@@ -199,24 +219,34 @@ Outcome crushed() {
     outcome.counters += simulation.counters();
     const std::string what = fmt::format(", {} faces", sectors);
     const RingErrors errors = errors_of(simulation, {crushing, 0, 0});
-    outcome.assertions.push_back({"thrust" + what, "kN/m", errors.largest_thrust / 1e3, crushing / 1e3,
-                                  "strength times thickness", errors.thrust / crushing, 1e-5,
-                                  "the moments of a polygon, which take a share of the strength"});
+    outcome.assertions.push_back(expect("thrust" + what, "kN/m")
+                                     .is(errors.largest_thrust / 1e3)
+                                     .against(crushing / 1e3, "strength times thickness")
+                                     .off_by(errors.thrust / crushing)
+                                     .within(1e-5, "the moments of a polygon, which take a share of the strength"));
     const double convergence = mean_convergence(simulation) - before;
     const double error = relative_error(convergence, expected.convergence);
-    outcome.assertions.push_back({"convergence of the wall behind the lining" + what, "mm", 1e3 * convergence,
-                                  1e3 * expected.convergence, "Lame: rock under the pressure f_c h/a", error,
-                                  0.03 * std::pow(16.0 / sectors, 2), "measured with margin; falls as its square"});
+    outcome.assertions.push_back(
+        expect("convergence of the wall behind the lining" + what, "mm")
+            .is(1e3 * convergence)
+            .against(1e3 * expected.convergence, "Lame: rock under the pressure f_c h/a")
+            .off_by(error)
+            .within(0.03 * std::pow(16.0 / sectors, 2), "measured with margin; falls as its square"));
     if (sectors == 64) outcome.assertions.back().order = Order{order(coarser, error), 2, 0.3};
     coarser = error;
     const double dissipated = simulation.energy().plastic;
-    outcome.assertions.push_back({"energy the crushed concrete takes" + what, "kJ/m", dissipated / 1e3,
-                                  expected.dissipated / 1e3, "thrust times plastic shortening of the circumference",
-                                  relative_error(dissipated, expected.dissipated), 0.05 * std::pow(16.0 / sectors, 2),
-                                  "measured with margin; falls as its square"});
-    const double residual = simulation.energy().relative_residual();
     outcome.assertions.push_back(
-        {"residual of the ledger" + what, "-", residual, 0, "0 (error absolute)", residual, 1e-10, "round-off"});
+        expect("energy the crushed concrete takes" + what, "kJ/m")
+            .is(dissipated / 1e3)
+            .against(expected.dissipated / 1e3, "thrust times plastic shortening of the circumference")
+            .off_by(relative_error(dissipated, expected.dissipated))
+            .within(0.05 * std::pow(16.0 / sectors, 2), "measured with margin; falls as its square"));
+    const double residual = simulation.energy().relative_residual();
+    outcome.assertions.push_back(expect("residual of the ledger" + what, "-")
+                                     .is(residual)
+                                     .against(0, "0 (error absolute)")
+                                     .absolutely()
+                                     .within(1e-10, "round-off"));
   }
   return outcome;
 }

@@ -12,6 +12,7 @@
 #include "verification/cases/bar_case.h"
 #include "verification/cases/edge_reflection.h"
 #include "verification/harness/histories.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -78,13 +79,18 @@ void assert_share(const MeshEdge& edge, PlaneWave incident, double degrees, Outc
   const double reference = exact_share(edge, incident, angle);
   const double value = mesh.p_energy + mesh.s_energy;
   outcome.assertions.push_back(
-      {fmt::format("share of energy sent back, {} wave at {} deg (error absolute)", name_of(incident), degrees), "-",
-       value, reference, "waves at a viscous edge (Lysmer & Kuhlemeyer 1969)", value - reference,
-       1.3 * expected_error(edge, incident, angle, 20),
-       "waves of the mesh, 20 blocks an S wavelength, are Omega^2/24 too fast, which turns them by tan(angle) "
-       "Omega^2/24; "
-       "Omega^2/48 of the amplitude as at normal incidence; 1.3 for the next order",
-       Order{order(fine.p_energy + fine.s_energy - reference, finest.p_energy + finest.s_energy - reference), 2, 0.1}});
+      expect(fmt::format("share of energy sent back, {} wave at {} deg (error absolute)", name_of(incident), degrees),
+             "-")
+          .is(value)
+          .against(reference, "waves at a viscous edge (Lysmer & Kuhlemeyer 1969)")
+          .absolutely()
+          .of_order(Order{
+              order(fine.p_energy + fine.s_energy - reference, finest.p_energy + finest.s_energy - reference), 2, 0.1})
+          .within(
+              1.3 * expected_error(edge, incident, angle, 20),
+              "waves of the mesh, 20 blocks an S wavelength, are Omega^2/24 too fast, which turns them by tan(angle) "
+              "Omega^2/24; "
+              "Omega^2/48 of the amplitude as at normal incidence; 1.3 for the next order"));
 }
 
 void assert_curve(const std::string& what, const MeshEdge& edge, PlaneWave incident, double tolerance,
@@ -94,15 +100,24 @@ void assert_curve(const std::string& what, const MeshEdge& edge, PlaneWave incid
   const Errors finest = errors_of(edge, incident, 80);
   const double error = std::max(coarse.p, coarse.s);
   outcome.assertions.push_back(
-      {fmt::format("largest error of the root of an energy share, {} wave at 0 to 80 deg, {}", name_of(incident), what),
-       "-", error, 0, "waves at the edge of the continuum", error, tolerance,
-       "waves of the mesh are faster by Omega^2/24 and so meet the edge at a larger angle, by tan(angle) Omega^2/24; "
-       "measured with margin",
-       Order{order(std::max(fine.p, fine.s), std::max(finest.p, finest.s)), 2, 0.1}});
+      expect(fmt::format("largest error of the root of an energy share, {} wave at 0 to 80 deg, {}", name_of(incident),
+                         what),
+             "-")
+          .is(error)
+          .against(0, "waves at the edge of the continuum")
+          .absolutely()
+          .of_order({order(std::max(fine.p, fine.s), std::max(finest.p, finest.s)), 2, 0.1})
+          .within(tolerance,
+                  "waves of the mesh are faster by Omega^2/24 and so meet the edge at a larger angle, by tan(angle) "
+                  "Omega^2/24; "
+                  "measured with margin"));
   const double balance = std::max({coarse.balance, fine.balance, finest.balance});
   outcome.assertions.push_back(
-      {fmt::format("reflected and absorbed energy but for 1, {} wave, {}", name_of(incident), what), "-", balance, 0,
-       "conservation of energy", balance, 1e-8, "eigenvectors of near-parallel waves lose half of the digits"});
+      expect(fmt::format("reflected and absorbed energy but for 1, {} wave, {}", name_of(incident), what), "-")
+          .is(balance)
+          .against(0, "conservation of energy")
+          .absolutely()
+          .within(1e-8, "eigenvectors of near-parallel waves lose half of the digits"));
 }
 
 struct Edge {

@@ -12,6 +12,7 @@
 #include "verification/cases/cavity_mesh.h"
 #include "verification/cases/opening_mesh.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -36,16 +37,20 @@ Outcome kirsch() {
     outcome.counters += simulation.counters();
     const double error = mean_error(simulation, far_stress);
     outcome.assertions.push_back(
-        {fmt::format("stresses from 1.2 to 4 radii, {} sectors (error: rms, of the far stress)", sectors), "MPa",
-         error * std::abs(far_yy) / 1e6, 0, "Kirsch 1898", error, 0.012 * std::pow(16.0 / sectors, 2),
-         "measured with margin; falls as their square"});
+        expect(fmt::format("stresses from 1.2 to 4 radii, {} sectors (error: rms, of the far stress)", sectors), "MPa")
+            .is(error * std::abs(far_yy) / 1e6)
+            .against(0, "Kirsch 1898")
+            .off_by(error)
+            .within(0.012 * std::pow(16.0 / sectors, 2), "measured with margin; falls as their square"));
     if (sectors == 64) outcome.assertions.back().order = Order{order(coarser, error), 2, 0.2};
     const double wall = wall_stress(simulation, static_cast<std::size_t>(sectors));
     const double expected = 3 * far_yy - far_xx;
-    outcome.assertions.push_back({fmt::format("hoop stress at the wall, extrapolated, {} sectors", sectors), "MPa",
-                                  wall / 1e6, expected / 1e6, "3 s_yy - s_xx (Kirsch 1898)",
-                                  relative_error(wall, expected), 0.2 * std::pow(16.0 / sectors, 2),
-                                  "measured with margin; falls as their square"});
+    outcome.assertions.push_back(
+        expect(fmt::format("hoop stress at the wall, extrapolated, {} sectors", sectors), "MPa")
+            .is(wall / 1e6)
+            .against(expected / 1e6, "3 s_yy - s_xx (Kirsch 1898)")
+            .off_by(relative_error(wall, expected))
+            .within(0.2 * std::pow(16.0 / sectors, 2), "measured with margin; falls as their square"));
     if (sectors == 64) outcome.assertions.back().order = Order{order(coarser_wall, wall - expected), 2, 0.2};
     coarser_wall = wall - expected;
     coarser = error;

@@ -11,6 +11,7 @@
 #include "verification/exact/signal.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -29,14 +30,11 @@ constexpr double pulse = 5e-3;  // s; sin^4 has lines at 1/pulse and 2/pulse
 // ---- Against the closed form.
 
 Assertion difference_from_closed_form(std::string given, double difference) {
-  return {"largest difference from the closed form, of the peak, " + std::move(given),
-          "",
-          difference,
-          0,
-          "finite chain under the same time scheme: inverse z-transform of its waves",
-          difference,
-          1e-9,
-          "promised; the closed form is good to 1e-11"};
+  return expect("largest difference from the closed form, of the peak, " + std::move(given), "")
+      .is(difference)
+      .against(0, "finite chain under the same time scheme: inverse z-transform of its waves")
+      .absolutely()
+      .within(1e-9, "promised; the closed form is good to 1e-11");
 }
 
 // Long enough for the pulse to reach the free end and come back past the probes.
@@ -163,15 +161,14 @@ Outcome wave_equation(const Convergence& given) {
     const Arrival wave = arrival(given.law, given.integrator, length, given.corrected, 20.5, outcome.counters);
     errors.push_back(largest_difference(wave.engine, wave.exact));
   }
-  Assertion assertion = {fmt::format("largest difference, of the peak, blocks of 0.25 m, {}, {}{}", name_of(given.law),
-                                     given.integrator.name, given.corrected ? ", period corrected" : ""),
-                         "",
-                         errors[1],
-                         0,
-                         "f(t - x/c), c = sqrt(E/rho)",
-                         errors[1],
-                         given.finest,
-                         given.reason};
+  Assertion assertion =
+      expect(fmt::format("largest difference, of the peak, blocks of 0.25 m, {}, {}{}", name_of(given.law),
+                         given.integrator.name, given.corrected ? ", period corrected" : ""),
+             "")
+          .is(errors[1])
+          .against(0, "f(t - x/c), c = sqrt(E/rho)")
+          .absolutely()
+          .within(given.finest, given.reason);
   assertion.order = Order{order(errors[0], errors[1]), given.order, 0.15};
   outcome.assertions = {assertion};
   return outcome;
@@ -204,16 +201,16 @@ Outcome speed_of_cubic_chains() {
     const double coarse = gathered_delay(1, corrected, outcome.counters);
     const double fine = gathered_delay(0.5, corrected, outcome.counters);
     const double of_time = fine / travel_time;
-    Assertion assertion = {fmt::format("delay over 18 m, of the travel time, blocks of 0.5 m, period correction {}",
-                                       corrected ? "on" : "off"),
-                           "",
-                           of_time,
-                           0,
-                           "x/c, c = sqrt(E/rho)",
-                           of_time,
-                           corrected ? std::pow(theta, 4) / 480 : theta * theta / 12,
-                           fmt::format("{} at 2/duration of the pulse, the upper of its two lines",
-                                       corrected ? "theta^4/480 of the fourth-order rule" : "theta^2/12")};
+    Assertion assertion =
+        expect(fmt::format("delay over 18 m, of the travel time, blocks of 0.5 m, period correction {}",
+                           corrected ? "on" : "off"),
+               "")
+            .is(of_time)
+            .against(0, "x/c, c = sqrt(E/rho)")
+            .absolutely()
+            .within(corrected ? std::pow(theta, 4) / 480 : theta * theta / 12,
+                    fmt::format("{} at 2/duration of the pulse, the upper of its two lines",
+                                corrected ? "theta^4/480 of the fourth-order rule" : "theta^2/12"));
     if (!corrected) assertion.order = Order{order(std::abs(coarse), std::abs(fine)), 2, 0.1};
     outcome.assertions.push_back(assertion);
   }

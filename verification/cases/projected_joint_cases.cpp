@@ -16,6 +16,7 @@
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
 #include "verification/lattice/bloch.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -73,11 +74,15 @@ void assert_speeds(const std::string& name, const PeriodicMesh& mesh, double deg
   const dda::JointMaterial joint = joint_of(InterfaceLaw::projected, true);  // the matrix of dry joints that stick
   const SpeedErrors errors = speed_errors(mesh, joint, degrees, 20);
   for (const auto& [wave, error] : {std::pair("P", errors.p), std::pair("S", errors.s)})
-    outcome.assertions.push_back({fmt::format("error of the {} speed at {} degrees, {}, 20 blocks a wavelength (error "
-                                              "absolute)",
-                                              wave, degrees, name),
-                                  "-", error, 0, "isotropic continuum, plane stress, nu = 1/3", error, tolerance,
-                                  tolerance == 5e-3 ? "promised" : "measured with margin"});
+    outcome.assertions.push_back(
+        expect(fmt::format("error of the {} speed at {} degrees, {}, 20 blocks a wavelength (error "
+                           "absolute)",
+                           wave, degrees, name),
+               "-")
+            .is(error)
+            .against(0, "isotropic continuum, plane stress, nu = 1/3")
+            .absolutely()
+            .within(tolerance, tolerance == 5e-3 ? "promised" : "measured with margin"));
 }
 
 Outcome wave_speeds() {
@@ -99,11 +104,15 @@ Outcome wave_speeds_of_springs() {
   for (const Published& of : {Published{0, -0.026, -0.014}, {22.5, 0.021, 0.13}, {45, 0.066, 0.26}}) {
     const SpeedErrors errors = speed_errors(square_mesh(), joint_of(InterfaceLaw::classical, false), of.degrees, 20);
     const auto add = [&](const char* wave, double error, double published) {
-      outcome.assertions.push_back({fmt::format("error of the {} speed at {} degrees, squares, springs of 10 E (error "
-                                                "absolute)",
-                                                wave, of.degrees),
-                                    "-", error, published, "an independent prototype, two digits", error - published,
-                                    6e-3, "half of the last digit, and a bit"});
+      outcome.assertions.push_back(
+          expect(fmt::format("error of the {} speed at {} degrees, squares, springs of 10 E (error "
+                             "absolute)",
+                             wave, of.degrees),
+                 "-")
+              .is(error)
+              .against(published, "an independent prototype, two digits")
+              .absolutely()
+              .within(6e-3, "half of the last digit, and a bit"));
     };
     add("P", errors.p, of.p);
     add("S", errors.s, of.s);
@@ -150,9 +159,12 @@ Outcome patch() {
     outcome.counters += simulation.counters();
     for (const Vec3& each : simulation.state().stress) keep_largest(largest, (each - stress).norm() / stress.norm());
   }
-  outcome.assertions.push_back({"stress of random dry bricks, largest difference over the stress (error absolute)", "-",
-                                largest, 0, "the traction on the outline", largest, 1e-10,
-                                "a solve of condition 1e4 and what statics leave out of balance"});
+  outcome.assertions.push_back(
+      expect("stress of random dry bricks, largest difference over the stress (error absolute)", "-")
+          .is(largest)
+          .against(0, "the traction on the outline")
+          .absolutely()
+          .within(1e-10, "a solve of condition 1e4 and what statics leave out of balance"));
   return outcome;
 }
 
@@ -187,15 +199,20 @@ Outcome eccentric_column() {
   for (const double e : {0.05, 0.1, 0.16, 0.2, 0.3, 0.4}) {
     const double expected = exact::no_tension_turn(load, e, 1, column_blocks - 0.5, young);
     const double turn = turn_of(InterfaceLaw::projected, e, outcome);
-    outcome.assertions.push_back({fmt::format("turn of a column of 6 dry blocks, load at {} of its width", e), "rad",
-                                  turn, expected, "column without tension", relative_error(turn, expected), 1e-8,
-                                  "measured with margin: steps balance to 1e-10 of a force"});
+    outcome.assertions.push_back(
+        expect(fmt::format("turn of a column of 6 dry blocks, load at {} of its width", e), "rad")
+            .is(turn)
+            .against(expected, "column without tension")
+            .within(1e-8, "measured with margin: steps balance to 1e-10 of a force"));
   }
   // Corner springs turn a hundred times too little: what the law is for.
   const double springs = turn_of(InterfaceLaw::classical, 0.1, outcome);
   const double expected = exact::no_tension_turn(load, 0.1, 1, column_blocks - 0.5, young);
-  outcome.assertions.push_back({"the same at 0.1 with springs of 10 E, over the exact turn (error absolute)", "-",
-                                springs / expected, 0, "locked", springs / expected, 0.05, "measured with margin"});
+  outcome.assertions.push_back(expect("the same at 0.1 with springs of 10 E, over the exact turn (error absolute)", "-")
+                                   .is(springs / expected)
+                                   .against(0, "locked")
+                                   .absolutely()
+                                   .within(0.05, "measured with margin"));
   return outcome;
 }
 
@@ -216,9 +233,10 @@ Outcome kern() {
     const double middle = (open + closed) / 2;
     (gapes(middle, outcome) ? open : closed) = middle;
   }
-  outcome.assertions.push_back({"eccentricity at which a dry joint begins to gape, over its width", "-", closed,
-                                1.0 / 6, "core of a rectangular section", relative_error(closed, 1.0 / 6), 2e-6,
-                                "bisected to 1e-7"});
+  outcome.assertions.push_back(expect("eccentricity at which a dry joint begins to gape, over its width", "-")
+                                   .is(closed)
+                                   .against(1.0 / 6, "core of a rectangular section")
+                                   .within(2e-6, "bisected to 1e-7"));
   return outcome;
 }
 
@@ -249,8 +267,12 @@ Outcome slip() {
   }
   outcome.counters += simulation.counters();
   const double share = 2.0 * (step - 0.5) / steps;
-  outcome.assertions.push_back({"force at which a block slides on its foot, over tan(friction) times its weight", "-",
-                                share, 1, "Coulomb", share - 1, 1.01 / steps, "half a step of the load"});
+  outcome.assertions.push_back(
+      expect("force at which a block slides on its foot, over tan(friction) times its weight", "-")
+          .is(share)
+          .against(1, "Coulomb")
+          .absolutely()
+          .within(1.01 / steps, "half a step of the load"));
   return outcome;
 }
 
@@ -321,10 +343,15 @@ Outcome point_pulse() {
     const RecordedRun dry = record_run(pressed_squares(size, joint_of(law, false)));
     outcome.counters += dry.counters;
     const double away = distance(dry, bonded);
-    outcome.assertions.push_back({fmt::format("velocities in dry squares under pressure, {}, off those in bonded ones, "
-                                              "L2 (error absolute)",
-                                              name),
-                                  "-", away, 0, "the same blocks, bonded", away, tolerance, reason});
+    outcome.assertions.push_back(
+        expect(fmt::format("velocities in dry squares under pressure, {}, off those in bonded ones, "
+                           "L2 (error absolute)",
+                           name),
+               "-")
+            .is(away)
+            .against(0, "the same blocks, bonded")
+            .absolutely()
+            .within(tolerance, reason));
   };
   add("projected law", InterfaceLaw::projected, 1e-2, "promised");
   return outcome;

@@ -10,6 +10,7 @@
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -52,8 +53,10 @@ Outcome free_fall() {
     dda::finish_model(model);
     const double fallen = -final_state(model, outcome).displacement[0](1);
     const double expected = exact::free_fall(standard_gravity, 1);
-    outcome.assertions.push_back({"fall in 1 s, " + integrator.name, "m", fallen, expected, "g t^2/2",
-                                  relative_error(fallen, expected), steps * round_off, "one rounding a step"});
+    outcome.assertions.push_back(expect("fall in 1 s, " + integrator.name, "m")
+                                     .is(fallen)
+                                     .against(expected, "g t^2/2")
+                                     .within(steps * round_off, "one rounding a step"));
   }
   return outcome;
 }
@@ -70,13 +73,17 @@ Outcome fall_with_velocity_factor() {
     const double speed = -final_state(model, outcome).velocity[0](1);
     const double end = exact::velocity_after_steps(standard_gravity, dt, k01, steps);
     const double terminal = exact::terminal_velocity(standard_gravity, dt, k01).carried;
-    outcome.assertions.push_back({fmt::format("speed after {} steps, k01 = {}", steps, k01), "m/s", speed, k01 * end,
-                                  "k01 (v + g dt) step by step", (speed - k01 * end) / end, steps * round_off,
-                                  "one rounding a step"});
-    outcome.assertions.push_back({fmt::format("terminal speed, k01 = {}", k01), "m/s", speed, terminal,
-                                  "k01 g dt/(1 - k01)", (speed - terminal) / end,
-                                  std::pow(k01, steps) + steps * round_off,
-                                  fmt::format("k01^{} is still to come, and one rounding a step", steps)});
+    outcome.assertions.push_back(expect(fmt::format("speed after {} steps, k01 = {}", steps, k01), "m/s")
+                                     .is(speed)
+                                     .against(k01 * end, "k01 (v + g dt) step by step")
+                                     .off_by((speed - k01 * end) / end)
+                                     .within(steps * round_off, "one rounding a step"));
+    outcome.assertions.push_back(expect(fmt::format("terminal speed, k01 = {}", k01), "m/s")
+                                     .is(speed)
+                                     .against(terminal, "k01 g dt/(1 - k01)")
+                                     .off_by((speed - terminal) / end)
+                                     .within(std::pow(k01, steps) + steps * round_off,
+                                             fmt::format("k01^{} is still to come, and one rounding a step", steps)));
   }
   return outcome;
 }
@@ -107,15 +114,21 @@ Outcome free_spin() {
     const double area = dda::area_moments(turned).area;
     const double drawn_area = model.blocks[0].moments.area;
     const double distance = farthest(turned, drawn);
-    outcome.assertions.push_back({"angle after ten turns, " + integrator.name, "rad", turned_by, angle, "omega t",
-                                  relative_error(turned_by, angle), steps * round_off, "one rounding a step"});
-    outcome.assertions.push_back({"area after ten turns, " + integrator.name, "m2", area, drawn_area,
-                                  "the area drawn; a linear update grows it by exp(4 pi^2/1000) a turn",
-                                  relative_error(area, drawn_area), 4 * steps * round_off,
-                                  "round-off of the products of four matrices a step"});
-    outcome.assertions.push_back({"farthest vertex from its place after ten turns, " + integrator.name, "m", distance,
-                                  0, "whole turns bring every vertex back (error absolute)", distance,
-                                  4 * steps * round_off * angle, "round-off of the angle and of a product a step"});
+    outcome.assertions.push_back(expect("angle after ten turns, " + integrator.name, "rad")
+                                     .is(turned_by)
+                                     .against(angle, "omega t")
+                                     .within(steps * round_off, "one rounding a step"));
+    outcome.assertions.push_back(
+        expect("area after ten turns, " + integrator.name, "m2")
+            .is(area)
+            .against(drawn_area, "the area drawn; a linear update grows it by exp(4 pi^2/1000) a turn")
+            .within(4 * steps * round_off, "round-off of the products of four matrices a step"));
+    outcome.assertions.push_back(
+        expect("farthest vertex from its place after ten turns, " + integrator.name, "m")
+            .is(distance)
+            .against(0, "whole turns bring every vertex back (error absolute)")
+            .absolutely()
+            .within(4 * steps * round_off * angle, "round-off of the angle and of a product a step"));
   }
   return outcome;
 }

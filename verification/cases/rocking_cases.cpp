@@ -10,6 +10,7 @@
 #include "verification/cases/contact_rig.h"
 #include "verification/cases/every_integrator.h"
 #include "verification/exact/rocking.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -140,17 +141,21 @@ Outcome rocking_period() {
       const PeriodErrors got = measure_period({block_of(slenderness), share}, outcome);
       residual = std::max(residual, got.residual);
       const std::string what = fmt::format("h/b = {}, theta0 = {} alpha", slenderness, share);
-      outcome.assertions.push_back({"period of rocking, " + what, "s", got.period, got.full,
-                                    "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking), 4 x the time to the "
-                                    "upright position",
-                                    got.full_error, 1e-4,
-                                    "measured 4e-6 to 4e-5 at dt = 1 ms; target of the project 0.5 %"});
+      outcome.assertions.push_back(
+          expect("period of rocking, " + what, "s")
+              .is(got.period)
+              .against(got.full,
+                       "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking), 4 x the time to the "
+                       "upright position")
+              .off_by(got.full_error)
+              .within(1e-4, "measured 4e-6 to 4e-5 at dt = 1 ms; target of the project 0.5 %"));
       if (slenderness < 4) continue;  // linearising alone costs up to 1.3 %
-      outcome.assertions.push_back({"period of rocking against the linearised formula, " + what, "s", got.period,
-                                    got.housner, "(4/p) acosh(1/(1 - theta0/alpha)), p^2 = 3 g/(4 R): Housner 1963",
-                                    relative_error(got.period, got.housner), period_target,
-                                    fmt::format("target of the project; linearising alone is {:+.2f} % short",
-                                                100 * relative_error(got.full, got.housner))});
+      outcome.assertions.push_back(
+          expect("period of rocking against the linearised formula, " + what, "s")
+              .is(got.period)
+              .against(got.housner, "(4/p) acosh(1/(1 - theta0/alpha)), p^2 = 3 g/(4 R): Housner 1963")
+              .within(period_target, fmt::format("target of the project; linearising alone is {:+.2f} % short",
+                                                 100 * relative_error(got.full, got.housner))));
     }
   }
   outcome.assertions.push_back(energy_assertion("nine releases", residual));
@@ -168,10 +173,12 @@ Outcome rocking_period_order() {
       errors.push_back(got.full_error);
       residual = std::max(residual, got.residual);
     }
-    outcome.assertions.push_back({"period of rocking at dt = 1 ms, h/b = 4, theta0 = 0.5 alpha, " + integrator.name,
-                                  "s", got.period, got.full,
-                                  "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking)", got.full_error, 2e-5,
-                                  "measured up to 1.4e-5; 3e-4 to 5e-4 where forces lag behind the block"});
+    outcome.assertions.push_back(
+        expect("period of rocking at dt = 1 ms, h/b = 4, theta0 = 0.5 alpha, " + integrator.name, "s")
+            .is(got.period)
+            .against(got.full, "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking)")
+            .off_by(got.full_error)
+            .within(2e-5, "measured up to 1.4e-5; 3e-4 to 5e-4 where forces lag behind the block"));
     // Others are as exact but for what their start and vibrations of the springs make of it. From the differences
     // between steps, as springs alone are 4e-7 off.
     if (integrator.name != "thesis") continue;
@@ -202,10 +209,14 @@ Outcome rocking_impact() {
       const double ratio = impact_ratio(release, outcome, residual);
       const double expected = exact::rocking_impact_ratio(release.block);
       outcome.assertions.push_back(
-          {fmt::format("angular speed after over before the impact, h/b = {}, theta0 = {} alpha", slenderness, share),
-           "-", ratio, expected, "1 - (3/2) sin^2 alpha (Housner 1963); speeds from the tilts reached, by energy",
-           relative_error(ratio, expected), 6e-3,
-           "measured up to 5e-3: impacts on springs with dashpots take time, and are not quite without bounce"});
+          expect(fmt::format("angular speed after over before the impact, h/b = {}, theta0 = {} alpha", slenderness,
+                             share),
+                 "-")
+              .is(ratio)
+              .against(expected, "1 - (3/2) sin^2 alpha (Housner 1963); speeds from the tilts reached, by energy")
+              .within(
+                  6e-3,
+                  "measured up to 5e-3: impacts on springs with dashpots take time, and are not quite without bounce"));
     }
   }
   outcome.assertions.push_back(energy_assertion("six impacts", residual));
@@ -226,10 +237,11 @@ Outcome rocking_impact_as_dt_falls() {
       const double ratio = impact_ratio(release, outcome, residual);
       const double expected = exact::rocking_impact_ratio(release.block);
       outcome.assertions.push_back(
-          {fmt::format("angular speed after over before the impact, h/b = {}, dt = {} ms", slenderness, 1e3 * dt), "-",
-           ratio, expected, "1 - (3/2) sin^2 alpha (Housner 1963); speeds from the tilts reached, by energy",
-           relative_error(ratio, expected), 5e-3,
-           "target of the project; measured up to 4e-3 for h/b = 2, 7e-4 beyond"});
+          expect(fmt::format("angular speed after over before the impact, h/b = {}, dt = {} ms", slenderness, 1e3 * dt),
+                 "-")
+              .is(ratio)
+              .against(expected, "1 - (3/2) sin^2 alpha (Housner 1963); speeds from the tilts reached, by energy")
+              .within(5e-3, "target of the project; measured up to 4e-3 for h/b = 2, 7e-4 beyond"));
     }
   }
   outcome.assertions.push_back(energy_assertion("sixteen impacts", residual));
@@ -312,19 +324,24 @@ Outcome uplift() {
     const Uplift below = shake(block, 0.99 * limit, outcome, residual);
     const Uplift above = shake(block, 1.01 * limit, outcome, residual);
     const Uplift far_above = shake(block, 1.5 * limit, outcome, residual);
-    outcome.assertions.push_back({"acceleration of the floor at uplift, growing to 1.01 g b/h, " + what, "m/s2",
-                                  above.acceleration, limit, "g b/h: moments about the corner that stays",
-                                  relative_error(above.acceleration, limit), 1e-3,
-                                  "growth of the acceleration in one step; target of the project 1 %"});
-    outcome.assertions.push_back({"tilt on a floor that stays at 0.99 g b/h, " + what, "rad", below.tilt, 0,
-                                  "no uplift (error absolute)", below.tilt, 1e-6,
-                                  "weight on springs, and shear of the block: measured 2e-7 to 4e-7"});
-    outcome.assertions.push_back({"tilt after uplift at 1.01 g b/h, " + what, "rad", above.tilt, tilt(1.01),
-                                  "equation of rocking", relative_error(above.tilt, tilt(1.01)), 5e-3,
-                                  "the springs' tilt before uplift is 0.1 % of it; measured 2.5e-3"});
-    outcome.assertions.push_back({"tilt after uplift at 1.5 g b/h, " + what, "rad", far_above.tilt, tilt(1.5),
-                                  "equation of rocking", relative_error(far_above.tilt, tilt(1.5)), 2e-4,
-                                  "first order in dt; measured 6.4e-5"});
+    outcome.assertions.push_back(
+        expect("acceleration of the floor at uplift, growing to 1.01 g b/h, " + what, "m/s2")
+            .is(above.acceleration)
+            .against(limit, "g b/h: moments about the corner that stays")
+            .within(1e-3, "growth of the acceleration in one step; target of the project 1 %"));
+    outcome.assertions.push_back(expect("tilt on a floor that stays at 0.99 g b/h, " + what, "rad")
+                                     .is(below.tilt)
+                                     .against(0, "no uplift (error absolute)")
+                                     .absolutely()
+                                     .within(1e-6, "weight on springs, and shear of the block: measured 2e-7 to 4e-7"));
+    outcome.assertions.push_back(expect("tilt after uplift at 1.01 g b/h, " + what, "rad")
+                                     .is(above.tilt)
+                                     .against(tilt(1.01), "equation of rocking")
+                                     .within(5e-3, "the springs' tilt before uplift is 0.1 % of it; measured 2.5e-3"));
+    outcome.assertions.push_back(expect("tilt after uplift at 1.5 g b/h, " + what, "rad")
+                                     .is(far_above.tilt)
+                                     .against(tilt(1.5), "equation of rocking")
+                                     .within(2e-4, "first order in dt; measured 6.4e-5"));
   }
   outcome.assertions.push_back(energy_assertion("nine moving floors", residual));
   return outcome;

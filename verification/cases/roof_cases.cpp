@@ -13,6 +13,7 @@
 #include "verification/cases/limit_search.h"
 #include "verification/exact/roof_prism.h"
 #include "verification/exact/voussoir_beam.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -95,9 +96,11 @@ Outcome roof_prism() {
     const Bracket got = bisect({1.1 * at_thrust, 0.9 * at_thrust}, 1e-4 * at_thrust, [&](double weight) {
       return stands(prism_at_constant_thrust(pushed, weight), 0.02, outcome);
     });
-    outcome.assertions.push_back({"weight held at constant thrust, " + angles, "N", got.middle(), at_thrust,
-                                  "2 H tan(f - alpha): limit equilibrium (Brady and Brown 1985)",
-                                  bracket_error(got, at_thrust), 3e-4, "bracket of 1e-4; rock gives way"});
+    outcome.assertions.push_back(expect("weight held at constant thrust, " + angles, "N")
+                                     .is(got.middle())
+                                     .against(at_thrust, "2 H tan(f - alpha): limit equilibrium (Brady and Brown 1985)")
+                                     .off_by(bracket_error(got, at_thrust))
+                                     .within(3e-4, "bracket of 1e-4; rock gives way"));
 
     const PrismScene wedged{prism, 1e4, 1e-4};
     const double between = exact::held_weight_between_fixed_abutments(prism, wedged.thrust, ratio);
@@ -105,9 +108,13 @@ Outcome roof_prism() {
       return stands(prism_between_fixed_abutments(wedged, weight), 0.02, outcome);
     });
     outcome.assertions.push_back(
-        {"weight held between fixed abutments, " + angles, "N", held.middle(), between,
-         "2 H (k_s cos^2 a + k_n sin^2 a) sin(f - a)/(k_s cos a cos f + k_n sin a sin f): Brady and Brown 1985",
-         bracket_error(held, between), 4e-4, "bracket of 1e-4; rock gives way, by 1e-4 of the springs: measured 2e-4"});
+        expect("weight held between fixed abutments, " + angles, "N")
+            .is(held.middle())
+            .against(
+                between,
+                "2 H (k_s cos^2 a + k_n sin^2 a) sin(f - a)/(k_s cos a cos f + k_n sin a sin f): Brady and Brown 1985")
+            .off_by(bracket_error(held, between))
+            .within(4e-4, "bracket of 1e-4; rock gives way, by 1e-4 of the springs: measured 2e-4"));
   }
   return outcome;
 }
@@ -161,9 +168,11 @@ Outcome voussoir_beam() {
       return roof_stands({1, thickness}, friction, 1e-3, outcome);
     });
     outcome.assertions.push_back(
-        {fmt::format("coefficient of friction with which one bed {} m thick just stands", thickness), "-", got.middle(),
-         expected, "4 z/S with the force from edge to edge, z = t (exact/voussoir_beam)", bracket_error(got, expected),
-         2e-3, "bracket of 5e-4, sag of 6e-4 of the thickness"});
+        expect(fmt::format("coefficient of friction with which one bed {} m thick just stands", thickness), "-")
+            .is(got.middle())
+            .against(expected, "4 z/S with the force from edge to edge, z = t (exact/voussoir_beam)")
+            .off_by(bracket_error(got, expected))
+            .within(2e-3, "bracket of 5e-4, sag of 6e-4 of the thickness"));
   }
   return outcome;
 }
@@ -179,9 +188,10 @@ Outcome voussoir_let_go() {
   const auto middle = run.state().displacement.size() / 2;
   const double fallen = -run.state().displacement[middle](1);
   const double expected = standard_gravity * duration * duration / 2;
-  outcome.assertions.push_back({"fall of a bed let go without thrust, friction 60 deg", "m", fallen, expected,
-                                "g t^2/2: without thrust no friction", relative_error(fallen, expected), 1e-9,
-                                "round-off"});
+  outcome.assertions.push_back(expect("fall of a bed let go without thrust, friction 60 deg", "m")
+                                   .is(fallen)
+                                   .against(expected, "g t^2/2: without thrust no friction")
+                                   .within(1e-9, "round-off"));
   outcome.assertions.push_back(energy_assertion("a bed let go", run.energy_residual()));
   outcome.counters += run.simulation().counters();
   return outcome;
@@ -196,13 +206,18 @@ Outcome laminated_roof() {
       return roof_stands({5, 0.5, smooth}, friction, 0.02, outcome);
     });
     outcome.assertions.push_back(
-        {fmt::format("coefficient of friction with which five beds of 0.5 m just stand, {} between beds",
-                     smooth ? "none" : "the same"),
-         "-", got.middle(), alone, "4 z/S of one bed, z = t (exact/voussoir_beam)", bracket_error(got, alone),
-         smooth ? 0.006 : 0.08,
-         smooth ? "bracket of 0.25 %, sag of 1 % of a bed at the limit: measured 0.2 %"
-                : "beds that hold each other carry part of the load as one thick bed, which has less thrust: there is "
-                  "no formula for it; measured 6.1 %, 3.2 % where ends that only touch keep shear while joints stick"});
+        expect(fmt::format("coefficient of friction with which five beds of 0.5 m just stand, {} between beds",
+                           smooth ? "none" : "the same"),
+               "-")
+            .is(got.middle())
+            .against(alone, "4 z/S of one bed, z = t (exact/voussoir_beam)")
+            .off_by(bracket_error(got, alone))
+            .within(smooth ? 0.006 : 0.08, smooth
+                                               ? "bracket of 0.25 %, sag of 1 % of a bed at the limit: measured 0.2 %"
+                                               : "beds that hold each other carry part of the load as one thick bed, "
+                                                 "which has less thrust: there is "
+                                                 "no formula for it; measured 6.1 %, 3.2 % where ends that only touch "
+                                                 "keep shear while joints stick"));
   }
   return outcome;
 }

@@ -14,6 +14,7 @@
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/coulomb_sliding.h"
 #include "verification/exact/sliding_on_record.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -147,10 +148,12 @@ Outcome shaken_incline() {
     const double expected = exact.position(shaking.duration);
     const Shaken shaken = shake(shaking, damped, dt, outcome);
     const std::string name = fmt::format("friction {} deg", friction);
-    outcome.assertions.push_back(
-        {"slip after 2 s, " + name, "m", shaken.slip, expected,
-         "integral of g (sin a - cos a tan f) + a(t) (cos a + sin a tan f) while it slides (exact/coulomb_sliding)",
-         relative_error(shaken.slip, expected), turns_tolerance(shaking, exact, dt) / expected, turns_reason});
+    outcome.assertions.push_back(expect("slip after 2 s, " + name, "m")
+                                     .is(shaken.slip)
+                                     .against(expected,
+                                              "integral of g (sin a - cos a tan f) + a(t) (cos a + sin a tan f) while "
+                                              "it slides (exact/coulomb_sliding)")
+                                     .within(turns_tolerance(shaking, exact, dt) / expected, turns_reason));
     if (exact.phases().size() > 1) outcome.assertions.back().order = slip_order(shaking, damped, 1000, 2, outcome);
     outcome.assertions.push_back(energy_assertion(name, shaken.residual));
   }
@@ -175,28 +178,43 @@ Outcome moving_base() {
   const Shaking stick_slip{0, std::atan(friction), 1.4 * hold, two_hertz, 2};
   const Shaken shaken = shake(stick_slip, damped, dt, outcome);
   const exact::CoulombSlider exact = stick_slip.exact_slider();
-  outcome.assertions.push_back({"latest start or stop of a slip", "s", latest_turn(exact, shaken.turns), 0,
-                                "exact/coulomb_sliding (error absolute)", latest_turn(exact, shaken.turns), 2 * dt,
-                                "theory: known to the step, and to two where the integrator damps over two"});
+  outcome.assertions.push_back(
+      expect("latest start or stop of a slip", "s")
+          .is(latest_turn(exact, shaken.turns))
+          .against(0, "exact/coulomb_sliding (error absolute)")
+          .absolutely()
+          .within(2 * dt, "theory: known to the step, and to two where the integrator damps over two"));
   // A slip ends at 2.8 m/s2, within a step.
-  outcome.assertions.push_back({"largest error of the velocity", "m/s", shaken.velocity_error, 0,
-                                "exact/coulomb_sliding (error absolute)", shaken.velocity_error,
-                                largest_jump(exact) * dt, "theory: a step of the acceleration at which a slip ends"});
-  outcome.assertions.push_back({"largest error of the slip", "m", shaken.slip_error, 0,
-                                "exact/coulomb_sliding (error absolute)", shaken.slip_error,
-                                turns_tolerance(stick_slip, exact, dt), turns_reason,
-                                slip_order(stick_slip, damped, 1000, 2, outcome)});
-  outcome.assertions.push_back({"largest acceleration over mu g", "-", shaken.acceleration / hold, 1,
-                                "friction carries no more", shaken.acceleration / hold - 1, 1e-6,
-                                "theory: none but the vibration of contacts that the integrator damps; measured 3e-9"});
+  outcome.assertions.push_back(
+      expect("largest error of the velocity", "m/s")
+          .is(shaken.velocity_error)
+          .against(0, "exact/coulomb_sliding (error absolute)")
+          .absolutely()
+          .within(largest_jump(exact) * dt, "theory: a step of the acceleration at which a slip ends"));
+  outcome.assertions.push_back(expect("largest error of the slip", "m")
+                                   .is(shaken.slip_error)
+                                   .against(0, "exact/coulomb_sliding (error absolute)")
+                                   .absolutely()
+                                   .of_order(slip_order(stick_slip, damped, 1000, 2, outcome))
+                                   .within(turns_tolerance(stick_slip, exact, dt), turns_reason));
+  outcome.assertions.push_back(
+      expect("largest acceleration over mu g", "-")
+          .is(shaken.acceleration / hold)
+          .against(1, "friction carries no more")
+          .absolutely()
+          .within(1e-6, "theory: none but the vibration of contacts that the integrator damps; measured 3e-9"));
   outcome.assertions.push_back(energy_assertion("base at 1.4 mu g", shaken.residual));
   const Shaking to_and_fro{0, std::atan(friction), 2 * hold, two_hertz, 2};
   const Shaken swung = shake(to_and_fro, dda::thesis_integrator(), dt, outcome);
-  outcome.assertions.push_back({"largest error of the slip, base at 2 mu g", "m", swung.slip_error, 0,
-                                "exact/coulomb_sliding (error absolute)", swung.slip_error, hold * dt * 0.25,
-                                "theory: where friction turns within a step its impulse is off by up to mu g dt, until "
-                                "the next turn 0.25 s later",
-                                slip_order(to_and_fro, dda::thesis_integrator(), 1000, 1, outcome)});
+  outcome.assertions.push_back(
+      expect("largest error of the slip, base at 2 mu g", "m")
+          .is(swung.slip_error)
+          .against(0, "exact/coulomb_sliding (error absolute)")
+          .absolutely()
+          .of_order(slip_order(to_and_fro, dda::thesis_integrator(), 1000, 1, outcome))
+          .within(hold * dt * 0.25,
+                  "theory: where friction turns within a step its impulse is off by up to mu g dt, until "
+                  "the next turn 0.25 s later"));
   outcome.assertions.push_back(energy_assertion("base at 2 mu g", swung.residual));
   return outcome;
 }
@@ -283,9 +301,12 @@ Outcome newmarks_block() {
     for (const RecordRun& how : ways_to_run(friction * degree)) {
       const double slip = slip_on_record(slope * degree, friction * degree, record, how, dt, outcome, residual);
       outcome.assertions.push_back(
-          {fmt::format("slip at the end, slope {} deg, friction {} deg, {}", slope, friction, name_of(how)), "m", slip,
-           expected, "phases of sliding and sticking in closed form (exact/sliding_on_record; error over the path)",
-           (slip - expected) / path, how.tolerance, how.reason});
+          expect(fmt::format("slip at the end, slope {} deg, friction {} deg, {}", slope, friction, name_of(how)), "m")
+              .is(slip)
+              .against(expected,
+                       "phases of sliding and sticking in closed form (exact/sliding_on_record; error over the path)")
+              .off_by((slip - expected) / path)
+              .within(how.tolerance, how.reason));
     }
   }
   outcome.assertions.push_back(energy_assertion("all runs", residual));

@@ -11,6 +11,7 @@
 #include "verification/cases/contact_rig.h"
 #include "verification/cases/every_integrator.h"
 #include "verification/exact/coulomb_sliding.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -54,16 +55,22 @@ Outcome slide_down() {
       const auto [drive, limit] = exact::incline_forces(standard_gravity, slope, friction * degree);
       const double expected = exact::CoulombSlider(drive, limit, 0, duration).position(duration);
       outcome.assertions.push_back(
-          {fmt::format("slip in {} s, friction {} deg, dt = {} s", duration, friction, dt), "m", slip, expected,
-           "g (sin a - cos a tan f) t^2/2", relative_error(slip, expected), 1e-5,
-           "target of the project; theory: Eq. 5 is exact under a constant force, and elastic blocks move by some "
-           "rho g h^2/E = 5e-6 m"});
+          expect(fmt::format("slip in {} s, friction {} deg, dt = {} s", duration, friction, dt), "m")
+              .is(slip)
+              .against(expected, "g (sin a - cos a tan f) t^2/2")
+              .within(1e-5,
+                      "target of the project; theory: Eq. 5 is exact under a constant force, and elastic blocks move "
+                      "by some "
+                      "rho g h^2/E = 5e-6 m"));
       residual = std::max(residual, run.energy_residual());
       outcome.counters += run.simulation().counters();
     }
-    outcome.assertions.push_back({fmt::format("largest motion while gravity comes on, dt = {} s", dt), "m", settling, 0,
-                                  "no sliding in a stage of unlimited strength (error absolute)", settling, 1e-5,
-                                  "theory: a few times rho g h^2/E = 5e-6 m; sliding would be a hundred times that"});
+    outcome.assertions.push_back(
+        expect(fmt::format("largest motion while gravity comes on, dt = {} s", dt), "m")
+            .is(settling)
+            .against(0, "no sliding in a stage of unlimited strength (error absolute)")
+            .absolutely()
+            .within(1e-5, "theory: a few times rho g h^2/E = 5e-6 m; sliding would be a hundred times that"));
     outcome.assertions.push_back(energy_assertion(fmt::format("worst friction, dt = {} s", dt), residual));
   }
   return outcome;
@@ -80,9 +87,11 @@ Outcome stay() {
       run.step();
       creep = std::max(creep, std::abs(run.state().displacement[1](0) - after_one_second));
     }
-    outcome.assertions.push_back({fmt::format("creep from 1 s to 8 s, friction 35 deg, dt = {} s", dt), "m", creep, 0,
-                                  "friction above the slope holds (error absolute)", creep, 1e-9,
-                                  "target of the project; theory: none"});
+    outcome.assertions.push_back(expect(fmt::format("creep from 1 s to 8 s, friction 35 deg, dt = {} s", dt), "m")
+                                     .is(creep)
+                                     .against(0, "friction above the slope holds (error absolute)")
+                                     .absolutely()
+                                     .within(1e-9, "target of the project; theory: none"));
     outcome.assertions.push_back(energy_assertion(fmt::format("dt = {} s", dt), run.energy_residual()));
     outcome.counters += run.simulation().counters();
   }
@@ -112,9 +121,12 @@ Outcome stay_under_every_integrator() {
       const double at_first = mean_position(run);
       run.run_to(settling_time + duration - 1);
       const double creep = std::abs(mean_position(run) - at_first);
-      outcome.assertions.push_back({fmt::format("creep from 5 s to {} s, dt = {} s, {}", duration, dt, integrator.name),
-                                    "m", creep, 0, "friction above the slope holds (error absolute)", creep, 1e-9,
-                                    "target of the project; theory: none"});
+      outcome.assertions.push_back(
+          expect(fmt::format("creep from 5 s to {} s, dt = {} s, {}", duration, dt, integrator.name), "m")
+              .is(creep)
+              .against(0, "friction above the slope holds (error absolute)")
+              .absolutely()
+              .within(1e-9, "target of the project; theory: none"));
       residual = std::max(residual, run.energy_residual());
       outcome.counters += run.simulation().counters();
     }
@@ -148,10 +160,13 @@ Outcome slide_to_rest() {
       const double recoil = force * (1 / (2 * 4 * rock.young) + height / 4 * 2 * (1 + rock.poisson) / rock.young +
                                      height * height / 4 / (0.5 * 10 * rock.young));
       const std::string name = fmt::format("{}, dt = {} s", integrator.name, dt);
-      outcome.assertions.push_back({"distance to rest, " + name, "m", slip, expected, "v0^2/(2 mu g)",
-                                    relative_error(slip, expected), 2 * recoil / expected,
-                                    "theory: the block leans by its friction force over the stiffness of contacts, "
-                                    "shear and rocking while it slides and is upright at rest; twice that"});
+      outcome.assertions.push_back(
+          expect("distance to rest, " + name, "m")
+              .is(slip)
+              .against(expected, "v0^2/(2 mu g)")
+              .within(2 * recoil / expected,
+                      "theory: the block leans by its friction force over the stiffness of contacts, "
+                      "shear and rocking while it slides and is upright at rest; twice that"));
       outcome.assertions.push_back(energy_assertion(name, run.energy_residual()));
       outcome.counters += run.simulation().counters();
     }

@@ -13,6 +13,7 @@
 #include "verification/cases/limit_search.h"
 #include "verification/exact/plane_failure.h"
 #include "verification/exact/toppling_slope.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -62,11 +63,15 @@ Outcome toppling() {
     const Bracket got = bisect({0.95 * expected, 1.05 * expected}, 2e-4 * expected,
                                [&](double friction) { return slope_stands(rock.young, friction, outcome); });
     outcome.assertions.push_back(
-        {fmt::format("coefficient of friction with which the slope just stands, {:.0f} GPa", rock.young / 1e9), "-",
-         got.middle(), expected,
-         "limit equilibrium column by column, 0.7855 (Goodman and Bray 1976; exact/toppling_slope)",
-         bracket_error(got, expected), rock.tolerance,
-         "columns that give way need more friction than rigid ones: measured +0.1 % (100 GPa), +0.5 % (10 GPa)"});
+        expect(fmt::format("coefficient of friction with which the slope just stands, {:.0f} GPa", rock.young / 1e9),
+               "-")
+            .is(got.middle())
+            .against(expected,
+                     "limit equilibrium column by column, 0.7855 (Goodman and Bray 1976; exact/toppling_slope)")
+            .off_by(bracket_error(got, expected))
+            .within(rock.tolerance,
+                    "columns that give way need more friction than rigid ones: measured +0.1 % (100 GPa), +0.5 % (10 "
+                    "GPa)"));
   }
   return outcome;
 }
@@ -80,12 +85,13 @@ Outcome toppling_safety() {
     const double friction = std::tan(degrees * degree);
     const dda::SafetyReport report = dda::factor_of_safety(toppling_slope(slope, 100e9, friction), {.width = 1e-3});
     const double expected = friction / least_friction;
-    outcome.assertions.push_back({fmt::format("factor of safety, friction {:.0f} deg, 100 GPa", degrees), "-",
-                                  report.factor(), expected,
-                                  "tan f/0.7855, limit equilibrium (Goodman and Bray 1976; exact/toppling_slope)",
-                                  relative_error(report.factor(), expected), 2.5e-3,
-                                  "columns that give way need 0.1 % more friction than rigid ones, and the factor is "
-                                  "known to 0.1 %"});
+    outcome.assertions.push_back(
+        expect(fmt::format("factor of safety, friction {:.0f} deg, 100 GPa", degrees), "-")
+            .is(report.factor())
+            .against(expected, "tan f/0.7855, limit equilibrium (Goodman and Bray 1976; exact/toppling_slope)")
+            .within(2.5e-3,
+                    "columns that give way need 0.1 % more friction than rigid ones, and the factor is "
+                    "known to 0.1 %"));
   }
   return outcome;
 }
@@ -149,8 +155,11 @@ Outcome plane_failure() {
         return slice_stands({dip, cohesion, friction, law}, outcome);
       });
       outcome.assertions.push_back(
-          {fmt::format("cohesion that just holds, f = {:.0f} deg, {}", friction / degree, name), "Pa", got.middle(),
-           expected, source, bracket_error(got, expected), tolerance, reason});
+          expect(fmt::format("cohesion that just holds, f = {:.0f} deg, {}", friction / degree, name), "Pa")
+              .is(got.middle())
+              .against(expected, source)
+              .off_by(bracket_error(got, expected))
+              .within(tolerance, reason));
     }
     for (const double share : {0.0, 0.3, 0.7}) {
       const double cohesion = share * plane.limiting_cohesion(0);
@@ -159,8 +168,11 @@ Outcome plane_failure() {
         return slice_stands({dip, cohesion, std::atan(friction), law}, outcome);
       });
       outcome.assertions.push_back(
-          {fmt::format("coefficient of friction that just holds, c = {:.0f} kPa, {}", cohesion / 1e3, name), "-",
-           got.middle(), expected, source, bracket_error(got, expected), tolerance, reason});
+          expect(fmt::format("coefficient of friction that just holds, c = {:.0f} kPa, {}", cohesion / 1e3, name), "-")
+              .is(got.middle())
+              .against(expected, source)
+              .off_by(bracket_error(got, expected))
+              .within(tolerance, reason));
     }
   }
   return outcome;

@@ -11,6 +11,7 @@
 #include "verification/cases/bar_case.h"
 #include "verification/cases/swing.h"
 #include "verification/exact/wave_speeds.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -64,14 +65,11 @@ Outcome first_frequency() {
   for (const int layers : {10, 20, 40}) {
     const double error = error_of(layers);
     const double omega = pi / 2 / layers;  // of one layer
-    Assertion row{fmt::format("first frequency of 40 m of soil, {} layers", layers),
-                  "Hz",
-                  expected * (1 + error),
-                  expected,
-                  "V_s/(4 H)",
-                  error,
-                  1.2 * omega * omega / 24,
-                  "Omega^2/24 and a margin"};
+    Assertion row = expect(fmt::format("first frequency of 40 m of soil, {} layers", layers), "Hz")
+                        .is(expected * (1 + error))
+                        .against(expected, "V_s/(4 H)")
+                        .off_by(error)
+                        .within(1.2 * omega * omega / 24, "Omega^2/24 and a margin");
     if (layers == 40) row.order = Order{order(coarser, error), 2, 0.2};
     outcome.assertions.push_back(row);
     coarser = error;

@@ -13,6 +13,7 @@
 #include "verification/exact/centrifugal_stress.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -101,15 +102,23 @@ Outcome no_gain() {
   double residual = 0;
   for (const dda::Integrator& integrator : every_integrator()) {
     const auto [gain, momentum] = worst_of_spins(integrator, outcome, residual);
-    outcome.assertions.push_back({"energy gained over the spin's times the strain squared, " + spins + integrator.name,
-                                  "-", gain, 0, "free motion: none comes in (error absolute)", gain, 8,
-                                  "theory: energies of second order in the strains are not told apart"});
-    outcome.assertions.push_back({"largest change of angular momentum, " + spins + integrator.name, "-", momentum, 0,
-                                  "free motion (error absolute)", momentum, 1e-10,
-                                  "a few roundings a step; measured up to 6e-12"});
+    outcome.assertions.push_back(
+        expect("energy gained over the spin's times the strain squared, " + spins + integrator.name, "-")
+            .is(gain)
+            .against(0, "free motion: none comes in (error absolute)")
+            .absolutely()
+            .within(8, "theory: energies of second order in the strains are not told apart"));
+    outcome.assertions.push_back(expect("largest change of angular momentum, " + spins + integrator.name, "-")
+                                     .is(momentum)
+                                     .against(0, "free motion (error absolute)")
+                                     .absolutely()
+                                     .within(1e-10, "a few roundings a step; measured up to 6e-12"));
   }
-  outcome.assertions.push_back({"largest energy residual over the largest term", "-", residual, 0,
-                                "the ledger (error absolute)", residual, 1e-9, "target of the project"});
+  outcome.assertions.push_back(expect("largest energy residual over the largest term", "-")
+                                   .is(residual)
+                                   .against(0, "the ledger (error absolute)")
+                                   .absolutely()
+                                   .within(1e-9, "target of the project"));
   return outcome;
 }
 
@@ -135,13 +144,19 @@ Outcome stress_at_rest_in_the_block() {
       const std::string name = fmt::format("{} x {} m at {} rad/s", width, height, spin_rate);
       const std::string reason = "theory: the block is larger than drawn by its strain, which counts four times";
       const std::string source = "rho omega^2 L^2/12 of the side's length L: virial theorem";
-      outcome.assertions.push_back({"stress along the width, " + name, "Pa", stress(0), along, source,
-                                    relative_error(stress(0), along), 1e-7 + 8 * strain, reason});
-      outcome.assertions.push_back({"stress along the height, " + name, "Pa", stress(1), across, source,
-                                    relative_error(stress(1), across), 1e-7 + 8 * strain, reason});
-      outcome.assertions.push_back({"shear stress, " + name, "Pa", stress(2), 0,
-                                    "mirror symmetry (error over the largest)", stress(2) / std::max(along, across),
-                                    1e-7 + 8 * strain, reason});
+      outcome.assertions.push_back(expect("stress along the width, " + name, "Pa")
+                                       .is(stress(0))
+                                       .against(along, source)
+                                       .within(1e-7 + 8 * strain, reason));
+      outcome.assertions.push_back(expect("stress along the height, " + name, "Pa")
+                                       .is(stress(1))
+                                       .against(across, source)
+                                       .within(1e-7 + 8 * strain, reason));
+      outcome.assertions.push_back(expect("shear stress, " + name, "Pa")
+                                       .is(stress(2))
+                                       .against(0, "mirror symmetry (error over the largest)")
+                                       .off_by(stress(2) / std::max(along, across))
+                                       .within(1e-7 + 8 * strain, reason));
     }
   }
   return outcome;

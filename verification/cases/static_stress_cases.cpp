@@ -16,6 +16,7 @@
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -94,9 +95,12 @@ void assert_rest(BarCase bar, Outcome& outcome) {
   outcome.counters += simulation.counters();
   const double fall = gravity * bar.steps * bar.stage.dt;
   outcome.assertions.push_back(
-      {fmt::format("velocity after the rollers have gone, over that of a free fall, {}", name_of(bar.joint.law)), "-",
-       fastest / fall, 0, "equilibrium", fastest / fall, 1e-9,
-       "round-off of the static solution, whose springs are 1000 E beside joints of E"});
+      expect(fmt::format("velocity after the rollers have gone, over that of a free fall, {}", name_of(bar.joint.law)),
+             "-")
+          .is(fastest / fall)
+          .against(0, "equilibrium")
+          .absolutely()
+          .within(1e-9, "round-off of the static solution, whose springs are 1000 E beside joints of E"));
 }
 
 Outcome under_weight() {
@@ -112,9 +116,13 @@ Outcome under_weight() {
     const std::vector<double> wave = wave_of(settled_first(bar), outcome.counters);
     const double difference = largest_difference(wave, weightless);
     outcome.assertions.push_back(
-        {fmt::format("largest difference of a pulse from that in a column without weight, of the peak, {}",
-                     name_of(law)),
-         "-", difference, 0, "superposition", difference, 1e-9, "as above"});
+        expect(fmt::format("largest difference of a pulse from that in a column without weight, of the peak, {}",
+                           name_of(law)),
+               "-")
+            .is(difference)
+            .against(0, "superposition")
+            .absolutely()
+            .within(1e-9, "as above"));
   }
   return outcome;
 }
@@ -151,10 +159,16 @@ void assert_stays(const std::string& scene, Outcome& outcome, const std::string&
     keep_largest(fastest, simulation.state().velocity[i].head<2>().norm());
     keep_largest(change, (simulation.state().stress[i] - simulation.model().blocks[i].initial_stress).norm());
   }
-  outcome.assertions.push_back({"velocity in 20 MPa of in-situ stress, over stress/(rho c_p), " + which, "-",
-                                fastest / speed, 0, "equilibrium", fastest / speed, 1e-12, "round-off"});
-  outcome.assertions.push_back({"change of stress, over the stress, " + which, "-", change / stress, 0, "equilibrium",
-                                change / stress, 1e-12, "round-off"});
+  outcome.assertions.push_back(expect("velocity in 20 MPa of in-situ stress, over stress/(rho c_p), " + which, "-")
+                                   .is(fastest / speed)
+                                   .against(0, "equilibrium")
+                                   .absolutely()
+                                   .within(1e-12, "round-off"));
+  outcome.assertions.push_back(expect("change of stress, over the stress, " + which, "-")
+                                   .is(change / stress)
+                                   .against(0, "equilibrium")
+                                   .absolutely()
+                                   .within(1e-12, "round-off"));
 }
 
 Outcome in_situ() {

@@ -12,6 +12,7 @@
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -115,10 +116,12 @@ void compress(InterfaceLaw law, double poisson, dda::PlaneState plane, Compressi
       keep_largest(largest.lateral, settled.state.stress[i](0) / pressure);
     }
   }
-  outcome.assertions.push_back(
-      {fmt::format("lateral ratio of the last of 4 blocks, nu = {}, plane {}", poisson, stress ? "stress" : "strain"),
-       "", ratio, expected, stress ? "nu" : "nu/(1 - nu)", relative_error(ratio, expected), static_error,
-       static_reason});
+  outcome.assertions.push_back(expect(fmt::format("lateral ratio of the last of 4 blocks, nu = {}, plane {}", poisson,
+                                                  stress ? "stress" : "strain"),
+                                      "")
+                                   .is(ratio)
+                                   .against(expected, stress ? "nu" : "nu/(1 - nu)")
+                                   .within(static_error, static_reason));
 }
 
 Outcome uniaxial_compression(InterfaceLaw law) {
@@ -128,7 +131,8 @@ Outcome uniaxial_compression(InterfaceLaw law) {
     for (const dda::PlaneState plane : {dda::PlaneState::stress, dda::PlaneState::strain})
       compress(law, poisson, plane, largest, outcome);
   const auto add = [&](const char* quantity, double error, const char* source) {
-    outcome.assertions.push_back({quantity, "", error, 0, source, error, static_error, static_reason});
+    outcome.assertions.push_back(
+        expect(quantity, "").is(error).against(0, source).absolutely().within(static_error, static_reason));
   };
   add("lateral ratio of every block, largest error", largest.ratio, "nu, nu/(1 - nu)");
   add("axial stress of every block, largest relative error", largest.axial, "the load");
@@ -152,18 +156,20 @@ Outcome stack_stiffness() {
       model.joints[0].spring_over_young = spring;
       const double modulus = pressure * height / shortening(settle(std::move(model), outcome.counters), height);
       const double expected = exact::stack_modulus(young, height / blocks, 1, 2 * spring * young, blocks);
-      outcome.assertions.push_back({fmt::format("modulus, n = {} blocks, springs of {} E", blocks, spring), "Pa",
-                                    modulus, expected, "E/(1 + E A (n - 1)/(k L n)), k of both springs",
-                                    relative_error(modulus, expected), static_error, static_reason});
+      outcome.assertions.push_back(expect(fmt::format("modulus, n = {} blocks, springs of {} E", blocks, spring), "Pa")
+                                       .is(modulus)
+                                       .against(expected, "E/(1 + E A (n - 1)/(k L n)), k of both springs")
+                                       .within(static_error, static_reason));
     }
   }
   for (const InterfaceLaw law : {InterfaceLaw::consistent, InterfaceLaw::cubic}) {
     const Settled settled =
         settle(compressed(6, height, law, {"rock", density, young, 0.25, dda::PlaneState::stress}), outcome.counters);
     const double modulus = pressure * height / shortening(settled, height);
-    outcome.assertions.push_back({fmt::format("modulus, 6 blocks, {} joints", name_of(law)), "Pa", modulus, young,
-                                  "E: such joints add no compliance", relative_error(modulus, young), static_error,
-                                  static_reason});
+    outcome.assertions.push_back(expect(fmt::format("modulus, 6 blocks, {} joints", name_of(law)), "Pa")
+                                     .is(modulus)
+                                     .against(young, "E: such joints add no compliance")
+                                     .within(static_error, static_reason));
   }
   return outcome;
 }
@@ -199,15 +205,14 @@ Assertion stress_at_centroids(InterfaceLaw law, double poisson, dda::Counters& c
   double largest = 0;
   for (std::size_t i = 0; i < 8; ++i)
     keep_largest(largest, (settled.state.stress[i](1) + exact_pressure(settled, i)) / whole_weight);
-  return {fmt::format("stress at the centroids, largest error, of the stress at the base, {}, nu = {}", name_of(law),
-                      poisson),
-          "",
-          largest,
-          0,
-          "-rho g (H - y)",
-          largest,
-          exactly ? static_error : 0.01 / 8,
-          exactly ? static_reason : "jumps of the lateral strain: below 1 % of the weight of one block in 8"};
+  return expect(fmt::format("stress at the centroids, largest error, of the stress at the base, {}, nu = {}",
+                            name_of(law), poisson),
+                "")
+      .is(largest)
+      .against(0, "-rho g (H - y)")
+      .absolutely()
+      .within(exactly ? static_error : 0.01 / 8,
+              exactly ? static_reason : "jumps of the lateral strain: below 1 % of the weight of one block in 8");
 }
 
 // The outer halves of the end blocks are straight lines whose weight acts in their middle: the stress of the end blocks
@@ -220,10 +225,12 @@ void add_cubic_column(Outcome& outcome) {
         std::abs(settled.state.stress[block](1) + exact_pressure(settled, block)) / (whole_weight / 12);
     const double expected = (share - 0.5) / (share + std::numbers::sqrt2 / 6) / 2;
     outcome.assertions.push_back(
-        {fmt::format("stress of the {} block of a cubic column, off by this part of a block's weight",
-                     block == 0 ? "lowest" : "highest"),
-         "", measured, expected, "(s - 1/2)/(2 s + sqrt(2)/3), s = 1 where held, else (10 - sqrt(2))/12",
-         relative_error(measured, expected), 1e-7, "other end twelve blocks away: 6e-10; round-off: measured 3e-9"});
+        expect(fmt::format("stress of the {} block of a cubic column, off by this part of a block's weight",
+                           block == 0 ? "lowest" : "highest"),
+               "")
+            .is(measured)
+            .against(expected, "(s - 1/2)/(2 s + sqrt(2)/3), s = 1 where held, else (10 - sqrt(2))/12")
+            .within(1e-7, "other end twelve blocks away: 6e-10; round-off: measured 3e-9"));
   };
   end_error(0, 1);
   end_error(11, (10 - std::numbers::sqrt2) / 12);
@@ -235,8 +242,11 @@ void add_cubic_column(Outcome& outcome) {
     keep_largest(largest_ratio, error / previous);
     previous = error;
   }
-  outcome.assertions.push_back({"that of the lowest from block to block, largest ratio", "", largest_ratio, 0,
-                                "-rho g (H - y)", largest_ratio, 0.2, "dies out by a factor of 6; measured"});
+  outcome.assertions.push_back(expect("that of the lowest from block to block, largest ratio", "")
+                                   .is(largest_ratio)
+                                   .against(0, "-rho g (H - y)")
+                                   .absolutely()
+                                   .within(0.2, "dies out by a factor of 6; measured"));
 }
 
 Outcome column_stress() {
@@ -260,11 +270,15 @@ Outcome column_settlement() {
       const double expected = base + (classical ? springs : continuum);
       const double settlement = top_settlement(settle(standing(blocks, law, 0), outcome.counters));
       outcome.assertions.push_back(
-          {fmt::format("settlement of the top (error of rho g H^2/(2E)), n = {} blocks, {}", blocks, name_of(law)), "m",
-           settlement, expected,
-           classical ? "rho g H^2/(2E) and the springs' shares, on the sprung base"
-                     : "rho g H^2/(2E) on the sprung base: blocks with the exact stress at their centroids",
-           (settlement - expected) / continuum, static_error, static_reason});
+          expect(
+              fmt::format("settlement of the top (error of rho g H^2/(2E)), n = {} blocks, {}", blocks, name_of(law)),
+              "m")
+              .is(settlement)
+              .against(expected,
+                       classical ? "rho g H^2/(2E) and the springs' shares, on the sprung base"
+                                 : "rho g H^2/(2E) on the sprung base: blocks with the exact stress at their centroids")
+              .off_by((settlement - expected) / continuum)
+              .within(static_error, static_reason));
     }
   }
   return outcome;

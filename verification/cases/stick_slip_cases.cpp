@@ -9,6 +9,7 @@
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/coulomb_sliding.h"
 #include "verification/exact/spring_pulled_block.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -104,14 +105,20 @@ Followed pulled_by_spring(double dt, Outcome& outcome) {
 // often it starts or stops.
 void judge(const Followed& followed, double dt, double jump, int turns, const std::string& source, const Order& order,
            Outcome& outcome) {
-  outcome.assertions.push_back({"largest error of the position", "m", followed.position_error, 0, source,
-                                followed.position_error, turns * (2 * jump * dt * dt + 2 * lean()),
-                                "theory: at every start and stop the acceleration may come two steps late, and the "
-                                "block leans or stands up",
-                                order});
-  outcome.assertions.push_back({"largest error of the velocity", "m/s", followed.velocity_error, 0, source,
-                                followed.velocity_error, jump * dt,
-                                "theory: a step of the acceleration that comes or goes at once"});
+  outcome.assertions.push_back(
+      expect("largest error of the position", "m")
+          .is(followed.position_error)
+          .against(0, source)
+          .absolutely()
+          .of_order(order)
+          .within(turns * (2 * jump * dt * dt + 2 * lean()),
+                  "theory: at every start and stop the acceleration may come two steps late, and the "
+                  "block leans or stands up"));
+  outcome.assertions.push_back(expect("largest error of the velocity", "m/s")
+                                   .is(followed.velocity_error)
+                                   .against(0, source)
+                                   .absolutely()
+                                   .within(jump * dt, "theory: a step of the acceleration that comes or goes at once"));
   outcome.assertions.push_back(energy_assertion("whole run", followed.residual));
 }
 

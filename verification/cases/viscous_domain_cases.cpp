@@ -15,6 +15,7 @@
 #include "verification/exact/viscous_reflection.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -148,11 +149,15 @@ Outcome plane_pulses() {
     const double finer = pulse_error(kind, degrees, 0.5, outcome);
     const bool is_p = kind == PlaneWave::p;
     outcome.assertions.push_back(
-        {fmt::format("largest error of the velocity at the edge, {} pulse at {} deg, of the incident peak",
-                     is_p ? "P" : "S", degrees),
-         "-", error, 0, "incident and both reflected pulses in closed form", error, is_p ? 6e-3 : 1.2e-2,
-         "20 blocks of 1 m in the S wave of the pulse; measured with margin, and of order 2",
-         Order{order(error, finer), 2, 0.15}});
+        expect(fmt::format("largest error of the velocity at the edge, {} pulse at {} deg, of the incident peak",
+                           is_p ? "P" : "S", degrees),
+               "-")
+            .is(error)
+            .against(0, "incident and both reflected pulses in closed form")
+            .absolutely()
+            .of_order({order(error, finer), 2, 0.15})
+            .within(is_p ? 6e-3 : 1.2e-2,
+                    "20 blocks of 1 m in the S wave of the pulse; measured with margin, and of order 2"));
   }
   return outcome;
 }
@@ -254,11 +259,14 @@ std::vector<double> assert_echoes(const Source& source, int large_size, Outcome&
     const double error = echo(run, reference, echoes.size());
     echoes.push_back(error);
     outcome.assertions.push_back(
-        {fmt::format("what comes back to ({} a, {} a), half width a, {} x {} m, of the peak there", receiver.x,
-                     receiver.y, 2 * source.size, 2 * source.size),
-         "-", error, 0, "the same in a domain whose edges are too far away to be felt", error,
-         source.size == 20 ? receiver.most_at_20 : receiver.most_at_40,
-         receiver.x * receiver.y > 0.9 ? corner_reason : echo_reason});
+        expect(fmt::format("what comes back to ({} a, {} a), half width a, {} x {} m, of the peak there", receiver.x,
+                           receiver.y, 2 * source.size, 2 * source.size),
+               "-")
+            .is(error)
+            .against(0, "the same in a domain whose edges are too far away to be felt")
+            .absolutely()
+            .within(source.size == 20 ? receiver.most_at_20 : receiver.most_at_40,
+                    receiver.x * receiver.y > 0.9 ? corner_reason : echo_reason));
   }
   return echoes;
 }
@@ -270,10 +278,13 @@ Outcome sources() {
   for (std::size_t i = 0; i < inner_receivers; ++i) {
     const double share = far[i] / near[i];
     outcome.assertions.push_back(
-        {fmt::format("what comes back to ({} a, {} a) with edges twice as far away, over what did", receivers[i].x,
-                     receivers[i].y),
-         "-", share, 0.5, "dashpots are exact for plane waves; what a wave's curvature adds falls as its radius",
-         share - 0.5, 0.1, "leading order alone, 1 to 2 wavelengths from the source"});
+        expect(fmt::format("what comes back to ({} a, {} a) with edges twice as far away, over what did",
+                           receivers[i].x, receivers[i].y),
+               "-")
+            .is(share)
+            .against(0.5, "dashpots are exact for plane waves; what a wave's curvature adds falls as its radius")
+            .absolutely()
+            .within(0.1, "leading order alone, 1 to 2 wavelengths from the source"));
   }
   return outcome;
 }

@@ -10,6 +10,7 @@
 #include "engine/scene/generators.h"
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/brick_wall.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -83,14 +84,18 @@ Outcome wall_at_rest(int side, double rest) {
   const dda::State settled = run.state();
   const double expected = exact::settlement(by_hand(side));
   const double got = settlement_of(run.simulation(), 0.5 * side);
-  outcome.assertions.push_back({fmt::format("settlement of the top of {} rows", side), "m", got, expected,
-                                "weights by hand on springs and bricks in a row (exact/brick_wall)",
-                                relative_error(got, expected), 1e-4,
-                                "springs in series with bricks, to first order in strains of up to 2e-4"});
+  outcome.assertions.push_back(
+      expect(fmt::format("settlement of the top of {} rows", side), "m")
+          .is(got)
+          .against(expected, "weights by hand on springs and bricks in a row (exact/brick_wall)")
+          .within(1e-4, "springs in series with bricks, to first order in strains of up to 2e-4"));
   run.run_to_end();
   const double drift = farthest_apart(run.state(), settled);
-  outcome.assertions.push_back({fmt::format("drift in {:g} s at rest (m)", rest), "m", drift, 0, "rest", drift, 1e-9,
-                                "equilibrium was asked for to 1e-9 of the weight"});
+  outcome.assertions.push_back(expect(fmt::format("drift in {:g} s at rest (m)", rest), "m")
+                                   .is(drift)
+                                   .against(0, "rest")
+                                   .absolutely()
+                                   .within(1e-9, "equilibrium was asked for to 1e-9 of the weight"));
   outcome.assertions.push_back(energy_assertion("a wall", run.energy_residual()));
   outcome.counters += run.simulation().counters();
   return outcome;
@@ -104,8 +109,11 @@ Outcome long_rest() {
   const dda::State settled = run.state();
   run.run_to_end();
   const double drift = farthest_apart(run.state(), settled) / 10;
-  outcome.assertions.push_back({"drift of a wall in 1e5 steps at rest, over its width", "-", drift, 0, "rest", drift,
-                                1e-9, "target 1e-6; equilibrium was asked for to 1e-9 of the weight"});
+  outcome.assertions.push_back(expect("drift of a wall in 1e5 steps at rest, over its width", "-")
+                                   .is(drift)
+                                   .against(0, "rest")
+                                   .absolutely()
+                                   .within(1e-9, "target 1e-6; equilibrium was asked for to 1e-9 of the weight"));
   outcome.counters += run.simulation().counters();
   return outcome;
 }
@@ -127,9 +135,12 @@ Outcome same_with_every_solver() {
   const dda::State direct = fallen_wall(dda::SolverRequest::cholesky, outcome);
   const dda::State iterative = fallen_wall(dda::SolverRequest::pcg, outcome);
   const double apart = farthest_apart(direct, iterative);
-  outcome.assertions.push_back({"centroids of 10 x 10 bricks, PCG against Cholesky, 0.2 s after gravity came on (m)",
-                                "m", apart, 0, "one model, one result", apart, 1e-10,
-                                "forces balance to 1e-11 in every step; bricks have moved by 1e-4 m"});
+  outcome.assertions.push_back(
+      expect("centroids of 10 x 10 bricks, PCG against Cholesky, 0.2 s after gravity came on (m)", "m")
+          .is(apart)
+          .against(0, "one model, one result")
+          .absolutely()
+          .within(1e-10, "forces balance to 1e-11 in every step; bricks have moved by 1e-4 m"));
   return outcome;
 }
 

@@ -11,6 +11,7 @@
 #include "verification/precision/plane_run.h"
 #include "verification/precision/robust.h"
 #include "verification/precision/summary.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 namespace {
@@ -58,12 +59,15 @@ void assert_gain(double times, double error, Norm norm, const std::vector<Measur
   const double passes = cheapest->result.passes();
   const double left = least_error(runs_below(Problem::bar, times * passes, is_thesis, outcome), norm);
   outcome.assertions.push_back(
-      {fmt::format(
-           "least error of the thesis' scheme in {:g} times the passes in which the accurate one has {:g} %, {} "
-           "(error: wanted over measured)",
-           times, 100 * error, words(norm)),
-       "-", left, error, "wave equation; block sizes 0.5 to 12.5 m, time steps from 0.5 us", error / left, 1,
-       "promised: the accurate scheme is cheaper by more than that"});
+      expect(fmt::format(
+                 "least error of the thesis' scheme in {:g} times the passes in which the accurate one has {:g} %, {} "
+                 "(error: wanted over measured)",
+                 times, 100 * error, words(norm)),
+             "-")
+          .is(left)
+          .against(error, "wave equation; block sizes 0.5 to 12.5 m, time steps from 0.5 us")
+          .off_by(error / left)
+          .within(1, "promised: the accurate scheme is cheaper by more than that"));
 }
 
 Outcome gain_case() {
@@ -83,10 +87,13 @@ void assert_on_front(const std::string& which, double error, const std::vector<M
   const auto ours = cheapest_run(runs_of(all, problem, accurate_scheme(problem)), Cost::passes, Norm::l2, error);
   const double times = best && ours ? ours->result.passes() / best->result.passes() : std::nan("");
   outcome.assertions.push_back(
-      {fmt::format("passes of the accurate scheme over those of the cheapest{}, {:g} % in the L2 norm", which,
-                   100 * error),
-       "-", times, 1, fmt::format("cheapest of all: {}", best ? best->job.key() : "none"), times - 1, 0.01,
-       "promised: it is on the front"});
+      expect(fmt::format("passes of the accurate scheme over those of the cheapest{}, {:g} % in the L2 norm", which,
+                         100 * error),
+             "-")
+          .is(times)
+          .against(1, fmt::format("cheapest of all: {}", best ? best->job.key() : "none"))
+          .absolutely()
+          .within(0.01, "promised: it is on the front"));
 }
 
 // The accurate scheme among all laws and integrators: of all runs, and of those that no cancellation of errors helps.
@@ -123,14 +130,20 @@ Outcome explicit_plate_case() {
     const double implicit_error = error_with(accurate_scheme(Problem::plane), 0.35);
     const double half = error_with(explicit_scheme(), 0.14), whole = error_with(explicit_scheme(), 0.28);
     outcome.assertions.push_back(
-        {fmt::format("L2 error in a plate of {0} x {0} blocks, explicit steps of c_p dt/L = 0.28 "
-                     "(error: beyond that of implicit steps of 0.35)",
-                     2 * along),
-         "-", whole, implicit_error, "accurate default, same blocks", std::max(0.0, whole / implicit_error - 1), 0.01,
-         "promised: no less accurate"});
-    outcome.assertions.push_back({fmt::format("the same over that of steps half as long, {0} x {0} blocks", 2 * along),
-                                  "-", whole / half, 1, "theory: errors of time steps are of fourth order",
-                                  whole / half - 1, 0.01, "measured 0.001"});
+        expect(fmt::format("L2 error in a plate of {0} x {0} blocks, explicit steps of c_p dt/L = 0.28 "
+                           "(error: beyond that of implicit steps of 0.35)",
+                           2 * along),
+               "-")
+            .is(whole)
+            .against(implicit_error, "accurate default, same blocks")
+            .off_by(std::max(0.0, whole / implicit_error - 1))
+            .within(0.01, "promised: no less accurate"));
+    outcome.assertions.push_back(
+        expect(fmt::format("the same over that of steps half as long, {0} x {0} blocks", 2 * along), "-")
+            .is(whole / half)
+            .against(1, "theory: errors of time steps are of fourth order")
+            .absolutely()
+            .within(0.01, "measured 0.001"));
   }
   return outcome;
 }

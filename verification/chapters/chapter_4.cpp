@@ -205,13 +205,14 @@ Chapter chapter_4(const BlastStudy& study) {
       upright_is_better(study),           falls_with_distance(study), stress_is_reproduced(study, true),
       stress_is_reproduced(study, false), upright_over_level(study),  no_reflections()};
   chapter.assumptions = {
-      "runs: `dry` (corner springs of 10 E, friction 45 deg, Eq. 5: the thesis' text), `glued` (the same springs, "
+      "runs: `dry` (corner springs of 10 E, friction 45 deg, Eq. 5: the thesis' text), `element` (the same, pressed "
+      "through the text's element of eight blocks, whose inner edges are half as long), `glued` (the same springs, "
       "bonded), "
       "`continuous` (consistent joints, trapezoidal rule) and `axisymmetric` (wave equation in the radius, no joints)",
       "distances of the points from the predicted times, 1.1 R/c_P of Eq. 11; R of Eq. 18 the width of the octagon, "
       "and "
       "other decay times on a smaller mesh",
-      "the pressure acts on the wall of an octagonal hole in place of the element of eight blocks; plane stress; small "
+      "the pressure acts on the wall of an octagonal hole, but for `element`; plane stress; small "
       "motions; a rise of 20 us in place of the jump; docs/blast.md says why",
   };
   chapter.sections.push_back({"Arrivals", {readings_table(study)}});

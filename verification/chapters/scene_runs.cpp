@@ -83,6 +83,15 @@ SceneRun SceneFolder::read(const std::string& name) const {
   return run;
 }
 
+std::string SceneFolder::picture(const std::string& name) const {
+  const std::filesystem::path file = results(name) / "last.svg";
+  const Command command{program_.string(), "view", results(name).string(), "--svg",        "last",  "--crosses",
+                        "--forces",        "none", "--quantity",           "displacement", "--out", file.string()};
+  std::string why;
+  run_processes({{0, command}}, 1, [&](std::size_t, const std::string& failure) { why = failure; });
+  return why.empty() && std::filesystem::exists(file) ? dda::read_file(file) : "";
+}
+
 Json SceneFolder::key_blocks(const std::string& name) const {
   const Json file = json_file(results(name) / "keyblocks.json");
   return file.is_object() ? file.value("blocks", Json::array()) : Json::array();

@@ -38,6 +38,8 @@ class SceneFolder {
   void find_key_blocks(const std::vector<std::string>& names, const std::string& opening) const;
 
   [[nodiscard]] SceneRun read(const std::string& name) const;
+  // The last frame of a run with the principal stresses of its blocks, as SVG; "" where there is none.
+  [[nodiscard]] std::string picture(const std::string& name) const;
   [[nodiscard]] Scene key_blocks(const std::string& name) const;  // bodies at free faces; empty if that failed
 
  private:

@@ -112,10 +112,6 @@ double free_fall(const RelaxationReading& reading) {
   return sum / last;
 }
 
-std::string scene_name(const RelaxationReading& reading, double stress) {
-  return fmt::format("relaxation-{}-{:g}MPa", reading.name, stress / 1e6);
-}
-
 std::string search_name(const RelaxationReading& reading) { return fmt::format("relaxation-{}-blocks", reading.name); }
 
 std::string largest_body(const Json& bodies, const auto& counts) {
@@ -130,6 +126,10 @@ std::string largest_body(const Json& bodies, const auto& counts) {
 }
 
 }  // namespace
+
+std::string relaxation_run(const RelaxationReading& reading, double stress) {
+  return fmt::format("relaxation-{}-{:g}MPa", reading.name, stress / 1e6);
+}
 
 std::vector<double> relaxation_stresses() { return {0, 10e6, 30e6, 50e6}; }
 
@@ -185,7 +185,7 @@ std::vector<std::string> put_scenes(const SceneFolder& folder, std::vector<Relax
       continue;
     }
     for (const double stress : relaxation_stresses()) {
-      names.push_back(scene_name(result.reading, stress));
+      names.push_back(relaxation_run(result.reading, stress));
       folder.put(names.back(), relaxation_scene(result.reading, stress, blocks));
     }
   }
@@ -195,7 +195,7 @@ std::vector<std::string> put_scenes(const SceneFolder& folder, std::vector<Relax
 void read_outcomes(const SceneFolder& folder, RelaxationResult& result, std::vector<std::string>& failures) {
   if (!result.missing.empty()) return;
   for (const double stress : relaxation_stresses()) {
-    const SceneRun run = folder.read(scene_name(result.reading, stress));
+    const SceneRun run = folder.read(relaxation_run(result.reading, stress));
     if (run.ok()) {
       result.outcomes.push_back(relaxation_outcome(result.reading, stress, run));
       continue;

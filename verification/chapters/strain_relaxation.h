@@ -39,6 +39,8 @@ struct KeyBlocks {
 };
 [[nodiscard]] KeyBlocks key_blocks_of(const SceneFolder::Scene& bodies);
 
+// The name of the run at this stress.
+[[nodiscard]] std::string relaxation_run(const RelaxationReading& reading, double stress);
 [[nodiscard]] SceneFolder::Scene relaxation_scene(const RelaxationReading& reading, double stress,
                                                   const KeyBlocks& blocks);
 

@@ -86,15 +86,11 @@ double stress_change(const SceneRun& with, const SceneRun& without, const std::s
   return std::max(largest_difference(with, without, point + "_xx"), largest_difference(with, without, point + "_yy"));
 }
 
-std::string scene_name(const TunnelBlastReading& reading, double friction, double stress, bool blast) {
-  return fmt::format("blast-{}-{:g}deg-{:g}MPa-{}", reading.name, friction, stress / 1e6, blast ? "with" : "without");
-}
-
 void read_outcomes(const SceneFolder& folder, TunnelBlastResult& result, std::vector<std::string>& failures) {
   for (const double stress : blast_stresses())
     for (const double friction : blast_frictions()) {
-      const SceneRun with = folder.read(scene_name(result.reading, friction, stress, true));
-      const SceneRun without = folder.read(scene_name(result.reading, friction, stress, false));
+      const SceneRun with = folder.read(tunnel_blast_run(result.reading, friction, stress, true));
+      const SceneRun without = folder.read(tunnel_blast_run(result.reading, friction, stress, false));
       for (const SceneRun* run : {&with, &without})
         if (!run->ok()) failures.push_back(fmt::format("{}: {}, {}", run->name, run->status, run->message));
       if (with.ok() && without.ok()) result.outcomes.push_back(tunnel_blast_outcome(friction, stress, with, without));
@@ -102,6 +98,10 @@ void read_outcomes(const SceneFolder& folder, TunnelBlastResult& result, std::ve
 }
 
 }  // namespace
+
+std::string tunnel_blast_run(const TunnelBlastReading& reading, double friction, double stress, bool blast) {
+  return fmt::format("blast-{}-{:g}deg-{:g}MPa-{}", reading.name, friction, stress / 1e6, blast ? "with" : "without");
+}
 
 std::vector<double> blast_frictions() { return {0, 5, 15, 25, 35, 45}; }
 std::vector<double> blast_stresses() { return {0, 50e6}; }
@@ -167,7 +167,7 @@ std::vector<TunnelBlastResult> run_tunnel_blast(const SceneFolder& folder,
     for (const double stress : blast_stresses())
       for (const double friction : blast_frictions())
         for (const bool blast : {true, false}) {
-          names.push_back(scene_name(reading, friction, stress, blast));
+          names.push_back(tunnel_blast_run(reading, friction, stress, blast));
           folder.put(names.back(), tunnel_blast_scene(reading, friction, stress, blast));
         }
   folder.run(names);

@@ -24,6 +24,9 @@ struct TunnelBlastReading {
 [[nodiscard]] std::vector<double> blast_stresses();   // Pa
 [[nodiscard]] std::vector<TunnelBlastReading> tunnel_blast_readings();
 
+// The name of the run with or without the blast.
+[[nodiscard]] std::string tunnel_blast_run(const TunnelBlastReading& reading, double friction, double stress,
+                                           bool blast);
 [[nodiscard]] SceneFolder::Scene tunnel_blast_scene(const TunnelBlastReading& reading, double friction, double stress,
                                                     bool blast);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -82,6 +83,22 @@ void append_corners_of_the_octagon(Rectangles& blocks, double w, double half_edg
       blocks.append_polygon({{sx * w, sy * w}, {sx * w, sy * half_edge}, {sx * half_edge, sy * w}});
 }
 
+// Eight blocks around a hollow, each on one side of the octagonal hole that they fill.
+void append_element(Rectangles& blocks, double w, double half_edge) {
+  const std::array<dda::Vec2, 8> corners = {{{w, -half_edge},
+                                             {w, half_edge},
+                                             {half_edge, w},
+                                             {-half_edge, w},
+                                             {-w, half_edge},
+                                             {-w, -half_edge},
+                                             {-half_edge, -w},
+                                             {half_edge, -w}}};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const dda::Vec2 from = corners[i], to = corners[(i + 1) % corners.size()];
+    blocks.append_polygon({from, to, element_hollow * to, element_hollow * from});
+  }
+}
+
 dda::Model bare_rock(const ThesisBlast& blast, const BlastRun& run) {
   dda::Model model;
   model.title = "the blast of chapter 4";
@@ -94,6 +111,7 @@ dda::Model bare_rock(const ThesisBlast& blast, const BlastRun& run) {
   append_middle_columns(blocks, half_width, half_edge, run.mesh);
   append_upright_strip_and_quarters(blocks, half_width, run.mesh);
   append_corners_of_the_octagon(blocks, half_width, half_edge);
+  if (run.element) append_element(blocks, half_width, half_edge);
   dda::finish_model(model);
   return model;
 }
@@ -138,8 +156,8 @@ std::vector<PrintedArrival> points_inside(const ThesisBlast& blast, const BlastM
 
 dda::Model blast_scene(const ThesisBlast& blast, const BlastRun& run) {
   dda::Model model = bare_rock(blast, run);
-  if (run.loaded)
-    press_wall(model, blast.peak_pressure, dda::ExponentialDecay{run.pulse.decay_time, run.pulse.start, blast_rise});
+  const double pressure = run.element ? blast.peak_pressure / element_hollow : blast.peak_pressure;
+  if (run.loaded) press_wall(model, pressure, dda::ExponentialDecay{run.pulse.decay_time, run.pulse.start, blast_rise});
   absorb_outside(model);
   const dda::GroundPlan plan(model);
   for (const PrintedArrival& point : points_inside(blast, run.mesh)) measure(model, plan, point);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "verification/harness/markdown.h"
 #include "verification/thesis/blast_report.h"
@@ -16,7 +19,10 @@ const BlastStudy& small_study() {
   return study;
 }
 
-const BlastResult& result(std::size_t i) { return small_study().results.at(i); }
+const BlastResult& result(const std::string& name) {
+  const auto& all = small_study().results;
+  return *std::ranges::find(all, name, &BlastResult::name);
+}
 
 TEST(BlastScene, CoversItsRectangleButForTheOctagon) {
   const ThesisBlast& blast = thesis_blast();
@@ -41,6 +47,41 @@ TEST(BlastScene, CoversItsRectangleButForTheOctagon) {
   EXPECT_EQ(model.measurements.size(), 18U);  // nine points
 }
 
+// Half as long inside: a quarter of the hole's area stays open, and the faces bear what the hole's wall does.
+TEST(BlastScene, ElementFillsTheHoleAndBearsTheSameForce) {
+  const ThesisBlast& blast = thesis_blast();
+  BlastRun run;
+  run.dt = 1e-5;
+  run.duration = 1e-3;
+  run.pulse = equation_18(blast);
+  run.mesh = {1, 1};
+  const auto area = [&](bool element) {
+    run.element = element;
+    double sum = 0;
+    for (const dda::Block& block : blast_scene(blast, run).blocks) sum += block.moments.area;
+    return sum;
+  };
+  const double octagon = 2 * (1 + std::sqrt(2.0)) * blast.octagon_edge * blast.octagon_edge;
+  EXPECT_NEAR(area(true) - area(false), 0.75 * octagon, 1e-9 * octagon);
+  run.element = true;
+  const dda::Model model = blast_scene(blast, run);
+  ASSERT_EQ(model.edge_loads.size(), 8U);
+  for (const dda::EdgeLoad& load : model.edge_loads)
+    EXPECT_NEAR(load.traction.norm() * (load.to - load.from).norm(), 10e6, 1e-3);  // N/m, round-off
+}
+
+// Blocks of the element part and push on the rock behind them: what reaches H1 and V1 is what the wall's pressure
+// makes, but for their inertia and for what their own joints take aside. Measured: 1.19 and 1.04 times, 0.11 and 0.15
+// ms later; a face that bore no force, or one that bore it on the length of the outer edge, would halve or double it.
+TEST(BlastStudy, ElementHandsOnItsForce) {
+  for (const auto& [point, share] : {std::pair(0U, 1.19), std::pair(1U, 1.04)}) {
+    const BlastReading& element = result("element").readings[point];
+    const BlastReading& dry = result("dry").readings[point];
+    EXPECT_NEAR(element.peak_stress / dry.peak_stress, share, 0.05);
+    EXPECT_NEAR(element.peak_time - dry.peak_time, 0.13e-3, 0.05e-3);
+  }
+}
+
 TEST(BlastStudy, PressureIsEquation18) {
   const ThesisBlast& blast = thesis_blast();
   const double arrival = blast_arrival_time(blast);
@@ -59,10 +100,11 @@ TEST(BlastStudy, DryJointsMakeTheUprightStressTheLargerOne) {
   ASSERT_EQ(study.points.front().point, "H1");
   ASSERT_EQ(study.points.at(1).point, "V1");
   const auto ratio = [](const BlastResult& r) { return r.readings[1].peak_stress / r.readings[0].peak_stress; };
-  EXPECT_NEAR(ratio(result(0)), 1.59, 0.08);  // 5 %: measured 1.64
-  EXPECT_NEAR(ratio(result(3)), std::sqrt(1.25), 0.03);
-  EXPECT_NEAR(result(3).readings[0].peak_stress, thesis_blast().level_stress, 0.02 * thesis_blast().level_stress);
-  EXPECT_NEAR(result(3).readings[0].peak_time, 1.96e-3, 0.02e-3);  // printed: 1.96 ms
+  EXPECT_NEAR(ratio(result("dry")), 1.59, 0.08);  // 5 %: measured 1.64
+  EXPECT_NEAR(ratio(result("axisymmetric")), std::sqrt(1.25), 0.03);
+  EXPECT_NEAR(result("axisymmetric").readings[0].peak_stress, thesis_blast().level_stress,
+              0.02 * thesis_blast().level_stress);
+  EXPECT_NEAR(result("axisymmetric").readings[0].peak_time, 1.96e-3, 0.02e-3);  // printed: 1.96 ms
   // A slower decay brings both stresses to the printed ones: measured 8 % below and 4 % above.
   const DecayResult& slow = study.decays.at(0);
   EXPECT_NEAR(slow.level.peak_stress / thesis_blast().level_stress, 1, 0.1);

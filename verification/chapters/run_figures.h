@@ -1,0 +1,15 @@
+// Figures of chapter 6 drawn from its runs: histories of points, and the mesh as it has moved with its principal
+// stresses.
+#pragma once
+
+#include "verification/chapters/scene_runs.h"
+#include "verification/chapters/strain_relaxation.h"
+#include "verification/chapters/tunnel_blast.h"
+
+namespace verify {
+
+// Of the first reading of each section, whose other readings are variations of it. Runs that failed have no figure.
+void draw_relaxation(const SceneFolder& folder, const std::vector<RelaxationResult>& results, Chapter& chapter);
+void draw_tunnel_blast(const SceneFolder& folder, const std::vector<TunnelBlastResult>& results, Chapter& chapter);
+
+}  // namespace verify

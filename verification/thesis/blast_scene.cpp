@@ -94,7 +94,8 @@ void append_element(Rectangles& blocks, double w, double half_edge) {
                                              {-half_edge, -w},
                                              {half_edge, -w}}};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const dda::Vec2 from = corners[i], to = corners[(i + 1) % corners.size()];
+    const dda::Vec2& from = corners[i];
+    const dda::Vec2& to = corners[(i + 1) % corners.size()];
     blocks.append_polygon({from, to, element_hollow * to, element_hollow * from});
   }
 }

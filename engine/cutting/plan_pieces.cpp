@@ -105,10 +105,26 @@ class Collector {
 
 }  // namespace
 
+namespace {
+
+// Lines are cut off beyond it. Closed curves must stay closed, or they would no longer say what lies in them: an
+// opening may reach out of the rock as far as it likes.
+Box box_of_curves(const RockPlan& plan, const Box& boundary) {
+  Box box = boundary;
+  const auto take_in = [&box](const Ring& ring) {
+    for (const Vec2& corner : ring) box = expanded(box, corner);
+  };
+  for (const Ring& hole : plan.holes) take_in(hole);
+  for (const PlanOpening& opening : plan.openings) take_in(opening.outline);
+  return box;
+}
+
+}  // namespace
+
 PlanPieces pieces_of(const RockPlan& plan, double tolerance) {
   const Box boundary = bounding_box(plan.boundary);
   const double diagonal = (boundary.upper - boundary.lower).norm();
-  Collector collector(plan, expanded(boundary, room_around * diagonal),
+  Collector collector(plan, expanded(box_of_curves(plan, boundary), room_around * diagonal),
                       tolerance > 0 ? tolerance : default_tolerance * diagonal);
   collector.add_ring(plan.boundary, boundary_curve);
   for (std::size_t i = 0; i < plan.holes.size(); ++i) collector.add_ring(plan.holes[i], curve_of_hole(i));

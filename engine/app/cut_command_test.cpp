@@ -132,6 +132,19 @@ TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {
   const Outcome cut = call({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rock", "--unit", "km"});
   ASSERT_EQ(cut.code, 0) << cut.errors;
   EXPECT_EQ(nlohmann::json::parse(text("out/cut.json"))["area"], 16e6);
+  ASSERT_EQ(call({"cut", path("other.csv"), "--out", path("feet"), "--layer", "bed=rock", "--unit", "ft"}).code, 0);
+  EXPECT_NEAR(nlohmann::json::parse(text("feet/cut.json"))["area"], 16 * 0.3048 * 0.3048,
+              1e-12);  // exact by definition
+}
+
+// Left out, but not without a word: lines on the layer of dimensions, which is ignored as long as nobody names it.
+TEST_F(Cut, LinesAmongThePointsOfDimensionsAreTold) {
+  write("other.csv", plan + "Defpoints,0,1,4,1\n");
+  const auto remarks = [&] { return nlohmann::json::parse(text("out/cut.json"))["remarks"].dump(); };
+  ASSERT_EQ(call({"cut", path("other.csv"), "--out", path("out")}).code, 0);
+  EXPECT_TRUE(contains(remarks(), "1 lines on Defpoints")) << remarks();
+  ASSERT_EQ(call({"cut", path("other.csv"), "--out", path("out"), "--layer", "Defpoints=ignored"}).code, 0);
+  EXPECT_FALSE(contains(remarks(), "Defpoints")) << remarks();
 }
 
 TEST_F(Cut, AFolderToWhichARunWritesIsRefused) {

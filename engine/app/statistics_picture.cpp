@@ -18,7 +18,7 @@ namespace dda {
 namespace {
 
 constexpr double panel_width = 560, panel_height = 250;  // px
-constexpr double first_line = 24, line_height = 20;      // px, of the text above
+constexpr double first_line = 24, row_height = 20;      // px, of the text above
 constexpr std::size_t most_points = 400;                 // of a curve
 
 struct Sizes {
@@ -121,7 +121,7 @@ std::string numbers_of(const CutEntry& entry) {
 
 std::string statistics_picture(const CutScene& scene) {
   const Sizes sizes = sizes_of(scene);
-  const double above = first_line + line_height * static_cast<double>(scene.entries.size());
+  const double above = first_line + row_height * static_cast<double>(scene.entries.size());
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "font-family=\"'Source Sans 3', 'Segoe UI', Arial, sans-serif\" font-size=\"13\" fill=\"#1a2129\">\n"
@@ -130,7 +130,7 @@ std::string statistics_picture(const CutScene& scene) {
   double y = first_line;
   for (const CutEntry& entry : scene.entries) {
     svg += fmt::format("<text x=\"20\" y=\"{:.0f}\">{}</text>\n", y, xml_escaped(numbers_of(entry)));
-    y += line_height;
+    y += row_height;
   }
   std::size_t panel = 0;
   svg += placed(panel++, above, svg_plot(shares_below("blocks that are smaller", "area", "m2", sizes.areas)));

@@ -50,8 +50,12 @@ void LayerTable::read_header(const std::vector<std::string_view>& cells, const s
                              std::string_view text) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto known = std::ranges::find(headings, std::string_view(bare(cells[i])), &Heading::text);
-    if (known != headings.end()) columns_[known->column] = i;
+    if (known == headings.end()) continue;
+    if (columns_[known->column])
+      throw InputError("", here, fmt::format("with a second column {}", known->text), "each column once");
+    columns_[known->column] = i;
   }
+  width_ = cells.size();
   const auto has = [&](std::initializer_list<Column> wanted) {
     return std::ranges::all_of(wanted, [&](Column column) { return columns_[column].has_value(); });
   };
@@ -64,6 +68,13 @@ void LayerTable::read_header(const std::vector<std::string_view>& cells, const s
 void LayerTable::read_row(const std::vector<std::string_view>& cells, const std::string& here) {
   cells_ = &cells;
   here_ = &here;
+  const auto is_said = [](std::string_view text) { return !text.empty(); };
+  if (cells.size() > width_ && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(width_), cells.end(), is_said))
+    throw InputError(
+        "", here, fmt::format("with {} cells", cells.size()),
+        fmt::format("at most {}, as in the header; where numbers have decimal commas columns are parted by "
+                    "semicolons",
+                    width_));
   const std::string name = readable(cell(layer));
   if (name.empty()) throw InputError("", here, "without a layer", "a name in the column layer");
   const bool line = has_lines_ && given({x1, y1, x2, y2});

@@ -38,6 +38,7 @@ class LayerTable {
   double metres_;
   bool decimal_commas_;
   std::array<std::optional<std::size_t>, column_count> columns_;
+  std::size_t width_ = 0;  // cells of the header
   bool has_lines_ = false, has_points_ = false;
   const std::vector<std::string_view>* cells_ = nullptr;  // of the row that is read
   const std::string* here_ = nullptr;

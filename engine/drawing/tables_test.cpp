@@ -29,6 +29,8 @@ TEST(ReadCsv, WhatIsWrongIsSaidInOneSentence) {
       {"boundary,0,0,4,0\n", "plan.csv line 1 is \"boundary,0,0,4,0\", expected a header with layer"},
       {"layer,x1,y1,x2,y2\nrock,0,0,4\n", "plan.csv line 2, column y2 is \"\", expected a finite number"},
       {"layer,x1,y1,x2,y2\nrock,0,0,4,inf\n", "plan.csv line 2, column y2 is \"inf\", expected a finite number"},
+      {"layer,x1,y1,x2,y2\nrock,0,5,2,75,9,5,7,25\n", "plan.csv line 2 is with 9 cells, expected at most 5"},
+      {"layer,x1,y1,x2,y2,y2\nrock,0,0,4,1,2\n", "plan.csv line 1 is with a second column y2, expected each"},
       {"layer,x,y\n,0,0\n", "plan.csv line 2 is without a layer"},
       {"layer,x,y\nrock,,\nrock\n", "plan.csv line 2 is without coordinates"},
   };

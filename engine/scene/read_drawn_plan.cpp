@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -15,11 +17,15 @@
 namespace dda {
 namespace {
 
+// m; those of a scene's lengths, and those in which drawings are made besides.
 double read_unit(const Field& field) {
-  std::vector<std::string> symbols;
-  for (const Unit& unit : units(Dimension::length)) symbols.emplace_back(unit.symbol);
-  const Unit& unit = units(Dimension::length)[field.choice(symbols)];
-  return unit.numerator / unit.denominator;
+  std::vector<std::string> symbols{"ft", "in", "yd"};
+  std::vector<double> metres{0.3048, 0.0254, 0.9144};
+  for (const Unit& unit : units(Dimension::length)) {
+    symbols.emplace_back(unit.symbol);
+    metres.push_back(unit.numerator / unit.denominator);
+  }
+  return metres[field.choice(symbols)];
 }
 
 LayerUse read_layer_use(const Field& field, const Model& model) {
@@ -91,17 +97,36 @@ void check_blocks(const Model& model, const std::vector<PlanBlock>& blocks) {
   }
 }
 
+// Entities of DXF that cut rock if they were drawn as others.
+const std::set<std::string> unread_lines{"3DFACE", "HELIX", "MLINE", "RAY", "XLINE"};
+
+// Lines that are ignored without anybody having said so.
+std::string remark_on_points_of_dimensions(const LineDrawing& drawing, const DrawingOptions& options) {
+  const auto is_there = [](const std::string& layer) { return bare_layer(layer) == "defpoints"; };
+  const auto count = std::ranges::count_if(drawing.lines, is_there, &DrawnLine::layer);
+  const bool is_said = std::ranges::any_of(options.layers, is_there, [](const auto& entry) { return entry.first; });
+  if (count == 0 || is_said) return "";
+  return fmt::format(
+      "{}: {} lines on Defpoints, the layer of dimensions, are left out; an entry of \"layers\" "
+      "(--layer) reads them",
+      drawing.name, count);
+}
+
 std::vector<std::string> remarks_on(const LineDrawing& drawing, double metres) {
   std::vector<std::string> remarks;
   if (metres == 0 && drawing.unit.empty())
     remarks.push_back(drawing.name + " does not say its unit: coordinates are taken in m");
   if (metres == 0 && !drawing.unit.empty())
     remarks.push_back(fmt::format("{}: coordinates in {}, as it says", drawing.name, drawing.unit));
-  std::vector<std::string> kinds;
-  for (const auto& [kind, count] : drawing.passed_over) kinds.push_back(fmt::format("{} x {}", count, kind));
+  std::vector<std::string> kinds, lines;
+  for (const auto& [kind, count] : drawing.passed_over)
+    (unread_lines.contains(kind) ? lines : kinds).push_back(fmt::format("{} x {}", count, kind));
   if (!kinds.empty())
     remarks.push_back(
         fmt::format("{}: passed over, being no lines or points: {}", drawing.name, fmt::join(kinds, ", ")));
+  if (!lines.empty())
+    remarks.push_back(fmt::format("{}: left out, lines of kinds that are not read: {}; draw them as lines or polylines",
+                                  drawing.name, fmt::join(lines, ", ")));
   return remarks;
 }
 
@@ -114,6 +139,8 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
   DrawingOptions options = field.is_object() ? read_options(field, drawing, model) : DrawingOptions{};
   options.reach = reach;
   DrawnPlan drawn{plan_of(drawing, options), remarks_on(drawing, metres)};
+  if (std::string remark = remark_on_points_of_dimensions(drawing, options); !remark.empty())
+    drawn.remarks.push_back(std::move(remark));
   for (const PlanOpening& opening : drawn.plan.openings) check_name(opening.name, opening.origin);
   take_joints(model, drawn.plan.lines);
   check_blocks(model, drawn.plan.blocks);

@@ -1,5 +1,7 @@
 #include "engine/scene/read_openings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -23,8 +25,14 @@ Vec2 place_of(const Field& field, const char* key) {
 
 // How far chords may leave the arcs of an opening of this half width.
 double chord_tolerance(const Field& opening, double half_width) {
-  return value_or(opening, "chord_tolerance", default_chord_tolerance * half_width,
-                  [](const Field& f) { return f.positive(Dimension::length); });
+  constexpr double least = 1e-6;  // of the half width: 2,222 chords around a circle
+  return value_or(
+      opening, "chord_tolerance", default_chord_tolerance * half_width, [least, half_width](const Field& f) {
+        const double tolerance = f.positive(Dimension::length);
+        if (tolerance < least * half_width)
+          f.fail(fmt::format("at least {:.3g} m, {:g} of the radius or half the width", least * half_width, least));
+        return tolerance;
+      });
 }
 
 Ring read_arch(const Field& opening, const Field& shape) {

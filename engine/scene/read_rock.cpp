@@ -66,7 +66,7 @@ void refuse_what_cuts(const Field& field) {
 }
 
 // Adds to what a drawing says.
-void read_plan(const Field& field, const Model& model, RockPlan& plan) {
+void read_plan(const Field& field, const std::string& group, const Model& model, RockPlan& plan) {
   if (plan.blocks.empty())
     read_boundary(field, plan);
   else
@@ -81,6 +81,7 @@ void read_plan(const Field& field, const Model& model, RockPlan& plan) {
   if (const auto openings = field.find("openings")) {
     for (const Field& opening : openings->items()) {
       plan.openings.push_back(read_opening(opening, model));
+      if (plan.openings.back().name == group) opening.at("name").fail("another name than that of the rock's own group");
       for (PlanLine& line : read_rings(opening, plan.openings.back().outline, model))
         plan.lines.push_back(std::move(line));
     }
@@ -126,7 +127,7 @@ Rock read_rock(const Field& field, const std::filesystem::path& folder, const Mo
     rock.plan = std::move(drawn.plan);
     rock.remarks = std::move(drawn.remarks);
   }
-  read_plan(field, model, rock.plan);
+  read_plan(field, rock.group.name, model, rock.plan);
   return rock;
 }
 

@@ -157,6 +157,11 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
            R"(, "openings": [{"name": "tunnel", "circle": {"centre": [50, 5], "radius": 2}, "joint": "bedding"}]})",
        "blocks.rock.openings[0] is \"tunnel\" around (50, 5) m, outside the rock, expected an opening inside the "
        "boundary"},
+      {"{" + square + R"(, "openings": [{"name": "rock", "circle": {"centre": [5, 5], "radius": 2}}]})",
+       "blocks.rock.openings[0].name is \"rock\", expected another name than that of the rock's own group"},
+      {"{" + square +
+           R"(, "openings": [{"name": "t", "circle": {"centre": [5, 5], "radius": 2}, "chord_tolerance": 1e-7}]})",
+       "blocks.rock.openings[0].chord_tolerance is 1e-07, expected at least 2e-06 m, 1e-06 of the radius"},
       {"{" + square + R"(, "openings": [{"name": "tunnel", "joint": "bedding"}]})",
        "blocks.rock.openings[0] is without a shape"},
       {"{" + square + R"(, "openings": [{"name": "t", "horseshoe": {"width": 4, "height": 6}, "joint": "bedding"}]})",

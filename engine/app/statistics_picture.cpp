@@ -18,7 +18,7 @@ namespace dda {
 namespace {
 
 constexpr double panel_width = 560, panel_height = 250;  // px
-constexpr double first_line = 24, row_height = 20;      // px, of the text above
+constexpr double first_line = 24, row_height = 20;       // px, of the text above
 constexpr std::size_t most_points = 400;                 // of a curve
 
 struct Sizes {

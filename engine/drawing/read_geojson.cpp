@@ -143,12 +143,26 @@ class GeoJsonReader {
   std::string layer_, origin_, material_;
 };
 
+// Degrees of longitude and latitude are no lengths. Files that do not name their coordinates are taken to be plans, as
+// those of programs of drawing are.
+void refuse_degrees(const json& document, const std::string& name) {
+  const json::json_pointer place("/crs/properties/name");
+  if (!document.is_object() || !document.contains(place) || !document.at(place).is_string()) return;
+  const std::string system = document.at(place);
+  for (const char* of_degrees : {"CRS84", "EPSG::4326", "EPSG:4326"})
+    if (system.find(of_degrees) != std::string::npos)
+      throw InputError("", name + " crs", "\"" + readable(system.substr(0, 80)) + "\", degrees",
+                       "coordinates of a plan, in lengths");
+}
+
 }  // namespace
 
 LineDrawing read_geojson(std::string_view text, const std::string& name, double metres) {
   LineDrawing drawing;
   drawing.name = name;
-  GeoJsonReader(drawing, metres > 0 ? metres : 1).read(parse(text, name));
+  const json document = parse(text, name);
+  refuse_degrees(document, name);
+  GeoJsonReader(drawing, metres > 0 ? metres : 1).read(document);
   return drawing;
 }
 

@@ -73,6 +73,8 @@ TEST(ReadGeoJson, WhatIsWrongIsSaidInOneSentence) {
       {"{\n\"type\": ", "plan.geojson line 2 is no JSON, or cut off, expected GeoJSON"},
       {deep, "plan.geojson is nested too deeply"},
       {"[1e999]", "plan.geojson is with a number beyond all bounds, expected GeoJSON with finite numbers"},
+      {R"({"type": "FeatureCollection", "crs": {"properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}, "features": []})",
+       "plan.geojson crs is \"urn:ogc:def:crs:OGC:1.3:CRS84\", degrees, expected coordinates of a plan"},
       {"[]", "plan.geojson is type \"\", expected a FeatureCollection"},
       {R"({"type": "FeatureCollection", "features": [{"type": "Feature"}]})",
        "plan.geojson features[0] is without a layer"},

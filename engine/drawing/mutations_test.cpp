@@ -1,6 +1,7 @@
 // Files with bytes changed, lost and doubled are read, or refused in one sentence.
 #include <random>
 
+#include "engine/core/fuzz_support.h"
 #include "engine/cutting/cut_rock.h"
 #include "engine/drawing/drawing_test_support.h"
 #include "engine/drawing/read_formats.h"
@@ -12,9 +13,9 @@ namespace {
 
 using Reader = LineDrawing (*)(std::string_view, const std::string&, double);
 
-class Mutator {
+class PlanMutator {
  public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
+  explicit PlanMutator(unsigned seed) : random_(seed) {}
 
   // Changes `text` behind `from` in one to four places.
   std::string mutate(std::string text, std::size_t from) {
@@ -49,11 +50,13 @@ struct Tally {
   int refused = 0;
 };
 
-// Any other exception ends the test.
-Tally read_mutations(const std::string& seed, std::size_t from, Reader reader, int count) {
-  Mutator mutator(7);
+// `count`, or as many as DDA_FUZZ_INPUTS says. Any other exception ends the test, and so does an input that takes a
+// minute.
+Tally read_mutations(const std::string& seed, std::size_t from, Reader reader, std::uint64_t count) {
+  PlanMutator mutator(7);
   Tally tally;
-  for (int i = 0; i < count; ++i) {
+  for (std::uint64_t i = 0; i < number_from_environment("DDA_FUZZ_INPUTS", count); ++i) {
+    const InputWatch watch(i);
     const std::string text = mutator.mutate(seed, from);
     try {
       const RockPlan plan = plan_of(reader(text, "plan", 0), shapes_options());

@@ -62,18 +62,15 @@ Outcome least_thickness() {
     const double expected = exact::least_thickness(voussoirs);
     const Bracket got = thinnest(voussoirs, outcome);
     outcome.assertions.push_back(
-        expect(fmt::format("least thickness over radius, {} voussoirs", voussoirs), "-")
-            .is(got.middle())
-            .against(expected, "line of thrust in this arch (exact/arch_thrust)")
-            .off_by(bracket_error(got, expected))
+        bracketed(expect(fmt::format("least thickness over radius, {} voussoirs", voussoirs), "-"), got, expected,
+                  "line of thrust in this arch (exact/arch_thrust)")
             .within(4e-4, "bracket of 5e-5; joints and stones give way: measured up to 2.4e-4"));
   }
   const Bracket many = thinnest(60, outcome);
-  outcome.assertions.push_back(expect("least thickness over radius, 60 voussoirs against a line of joints", "-")
-                                   .is(many.middle())
-                                   .against(0.1075, "Milankovitch 1907")
-                                   .off_by(bracket_error(many, 0.1075))
-                                   .within(2e-3, "60 joints leave out 1e-3, digits of the reference"));
+  outcome.assertions.push_back(
+      bracketed(expect("least thickness over radius, 60 voussoirs against a line of joints", "-"), many, 0.1075,
+                "Milankovitch 1907")
+          .within(2e-3, "60 joints leave out 1e-3, digits of the reference"));
   return outcome;
 }
 

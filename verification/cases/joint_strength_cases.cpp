@@ -119,6 +119,13 @@ struct Sheared {
   double energy_residual = 0;
 };
 
+Assertion peak_assertion(const std::string& name, const Sheared& sheared, double peak) {
+  return expect("peak shear strength, " + name, "Pa")
+      .is(sheared.peak)
+      .against(peak, "c + sigma tan f")
+      .within(over_peak / shear_steps, "theory: the pull grows by this share of the peak a step");
+}
+
 Sheared shear(const dda::JointMaterial& joint, double normal_stress, double peak, Outcome& outcome) {
   WatchedRun run(shear_box(joint, normal_stress, peak));
   Sheared sheared;
@@ -151,11 +158,7 @@ Outcome direct_shear() {
       const double peak = exact::shear_strength(joint.cohesion, joint.friction_angle, normal_stress);
       const double residual = exact::shear_strength(0, joint.friction_angle, normal_stress);
       const Sheared sheared = shear(joint, normal_stress, peak, outcome);
-      outcome.assertions.push_back(
-          expect("peak shear strength, " + name, "Pa")
-              .is(sheared.peak)
-              .against(peak, "c + sigma tan f")
-              .within(over_peak / shear_steps, "theory: the pull grows by this share of the peak a step"));
+      outcome.assertions.push_back(peak_assertion(name, sheared, peak));
       outcome.assertions.push_back(
           expect("shear strength after the peak, " + name, "Pa")
               .is(sheared.residual)
@@ -185,11 +188,7 @@ Outcome weakening_joint() {
     const double residual =
         exact::shear_strength(joint.residual_cohesion, *joint.residual_friction_angle, normal_stress);
     const Sheared sheared = shear(joint, normal_stress, peak, outcome);
-    outcome.assertions.push_back(
-        expect("peak shear strength, " + name, "Pa")
-            .is(sheared.peak)
-            .against(peak, "c + sigma tan f")
-            .within(over_peak / shear_steps, "theory: the pull grows by this share of the peak a step"));
+    outcome.assertions.push_back(peak_assertion(name, sheared, peak));
     outcome.assertions.push_back(
         expect("residual shear strength, " + name, "Pa")
             .is(sheared.residual)

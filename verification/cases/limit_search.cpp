@@ -57,10 +57,10 @@ Bracket bisect(Bracket bracket, double width, const std::function<bool(double)>&
   return bracket;
 }
 
-double bracket_error(const Bracket& bracket, double reference) {
+Expectation bracketed(const Quantity& quantity, const Bracket& bracket, double reference, const std::string& source) {
   const double a = relative_error(bracket.falls, reference);
   const double b = relative_error(bracket.stands, reference);
-  return std::abs(a) > std::abs(b) ? a : b;
+  return quantity.is(bracket.middle()).against(reference, source).off_by(std::abs(a) > std::abs(b) ? a : b);
 }
 
 }  // namespace verify

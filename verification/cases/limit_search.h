@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "engine/model/model.h"
 #include "verification/suite/case.h"
+#include "verification/suite/expect.h"
 
 namespace verify {
 
@@ -33,7 +35,9 @@ struct Bracket {
 // do not do what they are said to.
 [[nodiscard]] Bracket bisect(Bracket bracket, double width, const std::function<bool(double)>& stands_at);
 
-// The error of both ends of a bracket that encloses the reference, or of the end that has passed it: the larger.
-[[nodiscard]] double bracket_error(const Bracket& bracket, double reference);
+// The middle of the bracket against the reference, with the error of both ends of a bracket that encloses it, or of the
+// end that has passed it: the larger.
+[[nodiscard]] Expectation bracketed(const Quantity& quantity, const Bracket& bracket, double reference,
+                                    const std::string& source);
 
 }  // namespace verify

@@ -96,10 +96,8 @@ Outcome roof_prism() {
     const Bracket got = bisect({1.1 * at_thrust, 0.9 * at_thrust}, 1e-4 * at_thrust, [&](double weight) {
       return stands(prism_at_constant_thrust(pushed, weight), 0.02, outcome);
     });
-    outcome.assertions.push_back(expect("weight held at constant thrust, " + angles, "N")
-                                     .is(got.middle())
-                                     .against(at_thrust, "2 H tan(f - alpha): limit equilibrium (Brady and Brown 1985)")
-                                     .off_by(bracket_error(got, at_thrust))
+    outcome.assertions.push_back(bracketed(expect("weight held at constant thrust, " + angles, "N"), got, at_thrust,
+                                           "2 H tan(f - alpha): limit equilibrium (Brady and Brown 1985)")
                                      .within(3e-4, "bracket of 1e-4; rock gives way"));
 
     const PrismScene wedged{prism, 1e4, 1e-4};
@@ -108,12 +106,9 @@ Outcome roof_prism() {
       return stands(prism_between_fixed_abutments(wedged, weight), 0.02, outcome);
     });
     outcome.assertions.push_back(
-        expect("weight held between fixed abutments, " + angles, "N")
-            .is(held.middle())
-            .against(
-                between,
-                "2 H (k_s cos^2 a + k_n sin^2 a) sin(f - a)/(k_s cos a cos f + k_n sin a sin f): Brady and Brown 1985")
-            .off_by(bracket_error(held, between))
+        bracketed(
+            expect("weight held between fixed abutments, " + angles, "N"), held, between,
+            "2 H (k_s cos^2 a + k_n sin^2 a) sin(f - a)/(k_s cos a cos f + k_n sin a sin f): Brady and Brown 1985")
             .within(4e-4, "bracket of 1e-4; rock gives way, by 1e-4 of the springs: measured 2e-4"));
   }
   return outcome;
@@ -168,10 +163,9 @@ Outcome voussoir_beam() {
       return roof_stands({1, thickness}, friction, 1e-3, outcome);
     });
     outcome.assertions.push_back(
-        expect(fmt::format("coefficient of friction with which one bed {} m thick just stands", thickness), "-")
-            .is(got.middle())
-            .against(expected, "4 z/S with the force from edge to edge, z = t (exact/voussoir_beam)")
-            .off_by(bracket_error(got, expected))
+        bracketed(
+            expect(fmt::format("coefficient of friction with which one bed {} m thick just stands", thickness), "-"),
+            got, expected, "4 z/S with the force from edge to edge, z = t (exact/voussoir_beam)")
             .within(2e-3, "bracket of 5e-4, sag of 6e-4 of the thickness"));
   }
   return outcome;
@@ -206,12 +200,11 @@ Outcome laminated_roof() {
       return roof_stands({5, 0.5, smooth}, friction, 0.02, outcome);
     });
     outcome.assertions.push_back(
-        expect(fmt::format("coefficient of friction with which five beds of 0.5 m just stand, {} between beds",
-                           smooth ? "none" : "the same"),
-               "-")
-            .is(got.middle())
-            .against(alone, "4 z/S of one bed, z = t (exact/voussoir_beam)")
-            .off_by(bracket_error(got, alone))
+        bracketed(
+            expect(fmt::format("coefficient of friction with which five beds of 0.5 m just stand, {} between beds",
+                               smooth ? "none" : "the same"),
+                   "-"),
+            got, alone, "4 z/S of one bed, z = t (exact/voussoir_beam)")
             .within(smooth ? 0.006 : 0.08, smooth
                                                ? "bracket of 0.25 %, sag of 1 % of a bed at the limit: measured 0.2 %"
                                                : "beds that hold each other carry part of the load as one thick bed, "

@@ -63,12 +63,11 @@ Outcome toppling() {
     const Bracket got = bisect({0.95 * expected, 1.05 * expected}, 2e-4 * expected,
                                [&](double friction) { return slope_stands(rock.young, friction, outcome); });
     outcome.assertions.push_back(
-        expect(fmt::format("coefficient of friction with which the slope just stands, {:.0f} GPa", rock.young / 1e9),
-               "-")
-            .is(got.middle())
-            .against(expected,
-                     "limit equilibrium column by column, 0.7855 (Goodman and Bray 1976; exact/toppling_slope)")
-            .off_by(bracket_error(got, expected))
+        bracketed(
+            expect(
+                fmt::format("coefficient of friction with which the slope just stands, {:.0f} GPa", rock.young / 1e9),
+                "-"),
+            got, expected, "limit equilibrium column by column, 0.7855 (Goodman and Bray 1976; exact/toppling_slope)")
             .within(rock.tolerance,
                     "columns that give way need more friction than rigid ones: measured +0.1 % (100 GPa), +0.5 % (10 "
                     "GPa)"));
@@ -155,10 +154,8 @@ Outcome plane_failure() {
         return slice_stands({dip, cohesion, friction, law}, outcome);
       });
       outcome.assertions.push_back(
-          expect(fmt::format("cohesion that just holds, f = {:.0f} deg, {}", friction / degree, name), "Pa")
-              .is(got.middle())
-              .against(expected, source)
-              .off_by(bracket_error(got, expected))
+          bracketed(expect(fmt::format("cohesion that just holds, f = {:.0f} deg, {}", friction / degree, name), "Pa"),
+                    got, expected, source)
               .within(tolerance, reason));
     }
     for (const double share : {0.0, 0.3, 0.7}) {
@@ -168,10 +165,10 @@ Outcome plane_failure() {
         return slice_stands({dip, cohesion, std::atan(friction), law}, outcome);
       });
       outcome.assertions.push_back(
-          expect(fmt::format("coefficient of friction that just holds, c = {:.0f} kPa, {}", cohesion / 1e3, name), "-")
-              .is(got.middle())
-              .against(expected, source)
-              .off_by(bracket_error(got, expected))
+          bracketed(
+              expect(fmt::format("coefficient of friction that just holds, c = {:.0f} kPa, {}", cohesion / 1e3, name),
+                     "-"),
+              got, expected, source)
               .within(tolerance, reason));
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <stdexcept>
 
@@ -26,6 +27,20 @@ const std::vector<double>& SceneRun::at(const std::string& column) const {
   const auto found = std::ranges::find(histories.columns, column, &dda::HistoryColumn::name);
   if (found == histories.columns.end()) throw std::out_of_range("run " + name + " has no history \"" + column + "\"");
   return found->values;
+}
+
+std::vector<double> SceneRun::size_of(const std::string& quantity) const {
+  const std::vector<double>& x = at(quantity + "_x");
+  const std::vector<double>& y = at(quantity + "_y");
+  std::vector<double> size(x.size());
+  for (std::size_t row = 0; row < x.size(); ++row) size[row] = std::hypot(x[row], y[row]);
+  return size;
+}
+
+std::size_t SceneRun::settled_row() const {
+  std::size_t row = 0;
+  while (row + 1 < times().size() && times()[row + 1] == times().front()) ++row;
+  return row;
 }
 
 SceneFolder::SceneFolder(std::filesystem::path folder, std::filesystem::path program, int at_once, std::ostream& out)

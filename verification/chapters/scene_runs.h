@@ -1,6 +1,7 @@
 // Scenes that a study writes, runs as a user would, and reads: DIR/scenes/NAME.json, `dda run` into DIR/runs/NAME.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,11 @@ struct SceneRun {
   [[nodiscard]] bool ok() const { return status == "ok"; }
   [[nodiscard]] const std::vector<double>& times() const { return histories.times; }  // s
   [[nodiscard]] const std::vector<double>& at(const std::string& column) const;       // throws std::out_of_range
+  // Length, row by row, of the vector with the columns `quantity`_x and `quantity`_y.
+  [[nodiscard]] std::vector<double> size_of(const std::string& quantity) const;
+  // The first row behind the stages that take no time: rows of one time are theirs, and the last of them is the settled
+  // state.
+  [[nodiscard]] std::size_t settled_row() const;
 };
 
 class SceneFolder {

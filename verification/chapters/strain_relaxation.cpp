@@ -46,28 +46,16 @@ Json steps(const RelaxationReading& reading) {
            {"velocity_factor", reading.velocity_factor}}};
 }
 
-double size_at(const SceneRun& run, const std::string& prefix, std::size_t row) {
-  return std::hypot(run.at(prefix + "_x")[row], run.at(prefix + "_y")[row]);
-}
-
-// The first row of the stage in which the tunnel is gone: rows of one time are those of stages that take no time, and
-// the last of them is the settled state.
-std::size_t settled_row(const SceneRun& run) {
-  std::size_t row = 0;
-  while (row + 1 < run.times().size() && run.times()[row + 1] == run.times().front()) ++row;
-  return row;
-}
-
 double largest(const SceneRun& run, const std::string& prefix) {
+  const std::vector<double> sizes = run.size_of(prefix);
   double value = 0;
-  for (std::size_t row = settled_row(run); row < run.times().size(); ++row)
-    value = std::max(value, size_at(run, prefix, row));
+  for (std::size_t row = run.settled_row(); row < sizes.size(); ++row) value = std::max(value, sizes[row]);
   return value;
 }
 
 double largest_change(const SceneRun& run, const std::string& column) {
   const std::vector<double>& history = run.at(column);
-  const std::size_t begin = settled_row(run);
+  const std::size_t begin = run.settled_row();
   double value = 0;
   for (std::size_t row = begin; row < history.size(); ++row)
     value = std::max(value, std::abs(history[row] - history[begin]));
@@ -75,11 +63,11 @@ double largest_change(const SceneRun& run, const std::string& column) {
 }
 
 std::size_t last_fifth(const SceneRun& run) {
-  return run.times().size() - 1 - (run.times().size() - settled_row(run)) / 5;
+  return run.times().size() - 1 - (run.times().size() - run.settled_row()) / 5;
 }
 
 double displaced(const SceneRun& run, const std::string& prefix) {
-  const std::size_t begin = settled_row(run);
+  const std::size_t begin = run.settled_row();
   const auto &x = run.at(prefix + "_x"), &y = run.at(prefix + "_y");
   double value = 0;
   for (std::size_t row = begin; row < x.size(); ++row)

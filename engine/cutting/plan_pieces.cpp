@@ -103,10 +103,6 @@ class Collector {
   PlanPieces pieces_;
 };
 
-}  // namespace
-
-namespace {
-
 // Lines are cut off beyond it. Closed curves must stay closed, or they would no longer say what lies in them: an
 // opening may reach out of the rock as far as it likes.
 Box box_of_curves(const RockPlan& plan, const Box& boundary) {

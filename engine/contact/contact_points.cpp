@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/projected_law.h"
 
 namespace dda {
 namespace {
@@ -20,9 +21,7 @@ EndForces end_forces(const Model& model, const Interface& interface, const Inter
                      const InterfaceState& state) {
   switch (element.law) {
     case InterfaceLaw::classical: break;
-    case InterfaceLaw::projected:  // the forces at the ends that have the same sum and moment as those at the points
-      return shared(state.force.head<2>() + state.force.tail<2>(),
-                    element.lever * (state.force.tail<2>() - state.force.head<2>()));
+    case InterfaceLaw::projected: return forces_at_ends(element, state.force);
     case InterfaceLaw::consistent: return shared(state.force.head<2>(), state.force.tail<2>());
     case InterfaceLaw::cubic:
       return shared(element.length * mean_traction(model, interface, element, state), Vec2(state.force(3), 0));
@@ -44,7 +43,7 @@ void append_contact_points(const Model& model, const State& blocks, const Interf
     point.block_b = interface.block_b;
     point.reference = references[end];
     point.point = current_position(model, blocks, interface.block_b, references[end]);
-    point.normal = element.rows_b.block<1, 2>(0, 0).transpose();
+    point.normal = normal_of(element);
     point.normal_force = forces[end](0);
     point.shear_force = forces[end](1);
     point.status = state.status[end];

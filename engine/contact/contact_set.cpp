@@ -5,6 +5,7 @@
 
 #include "engine/contact/cubic_law.h"
 #include "engine/contact/projected_law.h"
+#include "engine/contact/projected_stretch.h"
 #include "engine/contact/row_bending.h"
 
 namespace dda {
@@ -49,18 +50,6 @@ InterfaceMatrices stiffness_of_rows(const InterfaceElement& element, const Vec4&
   return k;
 }
 
-std::vector<Mat3> outline_compliance_of(const Model& model, const ContactSet& contacts) {
-  std::vector<Mat3> sums;
-  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    if (contacts.elements[i].law != InterfaceLaw::projected) continue;
-    if (sums.empty()) sums.assign(model.blocks.size(), Mat3::Zero());
-    const Interface& interface = contacts.interfaces[i];
-    for (const int block : {interface.block_a, interface.block_b})
-      sums[static_cast<std::size_t>(block)] += traction_compliance(model, interface, block);
-  }
-  return sums;
-}
-
 Vec2 current_normal(const State& state, const Interface& interface) {
   const auto a = static_cast<std::size_t>(interface.block_a);
   const auto b = static_cast<std::size_t>(interface.block_b);
@@ -89,23 +78,27 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
 
 InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface, InterfaceLaw law) {
   InterfaceFrame frame = current_frame(model, state, interface);
-  if (law != InterfaceLaw::consistent) return frame;
+  if (law != InterfaceLaw::consistent && law != InterfaceLaw::projected) return frame;
   frame.from_a = frame.from_b = (frame.from_a + frame.from_b) / 2;
   frame.to_a = frame.to_b = (frame.to_a + frame.to_b) / 2;
   return frame;
 }
 
-void measure_gap(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
-                 InterfaceState& own) {
-  if (element.law != InterfaceLaw::consistent) return;
+EndsApart ends_apart(const Model& model, const State& state, const Interface& interface) {
   const auto apart = [&](const Vec2& end) -> Vec2 {  // places would lose digits that displacements have
     return point_displacement(model, state, interface.block_b, end) -
            point_displacement(model, state, interface.block_a, end);
   };
   const Mat2 axes = local_axes(current_normal(state, interface));
-  const Vec2 first = axes * apart(interface.from);
-  const Vec2 last = axes * apart(interface.to);
-  own.gap << (first + last) / 2, (last - first) / 2;
+  return {axes * apart(interface.from), axes * apart(interface.to)};
+}
+
+void measure_gap(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
+                 InterfaceState& own) {
+  if (element.law != InterfaceLaw::consistent && element.law != InterfaceLaw::projected) return;
+  const EndsApart ends = ends_apart(model, state, interface);
+  if (element.law == InterfaceLaw::projected) return measure_projected(model, state, interface, element, ends, own);
+  own.gap << (ends.from + ends.to) / 2, (ends.to - ends.from) / 2;
 }
 
 Vec4 in_situ_force(const Model& model, const Interface& interface) {
@@ -154,7 +147,18 @@ ContactSet make_contacts(const Model& model) {
 
 void fit_to_neighbours(const Model& model, ContactSet& contacts) {
   stiffen_rows(model, contacts);
-  contacts.outline_compliance = outline_compliance_of(model, contacts);
+  take_off_blocks(model.blocks.size(), contacts);
+}
+
+void take_off_blocks(std::size_t blocks, ContactSet& contacts) {
+  std::vector<Mat3>& sums = contacts.outline_compliance;
+  const bool any = std::ranges::count(contacts.elements, InterfaceLaw::projected, &InterfaceElement::law) > 0;
+  sums.assign(any ? blocks : 0, Mat3::Zero());
+  for (const InterfaceElement& element : contacts.elements) {
+    if (element.law != InterfaceLaw::projected) continue;
+    sums[static_cast<std::size_t>(element.block_a)] += traction_compliance(element, element.softness(0));
+    sums[static_cast<std::size_t>(element.block_b)] += traction_compliance(element, element.softness(1));
+  }
 }
 
 Mat3 outline_stiffness(const ContactSet& contacts, std::size_t block, const Mat3& elasticity) {
@@ -212,10 +216,11 @@ Vec2 mean_traction(const Model& model, const Interface& interface, const Interfa
 
 void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    measure_gap(model, state, contacts.interfaces[i], contacts.elements[i], contacts.states[i]);
     InterfaceElement& element = contacts.elements[i];
     set_geometry(model, acting_frame(model, acting, contacts.interfaces[i], element.law), element);
+    measure_gap(model, state, contacts.interfaces[i], element, contacts.states[i]);
   }
+  if (!contacts.outline_compliance.empty()) take_off_blocks(model.blocks.size(), contacts);
 }
 
 void refresh_tractions(const State& state, ContactSet& contacts) {

@@ -139,7 +139,10 @@ InterfaceElement make_element(const Model& model, const Interface& interface, In
   element.law = law;
   element.length = interface.length;
   element.stiffness = interface_stiffness(model, interface, law);
-  if (law == InterfaceLaw::projected) element.lever = projected_lever(model, interface);
+  if (law == InterfaceLaw::projected) {
+    element.lever = projected_lever(model, interface);
+    element.softness = projected_softness(model, interface);
+  }
   const double damping = model.joints[static_cast<std::size_t>(interface.joint)].contact_damping;
   if (damping > 0 && law == InterfaceLaw::classical) {
     const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));

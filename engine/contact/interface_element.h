@@ -46,6 +46,7 @@ struct InterfaceSprings {
 struct InterfaceElement : InterfaceSprings {
   int block_a = 0;
   int block_b = 0;
+  Vec2 softness = Vec2::Zero();  // m/Pa, of a projected stretch: the gap that the traction of a, of b makes
   Mat46 rows_a, rows_b;
   Mat43 stress_rows_a, stress_rows_b;  // m; not set where there are none
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set where there are none
@@ -71,6 +72,7 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
   // A member more, and this no longer compiles: it must be visited too.
   struct Members : InterfaceSprings {
     std::array<int, 2> blocks;
+    Vec2 softness;
     std::array<Mat46, 2> rows;
     std::array<Mat43, 4> stress_rows;
   };
@@ -78,7 +80,7 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
   using OwnSprings = std::conditional_t<std::is_const_v<Self>, const InterfaceSprings, InterfaceSprings>;
   InterfaceSprings::visit_springs(static_cast<OwnSprings&>(self), archive);
   archive.blocks(self.block_a, self.block_b);
-  archive(self.rows_a, self.rows_b);
+  archive(self.softness, self.rows_a, self.rows_b);
   if (has_stress_rows(self)) archive(self.stress_rows_a, self.stress_rows_b, self.strain_rows_a, self.strain_rows_b);
 }
 
@@ -94,6 +96,9 @@ struct InterfaceFrame {
   Vec2 normal;
   Vec2 centroid_a, centroid_b;
 };
+
+// From a into b, as the rows have it.
+inline Vec2 normal_of(const InterfaceElement& element) { return element.rows_b.block<1, 2>(0, 0).transpose(); }
 
 // Rows (normal, tangent): the local components of a global vector.
 Mat2 local_axes(const Vec2& normal);

@@ -1,12 +1,14 @@
 #include "engine/contact/moving_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "engine/contact/acting_frame.h"
 #include "engine/contact/covered_corners.h"
+#include "engine/contact/projected_stretch.h"
 #include "engine/contact/shared_face.h"
 #include "engine/contact/succession.h"
 #include "engine/model/tolerance.h"
@@ -22,6 +24,26 @@ const JointMaterial& joint_of(const Model& model, const Interface& interface) {
 
 // The two blocks of an interface, the smaller index first.
 std::pair<int, int> pair_of(const Interface& interface) { return std::minmax(interface.block_a, interface.block_b); }
+
+class PairsOfBlocks {
+ public:
+  void add(const std::pair<int, int>& pair) { pairs_.push_back(pair); }
+  void sort() { std::sort(pairs_.begin(), pairs_.end()); }
+  // Of sorted ones.
+  [[nodiscard]] bool has(const std::pair<int, int>& pair) const {
+    return std::binary_search(pairs_.begin(), pairs_.end(), pair);
+  }
+
+ private:
+  std::vector<std::pair<int, int>> pairs_;
+};
+
+// Normal and shear force of a stretch at one end and at the other.
+Vec4 ends_force(const InterfaceElement& element, const Vec4& force) {
+  if (element.law != InterfaceLaw::projected) return force;
+  const std::array<Vec2, 2> ends = pressing_ends(element, force);
+  return {ends[0](0), ends[0](1), ends[1](0), ends[1](1)};
+}
 
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
@@ -157,25 +179,31 @@ void MovingContacts::leave_out(const std::vector<bool>& absent, ContactSet& cont
 }
 
 // Stretches that vertex contacts take the place of: dry ones and lone vertices at the start, later those broken at both
-// ends. The stretches of a pair end together, since no vertex contacts are looked for between blocks that have one.
-std::vector<char> MovingContacts::ending_stretches(const Model& model, const ContactSet& contacts,
+// ends; projected ones when they have parted. The stretches of a pair end together, since no vertex contacts are looked
+// for between blocks that have one.
+std::vector<char> MovingContacts::ending_stretches(const Model& model, const State& state, const ContactSet& contacts,
                                                    bool dry_ones) const {
-  std::vector<std::pair<int, int>> held;
+  PairsOfBlocks firm, closed, parted;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
     const auto& broken = contacts.states[i].broken;
     const bool holds = interface.length > 0 && !is_dry(joint_of(model, interface));
-    if (holds && (dry_ones || !broken[0] || !broken[1])) held.push_back(pair_of(interface));
+    if (holds && (dry_ones || !broken[0] || !broken[1])) firm.add(pair_of(interface));
+    if (contacts.elements[i].law != InterfaceLaw::projected) continue;
+    (has_parted(model, state, interface) ? parted : closed).add(pair_of(interface));
   }
-  std::sort(held.begin(), held.end());
+  for (PairsOfBlocks* each : {&firm, &closed, &parted}) each->sort();
   std::vector<char> ends(stretches_);
-  for (std::size_t i = 0; i < stretches_; ++i)
-    ends[i] = std::binary_search(held.begin(), held.end(), pair_of(contacts.interfaces[i])) ? 0 : 1;
+  for (std::size_t i = 0; i < stretches_; ++i) {
+    const std::pair<int, int> pair = pair_of(contacts.interfaces[i]);
+    const bool stays = firm.has(pair) || (closed.has(pair) && !parted.has(pair));
+    ends[i] = stays ? 0 : 1;
+  }
   return ends;
 }
 
 void MovingContacts::end_stretches(const Model& model, const State& state, bool dry_ones, ContactSet& contacts) {
-  const std::vector<char> ends = ending_stretches(model, contacts, dry_ones);
+  const std::vector<char> ends = ending_stretches(model, state, contacts, dry_ones);
   keep_ends(model, state, contacts, dry_ones, ends);
   drop_stretches(ends, contacts);
 }
@@ -188,7 +216,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
     const InterfaceState& whole = contacts.states[i];
     const bool has_failed = !is_dry(joint_of(model, interface));
     if (ends[i] == 0 || (dry_ones && has_failed)) continue;
-    const Vec4 force = dry_ones ? in_situ_force(model, interface) : whole.force;
+    const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(contacts.elements[i], whole.force);
     const Vec2 normal = current_frame(model, state, interface).normal;
     for (std::size_t end = 0; end < 2; ++end) {
       InterfaceState own;
@@ -266,8 +294,8 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
     const Interface& interface = contacts.interfaces[i];
     bonded.emplace_back(std::min(interface.block_a, interface.block_b), std::max(interface.block_a, interface.block_b));
     const InterfaceFrame frame = current_frame(model, state, interface);
-    measure_gap(model, state, interface, contacts.elements[i], contacts.states[i]);
     set_geometry(model, acting_frame(model, acting, interface, contacts.elements[i].law), contacts.elements[i]);
+    measure_gap(model, state, interface, contacts.elements[i], contacts.states[i]);
     for (const auto& [on_a, on_b] : {std::pair{frame.from_a, frame.from_b}, {frame.to_a, frame.to_b}})
       joints.push_back({interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)});
   }
@@ -322,6 +350,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   }
   contacts.states = std::move(states);
   known_ = found;
+  if (!contacts.outline_compliance.empty()) take_off_blocks(model.blocks.size(), contacts);
 }
 
 }  // namespace dda

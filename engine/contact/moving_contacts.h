@@ -1,6 +1,6 @@
 // Keeps a ContactSet in step with blocks that move: dry contacts are vertex-edge contacts found anew as geometry
 // changes, with their history; joints with strength stay the stretches they were found as until both ends of all
-// between their two blocks are broken.
+// between their two blocks are broken, and those of the projected law until their blocks have parted.
 #pragma once
 
 #include <cstddef>
@@ -56,7 +56,8 @@ class MovingContacts {
   }
 
  private:
-  [[nodiscard]] std::vector<char> ending_stretches(const Model& model, const ContactSet& contacts, bool dry_ones) const;
+  [[nodiscard]] std::vector<char> ending_stretches(const Model& model, const State& state, const ContactSet& contacts,
+                                                   bool dry_ones) const;
   void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones,
                  const std::vector<char>& ends);
   void drop_stretches(const std::vector<char>& ends, ContactSet& contacts);

@@ -36,8 +36,7 @@ double gap_by_traction(const Model& model, int block, const Vec2& normal) {
 }
 
 double gap_by_traction(const Model& model, const Interface& interface) {
-  return gap_by_traction(model, interface.block_a, interface.normal) +
-         gap_by_traction(model, interface.block_b, interface.normal);
+  return projected_softness(model, interface).sum();
 }
 
 // m/Pa, of half of the block as a column.
@@ -68,10 +67,14 @@ InterfaceFrame shortened(InterfaceFrame frame, double lever) {
   return frame;
 }
 
-// Rows of the gap by the stress in a block's strains, m.
-Mat23 shift_rows(const Model& model, int block, const Vec2& normal) {
-  return gap_by_traction(model, block, normal) * local_axes(normal) * traction_rows(normal) *
-         elasticity_matrix(model.material_of(block));
+// Of the gap by a block's stress, m/Pa.
+Mat23 shift_by_stress(double softness, const Vec2& normal) {
+  return softness * local_axes(normal) * traction_rows(normal);
+}
+
+// Of the gap by a block's strains, m.
+Mat23 shift_rows(const Model& model, int block, double softness, const Vec2& normal) {
+  return shift_by_stress(softness, normal) * elasticity_matrix(model.material_of(block));
 }
 
 }  // namespace
@@ -86,6 +89,11 @@ double largest_traction_share(const Model& model, int block) {
   const Mat3 right = shape.moments.area * elasticity;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> shares(left, right, Eigen::EigenvaluesOnly);
   return shares.eigenvalues().maxCoeff();
+}
+
+Vec2 projected_softness(const Model& model, const Interface& interface) {
+  return {gap_by_traction(model, interface.block_a, interface.normal),
+          gap_by_traction(model, interface.block_b, interface.normal)};
 }
 
 double projected_penalty(const Model& model, int block) {
@@ -115,15 +123,25 @@ void set_projected_rows(const Model& model, const InterfaceFrame& frame, Interfa
       -local_rows(axes, points.to_a - frame.centroid_a);
   element.rows_b << local_rows(axes, points.from_b - frame.centroid_b),
       local_rows(axes, points.to_b - frame.centroid_b);
-  const Mat23 shift_a = shift_rows(model, element.block_a, frame.normal);
-  const Mat23 shift_b = shift_rows(model, element.block_b, frame.normal);
+  const Mat23 shift_a = shift_rows(model, element.block_a, element.softness(0), frame.normal);
+  const Mat23 shift_b = shift_rows(model, element.block_b, element.softness(1), frame.normal);
   element.rows_a.rightCols<3>() += (Mat43() << shift_a, shift_a).finished();
   element.rows_b.rightCols<3>() += (Mat43() << shift_b, shift_b).finished();
 }
 
-Mat3 traction_compliance(const Model& model, const Interface& interface, int block) {
-  if (model.is_held(block)) return Mat3::Zero();
-  return interface.length / projected_penalty(model, block) * unit_compliance(model, block, interface.normal);
+Vec2 gap_by_stress(const Vec2& softness, const Vec2& normal, const Vec3& stress_a, const Vec3& stress_b) {
+  return shift_by_stress(softness(0), normal) * stress_a + shift_by_stress(softness(1), normal) * stress_b;
+}
+
+std::array<Vec2, 2> forces_at_ends(const InterfaceSprings& springs, const Vec4& force) {
+  const Vec2 sum = force.head<2>() + force.tail<2>();
+  const Vec2 difference = springs.lever * (force.tail<2>() - force.head<2>());
+  return {(sum - difference) / 2, (sum + difference) / 2};
+}
+
+Mat3 traction_compliance(const InterfaceElement& element, double softness) {
+  const Mat23 rows = traction_rows(normal_of(element));
+  return element.length * softness * rows.transpose() * rows;
 }
 
 }  // namespace dda

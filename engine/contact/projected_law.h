@@ -9,7 +9,7 @@
 //
 //   g' = g + t_a/(2 gamma_a) + t_b/(2 gamma_b),   T = k g',   1/k = 1/(2 gamma_a) + 1/(2 gamma_b) + C
 //
-// less -l/(4 gamma) |t|^2 for either block, which is a constant of the block (ContactSet::outline_compliance). Opening,
+// less -l/(4 gamma) |t|^2 for either block, which is the block's own (ContactSet::outline_compliance). Opening,
 // friction and strength bound T, so they judge the traction that the joint carries. Stresses are total ones, in-situ
 // stress included. A held block knows of no stress: only the other's counts.
 //
@@ -47,8 +47,17 @@ double projected_penalty(const Model& model, int block);
 Vec4 projected_stiffness(const Model& model, const Interface& interface);
 double projected_lever(const Model& model, const Interface& interface);
 
+// 1/(2 gamma) of both blocks, m/Pa.
+Vec2 projected_softness(const Model& model, const Interface& interface);
+
 // Fills the rows of an element of this law.
 void set_projected_rows(const Model& model, const InterfaceFrame& frame, InterfaceElement& element);
+
+// What the stresses of both blocks (Pa) add to the normal and to the tangential gap of a stretch, m.
+Vec2 gap_by_stress(const Vec2& softness, const Vec2& normal, const Vec3& stress_a, const Vec3& stress_b);
+
+// Normal and shear force at either end of a stretch that have the same sum and moment as those at its points.
+std::array<Vec2, 2> forces_at_ends(const InterfaceSprings& springs, const Vec4& force);
 
 // Broken stretches of this law press as a whole, and not end by end.
 inline bool press_together(const InterfaceSprings& springs, const std::array<bool, 2>& broken) {
@@ -72,7 +81,8 @@ inline Vec2 pressing_slope(const InterfaceSprings& springs, const Vec4& force, c
   return force(2 - 2 * end) > 0 ? Vec2(by_gaps.colwise().sum()) : Vec2(by_gaps.row(end));
 }
 
-// What a stretch takes off a block: energy -s . Q s/2 for its stress s (Pa), Q in m3/N per m of thickness.
-Mat3 traction_compliance(const Model& model, const Interface& interface, int block);
+// What a stretch takes off a block that has this softness in it: energy -s . Q s/2 for the block's stress s (Pa), Q in
+// m3/N per m of thickness. The normal is that of now.
+Mat3 traction_compliance(const InterfaceElement& element, double softness);
 
 }  // namespace dda

@@ -16,12 +16,8 @@ void check_law(const Item& item, const JointMaterial& joint) {
     item.fail("shear stiffness", "0", "a positive number with the projected law");
 }
 
-// What contacts of a linear geometry, made once, cannot follow yet.
 void check_stages_of(const Item& item, const Model& model) {
   for (const Stage& stage : model.stages) {
-    if (stage.kinematics == Kinematics::finite)
-      item.fail("law", fmt::format("projected, with finite kinematics in stage \"{}\"", stage.name),
-                "stages of small kinematics, or the classical law");
     if (with_contacts(stage.integrator).conserves_contact_energy)
       item.fail("law", fmt::format("projected, with an integrator that damps nothing in stage \"{}\"", stage.name),
                 "one that damps, or the classical law");

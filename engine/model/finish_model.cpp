@@ -41,6 +41,14 @@ double expected_pressure(const Model& model) {
   return density * gravity * (depths.upper - depths.lower).x() + stress + traction;
 }
 
+// Blocks that part from a projected joint meet others by springs: as stiff as the engine chooses them.
+void choose_springs_of_parted_joints(Model& model) {
+  if (std::ranges::count(model.stages, Kinematics::finite, &Stage::kinematics) == 0) return;
+  for (JointMaterial& joint : model.joints)
+    if (joint.law == InterfaceLaw::projected && !joint.bonded && joint.normal_stiffness == 0)
+      joint.automatic_stiffness = true;
+}
+
 void check_gravity(const Model& model) {
   if (!model.gravity.allFinite()) throw InputError("", "gravity", "not finite", "two finite numbers");
 }
@@ -75,6 +83,7 @@ void finish_around_blocks(Model& model) {
   check_stages(model);
   check_peaks(model);
   check_projected_joints(model);
+  choose_springs_of_parted_joints(model);
   check_removals(model);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/contact/foreseen_gap.h"
+#include "engine/contact/projected_stretch.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/force_balance.h"
@@ -393,6 +394,7 @@ void GeneralStep::accept_contacts() {
     if (before.status != after.status || before.slip != after.slip || drops || gaps_are_foreseen || bends)
       s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
                                 after.dashpot);
+    if (moving_) count_free_slip(element, trials[k].gap, after);
     s.contacts.states[i] = after;
   }
 }

@@ -1,0 +1,132 @@
+// A projected stretch that is measured where its blocks are: the same whichever way they lie together.
+#include "engine/contact/projected_stretch.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/contact/contact_models.h"
+#include "engine/contact/projected_law.h"
+#include "engine/geometry/rotation.h"
+
+namespace dda {
+namespace {
+
+JointMaterial dry_joint() {
+  JointMaterial joint;
+  joint.law = InterfaceLaw::projected;
+  joint.friction_angle = std::atan(0.5);
+  return joint;
+}
+
+// Two bricks on each other, under pressure as drawn.
+Model two_bricks(const Vec3& in_situ, const JointMaterial& joint = dry_joint()) {
+  Model model;
+  model.materials = {rock()};
+  model.joints = {joint};
+  model.blocks.resize(2);
+  model.blocks[0].shape.outer = box_ring(0, 0, 2, 1);
+  model.blocks[1].shape.outer = box_ring(0.4, 1, 2.4, 1.6);
+  for (Block& block : model.blocks) block.initial_stress = in_situ;
+  finish_model(model);
+  return model;
+}
+
+// Both blocks turned by `angle` about the origin and moved; the upper one gone by `apart` before that.
+State moved(const Model& model, double angle, const Vec2& apart) {
+  State state = initial_state(model);
+  const Mat2 turn = rotation(angle);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec2 drawn = model.blocks[i].moments.centroid;
+    const Vec2 now = turn * (drawn + (i == 1 ? apart : Vec2::Zero())) + Vec2(7, -3);
+    state.displacement[i].head<2>() = now - drawn;
+    state.displacement[i](2) = angle;
+    state.deformation[i] = turn;
+    state.stress[i] = rotate_stress(model.blocks[i].initial_stress, angle);
+  }
+  return state;
+}
+
+InterfaceState measured(const Model& model, const State& state, const std::array<double, 2>& slip = {0, 0}) {
+  ContactSet contacts = make_contacts(model);
+  contacts.states.at(0).slip = slip;
+  update_geometry(model, state, state, contacts);
+  return contacts.states.at(0);
+}
+
+TEST(ProjectedStretch, HasTheForcesOfTheDrawingWherePressedBlocksAreTurned) {
+  const Model model = two_bricks({-2e6, -3e6, 0.4e6});
+  const InterfaceState drawn = make_contacts(model).states.at(0);
+  for (const double angle : {0.0, 0.3, 1.9, -2.7}) {
+    const InterfaceState state = measured(model, moved(model, angle, Vec2::Zero()));
+    EXPECT_LT((state.force - drawn.force).norm(), 1e-9 * drawn.force.norm()) << angle;
+    EXPECT_LT((state.gap - drawn.gap).norm(), 1e-9 * drawn.gap.norm()) << angle;
+  }
+}
+
+// With a compliance of the joint the springs are pressed as drawn too, beside what the stresses make of the gap.
+TEST(ProjectedStretch, HasThemWithACompliantJoint) {
+  JointMaterial joint = dry_joint();
+  joint.normal_stiffness = 5e9;
+  joint.shear_stiffness = 2e9;
+  const Model model = two_bricks({-2e6, -3e6, 0.4e6}, joint);
+  const InterfaceState drawn = make_contacts(model).states.at(0);
+  const InterfaceState state = measured(model, moved(model, 1.1, Vec2::Zero()));
+  EXPECT_LT((state.force - drawn.force).norm(), 1e-9 * drawn.force.norm());
+}
+
+TEST(ProjectedStretch, IsPressedBySoMuchMoreAndShearedByWhatHasNotSlipped) {
+  const Model model = two_bricks({0, -3e6, 0});
+  const ContactSet contacts = make_contacts(model);
+  const Vec4& stiffness = contacts.elements.at(0).stiffness;
+  const Vec2 apart(3e-6, -1e-6);  // b's tangent is counter-clockwise from the normal upwards: to the left
+  const InterfaceState stuck = measured(model, moved(model, 0.7, apart));
+  const InterfaceState slipped = measured(model, moved(model, 0.7, apart), {-2e-6, -2e-6});
+  for (const Eigen::Index n : {0, 2}) {
+    const double more = stuck.force(n) - contacts.states[0].force(n);
+    EXPECT_NEAR(more, -1e-6 * stiffness(n), 1e-6 * 1e-6 * stiffness(n));
+    EXPECT_NEAR(stuck.force(n + 1), -3e-6 * stiffness(n + 1), 1e-6 * 3e-6 * stiffness(n + 1));
+    EXPECT_NEAR(slipped.force(n + 1), -1e-6 * stiffness(n + 1), 1e-6 * 3e-6 * stiffness(n + 1));
+  }
+}
+
+// What goes while the joint is open is slip, and no shear when it closes.
+TEST(ProjectedStretch, ClosesWithoutShearWhereverItWent) {
+  const Model model = two_bricks(Vec3::Zero());
+  ContactSet contacts = make_contacts(model);
+  const State open = moved(model, 0.7, {4e-4, 1e-4});
+  const State closed = moved(model, 0.7, {4e-4, -1e-6});
+  for (const State& state : {open, closed}) update_geometry(model, state, state, contacts);
+  const InterfaceState& state = contacts.states.at(0);
+  EXPECT_EQ(state.status[0], ContactStatus::locked);
+  EXPECT_LT(state.force(0), 0);
+  EXPECT_NEAR(state.slip[0], -4e-4, 1e-12);
+  EXPECT_NEAR(state.force(1) / contacts.elements[0].stiffness(1), 0, 1e-12);
+}
+
+TEST(ProjectedStretch, PartsWhenAnEndHasGoneAHundredthOfItsLength) {
+  const Model model = two_bricks({0, -3e6, 0});
+  const Interface interface = make_contacts(model).interfaces.at(0);
+  ASSERT_NEAR(interface.length, 1.6, 1e-12);
+  EXPECT_FALSE(has_parted(model, moved(model, 2.5, {0.015, 0}), interface));
+  EXPECT_TRUE(has_parted(model, moved(model, 2.5, {0.017, 0}), interface));
+  EXPECT_TRUE(has_parted(model, moved(model, 2.5, {0, 0.017}), interface));
+}
+
+TEST(ProjectedStretch, LeavesItsForceAndMomentToItsEnds) {
+  const Model model = two_bricks({0, -3e6, 0});
+  const InterfaceElement element = make_contacts(model).elements.at(0);
+  const Vec4 inside(-3, 1, -2, 0.5);
+  const std::array<Vec2, 2> ends = pressing_ends(element, inside);
+  EXPECT_LT((ends[0] + ends[1] - inside.head<2>() - inside.tail<2>()).norm(), 1e-15);
+  EXPECT_NEAR(ends[1](0) - ends[0](0), element.lever * (inside(2) - inside(0)), 1e-15);
+  // Of a resultant at an end there is nothing at the other, and none pulls.
+  const std::array<Vec2, 2> beyond = pressing_ends(element, {-10, 2, 9, 0});
+  EXPECT_EQ(beyond[1], Vec2::Zero());
+  EXPECT_LT((beyond[0] - Vec2(-1, 2)).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace dda

@@ -64,10 +64,12 @@ void press_no_more(double distance, double moved, InterfaceState& state) {
   state.seat[0] = std::min(state.seat[0], distance - state.dilation[0] - pressed);
 }
 
-// A face that has grown is pressed in where it is new as it is beside: its springs begin with no share of the
-// stiffness, or little, so that no force comes at once.
-void share_depth(const InterfaceState& beside, InterfaceState& state) {
-  if (beside.status[0] != ContactStatus::open) state.seat[0] = std::max(state.seat[0], beside.seat[0]);
+// A face that has grown is pressed in where it is new as it is beside, and no more: its springs begin with a share of
+// the stiffness that may be small, but need not be.
+void share_depth(const InterfaceState& beside, double distance, InterfaceState& state) {
+  if (beside.status[0] == ContactStatus::open) return;
+  const double as_pressed = distance - state.dilation[0] - std::min(0.0, beside.gap(0));
+  state.seat[0] = std::max(state.seat[0], std::min(beside.seat[0], as_pressed));
 }
 
 // The springs go on with the force that the state comes with, if it presses.
@@ -98,7 +100,7 @@ InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& e
     return state;
   }
   press_no_more(distance, 0, state);
-  if (beside != nullptr) share_depth(*beside, state);
+  if (beside != nullptr) share_depth(*beside, distance, state);
   return state;
 }
 
@@ -146,6 +148,20 @@ bool MovingContacts::follow(const Model& model, const State& state, const State&
   refresh(model, state, acting, contacts);
   lost_ends_.clear();
   return new_pairs;
+}
+
+void MovingContacts::let_part(const Model& model, State& state, ContactSet& contacts) {
+  if (contacts.outline_compliance.empty()) return;
+  const std::vector<char> ends = ending_stretches(model, state, contacts, false);
+  keep_ends(model, state, contacts, false, ends);
+  for (std::size_t i = 0; i < stretches_; ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    if (ends[i] == 0 || element.law != InterfaceLaw::projected) continue;
+    const StressLetGo stress = stress_let_go(model, state, element, contacts.states[i].force);
+    state.stress[at(element.block_a)] += stress.of_a;
+    state.stress[at(element.block_b)] += stress.of_b;
+  }
+  drop_stretches(ends, contacts);
 }
 
 bool MovingContacts::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {

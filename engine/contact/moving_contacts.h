@@ -32,6 +32,10 @@ class MovingContacts {
     return follow(model, state, state, 0, contacts);
   }
 
+  // Ends the stretches of the projected law whose blocks have parted, which takes some of the blocks' stresses
+  // (projected_stretch.h); the next `follow` has the contacts that take their place.
+  void let_part(const Model& model, State& state, ContactSet& contacts);
+
   // Takes out the contacts of blocks that are absent, which touch nothing from now on.
   void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
 

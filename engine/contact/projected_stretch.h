@@ -4,6 +4,11 @@
 // and what it takes off its blocks turn with them. When an end has gone by `parting_share` of the length, along the
 // joint or away from it, what touches is no longer what was drawn; vertex contacts take the place of the stretch then
 // (MovingContacts), and go on with its forces and its slip.
+//
+// With the stretch a block loses the forces -D Q s + S^T f on its strains (projected_law.h), which would leave it with
+// energy from nowhere. It gives up as much of its stress instead, s' = s - D R^T l/(2 gamma) (t - T)/A: what its own
+// traction t has beyond T, which the joint carries. The forces on its strains stay, and of all that is stored
+// l/(4 gamma) |t - T|^2 is lost, less what is of second order in l/(2 gamma A) and smaller by the bound on the penalty.
 #pragma once
 
 #include <array>
@@ -29,6 +34,12 @@ void measure_projected(const Model& model, const State& state, const Interface& 
 
 // At the end of a step that moved the gaps to `gap`: what an open stretch has gone along its tangent.
 void count_free_slip(const InterfaceElement& element, const Vec4& gap, InterfaceState& own);
+
+// What that adds to the stress of either block, Pa.
+struct StressLetGo {
+  Vec3 of_a, of_b;
+};
+StressLetGo stress_let_go(const Model& model, const State& state, const InterfaceElement& element, const Vec4& force);
 
 // The forces of a stretch at its ends, for contacts there that can only press.
 std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const Vec4& force);

@@ -115,6 +115,36 @@ TEST(ProjectedStretch, PartsWhenAnEndHasGoneAHundredthOfItsLength) {
   EXPECT_TRUE(has_parted(model, moved(model, 2.5, {0, 0.017}), interface));
 }
 
+// Of a joint that carries something else than its blocks' own tractions.
+TEST(ProjectedStretch, LeavesForcesOnStrainsAndBringsNoEnergyWhenItParts) {
+  const Model model = two_bricks({-2e6, -3e6, 0.4e6});
+  ContactSet contacts = make_contacts(model);
+  const State state = moved(model, 0.9, Vec2::Zero());
+  update_geometry(model, state, state, contacts);
+  const InterfaceElement& element = contacts.elements.at(0);
+  const Vec4 force = 0.3 * contacts.states.at(0).force + Vec4(1e5, 2e5, -1e5, 0);
+  const StressLetGo change = stress_let_go(model, state, element, force);
+  InterfaceElement bare = element;  // whose gaps know of no stress
+  bare.softness.setZero();
+  set_geometry(model, acting_frame(model, state, contacts.interfaces.at(0), element.law), bare);
+  const Mat3 d = elasticity_matrix(model.materials[0]);
+  double before = 0;
+  double after = 0;
+  for (const std::size_t block : {std::size_t{0}, std::size_t{1}}) {
+    const double area = model.blocks[block].moments.area;
+    const Vec3& stress = state.stress[block];
+    const Vec3 less = stress + (block == 0 ? change.of_a : change.of_b);
+    const Mat46 by_stress = block == 0 ? element.rows_a - bare.rows_a : element.rows_b - bare.rows_b;
+    const Vec3 with_joint =
+        area * stress - outline_force(contacts, block, d, stress) + by_stress.rightCols<3>().transpose() * force;
+    EXPECT_LT((area * less - with_joint).norm(), 1e-12 * with_joint.norm());
+    before += area * stress.dot(d.inverse() * stress) / 2;
+    after += area * less.dot(d.inverse() * less) / 2;
+  }
+  const Vec4 gap = force.cwiseQuotient(element.stiffness);
+  EXPECT_LT(after, before - outline_energy(contacts, state.stress) + gap.dot(force) / 2);
+}
+
 TEST(ProjectedStretch, LeavesItsForceAndMomentToItsEnds) {
   const Model model = two_bricks({0, -3e6, 0});
   const InterfaceElement element = make_contacts(model).elements.at(0);

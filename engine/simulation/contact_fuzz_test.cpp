@@ -1,11 +1,13 @@
 // Random rock, cut from one piece with short faces, needles and slivers on purpose, thrown, dropped and stacked: no run
 // may gain energy, let blocks through each other or stop.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/geometry/cut_pieces.h"
@@ -136,9 +138,24 @@ std::string blocks_in_each_other(const Simulation& simulation, double share) {
   return "";
 }
 
+enum class Contacts { springs, chosen_springs, projected };
+
+Model random_scene(std::uint64_t seed, Contacts contacts) {
+  Model model = random_scene(seed);
+  JointMaterial& joint = model.joints[0];
+  joint.automatic_stiffness = contacts == Contacts::chosen_springs;
+  if (contacts == Contacts::projected) joint.law = InterfaceLaw::projected;
+  return model;
+}
+
+// Springs that go by the length of a face are up to 1e7 times as stiff as what the step resolves of a needle's inertia:
+// 6.7e-8 was the worst of 6,000 scenes.
+double round_off(Contacts contacts) { return contacts == Contacts::springs ? 1e-9 : 2e-7; }
+
 // A sentence on what is wrong, or an empty string.
-std::string fault_of(std::uint64_t seed, double& worst_gain) {
-  Simulation simulation = simulation_of(random_scene(seed));
+std::string fault_of(std::uint64_t seed, Contacts contacts, double& worst_gain) {
+  Model model = random_scene(seed, contacts);
+  Simulation simulation = simulation_of(std::move(model));
   Gain gain;
   gain.look(simulation.energy());
   while (!simulation.finished()) {
@@ -148,18 +165,18 @@ std::string fault_of(std::uint64_t seed, double& worst_gain) {
   }
   worst_gain = std::max(worst_gain, gain.worst);
   const double residual = std::abs(simulation.energy().relative_residual());
-  if (gain.worst > 1e-6) return "gains " + std::to_string(gain.worst);
-  if (residual > 1e-9) return "energy out of balance by " + std::to_string(residual);
+  if (gain.worst > 1e-6) return fmt::format("gains {:.2g}", gain.worst);
+  if (residual > round_off(contacts)) return fmt::format("energy out of balance by {:.2g}", residual);
   const std::string overlap = blocks_in_each_other(simulation, 5e-3);
   return overlap.empty() ? "" : "deep in each other: " + overlap;
 }
 
-int faults(std::uint64_t first, int count) {
+int faults(std::uint64_t first, int count, Contacts contacts = Contacts::springs) {
   int wrong = 0;
   double worst_gain = 0;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
-    const std::string fault = fault_of(seed, worst_gain);
+    const std::string fault = fault_of(seed, contacts, worst_gain);
     if (fault.empty()) continue;
     ++wrong;
     std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed), fault.c_str());
@@ -168,9 +185,24 @@ int faults(std::uint64_t first, int count) {
   return wrong;
 }
 
-TEST(ContactFuzz, RandomRockGainsNothingAndDoesNotStop) { EXPECT_EQ(faults(1, 40), 0); }
+TEST(ContactFuzz, RandomRockGainsNothingAndDoesNotStop) {
+  for (const Contacts contacts : {Contacts::springs, Contacts::chosen_springs, Contacts::projected})
+    EXPECT_EQ(faults(1, 40, contacts), 0) << static_cast<int>(contacts);
+}
 
-TEST(ContactFuzz, DISABLED_HundredsOfScenes) { EXPECT_EQ(faults(1000, 500), 0); }
+// A face that grows brings a contact where blocks already lie deeper in each other than beside it. It had the depth of
+// the one beside all the same, and brought more energy than there was.
+TEST(ContactFuzz, FacesThatGrowGainNothing) {
+  for (const std::uint64_t seed : {2145U, 2188U, 2481U, 2540U, 2730U, 2851U, 3267U, 3725U, 4129U, 5239U})
+    EXPECT_EQ(faults(seed, 1, Contacts::chosen_springs), 0);
+  EXPECT_EQ(faults(5239, 1, Contacts::projected), 0);
+}
+
+TEST(ContactFuzz, DISABLED_ThousandsOfScenes) {
+  EXPECT_EQ(faults(1000, 500, Contacts::springs), 0);
+  EXPECT_EQ(faults(2000, 6000, Contacts::chosen_springs), 0);
+  EXPECT_EQ(faults(2000, 6000, Contacts::projected), 0);
+}
 
 // ---- The same scene seen from elsewhere.
 
@@ -223,8 +255,10 @@ TEST(ContactFuzz, MotionDoesNotDependOnTheView) {
                                    {Mat2::Identity(), {0, 0}, 1, true},
                                    {rotation(-2) * mirror, {1e-3, 1e-3}, 1e-3, true}};
   int scenes = 0;
-  for (std::uint64_t seed = 1; scenes < 12; ++seed) {
-    const Model model = random_scene(seed);
+  for (std::uint64_t seed = 1; scenes < 36; ++seed) {
+    const Model model = random_scene(seed, scenes % 3 == 0   ? Contacts::springs
+                                           : scenes % 3 == 1 ? Contacts::chosen_springs
+                                                             : Contacts::projected);
     if (model.blocks.size() != 2) continue;
     ++scenes;
     const std::vector<Vec2> expected = displacements(model, {});

@@ -232,6 +232,7 @@ void GeneralStep::follow_contacts() {
   }
   ++s.costs.counters.contact_searches;
   const PhaseScope scope(Phase::search);
+  moving_->let_part(s.model, s.state, s.contacts);
   if (moving_->follow(s.model, s.state, acting_, s.plan.is_static ? 0 : s.coefficients.dt, s.contacts)) {
     base_ = pattern();
     solver_.set_pattern(base_);

@@ -10,17 +10,8 @@
 namespace dda {
 namespace {
 
-// Projected joints exist in small kinematics alone. What stands or fails does so before blocks move far.
-Kinematics kinematics_for(const Model& model) {
-  const auto needs_small = [](const JointMaterial& joint) {
-    return joint.law == InterfaceLaw::projected && !joint.bonded;
-  };
-  return std::ranges::any_of(model.joints, needs_small) ? Kinematics::small : Kinematics::finite;
-}
-
-Stage static_stage(const char* name, double duration, bool unlimited_strength, Kinematics kinematics) {
+Stage static_stage(const char* name, double duration, bool unlimited_strength) {
   Stage stage;
-  stage.kinematics = kinematics;
   stage.name = name;
   stage.integrator = static_integrator();
   stage.duration = duration;
@@ -92,10 +83,9 @@ class Watch {
 }  // namespace
 
 Standing standing_of(Model model, double time) {
-  const Kinematics kinematics = kinematics_for(model);
-  Stage stand = static_stage("stand", 0, false, kinematics);
+  Stage stand = static_stage("stand", 0, false);
   stand.removal.blocks = removed_blocks(model);
-  model.stages = {static_stage("load", time, true, kinematics), stand};
+  model.stages = {static_stage("load", time, true), stand};
   for (Bolt& bolt : model.bolts) bolt.first_stage = 0;
   for (Lining& lining : model.linings) lining.first_stage = std::min(lining.first_stage, 1);  // on walls that are there
   model.peaks.reset();

@@ -173,7 +173,7 @@ void add_holds(SeededNumbers& random, const Sketch& sketch, Json& scene) {
 }
 
 void add_bolts(SeededNumbers& random, const Sketch& sketch, Json& scene) {
-  if (sketch.projected || sketch.inside.size() < 2 || !random.chance(0.25)) return;
+  if (sketch.inside.size() < 2 || !random.chance(0.25)) return;
   const Vec2& from = sketch.inside.front();
   const Vec2& to = sketch.inside.back();
   Json bolt = {{"from", {from.x(), from.y()}}, {"to", {to.x(), to.y()}}, {"stiffness", random.magnitude(6, 8)}};
@@ -196,7 +196,7 @@ Json dynamic_stage(SeededNumbers& random, const Sketch& sketch, const std::strin
   const double dt = random.magnitude(-4.5, -2.5);
   Json stage = {{"name", name}, {"dt", dt}, {"duration", dt * random.integer(8, 30)}};
   stage["integrator"] = integrator(random, sketch);
-  stage["kinematics"] = sketch.projected || random.chance(sketch.bonded ? 0.7 : 0.3) ? "small" : "finite";
+  stage["kinematics"] = random.chance(sketch.bonded ? 0.7 : sketch.projected ? 0.5 : 0.3) ? "small" : "finite";
   if (random.chance(0.15)) stage["damping_rate"] = random.number(1, 50);
   if (random.chance(0.1)) stage["velocity_factor"] = random.number(0.9, 1);
   return stage;
@@ -207,13 +207,13 @@ void add_stages(SeededNumbers& random, const Sketch& sketch, Json& scene) {
   if (random.chance(0.35)) {
     Json settle = {{"name", "settle"}, {"integrator", "static"}, {"dt", 0.01}, {"duration", 0.05}};
     if (random.chance(0.5)) settle["strength"] = "unlimited";
-    if (sketch.projected) settle["kinematics"] = "small";
+    if (sketch.projected && random.chance(0.5)) settle["kinematics"] = "small";
     stages.push_back(settle);
   }
   stages.push_back(dynamic_stage(random, sketch, "motion"));
   if (sketch.names.size() < 2 || !random.chance(0.3)) return;
   stages.push_back(dynamic_stage(random, sketch, "later"));
-  if (!sketch.projected && !scene.contains("loads") && !scene.contains("bolts") && random.chance(0.6))
+  if (!scene.contains("loads") && !scene.contains("bolts") && random.chance(0.6))
     stages.back()["remove"] = {sketch.names.back()};
 }
 

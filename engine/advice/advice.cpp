@@ -10,6 +10,7 @@
 #include "engine/advice/chain_errors.h"
 #include "engine/advice/explicit_offer.h"
 #include "engine/advice/load_history.h"
+#include "engine/advice/springs_in_waves.h"
 #include "engine/advice/sudden_loads.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/model/quantity_names.h"
@@ -90,6 +91,7 @@ class Adviser {
       advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
       advice.stages.push_back(of_stage(i, matrix, advice.size));
     }
+    advice.springs = springs_in_waves(model_, advice);
     return advice;
   }
 

@@ -64,6 +64,7 @@ struct Advice {
   bool damped = false;              // some stage damps velocities, which the errors do not count
   std::vector<std::string> unseen;  // sentences of loads that time steps pass over
   std::vector<std::string> sudden;  // and of loads that jump
+  std::string springs;              // a sentence on springs in the way of waves, or empty
   std::vector<StageAdvice> stages;
 };
 

@@ -103,6 +103,7 @@ std::string to_json_text(const Advice& advice) {
                      {"damped", advice.damped},
                      {"unseen_loads", advice.unseen},
                      {"sudden_loads", advice.sudden},
+                     {"springs", advice.springs.empty() ? Json(nullptr) : Json(advice.springs)},
                      {"stages", stages}};
   return json.dump(2) + "\n";
 }

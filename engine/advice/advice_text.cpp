@@ -209,6 +209,7 @@ std::string to_text(const Advice& advice) {
     text.line("waves are predicted as if all joints stayed closed and stuck");
   if (has_waves(advice) && advice.damped) text.line("damping of velocities is not counted");
   for (const StageAdvice& stage : advice.stages) add_stage(advice, stage, text);
+  if (!advice.springs.empty()) text.line("note: {}", advice.springs);
   return text.take();
 }
 
@@ -227,6 +228,7 @@ std::vector<std::string> to_short_text(const Advice& advice) {
                  {"", fmt::format("predicted for the whole history of the load, stage \"{}\"", stage.name)});
     for (const WaveAdvice& wave : stage.waves) lines.push_back(history_in_short(wave));
   }
+  if (!advice.springs.empty()) lines.push_back("note: " + advice.springs);
   return lines;
 }
 

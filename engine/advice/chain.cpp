@@ -23,7 +23,7 @@ Model prepared(const Model& model, const ChainPath& path, const Stage& stage, bo
       joint.law = InterfaceLaw::consistent;
       joint.penalty = standard.penalty;
       joint.stabilisation = standard.stabilisation;
-    } else if (is_dry(joint) && stage.kinematics == Kinematics::finite) {
+    } else if (is_springs_where_blocks_move(joint) && stage.kinematics == Kinematics::finite) {
       joint.law = InterfaceLaw::classical;
     }
   }

@@ -81,7 +81,7 @@ JointMaterial acting_joint(const Model& model, const ContactSet& contacts, std::
   JointMaterial joint = model.joints[static_cast<std::size_t>(interface.joint)];
   const bool finite = std::any_of(model.stages.begin(), model.stages.end(),
                                   [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
-  joint.law = finite && is_dry(joint) ? InterfaceLaw::classical : contacts.elements[index].law;
+  joint.law = finite && is_springs_where_blocks_move(joint) ? InterfaceLaw::classical : contacts.elements[index].law;
   joint.bonded = true;
   joint.contact_damping = 0;
   if (joint.law != InterfaceLaw::classical || joint.normal_stiffness > 0) return joint;

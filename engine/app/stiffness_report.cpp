@@ -33,7 +33,8 @@ std::vector<std::optional<JointSurvey>> survey_joints(const Model& model) {
   for (std::size_t i = 0; i < drawn.interfaces.size(); ++i) {
     const Interface& interface = drawn.interfaces[i];
     const auto joint = static_cast<std::size_t>(interface.joint);
-    const bool springs = drawn.elements[i].law == InterfaceLaw::classical || (finite && is_dry(model.joints[joint]));
+    const bool springs = drawn.elements[i].law == InterfaceLaw::classical ||
+                         (finite && is_springs_where_blocks_move(model.joints[joint]));
     if (springs && interface.length > 0) add(model, interface, joints[joint]);
   }
   return joints;

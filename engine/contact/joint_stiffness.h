@@ -24,6 +24,12 @@ struct Springs {
 
 Springs springs_of(const Model& model, const Interface& interface);
 
+// Whether blocks meet at such a joint by springs wherever they do so in finite kinematics: at dry joints, but for those
+// of the projected law, which stay what was drawn until their blocks part.
+inline bool is_springs_where_blocks_move(const JointMaterial& joint) {
+  return is_dry(joint) && joint.law != InterfaceLaw::projected;
+}
+
 // What the springs of a stretch under the classical law do to the result, to first order.
 struct StiffnessErrors {
   double compliance = 0;   // of the joint, over that of the two half blocks beside it: E/(k_n L) between equal blocks

@@ -1,0 +1,47 @@
+#include "engine/advice/springs_in_waves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/joint_stiffness.h"
+
+namespace dda {
+namespace {
+
+bool moves(const Model& model) { return std::ranges::count(model.stages, Kinematics::finite, &Stage::kinematics) > 0; }
+
+// See check_projected_joints.
+bool stages_can_have_the_law(const Model& model) {
+  const auto conserves = [](const Stage& stage) { return with_contacts(stage.integrator).conserves_contact_energy; };
+  return model.free_field_sides.empty() && std::ranges::none_of(model.stages, conserves);
+}
+
+bool could_have_the_law(const Model& model, const JointMaterial& joint) {
+  if (joint.bonded || joint.normal_stiffness > 0 || joint.contact_damping > 0 || joint.dilation_angle > 0) return false;
+  return joint.law == InterfaceLaw::classical || (moves(model) && is_springs_where_blocks_move(joint));
+}
+
+double largest_error(const Advice& advice) {
+  double largest = 0;
+  for (const StageAdvice& stage : advice.stages)
+    for (const WaveAdvice& wave : stage.waves)
+      if (const ErrorTerms* speed = wave.speed_error()) largest = std::max(largest, std::abs(speed->interfaces));
+  return largest;
+}
+
+}  // namespace
+
+std::string springs_in_waves(const Model& model, const Advice& advice) {
+  const double error = largest_error(advice);
+  const auto could = [&](const JointMaterial& joint) { return could_have_the_law(model, joint); };
+  if (error <= advice.wanted_error || !stages_can_have_the_law(model) || std::ranges::none_of(model.joints, could))
+    return "";
+  return fmt::format(
+      "springs at closed joints make the speed of waves up to {:.2g} % wrong: with \"law\": \"projected\" for the "
+      "joint, closed joints carry waves as solid rock does",
+      100 * error);
+}
+
+}  // namespace dda

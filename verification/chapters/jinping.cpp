@@ -45,14 +45,6 @@ Json measurements() {
   return list;
 }
 
-std::string scene_name(const JinpingReading& reading, double margin) {
-  return fmt::format("jinping-{}{}", reading.name, margin > 0 ? "-larger" : "");
-}
-
-// m. What the edges of the larger rock send back reaches point 6 after the end of the run, and point 5 weakly from 28
-// ms on.
-constexpr double larger = 40;
-
 double largest(const std::vector<double>& values) {
   double value = 0;
   for (const double each : values) value = std::max(value, std::abs(each));
@@ -78,6 +70,10 @@ JinpingOutcome outcome(const JinpingReading& reading, const SceneRun& run, const
 }
 
 }  // namespace
+
+std::string jinping_run(const JinpingReading& reading, double margin) {
+  return fmt::format("jinping-{}{}", reading.name, margin > 0 ? "-larger" : "");
+}
 
 std::vector<JinpingReading> jinping_readings() {
   return {
@@ -120,15 +116,15 @@ std::vector<JinpingOutcome> run_jinping(const SceneFolder& folder, const std::ve
                                         std::vector<std::string>& failures) {
   std::vector<std::string> names;
   for (const JinpingReading& reading : readings)
-    for (const double margin : {0.0, larger}) {
-      names.push_back(scene_name(reading, margin));
+    for (const double margin : {0.0, larger_margin}) {
+      names.push_back(jinping_run(reading, margin));
       folder.put(names.back(), jinping_scene(reading, margin));
     }
   folder.run(names);
   std::vector<JinpingOutcome> outcomes;
   for (const JinpingReading& reading : readings) {
-    const SceneRun run = folder.read(scene_name(reading, 0));
-    const SceneRun reference = folder.read(scene_name(reading, larger));
+    const SceneRun run = folder.read(jinping_run(reading, 0));
+    const SceneRun reference = folder.read(jinping_run(reading, larger_margin));
     for (const SceneRun* each : {&run, &reference})
       if (!each->ok()) failures.push_back(fmt::format("{}: {}, {}", each->name, each->status, each->message));
     if (run.ok() && reference.ok())

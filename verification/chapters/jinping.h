@@ -25,6 +25,13 @@ struct JinpingReading {
 // `margin` m of rock more on every side, for what the edges send back.
 [[nodiscard]] SceneFolder::Scene jinping_scene(const JinpingReading& reading, double margin);
 
+// m of rock more on every side, against which what the edges send back is measured. What its own edges send back
+// reaches point 6 after the end of the run, and point 5 weakly from 28 ms on.
+inline constexpr double larger_margin = 40;
+
+// The name of a reading's run.
+[[nodiscard]] std::string jinping_run(const JinpingReading& reading, double margin);
+
 struct JinpingOutcome {
   JinpingReading reading;
   std::vector<double> arrivals;  // s from the start of the load, by sensor

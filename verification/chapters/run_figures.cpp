@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "verification/chapters/chapter_figures.h"
 
@@ -48,7 +50,49 @@ void add_mesh(const SceneFolder& folder, const std::string& run, const std::stri
 
 std::string megapascals(double stress) { return fmt::format("{:g} MPa", stress / 1e6); }
 
+// The columns of one run, or some of one and some of another, whose times are the same.
+void add_lines(const SceneRun& run, const std::vector<std::string>& columns, const std::string& added,
+               dda::LinePlot& plot) {
+  for (const std::string& column : columns) plot.lines.push_back({column + added, run.at(column)});
+}
+
+dda::LinePlot velocities(const std::string& title, const SceneRun& run) {
+  dda::LinePlot plot;
+  plot.title = title;
+  plot.unit = "m/s";
+  plot.times = run.times();
+  return plot;
+}
+
+std::vector<std::string> names_of_sensors() {
+  std::vector<std::string> names;
+  for (const Sensor& sensor : jinping_sensors()) names.push_back(sensor.name);
+  return names;
+}
+
+void draw_jinping_reading(const SceneFolder& folder, const JinpingReading& reading, Section& section,
+                          Chapter& chapter) {
+  const SceneRun run = folder.read(jinping_run(reading, 0));
+  const SceneRun larger = folder.read(jinping_run(reading, larger_margin));
+  if (!run.ok() || !larger.ok() || run.times().size() != larger.times().size()) return;
+  dda::LinePlot sensors = velocities("velocity along the axis, " + reading.name, run);
+  add_lines(run, names_of_sensors(), "", sensors);
+  add_figure("5_sensors_" + reading.name, "Velocities at the sensors: " + reading.difference, sensors, section,
+             chapter);
+  dda::LinePlot edges = velocities("velocity at the edges, " + reading.name, run);
+  add_lines(run, {"point 5", "point 6"}, "", edges);
+  add_lines(larger, {"point 5", "point 6"}, ", larger rock", edges);
+  add_figure("5_edges_" + reading.name, "Velocities at the two points at the edges, and there in larger rock", edges,
+             section, chapter);
+}
+
 }  // namespace
+
+void draw_jinping(const SceneFolder& folder, const std::vector<JinpingReading>& readings, Chapter& chapter) {
+  Section section{"Histories", {}};
+  for (const JinpingReading& reading : readings) draw_jinping_reading(folder, reading, section, chapter);
+  if (!section.pieces.empty()) chapter.sections.push_back(std::move(section));
+}
 
 void draw_relaxation(const SceneFolder& folder, const std::vector<RelaxationResult>& results, Chapter& chapter) {
   if (results.empty() || !results.front().missing.empty()) return;

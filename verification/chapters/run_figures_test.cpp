@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -42,6 +43,31 @@ TEST(RunFigures, HistoriesAreOfTheRunsThatAreWell) {
   EXPECT_EQ(svg.find(">12<"), std::string::npos);  // the row before the tunnel is opened would need a scale up to 12.7
   ASSERT_EQ(chapter.sections.size(), 1U);
   EXPECT_EQ(chapter.sections[0].pieces.size(), 3U);
+}
+
+void write_sensors(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "summary.json") << R"({"status": "ok"})";
+  std::ofstream csv(folder / "histories.csv");
+  csv << "time [s]";
+  for (const Sensor& sensor : jinping_sensors()) csv << "," << sensor.name << " [m/s]";
+  csv << ",point 5 [m/s],point 6 [m/s]\n0,0,0,0,0,0,0\n1,1,2,3,4,5,6\n";
+}
+
+TEST(RunFigures, SensorsAndEdgesOfJinping) {
+  const dda::TemporaryFolder folder;
+  std::ostringstream out;
+  const SceneFolder scenes(folder.path(), folder.path() / "no_such_program", 1, out);
+  const JinpingReading reading = jinping_readings().front();
+  write_sensors(folder.path() / "runs" / jinping_run(reading, 0));
+  Chapter chapter;
+  draw_jinping(scenes, {reading}, chapter);
+  EXPECT_TRUE(chapter.figures.empty());  // nothing to compare the edges with
+  write_sensors(folder.path() / "runs" / jinping_run(reading, larger_margin));
+  draw_jinping(scenes, {reading}, chapter);
+  ASSERT_EQ(chapter.figures.size(), 2U);
+  EXPECT_NE(chapter.figures[0].svg.find("S2-4"), std::string::npos);
+  EXPECT_NE(chapter.figures[1].svg.find("point 6, larger rock"), std::string::npos);
 }
 
 TEST(RunFigures, AReadingWithoutRunsHasNone) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <ostream>
+#include <vector>
 
 #include "engine/core/parallel.h"
 #include "verification/chapters/chapter_3.h"
@@ -10,19 +11,27 @@
 #include "verification/chapters/chapter_5.h"
 #include "verification/chapters/chapter_6.h"
 #include "verification/chapters/jinping.h"
+#include "verification/chapters/run_figures.h"
 #include "verification/chapters/thesis_file.h"
 
 namespace verify {
 namespace {
+
+Chapter chapter_5(const SceneFolder& folder, bool quick) {
+  Chapter chapter = chapter_5();
+  if (quick) return chapter;
+  const std::vector<JinpingReading> readings = jinping_readings();
+  judge_jinping(run_jinping(folder, readings, chapter.failures), chapter);
+  draw_jinping(folder, {readings[0], readings[1]}, chapter);  // accurate, and with the thesis' scheme
+  return chapter;
+}
 
 Chapter judged(int number, const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out) {
   if (number == 3) return chapter_3(chapter_3_rows());
   if (number == 4) return chapter_4(chapter_4_study(command.folder));
   const SceneFolder folder(command.folder, program, command.jobs > 0 ? command.jobs : dda::cores(), out);
   if (number == 6) return chapter_6(folder, command.quick);
-  Chapter chapter = chapter_5();
-  if (!command.quick) judge_jinping(run_jinping(folder, jinping_readings(), chapter.failures), chapter);
-  return chapter;
+  return chapter_5(folder, command.quick);
 }
 
 const char* verdict(const Statement& statement) {

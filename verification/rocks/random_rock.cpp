@@ -141,14 +141,14 @@ std::string name_of(RockKind kind) {
 
 RockKind rock_kind(std::uint64_t seed) { return all_rock_kinds.at(seed % all_rock_kinds.size()); }
 
-RandomRock random_rock(std::uint64_t seed, bool dilating) {
+RandomRock random_rock(std::uint64_t seed, RockJoints joints) {
   SeededNumbers random(seed);
   RandomRock made;
   made.seed = seed;
   made.kind = rock_kind(seed);
   made.unit = random.chance(0.5) ? 1 : random.magnitude(-2, 2);
   made.motion = 0.1 * std::sqrt(made.unit);
-  const double extent = dilating ? 0.6 * made.unit : made.unit;
+  const double extent = joints == RockJoints::dilating ? 0.6 * made.unit : made.unit;
   const Box box{extent * random.number(8, 18), extent * random.number(8, 14)};
   Json scene = {{"dda", 1}, {"title", fmt::format("Random rock, {}, seed {}", name_of(made.kind), seed)}};
   scene["materials"]["rock"] = {{"density", random.number(2000, 3000)},
@@ -156,11 +156,13 @@ RandomRock random_rock(std::uint64_t seed, bool dilating) {
                                 {"poisson", random.number(0, 0.35)}};
   scene["joints"]["default"] = {{"friction_angle", "30 deg"}};
   scene["joints"]["dry"] = {{"friction_angle", degrees(random.number(15, 45))}};
-  if (dilating) let_ride_up(seed, made.unit, scene["joints"]["dry"]);
+  if (joints == RockJoints::dilating) let_ride_up(seed, made.unit, scene["joints"]["dry"]);
   if (made.kind == RockKind::grains)
     scene["joints"]["grain"] = {{"friction_angle", "35 deg"},
                                 {"cohesion", made.unit * random.magnitude(4, 6)},
                                 {"tensile_strength", made.unit * random.magnitude(4, 5)}};
+  if (joints == RockJoints::projected)
+    for (Json& joint : scene["joints"]) joint["law"] = "projected";
   scene["blocks"] = {rock(random, made.kind, box, made.unit)};
   add_walls(box, made.unit, made.kind, scene);
   hold_walls(random, made.kind, made.motion, scene);

@@ -27,6 +27,12 @@ inline constexpr std::array all_rock_kinds{RockKind::two_sets, RockKind::three_s
 // Kinds take turns: rock of seed s is of kind s modulo their number.
 [[nodiscard]] RockKind rock_kind(std::uint64_t seed);
 
+enum class RockJoints {
+  dry,       // as every scene has them that does not ask for more, or with some cohesion
+  dilating,  // they ride up as they slide, those of half of the rocks without end; a third as many blocks
+  projected  // the same rocks as dry ones, under the projected law
+};
+
 struct RandomRock {
   std::uint64_t seed = 0;
   RockKind kind = RockKind::two_sets;
@@ -36,8 +42,7 @@ struct RandomRock {
 };
 
 // Every rock settles in a static stage whose steps the engine finds, and moves for a time in which what is loose falls
-// by a twentieth of a unit. `dilating`: its joints ride up as they slide, those of half of the rocks without end, and
-// it has about a third as many blocks.
-[[nodiscard]] RandomRock random_rock(std::uint64_t seed, bool dilating = false);
+// by a twentieth of a unit.
+[[nodiscard]] RandomRock random_rock(std::uint64_t seed, RockJoints joints = RockJoints::dry);
 
 }  // namespace verify

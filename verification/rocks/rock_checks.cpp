@@ -82,12 +82,24 @@ double strength(const dda::EndStrength& end, const InterfaceState& state, std::s
   return end.capacity(normal, state.residual[which]);
 }
 
+// Of a broken stretch whose ends press together: all of its shear, by all of its normal force.
+double beyond_of_whole(const dda::EndStrength& end, const InterfaceState& state) {
+  if (!state.broken[0]) return 0;
+  const double normal = state.force(0) + state.force(2), shear = state.force(1) + state.force(3);
+  const double residual = state.residual[0] ? 2 * end.residual_cohesion : 0;
+  return normal < 0 ? std::abs(shear) - residual + end.friction_now(state.residual[0]) * normal : std::abs(shear);
+}
+
 // The most that shear is beyond its strength at any end of a contact.
 Check beyond_strength(const Simulation& simulation) {
   const dda::ContactSet& contacts = simulation.contacts();
   double largest = 0, beyond = 0;
   for (std::size_t k = 0; k < contacts.states.size(); ++k) {
     const InterfaceState& state = contacts.states[k];
+    if (contacts.elements[k].law == dda::InterfaceLaw::projected) {
+      beyond = std::max(beyond, beyond_of_whole(contacts.strengths[k], state));
+      continue;
+    }
     if (contacts.elements[k].law != dda::InterfaceLaw::classical) continue;  // has means and differences, no ends
     for (std::size_t end = 0; end < 2; ++end) {
       const auto row = static_cast<Eigen::Index>(2 * end);

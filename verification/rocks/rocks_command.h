@@ -5,14 +5,16 @@
 #include <filesystem>
 #include <iosfwd>
 
+#include "verification/rocks/random_rock.h"
+
 namespace verify {
 
 struct RocksCommand {
   std::filesystem::path folder;
   std::uint64_t seed = 1;
   int count = 500;
-  double seconds = 60;    // of CPU time, the most that a rock is given
-  bool dilating = false;  // joints ride up as they slide
+  double seconds = 60;  // of CPU time, the most that a rock is given
+  RockJoints joints = RockJoints::dry;
 };
 
 // Writes rocks.json, rocks.md and images/ into the folder, and the scene of every rock that is not right into scenes/.

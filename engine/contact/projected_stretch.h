@@ -24,6 +24,9 @@ namespace dda {
 // Of the length of a stretch. Until then its length is wrong by as much.
 inline constexpr double parting_share = 0.01;
 
+// Of a stretch of the law: whether an end gapes.
+bool gapes(const InterfaceElement& element, const InterfaceState& state);
+
 // Whether an end has gone so far.
 bool has_parted(const Model& model, const State& state, const Interface& interface);
 

@@ -27,7 +27,8 @@ ContactStatistics count_contacts(const Simulation& simulation) {
     const InterfaceState state = simulation.interface_state(i);
     for (int end = 0; end < ends_of(contacts.elements[i]); ++end)
       count(state.status[static_cast<std::size_t>(end)], statistics);
-    statistics.penetration = std::max(statistics.penetration, penetration_depth(contacts.elements[i], state.gap));
+    statistics.penetration =
+        std::max(statistics.penetration, penetration_depth(contacts.elements[i], state.gap, system.state.stress));
   }
   return statistics;
 }

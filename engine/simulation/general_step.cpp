@@ -44,11 +44,6 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
 }
 
-// Of a stretch of the projected law, at one end at least.
-bool gapes(const InterfaceElement& element, const InterfaceState& state) {
-  return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
-}
-
 }  // namespace
 
 GeneralStep::GeneralStep(BlockSystem& system)
@@ -363,7 +358,7 @@ void GeneralStep::accept() {
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts();
   if (s.plan.contacts_can_change) {
-    note_penetrations(s.contacts, s.terms, s.state.time, deepest_);
+    note_penetrations(s.contacts, s.terms, s.state, deepest_);
     if (s.plan.finite_kinematics)  // or contacts stay those of the drawing, and nothing can pass
       note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
   }

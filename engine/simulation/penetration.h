@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
+#include "engine/model/state.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/depth_in_thickness.h"
 
@@ -27,10 +28,10 @@ struct Penetration {
 // Beyond this share a run is doubtful: joints are too soft for what presses them, or a step too long for an impact.
 inline constexpr double tolerated_penetration = 0.01;
 
-// m, at the end that is in deeper; not positive where nothing is pressed.
-double penetration_depth(const InterfaceElement& element, const Vec4& gap);
+// m, at the end that is in deeper; not positive where nothing is pressed. `stress`: of all blocks, Pa.
+double penetration_depth(const InterfaceElement& element, const Vec4& gap, const std::vector<Vec3>& stress);
 
 // Takes note of contacts that are pressed in deeper than any before.
-void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, double time, Penetration& deepest);
+void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, const State& state, Penetration& deepest);
 
 }  // namespace dda

@@ -215,7 +215,8 @@ Outcome eccentric_column() {
         expect(fmt::format("the same in finite kinematics, load at {} of its width", e), "rad")
             .is(turn)
             .against(exact::no_tension_turn(load, e, 1, column_blocks - 0.5, young), "column without tension")
-            .within(1e-3, "the load moves sideways by the turn times the height, 1e-4 of the width"));
+            .within(2.5e-3,
+                    "the load moves sideways by 2e-4 of the width, and the turn grows by up to ten times as much"));
   }
   // Corner springs turn a hundred times too little: what the law is for.
   const double springs = turn_of(InterfaceLaw::classical, 0.1, outcome);

@@ -17,7 +17,7 @@
 namespace verify {
 namespace {
 
-Chapter chapter_5(const SceneFolder& folder, bool quick) {
+Chapter judged_5(const SceneFolder& folder, bool quick) {
   Chapter chapter = chapter_5();
   if (quick) return chapter;
   const std::vector<JinpingReading> readings = jinping_readings();
@@ -31,7 +31,7 @@ Chapter judged(int number, const ThesisCommand& command, const std::filesystem::
   if (number == 4) return chapter_4(chapter_4_study(command.folder));
   const SceneFolder folder(command.folder, program, command.jobs > 0 ? command.jobs : dda::cores(), out);
   if (number == 6) return chapter_6(folder, command.quick);
-  return chapter_5(folder, command.quick);
+  return judged_5(folder, command.quick);
 }
 
 const char* verdict(const Statement& statement) {

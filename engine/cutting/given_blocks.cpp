@@ -130,6 +130,7 @@ double tolerance_for(const std::vector<CutBlock>& blocks, double wanted) {
 
 CutRock given_rock(const RockPlan& plan, double tolerance) {
   CutRock rock;
+  rock.cleaned = plan.cleaned;
   for (const PlanBlock& block : plan.blocks) {
     if (const auto why = defect(block.shape)) throw InputError("", block.origin, *why, "the outline of a block");
     rock.blocks.push_back({normalized(block.shape), -1, block.material, block.group});

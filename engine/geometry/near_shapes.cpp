@@ -163,13 +163,14 @@ bool is_crowded(std::span<const Box> boxes) {
 }  // namespace
 
 struct ShapeIndex::Tree {
+  explicit Tree(std::span<const Ring* const> given) : shapes(given) {}
   ShapeTree shapes;
 };
 
 ShapeIndex::ShapeIndex(std::span<const Ring* const> shapes) {
   for (const Ring* ring : shapes) boxes_.push_back(bounding_box(*ring));
   if (is_crowded(boxes_))
-    tree_ = std::make_unique<const Tree>(ShapeTree(shapes));
+    tree_ = std::make_unique<const Tree>(shapes);
   else
     grid_ = std::make_unique<const BoxIndex>(boxes_);
 }

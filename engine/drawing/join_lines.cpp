@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/mend_lines.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 
@@ -178,6 +179,11 @@ class Joiner {
                      "two at each corner of a closed line"};
       return;
     }
+    joined_.gap = overshoot_at(lines_, at / 2, at % 2 == 1, reach_);
+    if (!joined_.gap) joined_.gap = opening_at(at);
+  }
+
+  [[nodiscard]] Gap opening_at(std::size_t at) const {
     double least = std::numeric_limits<double>::infinity();
     std::size_t nearest = at;
     for (std::size_t i = 0; i < partners_.size(); ++i) {
@@ -186,10 +192,10 @@ class Joiner {
       least = distance;
       nearest = i;
     }
-    joined_.gap = {origin,
-                   fmt::format("open at {}, {:.4g} m from the nearest other end, of {}", written(end(at)), least,
-                               lines_[nearest / 2].origin),
-                   "a closed line"};
+    return {lines_[at / 2].origin,
+            fmt::format("open at {}, {:.4g} m from the nearest other end, of {}", written(end(at)), least,
+                        lines_[nearest / 2].origin),
+            "a closed line"};
   }
 
   std::vector<OpenLine> lines_;
@@ -201,6 +207,13 @@ class Joiner {
 
 }  // namespace
 
-Joined join_lines(std::vector<OpenLine> lines, double reach) { return Joiner(std::move(lines), reach).join(); }
+Joined join_lines(const std::vector<OpenLine>& lines, double reach) {
+  Joined joined = Joiner(lines, reach).join();
+  if (!joined.gap) return joined;
+  MendedLines mended = mended_lines(lines, reach);
+  Joined again = Joiner(std::move(mended.lines), reach).join();
+  again.cleaned.insert(again.cleaned.begin(), mended.cleaned.begin(), mended.cleaned.end());
+  return again;
+}
 
 }  // namespace dda

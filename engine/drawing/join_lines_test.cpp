@@ -65,6 +65,75 @@ TEST(JoinLines, DoubledAndShortLinesAndNearCornersAreListed) {
   expect_cleaned(joined, Cleaning::short_edge_closed, {2, 4.002}, {2, 4}, "below");
 }
 
+TEST(JoinLines, LinesThatRunAlongEachOtherCountOnceWhereTheyDo) {
+  std::vector<OpenLine> lines = square();
+  lines[0] = line({0, 0}, {3, 0}, "below");
+  lines.push_back(line({1, 0}, {4, 0}, "below too"));
+  lines.push_back(line({0, 3}, {0, 1}, "left too"));
+  const Joined joined = join_lines(lines, reach);
+  ASSERT_FALSE(joined.gap) << joined.gap->value;
+  ASSERT_EQ(joined.rings.size(), 1U);
+  EXPECT_EQ(std::abs(signed_area(joined.rings[0].ring)), 16);
+  EXPECT_EQ(joined.cleaned.size(), 2U);
+  expect_cleaned(joined, Cleaning::lines_overlap, {1, 0}, {3, 0}, "below too");
+  expect_cleaned(joined, Cleaning::lines_overlap, {0, 3}, {0, 1}, "left too");
+}
+
+// A line along the outline is no gap of it, wherever it comes in the drawing.
+TEST(JoinLines, AShortLineAlongAClosedOne) {
+  const OpenLine outline{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, "outline"};
+  for (const bool first : {true, false}) {
+    std::vector<OpenLine> lines{outline};
+    lines.insert(first ? lines.begin() : lines.end(), line({1, 0}, {3, 0}, "short"));
+    const Joined joined = join_lines(lines, reach);
+    ASSERT_EQ(joined.rings.size(), 1U);
+    EXPECT_EQ(joined.rings[0].ring.size(), 4U);
+    expect_cleaned(joined, Cleaning::lines_overlap, {1, 0}, {3, 0}, "short");
+  }
+}
+
+TEST(JoinLines, EndsThatStickOutByLessThanTheToleranceAreTrimmed) {
+  std::vector<OpenLine> lines = square();
+  lines[0].points[1] = {4.008, 0};  // 0.0113 m from the end of the next line
+  lines[1].points[0] = {4, -0.008};
+  const Joined joined = join_lines(lines, reach);
+  ASSERT_FALSE(joined.gap) << joined.gap->value;
+  ASSERT_EQ(joined.rings.size(), 1U);
+  EXPECT_NEAR(std::abs(signed_area(joined.rings[0].ring)), 16, 1e-12);
+  EXPECT_EQ(joined.cleaned.size(), 2U);
+  expect_cleaned(joined, Cleaning::dangle_trimmed, {4, 0}, {4.008, 0}, "below");
+  expect_cleaned(joined, Cleaning::dangle_trimmed, {4, 0}, {4, -0.008}, "right");
+}
+
+// Whichever of the lines at the corner is the one that is too long.
+TEST(JoinLines, EndsThatStickOutFurtherAreSaidWithTheirPlace) {
+  const auto gap_of = [](std::size_t number, std::size_t end, const Vec2& place) {
+    std::vector<OpenLine> lines = square();
+    lines[number].points[end] = place;
+    const Joined joined = join_lines(lines, reach);
+    return joined.gap ? joined.gap->origin + " is " + joined.gap->value : "";
+  };
+  EXPECT_EQ(gap_of(0, 1, {4.5, 0}),
+            "below is too long: it ends 0.5 m beyond the corner at (4, 0) m, where it meets right");
+  EXPECT_EQ(gap_of(1, 0, {4, -0.25}),
+            "right is too long: it ends 0.25 m beyond the corner at (4, 0) m, where it meets below");
+  EXPECT_EQ(gap_of(3, 1, {0, -0.25}),
+            "left is too long: it ends 0.25 m beyond the corner at (0, 0) m, where it meets below");
+  EXPECT_EQ(gap_of(0, 0, {-0.1, 0}),
+            "below is too long: it ends 0.1 m beyond the corner at (0, 0) m, where it meets left");
+  EXPECT_EQ(gap_of(0, 1, {3.5, 0}), "below is open at (3.5, 0) m, 0.5 m from the nearest other end, of right");
+}
+
+TEST(JoinLines, LinesThatAllCrossAtTheirCorners) {
+  const Joined joined = join_lines({line({-1, 0}, {5, 0}, "below"), line({4, -1}, {4, 5}, "right"),
+                                    line({5, 4}, {-1, 4}, "above"), line({0, 5}, {0, -1}, "left")},
+                                   reach);
+  ASSERT_TRUE(joined.gap);
+  EXPECT_EQ(joined.gap->origin + " is " + joined.gap->value,
+            "below is too long: it ends 1 m beyond the corner at (4, 0) m, where it meets right");
+  EXPECT_EQ(joined.gap->expected, "a line that ends at the corner, or a larger \"tolerance\"");
+}
+
 TEST(JoinLines, WhatWasCleanedComesWithTheBlocks) {
   const RockPlan plan = plan_of(
       read_csv_drawing("layer,x1,y1,x2,y2\nboundary,0,0,4,0\nboundary,4,0,0,4\nboundary,0,4,0,1e-7\n", "p.csv", 0), {});

@@ -165,7 +165,7 @@ class Planner {
     Joined joined = join_lines(lines, reach_);
     if (const auto gap = joined.gap) {
       for (OpenLine& line : lines_of(LayerRole::absorbing_boundary)) lines.push_back(std::move(line));
-      joined = join_lines(std::move(lines), reach_);
+      joined = join_lines(lines, reach_);
       if (joined.gap) refuse(*gap);
     }
     expect_rings(joined, origin);

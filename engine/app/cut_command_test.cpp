@@ -119,6 +119,26 @@ TEST_F(Cut, NamesOfADrawingMustBeThoseOfItsScene) {
   EXPECT_EQ(nlohmann::json::parse(text("out/scene.json"))["joint_lines"][0]["joint"], "bedding");
 }
 
+// DXF does not tell layers apart by capitals, nor do people who fill tables.
+TEST_F(Cut, LayersThatDifferInCapitalsOnlyAreOne) {
+  write("two.csv", plan + "joint Bedding,0,1.5,4,2.5\njoint BEDDING,0,0.5,4,1.5\nTUNNEL,1,3,2,3\ntunnel,2,3,2,3.5\n" +
+                       "Tunnel,2,3.5,1,3\n");
+  const Outcome cut = call({"cut", path("two.csv"), "--out", path("out")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, "two.csv: the layers \"joint Bedding\" and \"joint BEDDING\" are one")) << cut.out;
+  const auto scene = nlohmann::json::parse(text("out/scene.json"));
+  EXPECT_EQ(scene["joints"].size(), 2U) << scene["joints"];
+  EXPECT_TRUE(scene["joints"].contains("Bedding"));
+  write("named.json",
+        R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
+ "joints": {"bedding": {"friction_angle": "30 deg"}}, "blocks": {"rock": {"drawing": "two.csv"}},
+ "steps": {"dt": 1e-3, "duration": 1e-3}})");
+  const Outcome named = call({"cut", path("named.json"), "--out", path("named")});
+  ASSERT_EQ(named.code, 0) << named.errors;
+  for (const auto& line : nlohmann::json::parse(text("named/scene.json"))["joint_lines"])
+    EXPECT_EQ(line["joint"], "bedding");
+}
+
 TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {
   std::string other = plan;
   for (std::size_t at = other.find("rock"); at != std::string::npos; at = other.find("rock", at))

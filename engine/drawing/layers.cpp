@@ -28,11 +28,9 @@ constexpr std::array<Beginning, 3> beginnings{
 
 bool is_gap(char c) { return c == ' ' || c == '_' || c == '-'; }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool begins_with(std::string_view layer, std::string_view words) {
-  const auto same = [](char a, char b) { return b == ' ' ? is_gap(a) : lower(a) == b; };
-  return layer.size() > words.size() && std::ranges::equal(layer.substr(0, words.size()), words, same);
+  const auto same = [](char a, char b) { return b == ' ' ? is_gap(a) : a == b; };
+  return layer.size() > words.size() && std::ranges::equal(in_lower_case(layer.substr(0, words.size())), words, same);
 }
 
 }  // namespace
@@ -51,8 +49,8 @@ std::string layer_for(const NamedLayer& named) {
 
 std::string bare_layer(std::string_view name) {
   std::string letters;
-  for (const char c : name) {
-    if (!is_gap(c)) letters += lower(c);
+  for (const char c : in_lower_case(name)) {
+    if (!is_gap(c)) letters += c;
   }
   return letters;
 }

@@ -68,21 +68,28 @@ void check_name(const std::string& group, const std::string& origin) {
   static_cast<void>(Field(name, origin).name());
 }
 
+// Of that name, else the one whose name differs in capitals only.
+const JointMaterial& joint_of(const PlanLine& line, const Model& model) {
+  const auto same = std::ranges::find(model.joints, line.joint, &JointMaterial::name);
+  if (same != model.joints.end()) return *same;
+  const auto lower = [](const JointMaterial& joint) { return in_lower_case(joint.name); };
+  const std::string wanted = in_lower_case(line.joint);
+  if (std::ranges::count(model.joints, wanted, lower) == 1) return *std::ranges::find(model.joints, wanted, lower);
+  std::vector<std::string> names;
+  for (const JointMaterial& joint : model.joints) names.push_back(joint.name);
+  throw InputError("", line.origin, "of the joint \"" + line.joint + "\"",
+                   fmt::format("one of the scene's joints: {}", fmt::join(names, ", ")));
+}
+
 // Names of joints that come from layers are those of the scene.
 void take_joints(const Model& model, std::vector<PlanLine>& lines) {
-  std::map<std::string, bool> bonded;
-  std::vector<std::string> names;
-  for (const JointMaterial& joint : model.joints) {
-    bonded[joint.name] = joint.bonded;
-    names.push_back(joint.name);
-  }
+  std::map<std::string, const JointMaterial*> known;
   for (PlanLine& line : lines) {
     if (line.joint.empty()) continue;
-    const auto found = bonded.find(line.joint);
-    if (found == bonded.end())
-      throw InputError("", line.origin, "of the joint \"" + line.joint + "\"",
-                       fmt::format("one of the scene's joints: {}", fmt::join(names, ", ")));
-    line.construction = found->second;
+    const JointMaterial*& joint = known[line.joint];
+    if (joint == nullptr) joint = &joint_of(line, model);
+    line.joint = joint->name;
+    line.construction = joint->bonded;
   }
 }
 
@@ -118,6 +125,9 @@ std::vector<std::string> remarks_on(const LineDrawing& drawing, double metres) {
     remarks.push_back(drawing.name + " does not say its unit: coordinates are taken in m");
   if (metres == 0 && !drawing.unit.empty())
     remarks.push_back(fmt::format("{}: coordinates in {}, as it says", drawing.name, drawing.unit));
+  for (const auto& [other, name] : drawing.other_spellings)
+    if (named_layer(name))
+      remarks.push_back(fmt::format("{}: the layers \"{}\" and \"{}\" are one", drawing.name, name, other));
   std::vector<std::string> kinds, lines;
   for (const auto& [kind, count] : drawing.passed_over)
     (unread_lines.contains(kind) ? lines : kinds).push_back(fmt::format("{} x {}", count, kind));

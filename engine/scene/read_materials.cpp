@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "engine/drawing/line_drawing.h"
 #include "engine/scene/read_drawn_plan.h"
 #include "engine/scene/sections.h"
 
@@ -211,6 +212,15 @@ std::set<std::string> joints_of_drawings(const Field& scene, const std::filesyst
   return names;
 }
 
+// Of `names`, those that drawings have in any capitals.
+void use_joints_of_drawings(const Field& scene, const std::filesystem::path& folder,
+                            const std::vector<std::string>& names, std::set<std::string>& used) {
+  std::set<std::string> drawn;
+  for (const std::string& name : joints_of_drawings(scene, folder)) drawn.insert(in_lower_case(name));
+  for (const std::string& name : names)
+    if (drawn.contains(in_lower_case(name))) used.insert(name);
+}
+
 // A joint under another name than "default" that nothing uses would silently do nothing.
 // Misspelt references come first: they are why joints seem to be without use. Drawings are read only where it is of
 // use.
@@ -223,7 +233,7 @@ void refuse_unused_joints(const Field& scene, const Field& joints, const std::fi
     if (const auto joint = user.find("joint")) used.insert(names[joint->choice(names)]);
   }
   const auto is_used = [&](const auto& member) { return used.contains(member.first); };
-  if (!std::ranges::all_of(joints.members(), is_used)) used.merge(joints_of_drawings(scene, folder));
+  if (!std::ranges::all_of(joints.members(), is_used)) use_joints_of_drawings(scene, folder, names, used);
   for (const auto& [name, field] : joints.members()) {
     if (!used.contains(name))
       field.fail("in no entry of joint_pairs, joint_lines or rock", "\"default\" or a name that they use");

@@ -96,8 +96,12 @@ TEST_F(Cut, WordsOfASceneBesideADrawingOfBlocks) {
   };
   expect_refusal(scene(R"(, "merge": {"area": 1})", ""),
                  "blocks.rock.merge is given beside a drawing of blocks, which are not cut again, expected regions");
-  expect_refusal(scene("", R"("bedding": {"friction_angle": "30 deg"})"),
-                 "joints.bedding is in no entry of joint_pairs");
+  const Outcome unused = call(scene("", R"("bedding": {"friction_angle": "30 deg"})"));
+  EXPECT_EQ(unused.code, 0) << unused.errors;
+  EXPECT_TRUE(contains(unused.out,
+                       "remark: joints.bedding is in no entry of joint_pairs, joint_lines or rock, and no "
+                       "line of the drawing is on a layer \"joint bedding\""))
+      << unused.out;
   EXPECT_EQ(call(scene("", R"("default": {"friction_angle": "30 deg"})")).code, 0);
 }
 
@@ -165,6 +169,25 @@ TEST_F(Cut, LinesAmongThePointsOfDimensionsAreTold) {
   EXPECT_TRUE(contains(remarks(), "1 lines on Defpoints")) << remarks();
   ASSERT_EQ(call({"cut", path("other.csv"), "--out", path("out"), "--layer", "Defpoints=ignored"}).code, 0);
   EXPECT_FALSE(contains(remarks(), "Defpoints")) << remarks();
+}
+
+// Of joints that the drawing has no lines of, whether a table of layers names them or the scene itself.
+TEST_F(Cut, JointsWithoutALineAreRemarked) {
+  write("unused.json",
+        R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
+ "joints": {"bed": {"friction_angle": "30 deg"}},
+ "blocks": {"rock": {"drawing": {"file": "plan.csv", "layers": {"beds": {"as": "rock", "joint": "bed"}}}}},
+ "supports": [{"edge": "bottom"}], "steps": {"dt": 1e-3, "duration": 1e-3}})");
+  const std::string remark = "plan.csv: no line is on the layer \"beds\", which is said to have joints";
+  const Outcome cut = call({"cut", path("unused.json"), "--out", path("made")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, remark)) << cut.out;
+  EXPECT_EQ(call({"check", path("made/scene.json")}).code, 0);
+  const Outcome check = call({"check", path("unused.json")});
+  ASSERT_EQ(check.code, 0) << check.errors;
+  EXPECT_TRUE(contains(check.out, remark)) << check.out;
+  expect_refusal({"cut", path("plan.csv"), "--out", path("none"), "--layer", "umris=boundary"},
+                 "for a layer on which nothing is drawn");
 }
 
 TEST_F(Cut, AFolderToWhichARunWritesIsRefused) {

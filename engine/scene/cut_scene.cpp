@@ -89,10 +89,11 @@ class Cutter {
   NewScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
     const Field scene(document_, "");
     read_materials(scene, model_);
-    read_joints(scene, read_scheme(scene), from, model_);
+    const std::vector<std::string> remarks = read_joints(scene, read_scheme(scene), from, model_);
     const Field blocks = scene.at("blocks");
     for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) add_rock_of(entry, from);
     if (result_.entries.empty()) blocks.fail("without rock", "an entry \"rock\" to cut");
+    std::ranges::copy(remarks, std::back_inserter(result_.entries.front().rock.remarks));
     for (const JointMaterial& joint : model_.joints) result_.joint_names.push_back(joint.name);
     for (const Material& material : model_.materials) result_.material_names.push_back(material.name);
     json cut = with_polygons();

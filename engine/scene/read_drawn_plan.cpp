@@ -40,25 +40,35 @@ LayerUse read_layer_use(const Field& field, const Model& model) {
   return use;
 }
 
-// A misspelt layer would leave the drawing's own without a meaning, or with another.
-void expect_layers_of(const LineDrawing& drawing, const Field& layers) {
+std::set<std::string> bare_layers_of(const LineDrawing& drawing) {
   std::set<std::string> drawn;
   for (const DrawnLine& line : drawing.lines) drawn.insert(bare_layer(line.layer));
   for (const DrawnPoint& point : drawing.points) drawn.insert(bare_layer(point.layer));
-  for (const auto& [name, use] : layers.members()) {
-    if (!drawn.contains(bare_layer(name)))
-      use.fail("for a layer on which nothing is drawn", "a layer of " + drawing.name);
-  }
+  return drawn;
 }
 
-DrawingOptions read_options(const Field& field, const LineDrawing& drawing, const Model& model) {
+// A misspelt layer would leave the drawing's own without a meaning, or with another. One of joints may just have none
+// this time; the lines of a misspelt one are refused.
+std::map<std::string, LayerUse> read_layers(const Field& layers, const LineDrawing& drawing, const Model& model,
+                                            std::vector<std::string>& remarks) {
+  const std::set<std::string> drawn = bare_layers_of(drawing);
+  std::map<std::string, LayerUse> uses;
+  for (const auto& [name, field] : layers.members()) {
+    const LayerUse& use = uses[name] = read_layer_use(field, model);
+    if (drawn.contains(bare_layer(name))) continue;
+    if (use.role != LayerRole::rock) field.fail("for a layer on which nothing is drawn", "a layer of " + drawing.name);
+    remarks.push_back(
+        fmt::format("{}: no line is on the layer \"{}\", which is said to have joints", drawing.name, name));
+  }
+  return uses;
+}
+
+DrawingOptions read_options(const Field& field, const LineDrawing& drawing, const Model& model,
+                            std::vector<std::string>& remarks) {
   DrawingOptions options;
   options.chords.length =
       value_or(field, "chord_tolerance", 0.0, [](const Field& f) { return f.positive(Dimension::length); });
-  const auto layers = field.find("layers");
-  if (!layers) return options;
-  expect_layers_of(drawing, *layers);
-  for (const auto& [name, use] : layers->members()) options.layers[name] = read_layer_use(use, model);
+  if (const auto layers = field.find("layers")) options.layers = read_layers(*layers, drawing, model, remarks);
   return options;
 }
 
@@ -146,9 +156,11 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
   const std::string file = (field.is_object() ? field.at("file") : field).text();
   const double metres = field.is_object() ? value_or(field, "unit", 0.0, read_unit) : 0;
   const LineDrawing drawing = read_drawing(folder / file, file, metres);
-  DrawingOptions options = field.is_object() ? read_options(field, drawing, model) : DrawingOptions{};
+  DrawnPlan drawn;
+  drawn.remarks = remarks_on(drawing, metres);
+  DrawingOptions options = field.is_object() ? read_options(field, drawing, model, drawn.remarks) : DrawingOptions{};
   options.reach = reach;
-  DrawnPlan drawn{plan_of(drawing, options), remarks_on(drawing, metres)};
+  drawn.plan = plan_of(drawing, options);
   if (std::string remark = remark_on_points_of_dimensions(drawing, options); !remark.empty())
     drawn.remarks.push_back(std::move(remark));
   for (const PlanOpening& opening : drawn.plan.openings) check_name(opening.name, opening.origin);

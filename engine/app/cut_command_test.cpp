@@ -52,6 +52,7 @@ TEST_F(Cut, ADrawingBecomesASceneThatRunsAndADrawingOfItsBlocks) {
 
 TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
   write("open.csv", plan.substr(0, plan.find("boundary,0,4")));
+  write("none.csv", "layer,x1,y1,x2,y2\nrock,0,0,1,1\ntunnel,0,0,1,0\ntunnel,1,0,1,1\ntunnel,1,1,0,0\n");
   write("layer.csv", plan + "Text,0,0,1,1,,\n");
   write("point.csv", plan + "measure point,,,,,5,5\n");
   write("scene.json", R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
@@ -61,6 +62,13 @@ TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
   };
   refused("open.csv", "open.csv line 4 (layer boundary) is open at (0, 4) m, 4 m from the nearest other end, of");
   refused("layer.csv", "layer.csv line 9 is on the unknown layer \"Text\", expected one of boundary, ");
+  refused("layer.csv",
+          R"(, or a word on what it is: --layer "Text=rock" for joints, --layer "Text=ignored" to leave it )"
+          R"(out, in a scene "layers": {"Text": "rock"})");
+  refused("none.csv",
+          path("none.csv") + R"( is without a line on a layer boundary; its layers are "rock", )" +
+              R"("tunnel", expected lines around the rock that close, on a layer boundary or on one that )" +
+              R"(is said to be it: --layer "NAME=boundary")");
   refused("point.csv",
           "point.csv line 9 (layer measure point) is at (5, 5) m, in no block, expected a place in the rock");
   refused("scene.json", "scene.json: open.csv line 4 (layer boundary) is open at (0, 4) m");
@@ -149,7 +157,9 @@ TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {
     other.replace(at, 4, "Bed");
   write("other.csv", other);
   expect_refusal({"cut", path("other.csv"), "--out", path("out")}, "is on the unknown layer \"Bed\"");
-  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rok"}, "is \"rok\", expected one of");
+  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rok"},
+                 "--layer bed is \"rok\", expected one of");
+  expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--unit", "kg"}, "--unit is \"kg\", expected one of");
   expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed"},
                  "--layer is \"bed\", expected NAME=");
   expect_refusal({"cut", path("scene.json"), "--out", path("out"), "--unit", "mm"}, "--unit is given beside a scene");
@@ -187,7 +197,7 @@ TEST_F(Cut, JointsWithoutALineAreRemarked) {
   ASSERT_EQ(check.code, 0) << check.errors;
   EXPECT_TRUE(contains(check.out, remark)) << check.out;
   expect_refusal({"cut", path("plan.csv"), "--out", path("none"), "--layer", "umris=boundary"},
-                 "for a layer on which nothing is drawn");
+                 "--layer umris is for a layer on which nothing is drawn, expected a layer of " + path("plan.csv"));
 }
 
 TEST_F(Cut, AFolderToWhichARunWritesIsRefused) {

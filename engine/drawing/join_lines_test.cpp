@@ -131,7 +131,7 @@ TEST(JoinLines, LinesThatAllCrossAtTheirCorners) {
   ASSERT_TRUE(joined.gap);
   EXPECT_EQ(joined.gap->origin + " is " + joined.gap->value,
             "below is too long: it ends 1 m beyond the corner at (4, 0) m, where it meets right");
-  EXPECT_EQ(joined.gap->expected, "a line that ends at the corner, or a larger \"tolerance\"");
+  EXPECT_EQ(joined.gap->expected, "a line that ends at the corner, or a larger \"tolerance\" of the rock in a scene");
 }
 
 TEST(JoinLines, WhatWasCleanedComesWithTheBlocks) {

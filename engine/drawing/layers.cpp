@@ -73,7 +73,9 @@ const LayerUse& Layers::use_of(const std::string& layer, const std::string& orig
   }
   std::vector<std::string> names(role_names().begin(), role_names().end() - 1);
   throw InputError("", origin, fmt::format("on the unknown layer \"{}\"", layer),
-                   fmt::format("one of {}, or an entry of \"layers\" (--layer) for it", fmt::join(names, ", ")));
+                   fmt::format("one of {0}, or a word on what it is: --layer \"{1}=rock\" for joints, --layer "
+                               "\"{1}=ignored\" to leave it out, in a scene \"layers\": {{\"{1}\": \"rock\"}}",
+                               fmt::join(names, ", "), layer));
 }
 
 }  // namespace dda

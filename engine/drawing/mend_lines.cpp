@@ -205,7 +205,7 @@ std::optional<Gap> overshoot_at(const std::vector<OpenLine>& lines, std::size_t 
     return Gap{lines[each].origin,
                fmt::format("too long: it ends {:.4g} m beyond the corner at {}, where it meets {}", found->length,
                            written(found->corner), lines[found->other].origin),
-               "a line that ends at the corner, or a larger \"tolerance\""};
+               "a line that ends at the corner, or a larger \"tolerance\" of the rock in a scene"};
   }
   return std::nullopt;
 }

@@ -113,7 +113,7 @@ double metres_of(int code, LineDrawing& drawing) {
   const auto found = std::ranges::find(ins_units, code, &InsUnit::code);
   if (found == ins_units.end())
     throw InputError("", drawing.name + ", $INSUNITS", fmt::format("{}", code),
-                     "a unit from mil to mi, or \"unit\" in the scene");
+                     "a unit from mil to mi, or one that is said: --unit mm, in a scene \"unit\": \"mm\"");
   drawing.unit = found->name;
   return found->metres;
 }

@@ -181,10 +181,26 @@ NewScene cut_document(const std::filesystem::path& file, const std::filesystem::
   }
 }
 
+// The scene around a drawing is nobody's: what is wrong in it is an option, or the drawing.
+InputError in_words_of_drawing(const InputError& error, const std::string& drawing) {
+  constexpr std::string_view rock = "blocks.rock", layers = "blocks.rock.drawing.layers.",
+                             unit = "blocks.rock.drawing.unit";
+  const std::string& field = error.field();
+  if (!field.starts_with(rock)) return error;
+  const std::string name = field.starts_with(layers) ? fmt::format("--layer {}", field.substr(layers.size()))
+                           : field == unit           ? "--unit"
+                                                     : drawing;
+  return {"", name, error.value(), error.expected()};
+}
+
 // Errors name the drawing and a line of it by themselves.
 NewScene cut_drawing(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
                      const std::function<void(std::string_view)>& progress) {
-  return Cutter(scene_around(file, words), true, progress).cut({}, folder);
+  try {
+    return Cutter(scene_around(file, words), true, progress).cut({}, folder);
+  } catch (const InputError& error) {
+    throw in_words_of_drawing(error, file.string());
+  }
 }
 
 // A document with one of its blocks and one of its joint lines, which follow the schema all or none of them.

@@ -157,6 +157,9 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
   const double metres = field.is_object() ? value_or(field, "unit", 0.0, read_unit) : 0;
   const LineDrawing drawing = read_drawing(folder / file, file, metres);
   DrawnPlan drawn;
+  drawn.name = drawing.name;
+  for (const DrawnLine& line : drawing.lines) drawn.layers.insert(line.layer);
+  for (const DrawnPoint& point : drawing.points) drawn.layers.insert(point.layer);
   drawn.remarks = remarks_on(drawing, metres);
   DrawingOptions options = field.is_object() ? read_options(field, drawing, model, drawn.remarks) : DrawingOptions{};
   options.reach = reach;
@@ -170,6 +173,20 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
     drawn.remarks.push_back(
         fmt::format("{}: {} blocks, taken as they are drawn", drawing.name, drawn.plan.blocks.size()));
   return drawn;
+}
+
+void refuse_without_boundary(const DrawnPlan& drawn) {
+  constexpr std::size_t most = 12;  // names that a sentence may have
+  std::vector<std::string> layers;
+  for (const std::string& layer : drawn.layers) layers.push_back("\"" + layer + "\"");
+  if (layers.size() > most) {
+    layers.resize(most);
+    layers.emplace_back("...");
+  }
+  throw InputError("", drawn.name,
+                   fmt::format("without a line on a layer boundary; its layers are {}", fmt::join(layers, ", ")),
+                   "lines around the rock that close, on a layer boundary or on one that is said to be it: --layer "
+                   "\"NAME=boundary\", in a scene \"layers\": {\"NAME\": \"boundary\"}");
 }
 
 DrawnNames drawn_names(const std::filesystem::path& file, const std::string& name) {

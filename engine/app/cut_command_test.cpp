@@ -181,6 +181,27 @@ TEST_F(Cut, LinesAmongThePointsOfDimensionsAreTold) {
   EXPECT_FALSE(contains(remarks(), "Defpoints")) << remarks();
 }
 
+TEST_F(Cut, FilesForDcSayWhichNumberIsWhichJoint) {
+  write("named.csv", plan + "joint bed,0,0.5,4,1.5\njoint shear,0,3.5,4,3.7\n");
+  const Outcome cut = call({"cut", path("named.csv"), "--out", path("out"), "--export", path("blocks.dc")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  const std::string dc = text("blocks.dc");
+  const std::string said = "blocks.dc; joints are numbers there: 1 the outline of the blocks and the joint ";
+  const std::size_t at = cut.out.find(said);
+  ASSERT_NE(at, std::string::npos) << cut.out;
+  const std::string names = cut.out.substr(at + said.size());
+  EXPECT_TRUE(contains(names, "; names of groups and materials are left out")) << names;
+  // The level of the left end tells the lines apart.
+  const auto number_of = [&](const std::string& joint) {
+    const std::size_t place = names.find(joint);
+    return place == 0 ? '1' : names[place - 2];
+  };
+  EXPECT_TRUE(contains(dc, std::string("0 0.5 4 1.5 ") + number_of("bed") + "\n")) << names << dc;
+  EXPECT_TRUE(contains(dc, std::string("0 3.5 4 3.7 ") + number_of("shear") + "\n")) << names << dc;
+  EXPECT_FALSE(
+      contains(call({"cut", path("named.csv"), "--out", path("out"), "--export", path("blocks.dxf")}).out, "numbers"));
+}
+
 // Of joints that the drawing has no lines of, whether a table of layers names them or the scene itself.
 TEST_F(Cut, JointsWithoutALineAreRemarked) {
   write("unused.json",

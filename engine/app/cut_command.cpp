@@ -86,7 +86,8 @@ Output exported(const CutScene& cut, const std::filesystem::path& file) {
 // Pictures of rock in many blocks take as long as its report.
 std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, const CutRequest& request) {
   std::future<std::string> picture = std::async(std::launch::async, [&] { return cut_picture(cut); });
-  std::future<std::string> statistics = std::async(std::launch::async, [&] { return statistics_picture(cut); });
+  std::future<std::string> statistics =
+      std::async(std::launch::async, [&] { return statistics_picture(cut, figures); });
   std::vector<Output> outputs{{request.folder / "scene.json", cut.text, ""},
                               {request.folder / "cut.json", report_json(cut, figures), ""}};
   outputs.push_back({request.folder / "cut.svg", picture.get(), ""});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/drawn_units.h"
 #include "engine/drawing/plan_of_drawing.h"
 #include "engine/drawing/read_drawing.h"
 #include "engine/scene/places.h"
@@ -17,11 +18,16 @@
 namespace dda {
 namespace {
 
-// m; those of a scene's lengths, and those in which drawings are made besides.
+// m; those in which drawings are made, and those of a scene's lengths besides.
 double read_unit(const Field& field) {
-  std::vector<std::string> symbols{"ft", "in", "yd"};
-  std::vector<double> metres{0.3048, 0.0254, 0.9144};
+  std::vector<std::string> symbols;
+  std::vector<double> metres;
+  for (const DrawnUnit& unit : drawn_units) {
+    symbols.emplace_back(unit.symbol);
+    metres.push_back(unit.metres);
+  }
   for (const Unit& unit : units(Dimension::length)) {
+    if (std::ranges::find(symbols, unit.symbol) != symbols.end()) continue;
     symbols.emplace_back(unit.symbol);
     metres.push_back(unit.numerator / unit.denominator);
   }

@@ -202,6 +202,22 @@ TEST_F(Cut, FilesForDcSayWhichNumberIsWhichJoint) {
       contains(call({"cut", path("named.csv"), "--out", path("out"), "--export", path("blocks.dxf")}).out, "numbers"));
 }
 
+// The corner is where the side begins, and the bottom no longer level to the bit.
+TEST_F(Cut, AGapThatIsClosedIsListedAndTiltsTheBottomThatHolds) {
+  std::string gap = plan;
+  gap.replace(gap.find("4,0,4,4"), 7, "4,0.000001,4,4");
+  write("gap.csv", gap);
+  const Outcome cut = call({"cut", path("gap.csv"), "--out", path("out")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, "1 x gap closed")) << cut.out;
+  const auto cleaned = nlohmann::json::parse(text("out/cut.json"))["cleaned"][0];
+  EXPECT_EQ(cleaned["what"], "gap closed");
+  EXPECT_EQ(cleaned["at"], nlohmann::json({4, 0}));
+  EXPECT_EQ(cleaned["line"], path("gap.csv") + " line 2 (layer boundary)");
+  EXPECT_EQ(nlohmann::json::parse(text("out/scene.json"))["supports"].size(), 1U);
+  EXPECT_EQ(call({"check", path("out/scene.json")}).code, 0);
+}
+
 // Of joints that the drawing has no lines of, whether a table of layers names them or the scene itself.
 TEST_F(Cut, JointsWithoutALineAreRemarked) {
   write("unused.json",

@@ -159,6 +159,8 @@ TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {
   expect_refusal({"cut", path("other.csv"), "--out", path("out")}, "is on the unknown layer \"Bed\"");
   expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rok"},
                  "--layer bed is \"rok\", expected one of");
+  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed joints=rok"},
+                 "--layer bed joints is \"rok\", expected one of");
   expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--unit", "kg"}, "--unit is \"kg\", expected one of");
   expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed"},
                  "--layer is \"bed\", expected NAME=");

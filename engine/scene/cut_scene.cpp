@@ -12,6 +12,7 @@
 
 #include "engine/core/error.h"
 #include "engine/drawing/read_drawing.h"
+#include "engine/scene/json_path.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
@@ -182,15 +183,13 @@ NewScene cut_document(const std::filesystem::path& file, const std::filesystem::
 }
 
 // The scene around a drawing is nobody's: what is wrong in it is an option, or the drawing.
-InputError in_words_of_drawing(const InputError& error, const std::string& drawing) {
-  constexpr std::string_view rock = "blocks.rock", layers = "blocks.rock.drawing.layers.",
-                             unit = "blocks.rock.drawing.unit";
+InputError in_words_of_drawing(const InputError& error, const std::string& drawing, const DrawingWords& words) {
   const std::string& field = error.field();
-  if (!field.starts_with(rock)) return error;
-  const std::string name = field.starts_with(layers) ? fmt::format("--layer {}", field.substr(layers.size()))
-                           : field == unit           ? "--unit"
-                                                     : drawing;
-  return {"", name, error.value(), error.expected()};
+  const auto as = [&](const std::string& name) { return InputError("", name, error.value(), error.expected()); };
+  for (const auto& [layer, use] : words.layers)
+    if (field == member_path("blocks.rock.drawing.layers", layer)) return as("--layer " + layer);
+  if (field == "blocks.rock.drawing.unit") return as("--unit");
+  return field.starts_with("blocks.rock") ? as(drawing) : error;
 }
 
 // Errors name the drawing and a line of it by themselves.
@@ -199,7 +198,7 @@ NewScene cut_drawing(const std::filesystem::path& file, const std::filesystem::p
   try {
     return Cutter(scene_around(file, words), true, progress).cut({}, folder);
   } catch (const InputError& error) {
-    throw in_words_of_drawing(error, file.string());
+    throw in_words_of_drawing(error, file.string(), words);
   }
 }
 

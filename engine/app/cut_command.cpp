@@ -75,18 +75,24 @@ DrawingWords words_of(const CutRequest& request) {
 struct Output {
   std::filesystem::path file;
   std::string text;
+  std::string remark;  // on what has no place in it
 };
+
+Output exported(const CutScene& cut, const std::filesystem::path& file) {
+  const BlockDrawing drawing = drawing_of_blocks(cut);
+  return {file, block_file(file, drawing), names_left_out(file, drawing)};
+}
 
 // Pictures of rock in many blocks take as long as its report.
 std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, const CutRequest& request) {
   std::future<std::string> picture = std::async(std::launch::async, [&] { return cut_picture(cut); });
-  std::future<std::string> statistics = std::async(std::launch::async, [&] { return statistics_picture(cut); });
-  std::vector<Output> outputs{{request.folder / "scene.json", cut.text},
-                              {request.folder / "cut.json", report_json(cut, figures)}};
-  outputs.push_back({request.folder / "cut.svg", picture.get()});
-  outputs.push_back({request.folder / "statistics.svg", statistics.get()});
-  if (!request.exported.empty())
-    outputs.push_back({request.exported, block_file(request.exported, drawing_of_blocks(cut))});
+  std::future<std::string> statistics =
+      std::async(std::launch::async, [&] { return statistics_picture(cut, figures); });
+  std::vector<Output> outputs{{request.folder / "scene.json", cut.text, ""},
+                              {request.folder / "cut.json", report_json(cut, figures), ""}};
+  outputs.push_back({request.folder / "cut.svg", picture.get(), ""});
+  outputs.push_back({request.folder / "statistics.svg", statistics.get(), ""});
+  if (!request.exported.empty()) outputs.push_back(exported(cut, request.exported));
   return outputs;
 }
 
@@ -106,7 +112,8 @@ void cut_into_folder(const CutRequest& request, std::ostream& out) {
   const FolderLock lock(request.folder);
   for (const Output& output : outputs) write_file(output.file, output.text);
   out << report_text(cut, figures);
-  for (const Output& output : outputs) out << fmt::format("written: {}\n", output.file.string());
+  for (const Output& output : outputs)
+    out << fmt::format("written: {}{}{}\n", output.file.string(), output.remark.empty() ? "" : "; ", output.remark);
 }
 
 }  // namespace dda

@@ -52,6 +52,7 @@ TEST_F(Cut, ADrawingBecomesASceneThatRunsAndADrawingOfItsBlocks) {
 
 TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
   write("open.csv", plan.substr(0, plan.find("boundary,0,4")));
+  write("none.csv", "layer,x1,y1,x2,y2\nrock,0,0,1,1\ntunnel,0,0,1,0\ntunnel,1,0,1,1\ntunnel,1,1,0,0\n");
   write("layer.csv", plan + "Text,0,0,1,1,,\n");
   write("point.csv", plan + "measure point,,,,,5,5\n");
   write("scene.json", R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
@@ -61,6 +62,13 @@ TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
   };
   refused("open.csv", "open.csv line 4 (layer boundary) is open at (0, 4) m, 4 m from the nearest other end, of");
   refused("layer.csv", "layer.csv line 9 is on the unknown layer \"Text\", expected one of boundary, ");
+  refused("layer.csv",
+          R"(, or a word on what it is: --layer "Text=rock" for joints, --layer "Text=ignored" to leave it )"
+          R"(out, in a scene "layers": {"Text": "rock"})");
+  refused("none.csv",
+          path("none.csv") + R"( is without a line on a layer boundary; its layers are "rock", )" +
+              R"("tunnel", expected lines around the rock that close, on a layer boundary or on one that )" +
+              R"(is said to be it: --layer "NAME=boundary")");
   refused("point.csv",
           "point.csv line 9 (layer measure point) is at (5, 5) m, in no block, expected a place in the rock");
   refused("scene.json", "scene.json: open.csv line 4 (layer boundary) is open at (0, 4) m");
@@ -96,8 +104,12 @@ TEST_F(Cut, WordsOfASceneBesideADrawingOfBlocks) {
   };
   expect_refusal(scene(R"(, "merge": {"area": 1})", ""),
                  "blocks.rock.merge is given beside a drawing of blocks, which are not cut again, expected regions");
-  expect_refusal(scene("", R"("bedding": {"friction_angle": "30 deg"})"),
-                 "joints.bedding is in no entry of joint_pairs");
+  const Outcome unused = call(scene("", R"("bedding": {"friction_angle": "30 deg"})"));
+  EXPECT_EQ(unused.code, 0) << unused.errors;
+  EXPECT_TRUE(contains(unused.out,
+                       "remark: joints.bedding is in no entry of joint_pairs, joint_lines or rock, and no "
+                       "line of the drawing is on a layer \"joint bedding\""))
+      << unused.out;
   EXPECT_EQ(call(scene("", R"("default": {"friction_angle": "30 deg"})")).code, 0);
 }
 
@@ -119,13 +131,37 @@ TEST_F(Cut, NamesOfADrawingMustBeThoseOfItsScene) {
   EXPECT_EQ(nlohmann::json::parse(text("out/scene.json"))["joint_lines"][0]["joint"], "bedding");
 }
 
+// DXF does not tell layers apart by capitals, nor do people who fill tables.
+TEST_F(Cut, LayersThatDifferInCapitalsOnlyAreOne) {
+  write("two.csv", plan + "joint Bedding,0,1.5,4,2.5\njoint BEDDING,0,0.5,4,1.5\nTUNNEL,1,3,2,3\ntunnel,2,3,2,3.5\n" +
+                       "Tunnel,2,3.5,1,3\n");
+  const Outcome cut = call({"cut", path("two.csv"), "--out", path("out")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, "two.csv: the layers \"joint Bedding\" and \"joint BEDDING\" are one")) << cut.out;
+  const auto scene = nlohmann::json::parse(text("out/scene.json"));
+  EXPECT_EQ(scene["joints"].size(), 2U) << scene["joints"];
+  EXPECT_TRUE(scene["joints"].contains("Bedding"));
+  write("named.json",
+        R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
+ "joints": {"bedding": {"friction_angle": "30 deg"}}, "blocks": {"rock": {"drawing": "two.csv"}},
+ "steps": {"dt": 1e-3, "duration": 1e-3}})");
+  const Outcome named = call({"cut", path("named.json"), "--out", path("named")});
+  ASSERT_EQ(named.code, 0) << named.errors;
+  for (const auto& line : nlohmann::json::parse(text("named/scene.json"))["joint_lines"])
+    EXPECT_EQ(line["joint"], "bedding");
+}
+
 TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {
   std::string other = plan;
   for (std::size_t at = other.find("rock"); at != std::string::npos; at = other.find("rock", at))
     other.replace(at, 4, "Bed");
   write("other.csv", other);
   expect_refusal({"cut", path("other.csv"), "--out", path("out")}, "is on the unknown layer \"Bed\"");
-  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rok"}, "is \"rok\", expected one of");
+  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed=rok"},
+                 "--layer bed is \"rok\", expected one of");
+  expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed joints=rok"},
+                 "--layer bed joints is \"rok\", expected one of");
+  expect_refusal({"cut", path("plan.csv"), "--out", path("out"), "--unit", "kg"}, "--unit is \"kg\", expected one of");
   expect_refusal({"cut", path("other.csv"), "--out", path("out"), "--layer", "bed"},
                  "--layer is \"bed\", expected NAME=");
   expect_refusal({"cut", path("scene.json"), "--out", path("out"), "--unit", "mm"}, "--unit is given beside a scene");
@@ -145,6 +181,62 @@ TEST_F(Cut, LinesAmongThePointsOfDimensionsAreTold) {
   EXPECT_TRUE(contains(remarks(), "1 lines on Defpoints")) << remarks();
   ASSERT_EQ(call({"cut", path("other.csv"), "--out", path("out"), "--layer", "Defpoints=ignored"}).code, 0);
   EXPECT_FALSE(contains(remarks(), "Defpoints")) << remarks();
+}
+
+TEST_F(Cut, FilesForDcSayWhichNumberIsWhichJoint) {
+  write("named.csv", plan + "joint bed,0,0.5,4,1.5\njoint shear,0,3.5,4,3.7\n");
+  const Outcome cut = call({"cut", path("named.csv"), "--out", path("out"), "--export", path("blocks.dc")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  const std::string dc = text("blocks.dc");
+  const std::string said = "blocks.dc; joints are numbers there: 1 the outline of the blocks and the joint ";
+  const std::size_t at = cut.out.find(said);
+  ASSERT_NE(at, std::string::npos) << cut.out;
+  const std::string names = cut.out.substr(at + said.size());
+  EXPECT_TRUE(contains(names, "; names of groups and materials are left out")) << names;
+  // The level of the left end tells the lines apart.
+  const auto number_of = [&](const std::string& joint) {
+    const std::size_t place = names.find(joint);
+    return place == 0 ? '1' : names[place - 2];
+  };
+  EXPECT_TRUE(contains(dc, std::string("0 0.5 4 1.5 ") + number_of("bed") + "\n")) << names << dc;
+  EXPECT_TRUE(contains(dc, std::string("0 3.5 4 3.7 ") + number_of("shear") + "\n")) << names << dc;
+  EXPECT_FALSE(
+      contains(call({"cut", path("named.csv"), "--out", path("out"), "--export", path("blocks.dxf")}).out, "numbers"));
+}
+
+// The corner is where the side begins, and the bottom no longer level to the bit.
+TEST_F(Cut, AGapThatIsClosedIsListedAndTiltsTheBottomThatHolds) {
+  std::string gap = plan;
+  gap.replace(gap.find("4,0,4,4"), 7, "4,0.000001,4,4");
+  write("gap.csv", gap);
+  const Outcome cut = call({"cut", path("gap.csv"), "--out", path("out")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, "1 x gap closed")) << cut.out;
+  const auto cleaned = nlohmann::json::parse(text("out/cut.json"))["cleaned"][0];
+  EXPECT_EQ(cleaned["what"], "gap closed");
+  EXPECT_EQ(cleaned["at"], nlohmann::json({4, 0}));
+  EXPECT_EQ(cleaned["line"], path("gap.csv") + " line 2 (layer boundary)");
+  EXPECT_EQ(nlohmann::json::parse(text("out/scene.json"))["supports"].size(), 1U);
+  EXPECT_EQ(call({"check", path("out/scene.json")}).code, 0);
+}
+
+// Of joints that the drawing has no lines of, whether a table of layers names them or the scene itself.
+TEST_F(Cut, JointsWithoutALineAreRemarked) {
+  write("unused.json",
+        R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
+ "joints": {"bed": {"friction_angle": "30 deg"}},
+ "blocks": {"rock": {"drawing": {"file": "plan.csv", "layers": {"beds": {"as": "rock", "joint": "bed"}}}}},
+ "supports": [{"edge": "bottom"}], "steps": {"dt": 1e-3, "duration": 1e-3}})");
+  const std::string remark = "plan.csv: no line is on the layer \"beds\", which is said to have joints";
+  const Outcome cut = call({"cut", path("unused.json"), "--out", path("made")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, remark)) << cut.out;
+  EXPECT_EQ(call({"check", path("made/scene.json")}).code, 0);
+  const Outcome check = call({"check", path("unused.json")});
+  ASSERT_EQ(check.code, 0) << check.errors;
+  EXPECT_TRUE(contains(check.out, remark)) << check.out;
+  expect_refusal({"cut", path("plan.csv"), "--out", path("none"), "--layer", "umris=boundary"},
+                 "--layer umris is for a layer on which nothing is drawn, expected a layer of " + path("plan.csv"));
 }
 
 TEST_F(Cut, AFolderToWhichARunWritesIsRefused) {

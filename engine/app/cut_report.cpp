@@ -7,8 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "engine/cutting/block_shape.h"
-#include "engine/cutting/rock_statistics.h"
 #include "engine/scene/cut_remarks.h"
 
 namespace dda {
@@ -33,7 +31,9 @@ void add(const CutEntry& entry, CutFigures& figures) {
     figures.smallest_angle = std::min(figures.smallest_angle, shape.sharpest);
     figures.largest_aspect = std::max(figures.largest_aspect, shape.aspect);
     if (shape.aspect > slender_aspect) ++figures.slender;
+    figures.shapes.push_back(shape);
   }
+  figures.statistics.push_back(statistics_of(entry.cut));
 }
 
 json entry_of(const Cleaned& cleaned) {
@@ -48,8 +48,7 @@ json point_entry(const PlanPoint& point) {
   return {{"layer", point.layer}, {"name", point.name}, {"at", {point.at.x(), point.at.y()}}, {"drawn", point.origin}};
 }
 
-json statistics_entry(const CutEntry& entry) {
-  const RockStatistics statistics = statistics_of(entry.cut);
+json statistics_entry(const CutEntry& entry, const RockStatistics& statistics) {
   return {{"rock", entry.rock.group.name},
           {"mean_area", statistics.mean_area},
           {"area_10_50_90_percent", statistics.area_shares},
@@ -90,7 +89,7 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
   json points = json::array();
   json remarks = json::array();
   for (const CutEntry& entry : scene.entries) {
-    statistics.push_back(statistics_entry(entry));
+    statistics.push_back(statistics_entry(entry, figures.statistics[statistics.size()]));
     for (const CutFill& fill : entry.cut.fills) fills.push_back(fill_entry(fill));
     for (const PlanPoint& point : entry.rock.plan.points) points.push_back(point_entry(point));
     for (const std::string& remark : entry.rock.remarks) remarks.push_back(remark);

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "engine/cutting/block_shape.h"
+#include "engine/cutting/rock_statistics.h"
 #include "engine/scene/cut_scene.h"
 
 namespace dda {
@@ -22,8 +25,11 @@ struct CutFigures {
   int dangles_trimmed = 0;
   int merged = 0;
   double seconds = 0;
+  std::vector<BlockShape> shapes;          // of the blocks, one rock after the other
+  std::vector<RockStatistics> statistics;  // of each rock
 };
 
+// To be calculated once: of many blocks it takes a while.
 CutFigures figures_of(const CutScene& scene, double seconds);
 std::string report_json(const CutScene& scene, const CutFigures& figures);
 std::string report_text(const CutScene& scene, const CutFigures& figures);

@@ -9,7 +9,6 @@
 #include <numeric>
 #include <vector>
 
-#include "engine/cutting/block_shape.h"
 #include "engine/cutting/rock_statistics.h"
 #include "engine/record/vtp_file.h"
 #include "engine/view/line_plot.h"
@@ -26,14 +25,13 @@ struct Sizes {
   std::vector<CutJoint> joints;
 };
 
-Sizes sizes_of(const CutScene& scene) {
+Sizes sizes_of(const CutScene& scene, const CutFigures& figures) {
   Sizes sizes;
+  for (const BlockShape& shape : figures.shapes) {
+    sizes.areas.push_back(shape.area);
+    sizes.aspects.push_back(shape.aspect);
+  }
   for (const CutEntry& entry : scene.entries) {
-    for (const CutBlock& block : entry.cut.blocks) {
-      const BlockShape shape = shape_of(block.shape);
-      sizes.areas.push_back(shape.area);
-      sizes.aspects.push_back(shape.aspect);
-    }
     for (const CutJoint& run : entry.cut.joints) sizes.lengths.push_back((run.to - run.from).norm());
     sizes.joints.insert(sizes.joints.end(), entry.cut.joints.begin(), entry.cut.joints.end());
   }
@@ -108,8 +106,7 @@ std::string rose(const std::vector<CutJoint>& joints) {
   return svg + fmt::format("<text x=\"20\" y=\"{:.0f}\">{}</text></svg>\n", panel_height - 10, note);
 }
 
-std::string numbers_of(const CutEntry& entry) {
-  const RockStatistics statistics = statistics_of(entry.cut);
+std::string numbers_of(const CutEntry& entry, const RockStatistics& statistics) {
   return fmt::format(
       "{}: {} blocks, mean area {:.3g} m2, P20 {:.3g} /m2, P21 {:.3g} /m, RQD {:.0f} % (level lines), {:.0f} % "
       "(upright)",
@@ -119,8 +116,8 @@ std::string numbers_of(const CutEntry& entry) {
 
 }  // namespace
 
-std::string statistics_picture(const CutScene& scene) {
-  const Sizes sizes = sizes_of(scene);
+std::string statistics_picture(const CutScene& scene, const CutFigures& figures) {
+  const Sizes sizes = sizes_of(scene, figures);
   const double above = first_line + row_height * static_cast<double>(scene.entries.size());
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
@@ -128,8 +125,9 @@ std::string statistics_picture(const CutScene& scene) {
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       2 * panel_width, above + 2 * panel_height);
   double y = first_line;
-  for (const CutEntry& entry : scene.entries) {
-    svg += fmt::format("<text x=\"20\" y=\"{:.0f}\">{}</text>\n", y, xml_escaped(numbers_of(entry)));
+  for (std::size_t i = 0; i < scene.entries.size(); ++i) {
+    const std::string numbers = numbers_of(scene.entries[i], figures.statistics[i]);
+    svg += fmt::format("<text x=\"20\" y=\"{:.0f}\">{}</text>\n", y, xml_escaped(numbers));
     y += row_height;
   }
   std::size_t panel = 0;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "engine/app/cut_report.h"
 #include "engine/scene/cut_scene.h"
 
 namespace dda {
@@ -11,6 +12,6 @@ namespace dda {
 // aspect of blocks, and of the lengths (m) of straight runs of joints; and a rose of these runs, whose wedges of ten
 // degrees have areas that go with the length of the runs in them. All rock of the scene together, with the numbers of
 // cut.json's "statistics" of each above.
-std::string statistics_picture(const CutScene& scene);
+std::string statistics_picture(const CutScene& scene, const CutFigures& figures);
 
 }  // namespace dda

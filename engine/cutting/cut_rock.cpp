@@ -94,6 +94,7 @@ std::string_view to_string(Cleaning cleaning) {
     case Cleaning::short_edge_closed: return "short edge closed";
     case Cleaning::round_off_closed: return "round-off closed";
     case Cleaning::touching_parted: return "touching outline parted";
+    case Cleaning::gap_closed: return "gap closed";
   }
   return "unknown";
 }
@@ -106,6 +107,7 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   check_plan(plan);
   if (!plan.fills.empty()) return cut_filled(plan, options);
   CutRock rock;
+  rock.cleaned = plan.cleaned;
   PlanPieces pieces = pieces_of(plan, options.tolerance);
   rock.tolerance = pieces.tolerance;
   rock.boundary_area = boundary_area(plan);

@@ -9,7 +9,7 @@
 #include "engine/cutting/block_order.h"
 #include "engine/cutting/materials.h"
 #include "engine/geometry/box.h"
-#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/near_shapes.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
@@ -29,10 +29,16 @@ std::vector<Box> boxes_of(const std::vector<CutBlock>& blocks) {
   return boxes;
 }
 
+std::vector<const Ring*> outlines_of(const std::vector<CutBlock>& blocks) {
+  std::vector<const Ring*> outlines;
+  for (const CutBlock& block : blocks) outlines.push_back(&block.shape.outer);
+  return outlines;
+}
+
 class Edges {
  public:
   Edges(const std::vector<CutBlock>& blocks, double tolerance)
-      : blocks_(blocks), tolerance_(tolerance), index_(boxes_of(blocks)) {}
+      : blocks_(blocks), tolerance_(tolerance), index_(outlines_of(blocks)) {}
 
   // Two blocks touch somewhere along the line.
   [[nodiscard]] bool are_on_both_sides(const std::vector<Cover>& covers) const {
@@ -49,8 +55,7 @@ class Edges {
   // Sorted by where they begin.
   [[nodiscard]] std::vector<Cover> along(const Segment& line) const {
     std::vector<Cover> covers;
-    const Box box = expanded(expanded(Box{line.start, line.start}, line.end), tolerance_);
-    for (const int i : index_.overlapping(box)) {
+    for (const int i : index_.near(line, tolerance_)) {
       const Polygon& shape = blocks_[static_cast<std::size_t>(i)].shape;
       add_covers(shape.outer, line, covers);
       for (const Ring& hole : shape.holes) add_covers(hole, line, covers);
@@ -85,7 +90,7 @@ class Edges {
   }
 
   void refuse_in_block(const PlanLine& line, const Vec2& point) const {
-    for (const int i : index_.overlapping(Box{point, point})) {
+    for (const int i : index_.near(Box{point, point})) {
       if (locate(blocks_[static_cast<std::size_t>(i)].shape, point, tolerance_) == Location::inside)
         throw InputError("", line.origin, "at " + written(point) + " inside a block",
                          "a line along edges of blocks; those of a drawing of blocks are not cut again");
@@ -94,7 +99,7 @@ class Edges {
 
   const std::vector<CutBlock>& blocks_;
   double tolerance_;
-  BoxIndex index_;
+  ShapeIndex index_;
 };
 
 void add_joints(const RockPlan& plan, CutRock& rock) {
@@ -125,6 +130,7 @@ double tolerance_for(const std::vector<CutBlock>& blocks, double wanted) {
 
 CutRock given_rock(const RockPlan& plan, double tolerance) {
   CutRock rock;
+  rock.cleaned = plan.cleaned;
   for (const PlanBlock& block : plan.blocks) {
     if (const auto why = defect(block.shape)) throw InputError("", block.origin, *why, "the outline of a block");
     rock.blocks.push_back({normalized(block.shape), -1, block.material, block.group});

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
+#include <utility>
+
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
@@ -13,6 +17,10 @@ constexpr std::size_t small_meeting = 128;  // pieces times nodes
 // Lines that lie on each other, or that all pass one point, are not told apart by dividing.
 constexpr double hardly_less = 0.85;
 constexpr int most_fruitless = 4;
+// Pieces that run side by side are parted along their way where most of them go that way, and few lie on both sides of
+// the line that parts them.
+constexpr double most_of_them = 0.6;
+constexpr double hardly_more = 1.2;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -56,10 +64,35 @@ std::vector<int> all_of(std::size_t count) {
   return all;
 }
 
+// The direction of a piece with its angle doubled: opposite ways are the same.
+Vec2 doubled_way(const PixelSegment& segment) {
+  const Vec2 way(static_cast<double>(segment.to.x - segment.from.x),
+                 static_cast<double>(segment.to.y - segment.from.y));
+  const double squared = way.squaredNorm();
+  return squared > 0 ? Vec2(way.x() * way.x() - way.y() * way.y(), 2 * way.x() * way.y()) / squared : Vec2(0, 0);
+}
+
+// Where a piece lies across a way.
+struct Offset {
+  double least = 0, most = 0;  // pixels
+  int piece = 0;
+};
+
+Offset offset_of(const PixelSegment& segment, const Vec2& along, int piece) {
+  const auto across = [&](const Pixel& pixel) {
+    return cross(along, Vec2(static_cast<double>(pixel.x), static_cast<double>(pixel.y)));
+  };
+  const auto [least, most] = std::minmax({across(segment.from), across(segment.to)});
+  return {least - 1, most + 1, piece};  // a pixel to spare, which is far more than the round-off
+}
+
 class Crowds {
  public:
   Crowds(const std::vector<Piece>& pieces, const std::function<void(const Quadrant&, const std::vector<int>&)>& visit)
-      : pieces_(pieces), visit_(visit) {}
+      : pieces_(pieces), visit_(visit) {
+    ways_.reserve(pieces.size());
+    for (const Piece& piece : pieces) ways_.push_back(doubled_way(piece.segment));
+  }
 
   void divide(const Quadrant& quadrant, const std::vector<int>& crowd, int fruitless) const {
     if (crowd.size() < 2) return;
@@ -67,6 +100,7 @@ class Crowds {
       visit_(quadrant, crowd);
       return;
     }
+    if (divide_along(quadrant, crowd)) return;
     std::vector<int> part_crowd;
     for (const Quadrant& part : parts_of(quadrant)) {
       part_crowd.clear();
@@ -78,8 +112,48 @@ class Crowds {
   }
 
  private:
+  // Where the pieces run side by side. False, with nothing done, where a line along them does not part them.
+  [[nodiscard]] bool divide_along(const Quadrant& quadrant, const std::vector<int>& crowd) const {
+    const auto along = common_way(crowd);
+    if (!along) return false;
+    const auto [left, right] = sides(crowd, *along);
+    const auto count = static_cast<double>(crowd.size());
+    if (static_cast<double>(std::max(left.size(), right.size())) > hardly_less * count) return false;
+    if (static_cast<double>(left.size() + right.size()) > hardly_more * count) return false;
+    divide(quadrant, left, 0);
+    divide(quadrant, right, 0);
+    return true;
+  }
+
+  // Unit; nothing where the pieces run all ways.
+  [[nodiscard]] std::optional<Vec2> common_way(const std::vector<int>& crowd) const {
+    Vec2 sum = Vec2::Zero();
+    for (const int piece : crowd) sum += ways_[at(piece)];
+    if (sum.norm() < most_of_them * static_cast<double>(crowd.size())) return std::nullopt;
+    const double angle = std::atan2(sum.y(), sum.x()) / 2;
+    return Vec2(std::cos(angle), std::sin(angle));
+  }
+
+  // What lies right and left of a line along them through the middle of the crowd; what it cuts is in both.
+  [[nodiscard]] std::pair<std::vector<int>, std::vector<int>> sides(const std::vector<int>& crowd,
+                                                                    const Vec2& along) const {
+    std::vector<Offset> offsets;
+    offsets.reserve(crowd.size());
+    for (const int piece : crowd) offsets.push_back(offset_of(pieces_[at(piece)].segment, along, piece));
+    const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+    std::ranges::nth_element(offsets, middle, {}, &Offset::least);
+    const double line = middle->least;
+    std::pair<std::vector<int>, std::vector<int>> parts;
+    for (const Offset& each : offsets) {
+      if (each.least <= line) parts.first.push_back(each.piece);
+      if (each.most > line) parts.second.push_back(each.piece);
+    }
+    return parts;
+  }
+
   const std::vector<Piece>& pieces_;
   const std::function<void(const Quadrant&, const std::vector<int>&)>& visit_;
+  std::vector<Vec2> ways_;  // of the pieces, doubled
 };
 
 class Meetings {

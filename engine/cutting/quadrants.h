@@ -1,6 +1,7 @@
 // Which pieces come near each other, and which come near which nodes: the plane is divided into four, and each part
 // into four again, until few things are left in a part. What is dense in one place and sparse in another costs no more
-// than what is even.
+// than what is even. Pieces side by side, as the joints of one set, all come into a part however small it is: these are
+// parted along the way they run.
 #pragma once
 
 #include <array>
@@ -21,8 +22,9 @@ struct Quadrant {
   }
 };
 
-// Calls `visit` with disjoint squares and the pieces in each. Two pieces that cross are both in the square that holds
-// the pixel of their crossing.
+// Calls `visit` with squares and pieces in each. Two pieces that cross come up together with the square that holds the
+// pixel of their crossing. Squares are disjoint, but for those whose pieces run side by side: these come in crowds of
+// neighbours, each with the same square.
 void visit_crowds(const std::vector<Piece>& pieces,
                   const std::function<void(const Quadrant&, const std::vector<int>&)>& visit);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cutting/cleaned.h"
 #include "engine/geometry/polygon.h"
 
 namespace dda {
@@ -87,6 +88,7 @@ struct RockPlan {
   std::vector<PlanBlock> blocks;
   std::vector<PlanPoint> points;
   std::vector<PlanMark> marks;
+  std::vector<Cleaned> cleaned;  // when the plan was read, before anything is cut
 };
 
 }  // namespace dda

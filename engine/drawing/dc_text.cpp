@@ -140,15 +140,21 @@ double least_distance(const std::vector<std::pair<Vec2, Vec2>>& edges) {
 
 }  // namespace
 
+std::vector<std::string> dc_joints(const BlockDrawing& drawing) {
+  std::vector<std::string> names;
+  for (const ExportedJoint& joint : drawing.joints)
+    if (std::ranges::find(names, joint.joint) == names.end()) names.push_back(joint.joint);
+  return names;
+}
+
 std::string dc_text(const BlockDrawing& drawing) {
   const auto edges = edges_of(drawing);
   std::vector<DcLine> lines = outline_of(edges);
   const std::vector<Vec2> holes = hole_points(lines);
-  std::map<std::string, int> materials;
-  for (const ExportedJoint& joint : drawing.joints) {
-    const int next = static_cast<int>(materials.size()) + 1;
-    lines.push_back({joint.from, joint.to, materials.try_emplace(joint.joint, next).first->second});
-  }
+  const std::vector<std::string> joints = dc_joints(drawing);
+  for (const ExportedJoint& joint : drawing.joints)
+    lines.push_back(
+        {joint.from, joint.to, static_cast<int>(std::ranges::find(joints, joint.joint) - joints.begin()) + 1});
   std::string text = fmt::format("{}\n{} 0\n0\n0\n0\n0\n0\n{}\n", least_distance(edges), lines.size(), holes.size());
   for (const DcLine& line : lines)
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", line.from.x(), line.from.y(), line.to.x(), line.to.y(),

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/drawing/write_blocks.h"
 
 namespace dda {
 
 std::string dc_text(const BlockDrawing& drawing);
+
+// Names of the joints that have the numbers 1, 2, ... there.
+std::vector<std::string> dc_joints(const BlockDrawing& drawing);
 
 }  // namespace dda

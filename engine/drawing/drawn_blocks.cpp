@@ -31,11 +31,12 @@ std::size_t block_around(const DrawnRing& hole, const std::vector<DrawnRing>& ou
 
 }  // namespace
 
-Ring closed_ring(std::vector<Vec2> points, const std::string& origin, double reach) {
+Ring closed_ring(std::vector<Vec2> points, const std::string& origin, double reach, std::vector<Cleaned>& cleaned) {
   const double gap = (points.front() - points.back()).norm();
   if (gap > reach)
     throw InputError("", origin, fmt::format("open, with ends {:.4g} m apart", gap),
                      "the outline of a block, closed in itself");
+  if (gap > 0) cleaned.push_back({Cleaning::gap_closed, points.back(), points.front(), gap, origin});
   points.pop_back();
   return points;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cutting/cleaned.h"
 #include "engine/geometry/polygon.h"
 
 namespace dda {
@@ -29,10 +30,12 @@ struct Gap {
 struct Joined {
   std::vector<JoinedRing> rings;
   std::optional<Gap> gap;  // the first one; no ring goes through it
+  std::vector<Cleaned> cleaned;
 };
 
-// Ends nearer than `reach` (m) belong together. Lines drawn twice count once, lines shorter than that not at all. Where
-// more or fewer than two ends meet there is a gap.
-Joined join_lines(std::vector<OpenLine> lines, double reach);
+// Ends nearer than `reach` (m) belong together. Lines drawn twice count once, lines shorter than that not at all, and
+// corners nearer than that are one; all that is listed, but for what is nearer than round-off. Where more or fewer than
+// two ends meet there is a gap, which is mended where lines run along each other or stick out by less than that.
+Joined join_lines(const std::vector<OpenLine>& lines, double reach);
 
 }  // namespace dda

@@ -28,11 +28,9 @@ constexpr std::array<Beginning, 3> beginnings{
 
 bool is_gap(char c) { return c == ' ' || c == '_' || c == '-'; }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool begins_with(std::string_view layer, std::string_view words) {
-  const auto same = [](char a, char b) { return b == ' ' ? is_gap(a) : lower(a) == b; };
-  return layer.size() > words.size() && std::ranges::equal(layer.substr(0, words.size()), words, same);
+  const auto same = [](char a, char b) { return b == ' ' ? is_gap(a) : a == b; };
+  return layer.size() > words.size() && std::ranges::equal(in_lower_case(layer.substr(0, words.size())), words, same);
 }
 
 }  // namespace
@@ -51,8 +49,8 @@ std::string layer_for(const NamedLayer& named) {
 
 std::string bare_layer(std::string_view name) {
   std::string letters;
-  for (const char c : name) {
-    if (!is_gap(c)) letters += lower(c);
+  for (const char c : in_lower_case(name)) {
+    if (!is_gap(c)) letters += c;
   }
   return letters;
 }
@@ -75,7 +73,9 @@ const LayerUse& Layers::use_of(const std::string& layer, const std::string& orig
   }
   std::vector<std::string> names(role_names().begin(), role_names().end() - 1);
   throw InputError("", origin, fmt::format("on the unknown layer \"{}\"", layer),
-                   fmt::format("one of {}, or an entry of \"layers\" (--layer) for it", fmt::join(names, ", ")));
+                   fmt::format("one of {0}, or a word on what it is: --layer \"{1}=rock\" for joints, --layer "
+                               "\"{1}=ignored\" to leave it out, in a scene \"layers\": {{\"{1}\": \"rock\"}}",
+                               fmt::join(names, ", "), layer));
 }
 
 }  // namespace dda

@@ -49,6 +49,24 @@ std::string readable(std::string_view text) {
   return result;
 }
 
+std::string in_lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+void take_spellings_as_one(LineDrawing& drawing) {
+  std::map<std::string, std::string> first;  // by the name in lower case
+  const auto take = [&](std::string& layer) {
+    const std::string& name = first.try_emplace(in_lower_case(layer), layer).first->second;
+    if (layer == name) return;
+    drawing.other_spellings[layer] = name;
+    layer = name;
+  };
+  for (DrawnLine& line : drawing.lines) take(line.layer);
+  for (DrawnPoint& point : drawing.points) take(point.layer);
+}
+
 void Pencil::add(DrawnLine line) {
   check(line.start, line.origin);
   for (const DrawnPiece& piece : line.pieces) check(piece.end, line.origin);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/types.h"
@@ -39,6 +40,8 @@ struct LineDrawing {
   std::vector<DrawnLine> lines;
   std::vector<DrawnPoint> points;
   std::map<std::string, int> passed_over;  // how many there were of each kind that is no line or point: "TEXT"
+  // Names of layers that differ from another in capitals only, with that other, which stands for both.
+  std::map<std::string, std::string> other_spellings;
 };
 
 inline bool is_closed(const DrawnLine& line) { return line.pieces.back().end == line.start; }
@@ -61,6 +64,12 @@ class Pencil {
   void count(const std::string& origin);
   LineDrawing& drawing_;
 };
+
+// Takes layers whose names differ in capitals only for one, which has the name that comes first: lines, then points.
+void take_spellings_as_one(LineDrawing& drawing);
+
+// Letters from A to Z in lower case.
+std::string in_lower_case(std::string_view text);
 
 // `text` as UTF-8 without control characters; other bytes are taken as Latin-1.
 std::string readable(std::string_view text);

@@ -1,6 +1,4 @@
 // Files with bytes changed, lost and doubled are read, or refused in one sentence.
-#include <random>
-
 #include "engine/core/fuzz_support.h"
 #include "engine/cutting/cut_rock.h"
 #include "engine/drawing/drawing_test_support.h"
@@ -13,38 +11,6 @@ namespace {
 
 using Reader = LineDrawing (*)(std::string_view, const std::string&, double);
 
-class PlanMutator {
- public:
-  explicit PlanMutator(unsigned seed) : random_(seed) {}
-
-  // Changes `text` behind `from` in one to four places.
-  std::string mutate(std::string text, std::size_t from) {
-    for (std::size_t i = 1 + below(4); i > 0; --i) change(text, from);
-    return text;
-  }
-
- private:
-  std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
-
-  void change(std::string& text, std::size_t from) {
-    static const std::vector<std::string> splices{"nan",     "-",    "1e308", "0", "\n", "\n0\n", "\n0\nINSERT\n",
-                                                  "70\n1\n", "\xFF", "\"",    ",", "[",  "1e12",  "-1"};
-    if (text.size() <= from + 1) return;
-    const std::size_t at = from + below(text.size() - from);
-    const std::size_t length = std::min(text.size() - at, 1 + below(40));
-    switch (below(5)) {
-      case 0: text[at] = static_cast<char>(below(256)); break;
-      case 1: text.erase(at, length); break;
-      case 2: text.insert(from + below(text.size() - from), text.substr(at, length)); break;
-      case 3: text.insert(at, splices[below(splices.size())]); break;
-      default:
-        if (below(8) == 0) text.resize(at);
-    }
-  }
-
-  std::mt19937 random_;
-};
-
 struct Tally {
   int taken = 0;
   int refused = 0;
@@ -53,11 +19,11 @@ struct Tally {
 // `count`, or as many as DDA_FUZZ_INPUTS says. Any other exception ends the test, and so does an input that takes a
 // minute.
 Tally read_mutations(const std::string& seed, std::size_t from, Reader reader, std::uint64_t count) {
-  PlanMutator mutator(7);
+  Mutator mutator(7);
   Tally tally;
   for (std::uint64_t i = 0; i < number_from_environment("DDA_FUZZ_INPUTS", count); ++i) {
     const InputWatch watch(i);
-    const std::string text = mutator.mutate(seed, from);
+    const std::string text = mutator.text(seed, from);
     try {
       const RockPlan plan = plan_of(reader(text, "plan", 0), shapes_options());
       if (i % 4 == 0 && (!plan.boundary.empty() || !plan.blocks.empty())) cut_rock(plan);

@@ -105,8 +105,8 @@ class Planner {
 
   void add_ring_of_block(const DrawnLine& line, std::vector<Vec2> chords, LayerRole role, const std::string& origin) {
     std::vector<DrawnRing>& rings = role == LayerRole::block ? outlines_ : holes_;
-    rings.push_back(
-        {closed_ring(std::move(chords), origin, reach_), named_layer(line.layer)->name, line.material, origin});
+    rings.push_back({closed_ring(std::move(chords), origin, reach_, plan_.cleaned), named_layer(line.layer)->name,
+                     line.material, origin});
   }
 
   // Joints run along blocks, which are not cut again: a line that would cut has no place beside them.
@@ -153,6 +153,10 @@ class Planner {
 
   [[noreturn]] static void refuse(const Gap& gap) { throw InputError("", gap.origin, gap.value, gap.expected); }
 
+  void note(const Joined& joined) {
+    plan_.cleaned.insert(plan_.cleaned.end(), joined.cleaned.begin(), joined.cleaned.end());
+  }
+
   // Where absorbing lines are part of the outline, and not drawn along it, both together close it.
   void add_boundary() {
     std::vector<OpenLine> lines = lines_of(LayerRole::boundary);
@@ -161,10 +165,11 @@ class Planner {
     Joined joined = join_lines(lines, reach_);
     if (const auto gap = joined.gap) {
       for (OpenLine& line : lines_of(LayerRole::absorbing_boundary)) lines.push_back(std::move(line));
-      joined = join_lines(std::move(lines), reach_);
+      joined = join_lines(lines, reach_);
       if (joined.gap) refuse(*gap);
     }
     expect_rings(joined, origin);
+    note(joined);
     const auto area = [](const JoinedRing& ring) { return std::abs(signed_area(ring.ring)); };
     std::ranges::stable_sort(joined.rings, std::greater<>(), area);
     plan_.boundary = joined.rings.front().ring;
@@ -205,6 +210,7 @@ class Planner {
         for (const OpenLine& line : own) add_line(line, *use);
         continue;
       }
+      note(joined);
       std::ranges::stable_sort(joined.rings, {}, [](const JoinedRing& ring) { return smallest_x(ring.ring); });
       for (std::size_t i = 0; i < joined.rings.size(); ++i) {
         const std::string name = joined.rings.size() == 1 ? layer : fmt::format("{} {}", layer, i + 1);

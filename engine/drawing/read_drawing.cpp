@@ -16,19 +16,18 @@ using Reader = LineDrawing (*)(std::string_view, const std::string&, double);
 struct Format {
   std::string_view extension;
   Reader read;
+  bool capitals_count = false;  // whether they tell layers apart
 };
 // Without a length of its own: one more than there are formats would be a format of files without an extension.
 constexpr auto formats = std::to_array<Format>({{".dxf", read_dxf},
                                                 {".csv", read_csv_drawing},
                                                 {".xlsx", read_xlsx},
-                                                {".geojson", read_geojson},
+                                                {".geojson", read_geojson, true},
                                                 {".dc", read_dc},
                                                 {".geo", read_dc}});
 
 const Format* format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string extension = in_lower_case(file.extension().string());
   const auto found = std::ranges::find(formats, std::string_view(extension), &Format::extension);
   return found == formats.end() ? nullptr : found;
 }
@@ -50,6 +49,7 @@ LineDrawing read_drawing(const std::filesystem::path& file, const std::string& n
   }
   LineDrawing drawing = format->read(text, readable(name), metres);
   if (drawing.lines.empty()) throw InputError("", drawing.name, "without lines", "a boundary and joints");
+  if (!format->capitals_count) take_spellings_as_one(drawing);
   return drawing;
 }
 

@@ -2,41 +2,19 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/drawn_units.h"
 #include "engine/drawing/dxf_file.h"
 #include "engine/drawing/dxf_shapes.h"
 #include "engine/drawing/read_formats.h"
 
 namespace dda {
 namespace {
-
-struct InsUnit {
-  int code;  // of $INSUNITS
-  std::string_view name;
-  double metres;
-};
-
-// Those of the DXF reference that a drawing of rock or masonry may have; 0 is a drawing without unit.
-constexpr std::array<InsUnit, 14> ins_units{{{1, "in", 0.0254},
-                                             {2, "ft", 0.3048},
-                                             {3, "mi", 1609.344},
-                                             {4, "mm", 1e-3},
-                                             {5, "cm", 1e-2},
-                                             {6, "m", 1},
-                                             {7, "km", 1e3},
-                                             {9, "mil", 25.4e-6},
-                                             {10, "yd", 0.9144},
-                                             {13, "um", 1e-6},
-                                             {14, "dm", 0.1},
-                                             {15, "dam", 10},
-                                             {16, "hm", 100},
-                                             {21, "ft (US survey)", 1200.0 / 3937}}};
 
 // Draws the entities of a file, and those of its symbols wherever they are put.
 class DxfDraughtsman {
@@ -110,11 +88,11 @@ class DxfDraughtsman {
 
 double metres_of(int code, LineDrawing& drawing) {
   if (code == 0) return 1;
-  const auto found = std::ranges::find(ins_units, code, &InsUnit::code);
-  if (found == ins_units.end())
+  const auto found = std::ranges::find(drawn_units, code, &DrawnUnit::code);
+  if (found == drawn_units.end())
     throw InputError("", drawing.name + ", $INSUNITS", fmt::format("{}", code),
-                     "a unit from mil to mi, or \"unit\" in the scene");
-  drawing.unit = found->name;
+                     "a unit from mil to mi, or one that is said: --unit mm, in a scene \"unit\": \"mm\"");
+  drawing.unit = found->symbol;
   return found->metres;
 }
 

@@ -69,8 +69,13 @@ class GeoJsonReader {
     return value;
   }
 
+  // One without a place, which GeoJSON allows, draws nothing.
   void read_feature(const json& feature, const std::string& origin) {
     origin_ = origin;
+    if (feature.is_object() && feature.contains("geometry") && feature["geometry"].is_null()) {
+      ++drawing_.passed_over["feature without geometry"];
+      return;
+    }
     const json& layer = member(member(feature, "properties"), "layer");
     if (!layer.is_string()) fail("without a layer", "\"properties\": {\"layer\": NAME}");
     layer_ = text_of(layer);

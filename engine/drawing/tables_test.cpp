@@ -64,6 +64,17 @@ TEST(ReadGeoJson, LinesPolygonsAndPoints) {
                                           "plan.geojson", 0));
 }
 
+// RFC 7946, 3.2: a feature may have null for its geometry, and null for its properties.
+TEST(ReadGeoJson, FeaturesWithoutAPlaceArePassedOverAndCounted) {
+  const LineDrawing drawing = read_geojson(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"layer": "rock"}, "geometry": null},
+    {"type": "Feature", "properties": null, "geometry": null},
+    {"type": "Feature", "properties": {"layer": "rock"}, "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 1]]}}]})",
+                                           "plan.geojson", 0);
+  EXPECT_EQ(drawing.lines.size(), 1U);
+  EXPECT_EQ(drawing.passed_over.at("feature without geometry"), 2);
+}
+
 TEST(ReadGeoJson, WhatIsWrongIsSaidInOneSentence) {
   const std::string deep = std::string(40, '[') + std::string(40, ']');
   const auto feature = [](const std::string& rest) {
@@ -78,7 +89,8 @@ TEST(ReadGeoJson, WhatIsWrongIsSaidInOneSentence) {
       {"[]", "plan.geojson is type \"\", expected a FeatureCollection"},
       {R"({"type": "FeatureCollection", "features": [{"type": "Feature"}]})",
        "plan.geojson features[0] is without a layer"},
-      {feature(R"("geometry": null)"), "plan.geojson is of geometry \"\""},
+      {feature(R"("geometry": {})"), "plan.geojson is of geometry \"\""},
+      {R"({"type": "Feature", "properties": {"layer": "rock"}})", "plan.geojson is of geometry \"\""},
       {feature(R"("geometry": {"type": "LineString", "coordinates": [[0, 0], [1]]})"),
        "is at a position that is not [x, y]"},
       {feature(R"("geometry": {"type": "LineString", "coordinates": [[0, 0]]})"),

@@ -1,5 +1,7 @@
 #include "engine/drawing/write_blocks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -47,13 +49,22 @@ std::string geojson_text(const BlockDrawing& drawing) {
   return text + "\n]}\n";
 }
 
+std::string dc_numbers(const BlockDrawing& drawing) {
+  std::string text = "joints are numbers there: 1 the outline of the blocks";
+  int number = 0;
+  for (const std::string& joint : dc_joints(drawing))
+    text += ++number == 1 ? fmt::format(" and the joint {}", joint) : fmt::format(", {} {}", number, joint);
+  return text + "; names of groups and materials are left out";
+}
+
 using Writer = std::string (*)(const BlockDrawing&);
 
 struct Format {
   std::string_view extension;
   Writer write;
+  Writer names_left_out = nullptr;  // none where all names have a place
 };
-constexpr std::array<Format, 3> formats{{{".dxf", dxf_text}, {".geojson", geojson_text}, {".dc", dc_text}}};
+constexpr std::array<Format, 3> formats{{{".dxf", dxf_text}, {".geojson", geojson_text}, {".dc", dc_text, dc_numbers}}};
 
 const Format* format_of(const std::filesystem::path& file) {
   const auto* const found = std::ranges::find(formats, std::string_view(file.extension().string()), &Format::extension);
@@ -66,6 +77,11 @@ bool is_block_format(const std::filesystem::path& file) { return format_of(file)
 
 std::string block_file(const std::filesystem::path& file, const BlockDrawing& drawing) {
   return format_of(file)->write(drawing);
+}
+
+std::string names_left_out(const std::filesystem::path& file, const BlockDrawing& drawing) {
+  const Writer write = format_of(file)->names_left_out;
+  return write == nullptr ? "" : write(drawing);
 }
 
 }  // namespace dda

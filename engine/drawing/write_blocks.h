@@ -36,4 +36,7 @@ bool is_block_format(const std::filesystem::path& file);
 // names from 1 on in the order of their first lines, and a hole point in each gap between blocks.
 std::string block_file(const std::filesystem::path& file, const BlockDrawing& drawing);
 
+// A sentence on names that have no place in the format, and what stands for them; empty where all have one.
+std::string names_left_out(const std::filesystem::path& file, const BlockDrawing& drawing);
+
 }  // namespace dda

@@ -43,13 +43,14 @@ Vec2 square_into(const std::vector<FreeFace>& faces) {
   return out.norm() > 1e-9 * length ? Vec2(-out.normalized()) : Vec2(Vec2::UnitY());
 }
 
-KeyBlock judged(RockBody body, const Resultant& acting, const KeyBlockQuestion& question) {
+KeyBlock judged(RockBody body, const Resultant& acting, const Obstacles& obstacles, const KeyBlockQuestion& question) {
   KeyBlock block;
   block.acting = acting;
   block.motion = first_motion(body.joints, acting.force);
   block.type = type_of(block.motion);
   block.turns = turns(body, acting, block.motion);
   block.ways = permitted_ways(body.joints);
+  if (block.motion.direction != Vec2::Zero()) block.obstacles = obstacles.in_way_of(body, block.motion.direction);
   block.bolt_direction = question.bolt_direction
                              ? Vec2(std::cos(*question.bolt_direction), std::sin(*question.bolt_direction))
                              : square_into(body.free_faces);
@@ -91,6 +92,7 @@ TypeCounts count_types(const std::vector<KeyBlock>& blocks) {
 KeyBlockReport key_blocks(const Model& model, const KeyBlockQuestion& question) {
   std::vector<RockBody> bodies = rock_bodies(model, question.is_void);
   Resultants acting = resultants_on(bodies, model, question.acceleration);
+  const Obstacles obstacles(model, question.is_void);
   KeyBlockReport report;
   report.taken_out = static_cast<int>(std::count(question.is_void.begin(), question.is_void.end(), true));
   report.left_out = std::move(acting.left_out);
@@ -98,7 +100,7 @@ KeyBlockReport key_blocks(const Model& model, const KeyBlockQuestion& question) 
     if (bodies[i].surroundings)
       ++report.surroundings;
     else if (is_asked_for(bodies[i], question.opening))
-      report.blocks.push_back(judged(std::move(bodies[i]), acting.of[i], question));
+      report.blocks.push_back(judged(std::move(bodies[i]), acting.of[i], obstacles, question));
     else
       ++report.buried;
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/keyblocks/first_motion.h"
+#include "engine/keyblocks/obstacles.h"
 #include "engine/keyblocks/rock_bodies.h"
 #include "engine/keyblocks/turning.h"
 
@@ -38,6 +39,7 @@ struct KeyBlock {
   FirstMotion motion;
   bool turns = false;
   std::vector<Ways> ways;
+  std::vector<Obstacle> obstacles;     // on its way, where it slides or falls
   Vec2 bolt_direction = Vec2::Zero();  // unit
   std::optional<double> bolt_force;    // N per m of thickness; none: no force in this direction is enough
   Vec2 least_bolt_force = Vec2::Zero();

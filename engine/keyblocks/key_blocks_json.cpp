@@ -48,6 +48,13 @@ Json bolts_entry(const KeyBlock& block) {
           {"least_direction_deg", angle_of(block.least_bolt_force)}};
 }
 
+Json obstacles_entry(const KeyBlock& block, const Model& model) {
+  Json obstacles = Json::array();
+  for (const Obstacle& obstacle : block.obstacles)
+    obstacles.push_back({{"block", block_name(model, obstacle.block)}, {"at", point(obstacle.at)}});
+  return obstacles;
+}
+
 Json entry_of(const TypeCounts& counts) {
   return {{"I", counts[0]}, {"II", counts[1]}, {"III", counts[2]}, {"IV", counts[3]}};
 }
@@ -72,6 +79,7 @@ Json entry_of(const KeyBlock& block, const Model& model) {
           {"motion", motion_entry(block.motion)},
           {"factor_of_safety", finite_or_null(block.motion.factor_of_safety)},
           {"turns", block.turns},
+          {"touches", obstacles_entry(block, model)},
           {"bolts", bolts_entry(block)},
           {"ways_deg", ways},
           {"joint_faces", faces},

@@ -198,6 +198,63 @@ TEST(KeyBlocks, ReportOfAWedgeInARoof) {
       << text;
 }
 
+// A wedge slides down a plane of 45 degrees to its toe at the origin. What lies in front of the toe is no face of it.
+Model slide(const std::vector<Ring>& rock) {
+  std::vector<Ring> outlines = rock;
+  outlines.push_back({{0, 0}, {4, 4}, {2, 4}});
+  Model model = rock_of(outlines);
+  for (int block = 0; block < static_cast<int>(rock.size()); ++block) {
+    HeldBlock held;
+    held.block = block;
+    model.held_blocks.push_back(held);
+  }
+  return model;
+}
+
+std::vector<Obstacle> obstacles_of(Model model) {
+  const KeyBlockReport report = judge(model);
+  EXPECT_EQ(report.blocks.size(), 1U);
+  EXPECT_EQ(report.blocks.front().motion.mode, Mode::slides);
+  EXPECT_NEAR(report.blocks.front().motion.factor_of_safety, std::tan(30 * degree), 1e-9);
+  return report.blocks.front().obstacles;
+}
+
+const Ring above_a_face{{0, -5}, {4, -5}, {4, 4}, {0, 0}};  // the plane daylights
+
+TEST(KeyBlocks, NothingIsInTheWayOfASlideThatDaylights) {
+  EXPECT_TRUE(obstacles_of(slide({above_a_face})).empty());
+  // Rock below a level joint that ends at the toe is behind the face, too.
+  EXPECT_TRUE(obstacles_of(slide({{{0, 0}, {4, 0}, {4, 4}}, {{0, -5}, {4, -5}, {4, 0}, {0, 0}}})).empty());
+  // The plane goes on below the toe.
+  EXPECT_TRUE(obstacles_of(slide({{{-3, -3}, {4, -3}, {4, 4}}})).empty());
+}
+
+TEST(KeyBlocks, AFloorInFrontOfTheToeIsInTheWay) {
+  const std::vector<std::vector<Ring>> floors{
+      {{{-5, -1}, {4, -1}, {4, 4}, {0, 0}, {-5, 0}}},                   // of the same block as the plane
+      {above_a_face, {{-5, -1}, {0, -1}, {0, 0}, {-5, 0}}},             // of another one
+      {above_a_face, {{-2, -2}, {0, -3}, {0, 0}}},                      // level with the plane
+      {above_a_face, {{-5, -1}, {-0.001, -1}, {-0.001, 1}, {-5, 1}}}};  // just beside the toe
+  for (const std::vector<Ring>& rock : floors) {
+    const std::vector<Obstacle> obstacles = obstacles_of(slide(rock));
+    ASSERT_EQ(obstacles.size(), 1U);
+    EXPECT_EQ(obstacles[0].block, static_cast<int>(rock.size()) - 1);
+    EXPECT_EQ(obstacles[0].at, Vec2(0, 0));
+  }
+}
+
+TEST(KeyBlocks, WhatIsInTheWayIsReported) {
+  Model model = slide({{{-5, -1}, {4, -1}, {4, 4}, {0, 0}, {-5, 0}}});
+  KeyBlockQuestion question;
+  const KeyBlockReport report = judge(model, question);
+  const std::string text = report_text(report, question, model);
+  EXPECT_NE(text.find("\n    its way out touches block 1 at (0, 0) m; a run may find it held there\n"),
+            std::string::npos)
+      << text;
+  const nlohmann::json json = nlohmann::json::parse(report_json(report, question, model));
+  EXPECT_EQ(json["blocks"][0]["touches"].dump(), R"([{"at":[0.0,0.0],"block":"block 1"}])");
+}
+
 // What presses the wedge up makes it stable; what is stable has no factor of safety and needs no bolt.
 TEST(KeyBlocks, StableIsNullInJson) {
   Model model = row();

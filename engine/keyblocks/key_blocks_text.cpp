@@ -45,6 +45,14 @@ std::string bolts_of(const KeyBlock& block) {
                      angle_of(block.least_bolt_force));
 }
 
+std::string obstacles_of(const KeyBlock& block, const Model& model) {
+  std::string text;
+  for (const Obstacle& obstacle : block.obstacles)
+    text += fmt::format("    its way out touches {} at ({:.6g}, {:.6g}) m; a run may find it held there\n",
+                        model.blocks[static_cast<std::size_t>(obstacle.block)].name, obstacle.at.x(), obstacle.at.y());
+  return text;
+}
+
 std::string merging_of(const KeyBlockReport& report) {
   if (!report.without_merging) return "";
   const TypeCounts now = count_types(report.blocks);
@@ -64,7 +72,7 @@ std::string report_text(const KeyBlockReport& report, const KeyBlockQuestion& qu
     text += fmt::format("{:>3}  {}, {:.4g} m2: {}{}{}\n", numeral(block.type), name_of(block.body, model),
                         block.body.area, description(block.type), motion_of(block, model),
                         block.turns ? "; it also turns, which is not counted" : "");
-    text += bolts_of(block);
+    text += obstacles_of(block, model) + bolts_of(block);
   }
   if (report.blocks.empty()) text += "no body has a free face that was asked for\n";
   text += merging_of(report);

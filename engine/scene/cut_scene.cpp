@@ -12,6 +12,7 @@
 
 #include "engine/core/error.h"
 #include "engine/drawing/read_drawing.h"
+#include "engine/scene/json_path.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
@@ -89,10 +90,11 @@ class Cutter {
   NewScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
     const Field scene(document_, "");
     read_materials(scene, model_);
-    read_joints(scene, read_scheme(scene), from, model_);
+    const std::vector<std::string> remarks = read_joints(scene, read_scheme(scene), from, model_);
     const Field blocks = scene.at("blocks");
     for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) add_rock_of(entry, from);
     if (result_.entries.empty()) blocks.fail("without rock", "an entry \"rock\" to cut");
+    std::ranges::copy(remarks, std::back_inserter(result_.entries.front().rock.remarks));
     for (const JointMaterial& joint : model_.joints) result_.joint_names.push_back(joint.name);
     for (const Material& material : model_.materials) result_.material_names.push_back(material.name);
     json cut = with_polygons();
@@ -180,10 +182,24 @@ NewScene cut_document(const std::filesystem::path& file, const std::filesystem::
   }
 }
 
+// The scene around a drawing is nobody's: what is wrong in it is an option, or the drawing.
+InputError in_words_of_drawing(const InputError& error, const std::string& drawing, const DrawingWords& words) {
+  const std::string& field = error.field();
+  const auto as = [&](const std::string& name) { return InputError("", name, error.value(), error.expected()); };
+  for (const auto& [layer, use] : words.layers)
+    if (field == member_path("blocks.rock.drawing.layers", layer)) return as("--layer " + layer);
+  if (field == "blocks.rock.drawing.unit") return as("--unit");
+  return field.starts_with("blocks.rock") ? as(drawing) : error;
+}
+
 // Errors name the drawing and a line of it by themselves.
 NewScene cut_drawing(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
                      const std::function<void(std::string_view)>& progress) {
-  return Cutter(scene_around(file, words), true, progress).cut({}, folder);
+  try {
+    return Cutter(scene_around(file, words), true, progress).cut({}, folder);
+  } catch (const InputError& error) {
+    throw in_words_of_drawing(error, file.string(), words);
+  }
 }
 
 // A document with one of its blocks and one of its joint lines, which follow the schema all or none of them.

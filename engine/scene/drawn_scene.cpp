@@ -11,6 +11,7 @@
 #include "engine/drawing/layers.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/segment.h"
 #include "engine/scene/read_drawn_plan.h"
 
 namespace dda {
@@ -19,6 +20,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double share_of_diagonal = 1e-6;  // within which points lie on outlines, as when cutting
+constexpr double level = 1e-2;              // of that: what lies so near the bottom is found by its name
 
 const std::string& word(LayerRole role) { return role_names()[static_cast<std::size_t>(role)]; }
 
@@ -93,21 +95,34 @@ class MarkedPlaces {
           {{"edge", {{"from", position(mark.points[i - 1])}, {"to", position(mark.points[i])}}}});
   }
 
+  // A bottom that is level but for the tolerance, as where a gap in it was closed, is no side of the box to the scene.
   void hold_bottom() {
-    const bool level = std::ranges::any_of(blocks_, [this](const Block& block) { return is_on_bottom(block); });
-    if (!level)
+    const std::vector<Segment> edges = bottom_edges();
+    if (edges.empty())
       return leave_alone("without gravity, as nothing holds it: it has neither fix points nor a level bottom");
-    scene_["supports"] = json::array({json{{"edge", "bottom"}}});
+    const auto is_level = [this](const Segment& edge) {
+      return std::max(edge.start.y(), edge.end.y()) <= bottom_ + level * tolerance_;
+    };
+    if (std::ranges::all_of(edges, is_level)) {
+      scene_["supports"] = json::array({json{{"edge", "bottom"}}});
+    } else {
+      for (const Segment& edge : edges)
+        scene_["supports"].push_back({{"edge", {{"from", position(edge.start)}, {"to", position(edge.end)}}}});
+    }
     held_ = "held along its bottom";
   }
 
-  [[nodiscard]] bool is_on_bottom(const Block& block) const {
-    const Ring& ring = block.shape.outer;
+  [[nodiscard]] std::vector<Segment> bottom_edges() const {
+    std::vector<Segment> edges;
     const auto low = [&](const Vec2& point) { return point.y() <= bottom_ + tolerance_; };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (low(ring[i]) && low(ring[(i + 1) % ring.size()])) return true;
+    for (const Block& block : blocks_) {
+      const Ring& ring = block.shape.outer;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Segment edge{ring[i], ring[(i + 1) % ring.size()]};
+        if (low(edge.start) && low(edge.end)) edges.push_back(edge);
+      }
     }
-    return false;
+    return edges;
   }
 
   [[nodiscard]] std::string loads() const {

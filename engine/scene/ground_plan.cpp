@@ -25,13 +25,20 @@ std::vector<Box> boxes_of(const std::vector<Block>& blocks) {
   return boxes;
 }
 
+std::vector<const Ring*> outlines_of(const std::vector<Block>& blocks) {
+  std::vector<const Ring*> outlines;
+  outlines.reserve(blocks.size());
+  for (const Block& block : blocks) outlines.push_back(&block.shape.outer);
+  return outlines;
+}
+
 }  // namespace
 
 GroundPlan::GroundPlan(const Model& model)
     : model_(&model),
       names_(model.blocks),
       boxes_(boxes_of(model.blocks)),
-      index_(boxes_),
+      index_(outlines_of(model.blocks)),
       tolerance_(point_tolerance(model)) {
   for (const Box& box : boxes_) box_ = expanded(expanded(box_, box.lower), box.upper);
 }
@@ -43,7 +50,7 @@ bool GroundPlan::holds(int block, const Vec2& point, double tolerance) const {
 
 std::vector<int> GroundPlan::blocks_at(const Vec2& point) const {
   std::vector<int> found;
-  for (const int block : index_.overlapping(expanded(Box{point, point}, 2 * tolerance_)))
+  for (const int block : index_.near(expanded(Box{point, point}, 2 * tolerance_)))
     if (holds(block, point, tolerance_)) found.push_back(block);
   return found;
 }
@@ -70,16 +77,16 @@ void GroundPlan::append_stretches(const Ring& ring, int block, const Segment& li
 }
 
 std::vector<Stretch> GroundPlan::stretches_along(const Segment& line) const {
-  return stretches_in(expanded(expanded(Box{line.start, line.start}, line.end), tolerance_), line);
+  return stretches_of(index_.near(line, tolerance_), line);
 }
 
 std::vector<Stretch> GroundPlan::stretches_at(const Segment& line, const Vec2& point) const {
-  return stretches_in(expanded(Box{point, point}, tolerance_), line);
+  return stretches_of(index_.near(expanded(Box{point, point}, tolerance_)), line);
 }
 
-std::vector<Stretch> GroundPlan::stretches_in(const Box& box, const Segment& line) const {
+std::vector<Stretch> GroundPlan::stretches_of(const std::vector<int>& blocks, const Segment& line) const {
   std::vector<Stretch> found;
-  for (const int block : index_.overlapping(box)) {
+  for (const int block : blocks) {
     const Polygon& shape = model_->blocks[at(block)].shape;
     append_stretches(shape.outer, block, line, found);
     for (const Ring& hole : shape.holes) append_stretches(hole, block, line, found);
@@ -106,9 +113,8 @@ void append_crossings(const Ring& ring, const Segment& line, const Vec2& along, 
 std::vector<Passage> GroundPlan::passages_of(const Segment& line) const {
   const double length = (line.end - line.start).norm();
   const Vec2 along = (line.end - line.start) / length;
-  const Box line_box = expanded(expanded(expanded(Box{}, line.start), line.end), tolerance_);
   std::vector<Passage> passages;
-  for (const int block : index_.overlapping(line_box)) {
+  for (const int block : index_.near(line, tolerance_)) {
     const Polygon& shape = model_->blocks[at(block)].shape;
     std::vector<double> cuts{0, length};
     append_crossings(shape.outer, line, along, cuts);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/box.h"
-#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/near_shapes.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/model.h"
 #include "engine/scene/names.h"
@@ -43,7 +43,7 @@ class GroundPlan {
   // Parts of outlines that run along `line`, cut to its ends, in the order of blocks.
   [[nodiscard]] std::vector<Stretch> stretches_along(const Segment& line) const;
 
-  // Of these, those of blocks whose boxes hold `point`.
+  // Of these, those of blocks that have `point`, and of some others.
   [[nodiscard]] std::vector<Stretch> stretches_at(const Segment& line, const Vec2& point) const;
 
   // Where `line` runs inside of blocks, from its start on; stretches along joints are in none.
@@ -57,13 +57,13 @@ class GroundPlan {
 
  private:
   [[nodiscard]] bool holds(int block, const Vec2& point, double tolerance) const;
-  [[nodiscard]] std::vector<Stretch> stretches_in(const Box& box, const Segment& line) const;
+  [[nodiscard]] std::vector<Stretch> stretches_of(const std::vector<int>& blocks, const Segment& line) const;
   void append_stretches(const Ring& ring, int block, const Segment& line, std::vector<Stretch>& found) const;
 
   const Model* model_;
   Names names_;
   std::vector<Box> boxes_;  // of the blocks
-  BoxIndex index_;
+  ShapeIndex index_;
   Box box_;
   double tolerance_;
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/drawing/drawn_units.h"
 #include "engine/drawing/plan_of_drawing.h"
 #include "engine/drawing/read_drawing.h"
 #include "engine/scene/places.h"
@@ -17,11 +18,16 @@
 namespace dda {
 namespace {
 
-// m; those of a scene's lengths, and those in which drawings are made besides.
+// m; those in which drawings are made, and those of a scene's lengths besides.
 double read_unit(const Field& field) {
-  std::vector<std::string> symbols{"ft", "in", "yd"};
-  std::vector<double> metres{0.3048, 0.0254, 0.9144};
+  std::vector<std::string> symbols;
+  std::vector<double> metres;
+  for (const DrawnUnit& unit : drawn_units) {
+    symbols.emplace_back(unit.symbol);
+    metres.push_back(unit.metres);
+  }
   for (const Unit& unit : units(Dimension::length)) {
+    if (std::ranges::find(symbols, unit.symbol) != symbols.end()) continue;
     symbols.emplace_back(unit.symbol);
     metres.push_back(unit.numerator / unit.denominator);
   }
@@ -40,25 +46,35 @@ LayerUse read_layer_use(const Field& field, const Model& model) {
   return use;
 }
 
-// A misspelt layer would leave the drawing's own without a meaning, or with another.
-void expect_layers_of(const LineDrawing& drawing, const Field& layers) {
+std::set<std::string> bare_layers_of(const LineDrawing& drawing) {
   std::set<std::string> drawn;
   for (const DrawnLine& line : drawing.lines) drawn.insert(bare_layer(line.layer));
   for (const DrawnPoint& point : drawing.points) drawn.insert(bare_layer(point.layer));
-  for (const auto& [name, use] : layers.members()) {
-    if (!drawn.contains(bare_layer(name)))
-      use.fail("for a layer on which nothing is drawn", "a layer of " + drawing.name);
-  }
+  return drawn;
 }
 
-DrawingOptions read_options(const Field& field, const LineDrawing& drawing, const Model& model) {
+// A misspelt layer would leave the drawing's own without a meaning, or with another. One of joints may just have none
+// this time; the lines of a misspelt one are refused.
+std::map<std::string, LayerUse> read_layers(const Field& layers, const LineDrawing& drawing, const Model& model,
+                                            std::vector<std::string>& remarks) {
+  const std::set<std::string> drawn = bare_layers_of(drawing);
+  std::map<std::string, LayerUse> uses;
+  for (const auto& [name, field] : layers.members()) {
+    const LayerUse& use = uses[name] = read_layer_use(field, model);
+    if (drawn.contains(bare_layer(name))) continue;
+    if (use.role != LayerRole::rock) field.fail("for a layer on which nothing is drawn", "a layer of " + drawing.name);
+    remarks.push_back(
+        fmt::format("{}: no line is on the layer \"{}\", which is said to have joints", drawing.name, name));
+  }
+  return uses;
+}
+
+DrawingOptions read_options(const Field& field, const LineDrawing& drawing, const Model& model,
+                            std::vector<std::string>& remarks) {
   DrawingOptions options;
   options.chords.length =
       value_or(field, "chord_tolerance", 0.0, [](const Field& f) { return f.positive(Dimension::length); });
-  const auto layers = field.find("layers");
-  if (!layers) return options;
-  expect_layers_of(drawing, *layers);
-  for (const auto& [name, use] : layers->members()) options.layers[name] = read_layer_use(use, model);
+  if (const auto layers = field.find("layers")) options.layers = read_layers(*layers, drawing, model, remarks);
   return options;
 }
 
@@ -68,21 +84,28 @@ void check_name(const std::string& group, const std::string& origin) {
   static_cast<void>(Field(name, origin).name());
 }
 
+// Of that name, else the one whose name differs in capitals only.
+const JointMaterial& joint_of(const PlanLine& line, const Model& model) {
+  const auto same = std::ranges::find(model.joints, line.joint, &JointMaterial::name);
+  if (same != model.joints.end()) return *same;
+  const auto lower = [](const JointMaterial& joint) { return in_lower_case(joint.name); };
+  const std::string wanted = in_lower_case(line.joint);
+  if (std::ranges::count(model.joints, wanted, lower) == 1) return *std::ranges::find(model.joints, wanted, lower);
+  std::vector<std::string> names;
+  for (const JointMaterial& joint : model.joints) names.push_back(joint.name);
+  throw InputError("", line.origin, "of the joint \"" + line.joint + "\"",
+                   fmt::format("one of the scene's joints: {}", fmt::join(names, ", ")));
+}
+
 // Names of joints that come from layers are those of the scene.
 void take_joints(const Model& model, std::vector<PlanLine>& lines) {
-  std::map<std::string, bool> bonded;
-  std::vector<std::string> names;
-  for (const JointMaterial& joint : model.joints) {
-    bonded[joint.name] = joint.bonded;
-    names.push_back(joint.name);
-  }
+  std::map<std::string, const JointMaterial*> known;
   for (PlanLine& line : lines) {
     if (line.joint.empty()) continue;
-    const auto found = bonded.find(line.joint);
-    if (found == bonded.end())
-      throw InputError("", line.origin, "of the joint \"" + line.joint + "\"",
-                       fmt::format("one of the scene's joints: {}", fmt::join(names, ", ")));
-    line.construction = found->second;
+    const JointMaterial*& joint = known[line.joint];
+    if (joint == nullptr) joint = &joint_of(line, model);
+    line.joint = joint->name;
+    line.construction = joint->bonded;
   }
 }
 
@@ -118,6 +141,9 @@ std::vector<std::string> remarks_on(const LineDrawing& drawing, double metres) {
     remarks.push_back(drawing.name + " does not say its unit: coordinates are taken in m");
   if (metres == 0 && !drawing.unit.empty())
     remarks.push_back(fmt::format("{}: coordinates in {}, as it says", drawing.name, drawing.unit));
+  for (const auto& [other, name] : drawing.other_spellings)
+    if (named_layer(name))
+      remarks.push_back(fmt::format("{}: the layers \"{}\" and \"{}\" are one", drawing.name, name, other));
   std::vector<std::string> kinds, lines;
   for (const auto& [kind, count] : drawing.passed_over)
     (unread_lines.contains(kind) ? lines : kinds).push_back(fmt::format("{} x {}", count, kind));
@@ -136,9 +162,14 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
   const std::string file = (field.is_object() ? field.at("file") : field).text();
   const double metres = field.is_object() ? value_or(field, "unit", 0.0, read_unit) : 0;
   const LineDrawing drawing = read_drawing(folder / file, file, metres);
-  DrawingOptions options = field.is_object() ? read_options(field, drawing, model) : DrawingOptions{};
+  DrawnPlan drawn;
+  drawn.name = drawing.name;
+  for (const DrawnLine& line : drawing.lines) drawn.layers.insert(line.layer);
+  for (const DrawnPoint& point : drawing.points) drawn.layers.insert(point.layer);
+  drawn.remarks = remarks_on(drawing, metres);
+  DrawingOptions options = field.is_object() ? read_options(field, drawing, model, drawn.remarks) : DrawingOptions{};
   options.reach = reach;
-  DrawnPlan drawn{plan_of(drawing, options), remarks_on(drawing, metres)};
+  drawn.plan = plan_of(drawing, options);
   if (std::string remark = remark_on_points_of_dimensions(drawing, options); !remark.empty())
     drawn.remarks.push_back(std::move(remark));
   for (const PlanOpening& opening : drawn.plan.openings) check_name(opening.name, opening.origin);
@@ -148,6 +179,20 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
     drawn.remarks.push_back(
         fmt::format("{}: {} blocks, taken as they are drawn", drawing.name, drawn.plan.blocks.size()));
   return drawn;
+}
+
+void refuse_without_boundary(const DrawnPlan& drawn) {
+  constexpr std::size_t most = 12;  // names that a sentence may have
+  std::vector<std::string> layers;
+  for (const std::string& layer : drawn.layers) layers.push_back("\"" + layer + "\"");
+  if (layers.size() > most) {
+    layers.resize(most);
+    layers.emplace_back("...");
+  }
+  throw InputError("", drawn.name,
+                   fmt::format("without a line on a layer boundary; its layers are {}", fmt::join(layers, ", ")),
+                   "lines around the rock that close, on a layer boundary or on one that is said to be it: --layer "
+                   "\"NAME=boundary\", in a scene \"layers\": {\"NAME\": \"boundary\"}");
 }
 
 DrawnNames drawn_names(const std::filesystem::path& file, const std::string& name) {

@@ -13,6 +13,8 @@
 namespace dda {
 
 struct DrawnPlan {
+  std::string name;              // of the drawing, for messages
+  std::set<std::string> layers;  // on which something is drawn
   RockPlan plan;
   std::vector<std::string> remarks;  // what the drawing left unsaid, and what of it was passed over
 };
@@ -20,6 +22,9 @@ struct DrawnPlan {
 // `field` is the name of a file, relative to `folder`, or {"file": ..., "layers": ..., ...}. Ends of lines within
 // `reach` (m) belong together; 0: the drawing's default. Of errors in the drawing the field is its name and the line.
 DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folder, const Model& model, double reach);
+
+// Throws an InputError that says where a boundary was looked for.
+[[noreturn]] void refuse_without_boundary(const DrawnPlan& drawn);
 
 // What a drawing names by itself, without the table of a scene.
 struct DrawnNames {

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "engine/drawing/line_drawing.h"
 #include "engine/scene/read_drawn_plan.h"
 #include "engine/scene/sections.h"
 
@@ -211,23 +212,55 @@ std::set<std::string> joints_of_drawings(const Field& scene, const std::filesyst
   return names;
 }
 
-// A joint under another name than "default" that nothing uses would silently do nothing.
-// Misspelt references come first: they are why joints seem to be without use. Drawings are read only where it is of
-// use.
-void refuse_unused_joints(const Field& scene, const Field& joints, const std::filesystem::path& folder) {
-  std::vector<std::string> names = {"default"};
-  for (const auto& [name, field] : joints.members())
-    if (name != "default") names.push_back(name);
+// Of `names`, those that drawings have in any capitals.
+void use_joints_of_drawings(const Field& scene, const std::filesystem::path& folder,
+                            const std::vector<std::string>& names, std::set<std::string>& used) {
+  std::set<std::string> drawn;
+  for (const std::string& name : joints_of_drawings(scene, folder)) drawn.insert(in_lower_case(name));
+  for (const std::string& name : names)
+    if (drawn.contains(in_lower_case(name))) used.insert(name);
+}
+
+bool has_drawing(const Field& scene) {
+  const Field blocks = scene.at("blocks");
+  const std::vector<Field> entries = blocks.is_array() ? blocks.items() : std::vector<Field>{blocks};
+  return std::ranges::any_of(entries, [](const Field& entry) {
+    const auto rock = entry.find("rock");
+    return rock && rock->has("drawing");
+  });
+}
+
+// Names of joints in entries of the scene. Misspelt ones are refused.
+std::set<std::string> names_in_use(const Field& scene, const std::vector<std::string>& names) {
   std::set<std::string> used = {"default"};
   for (const Field& user : joint_users(scene)) {
     if (const auto joint = user.find("joint")) used.insert(names[joint->choice(names)]);
   }
+  return used;
+}
+
+// A joint under another name than "default" that nothing uses would silently do nothing. In a drawing it may have no
+// line this time, which is worth a remark; without one it is misspelt, and refused. Misspelt references come first:
+// they are why joints seem to be without use. Drawings are read only where it is of use.
+std::vector<std::string> look_at_unused_joints(const Field& scene, const Field& joints,
+                                               const std::filesystem::path& folder) {
+  std::vector<std::string> names = {"default"};
+  for (const auto& [name, field] : joints.members())
+    if (name != "default") names.push_back(name);
+  std::set<std::string> used = names_in_use(scene, names);
   const auto is_used = [&](const auto& member) { return used.contains(member.first); };
-  if (!std::ranges::all_of(joints.members(), is_used)) used.merge(joints_of_drawings(scene, folder));
+  if (!std::ranges::all_of(joints.members(), is_used)) use_joints_of_drawings(scene, folder, names, used);
+  std::vector<std::string> remarks;
   for (const auto& [name, field] : joints.members()) {
-    if (!used.contains(name))
+    if (used.contains(name)) continue;
+    if (!has_drawing(scene))
       field.fail("in no entry of joint_pairs, joint_lines or rock", "\"default\" or a name that they use");
+    remarks.push_back(
+        fmt::format("{} is in no entry of joint_pairs, joint_lines or rock, and no line of the drawing "
+                    "is on a layer \"joint {}\"",
+                    field.path(), name));
   }
+  return remarks;
 }
 
 }  // namespace
@@ -239,12 +272,13 @@ void read_materials(const Field& scene, Model& model) {
   }
 }
 
-void read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder, Model& model) {
+std::vector<std::string> read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
+                                     Model& model) {
   model.joints = {preset_joint(scheme)};
   model.joints[0].name = "default";
   const auto joints = scene.find("joints");
-  if (!joints) return;
-  refuse_unused_joints(scene, *joints, folder);
+  if (!joints) return {};
+  std::vector<std::string> remarks = look_at_unused_joints(scene, *joints, folder);
   for (const auto& [name, field] : joints->members()) {
     const JointMaterial joint = read_joint(name, field, scheme);
     if (name == "default") {
@@ -253,6 +287,7 @@ void read_joints(const Field& scene, const Scheme& scheme, const std::filesystem
       model.joints.push_back(joint);
     }
   }
+  return remarks;
 }
 
 }  // namespace dda

@@ -124,6 +124,8 @@ Rock read_rock(const Field& field, const std::filesystem::path& folder, const Mo
   rock.options = read_options(field);
   if (const auto drawing = field.find("drawing")) {
     DrawnPlan drawn = read_drawn_plan(*drawing, folder, model, rock.options.tolerance);
+    if (drawn.plan.boundary.empty() && drawn.plan.blocks.empty() && !field.has("boundary"))
+      refuse_without_boundary(drawn);
     rock.plan = std::move(drawn.plan);
     rock.remarks = std::move(drawn.remarks);
   }
@@ -138,7 +140,8 @@ const std::string& group_name(const Rock& rock, const CutBlock& block) {
 
 CutRock cut(const Rock& rock) {
   CutRock result = cut_rock(rock.plan, rock.options);
-  if (result.blocks.empty()) throw InputError("", rock.path, "without any block", "rock to cut");
+  if (result.blocks.empty())
+    throw InputError("", rock.plan.boundary_origin, "around rock without any block", "rock to cut");
   return result;
 }
 

@@ -21,8 +21,9 @@ namespace {
 BlockFacts read_blocks_and_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
                                   Model& model) {
   read_materials(scene, model);
-  read_joints(scene, scheme, folder, model);
+  const std::vector<std::string> remarks = read_joints(scene, scheme, folder, model);
   BlockFacts facts = read_blocks(scene, folder, model);
+  facts.remarks.insert(facts.remarks.begin(), remarks.begin(), remarks.end());
   read_joint_pairs(scene, facts.groups, model);
   read_gravity(scene, model);
   return facts;

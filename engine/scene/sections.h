@@ -18,8 +18,10 @@ namespace dda {
 
 Scheme read_scheme(const Field& scene);
 void read_materials(const Field& scene, Model& model);
-// Drawings, which may name joints, are looked for relative to `folder`.
-void read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder, Model& model);
+// Drawings, which may name joints, are looked for relative to `folder`. Returns remarks, sentences on joints that no
+// line of a drawing uses.
+std::vector<std::string> read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
+                                     Model& model);
 
 // Of each block its group, the name of its generator or a polygon's own, and whether it states its initial stress.
 struct BlockFacts {

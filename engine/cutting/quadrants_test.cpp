@@ -1,0 +1,83 @@
+#include "engine/cutting/quadrants.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace dda {
+namespace {
+
+constexpr double size = 1e9;  // pixels
+
+Pixel pixel(double x, double y) {
+  return {static_cast<std::int64_t>(std::llround(x * size)), static_cast<std::int64_t>(std::llround(y * size))};
+}
+
+// Through a square of side 1, parallel but for `scatter` of their direction.
+std::vector<Piece> joint_set(int count, double slope, double scatter) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> aside(-scatter, scatter);
+  std::vector<Piece> pieces;
+  for (int i = 0; i < count; ++i) {
+    const double start = static_cast<double>(i) / count;
+    pieces.push_back({{pixel(0, start), pixel(1, start + slope + aside(random))}, i});
+  }
+  return pieces;
+}
+
+struct Seen {
+  std::size_t compared = 0;
+  std::set<std::pair<int, int>> crossings;
+};
+
+Seen look_at(const std::vector<Piece>& pieces) {
+  Seen seen;
+  visit_crowds(pieces, [&](const Quadrant& quadrant, const std::vector<int>& crowd) {
+    seen.compared += crowd.size() * (crowd.size() - 1) / 2;
+    for (const int i : crowd) {
+      for (const int j : crowd) {
+        const auto met =
+            crossing(pieces[static_cast<std::size_t>(i)].segment, pieces[static_cast<std::size_t>(j)].segment);
+        if (i < j && met && quadrant.holds(*met)) seen.crossings.insert({i, j});
+      }
+    }
+  });
+  return seen;
+}
+
+std::set<std::pair<int, int>> brute_force(const std::vector<Piece>& pieces) {
+  std::set<std::pair<int, int>> crossings;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+      if (crossing(pieces[i].segment, pieces[j].segment)) crossings.insert({static_cast<int>(i), static_cast<int>(j)});
+    }
+  }
+  return crossings;
+}
+
+// All of them lie in all squares along them: 100 comparisons of each at this number, and twice as many at twice that.
+TEST(Crowds, OneJointSetIsComparedWithNeighboursOnly) {
+  for (const double slope : {1.0, 0.3, -2.0}) {
+    constexpr std::size_t count = 4000;
+    EXPECT_LT(look_at(joint_set(count, slope, 0)).compared, 60 * count) << slope;
+  }
+}
+
+TEST(Crowds, CrossingsOfASetThatIsNotQuiteParallel) {
+  for (const double scatter : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
+    const std::vector<Piece> pieces = joint_set(600, 0.7, scatter);
+    EXPECT_EQ(look_at(pieces).crossings, brute_force(pieces)) << scatter;
+  }
+}
+
+TEST(Crowds, CrossingsOfASetWithOthers) {
+  std::vector<Piece> pieces = joint_set(400, 0.7, 1e-3);
+  for (const Piece& each : joint_set(60, -0.5, 0.2)) pieces.push_back({each.segment, 400 + each.straight});
+  pieces.push_back({{pixel(0.2, 0.1), pixel(0.21, 1.2)}, 460});
+  EXPECT_EQ(look_at(pieces).crossings, brute_force(pieces));
+}
+
+}  // namespace
+}  // namespace dda

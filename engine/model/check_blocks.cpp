@@ -3,7 +3,7 @@
 #include <set>
 
 #include "engine/core/error.h"
-#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/near_shapes.h"
 #include "engine/geometry/overlap.h"
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
@@ -26,9 +26,12 @@ void check_initial_state(const Item& item, const Block& block) {
 // Blocks that touch along straight sides parallel to the axes, the most of them, drop out here already.
 std::vector<std::pair<int, int>> suspect_pairs(const Model& model) {
   std::vector<Box> boxes;
-  boxes.reserve(model.blocks.size());
-  for (const Block& block : model.blocks) boxes.push_back(expanded(bounding_box(block.shape), -model.length_tolerance));
-  return overlapping_pairs(boxes);
+  std::vector<const Ring*> outlines;
+  for (const Block& block : model.blocks) {
+    boxes.push_back(expanded(bounding_box(block.shape), -model.length_tolerance));
+    outlines.push_back(&block.shape.outer);
+  }
+  return pairs_of_near_shapes(outlines, boxes);
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ bool agree(Column column, const std::vector<std::string>& printed, const std::ve
   const double margin = allowed(column, measured, largest);
   // Round-off may be three times as large elsewhere, and then the next power of ten is printed.
   constexpr double next_power = 10.5;
-  if (was->is_bound && is->is_bound) return is->number <= next_power * was->number;
+  if (was->is_bound && is->is_bound) return is->number <= std::max(next_power * was->number, margin);
   if (was->is_bound) return std::abs(is->number) <= was->number + margin;
   if (is->is_bound) return std::abs(was->number) <= is->number + margin;
   return std::abs(was->number - is->number) <= margin;

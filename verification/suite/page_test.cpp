@@ -82,6 +82,7 @@ TEST(PageTable, ANumberIsFreshWithinWhatIsPrinted) {
 TEST(PageTable, ABoundIsFreshWhileItIsNearlyTrue) {
   EXPECT_TRUE(is_fresh(with_error(1e-15), with_error(6e-15)));
   EXPECT_TRUE(is_fresh(with_error(3e-12), with_error(4e-12))) << "the next power of ten";
+  EXPECT_TRUE(is_fresh(with_error(1e-14, 1e-8), with_error(6e-12, 1e-8))) << "a fiftieth of the tolerance";
   EXPECT_FALSE(is_fresh(with_error(3e-12, 1e-8), with_error(4e-10, 1e-8)));
   EXPECT_FALSE(is_fresh(with_error(3e-12, 1e-6), with_error(1e-7, 1e-6)));
   EXPECT_FALSE(is_fresh(with_error(1e-6, 1e-5), with_error(3e-12, 1e-5)));

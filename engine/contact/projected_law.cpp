@@ -133,6 +133,10 @@ Vec2 gap_by_stress(const Vec2& softness, const Vec2& normal, const Vec3& stress_
   return shift_by_stress(softness(0), normal) * stress_a + shift_by_stress(softness(1), normal) * stress_b;
 }
 
+double projected_depth(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b) {
+  return gap_by_stress(element.softness, normal_of(element), stress_a, stress_b)(0) - std::min(gap(0), gap(2));
+}
+
 std::array<Vec2, 2> forces_at_ends(const InterfaceSprings& springs, const Vec4& force) {
   const Vec2 sum = force.head<2>() + force.tail<2>();
   const Vec2 difference = springs.lever * (force.tail<2>() - force.head<2>());

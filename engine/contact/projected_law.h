@@ -56,6 +56,9 @@ void set_projected_rows(const Model& model, const InterfaceFrame& frame, Interfa
 // What the stresses of both blocks (Pa) add to the normal and to the tangential gap of a stretch, m.
 Vec2 gap_by_stress(const Vec2& softness, const Vec2& normal, const Vec3& stress_a, const Vec3& stress_b);
 
+// How deep the blocks of a stretch are in each other, m: its gaps less what their stresses make of them.
+double projected_depth(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b);
+
 // Normal and shear force at either end of a stretch that have the same sum and moment as those at its points.
 std::array<Vec2, 2> forces_at_ends(const InterfaceSprings& springs, const Vec4& force);
 

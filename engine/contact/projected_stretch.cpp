@@ -56,10 +56,6 @@ void press_in_part(const InterfaceElement& element, InterfaceState& own) {
 
 }  // namespace
 
-bool gapes(const InterfaceElement& element, const InterfaceState& state) {
-  return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
-}
-
 bool has_parted(const Model& model, const State& state, const Interface& interface) {
   const EndsApart ends = ends_apart(model, state, interface);
   return std::max(ends.from.norm(), ends.to.norm()) > parting_share * interface.length;

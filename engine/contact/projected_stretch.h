@@ -11,6 +11,7 @@
 // l/(4 gamma) |t - T|^2 is lost, less what is of second order in l/(2 gamma A) and smaller by the bound on the penalty.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "engine/contact/contact_set.h"
@@ -25,7 +26,9 @@ namespace dda {
 inline constexpr double parting_share = 0.01;
 
 // Of a stretch of the law: whether an end gapes.
-bool gapes(const InterfaceElement& element, const InterfaceState& state);
+inline bool gapes(const InterfaceElement& element, const InterfaceState& state) {
+  return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
+}
 
 // Whether an end has gone so far.
 bool has_parted(const Model& model, const State& state, const Interface& interface);

@@ -8,18 +8,10 @@
 
 namespace dda {
 
-namespace {
-
-// The gaps of the projected law are those between the blocks and what their own tractions make of them.
-double normal_gap_by_stress(const InterfaceElement& element, const std::vector<Vec3>& stress) {
-  return gap_by_stress(element.softness, normal_of(element), stress[static_cast<std::size_t>(element.block_a)],
-                       stress[static_cast<std::size_t>(element.block_b)])(0);
-}
-
-}  // namespace
-
 double penetration_depth(const InterfaceElement& element, const Vec4& gap, const std::vector<Vec3>& stress) {
-  if (element.law == InterfaceLaw::projected) return normal_gap_by_stress(element, stress) - std::min(gap(0), gap(2));
+  if (element.law == InterfaceLaw::projected)
+    return projected_depth(element, gap, stress[static_cast<std::size_t>(element.block_a)],
+                           stress[static_cast<std::size_t>(element.block_b)]);
   if (has_stress_rows(element)) return std::abs(gap(2)) - gap(0);
   return element.length > 0 ? -std::min(gap(0), gap(2)) : -gap(0);
 }

@@ -39,9 +39,9 @@ class PairsOfBlocks {
 };
 
 // Normal and shear force of a stretch at one end and at the other.
-Vec4 ends_force(const InterfaceElement& element, const Vec4& force) {
-  if (element.law != InterfaceLaw::projected) return force;
-  const std::array<Vec2, 2> ends = pressing_ends(element, force);
+Vec4 ends_force(const InterfaceElement& element, const InterfaceState& state) {
+  if (element.law != InterfaceLaw::projected) return state.force;
+  const std::array<Vec2, 2> ends = pressing_ends(element, state);
   return {ends[0](0), ends[0](1), ends[1](0), ends[1](1)};
 }
 
@@ -206,7 +206,8 @@ std::vector<char> MovingContacts::ending_stretches(const Model& model, const Sta
     const bool holds = interface.length > 0 && !is_dry(joint_of(model, interface));
     if (holds && (dry_ones || !broken[0] || !broken[1])) firm.add(pair_of(interface));
     if (contacts.elements[i].law != InterfaceLaw::projected) continue;
-    (has_parted(model, state, interface) ? parted : closed).add(pair_of(interface));
+    const bool stays = touch_there_alone(model, interface) && !has_parted(model, state, interface);
+    (stays ? closed : parted).add(pair_of(interface));
   }
   for (PairsOfBlocks* each : {&firm, &closed, &parted}) each->sort();
   std::vector<char> ends(stretches_);
@@ -232,7 +233,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
     const InterfaceState& whole = contacts.states[i];
     const bool has_failed = !is_dry(joint_of(model, interface));
     if (ends[i] == 0 || (dry_ones && has_failed)) continue;
-    const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(contacts.elements[i], whole.force);
+    const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(contacts.elements[i], whole);
     const Vec2 normal = current_frame(model, state, interface).normal;
     for (std::size_t end = 0; end < 2; ++end) {
       InterfaceState own;

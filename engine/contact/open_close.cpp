@@ -29,9 +29,19 @@ bool presses_together(const InterfaceSprings& springs, const InterfaceTrial& tri
 
 Vec2 normal_gaps(const InterfaceTrial& trial) { return {trial.normal_gap(0), trial.normal_gap(1)}; }
 
+// Of contacts that stick, whether an end did so when the step began. A bed that is pressed beyond one of its points has
+// positive gaps at both.
+bool touched(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
+  const Eigen::Index n = normal_row(end);
+  if (trial.start(n) <= trial.rule.touching) return true;
+  if (!press_together(springs, trial.broken)) return false;
+  const Vec2 forces = press_bed(springs.stiffness(0), springs.lever, {trial.start(0), trial.start(2)}).force;
+  return forces(end) + std::max(0.0, forces(1 - end)) < 0;
+}
+
 double capacity_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end) {
   const Eigen::Index n = normal_row(end);
-  if (trial.rule.sticks) return trial.start(n) <= trial.rule.touching ? std::numeric_limits<double>::infinity() : 0;
+  if (trial.rule.sticks) return touched(springs, trial, end) ? std::numeric_limits<double>::infinity() : 0;
   const bool residual = trial.residual[static_cast<std::size_t>(end)];
   if (trial.rule.conserves_energy) return 2 * strength.capacity((trial.force(n) + trial.before(n)) / 2, residual);
   return strength.capacity(pressing_force(springs, trial.force, end), residual);

@@ -1,11 +1,13 @@
 #include "engine/contact/projected_stretch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "engine/contact/block_across.h"
 #include "engine/contact/no_tension_bed.h"
 #include "engine/contact/projected_law.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
@@ -25,6 +27,19 @@ Vec4 drawn_gap(const Model& model, const Interface& interface, const InterfaceEl
   Vec4 gap;
   for (Eigen::Index row = 0; row < 4; ++row) gap(row) = force(row) / element.stiffness(row) - shift(row % 2);
   return gap;
+}
+
+// Sine of the angle by which a corner may point inwards and count as straight.
+constexpr double straight = 0.01;
+
+bool points_outwards(const Polygon& shape) {
+  const Ring& ring = shape.outer;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 before = ring[(i + 1) % ring.size()] - ring[i];
+    const Vec2 after = ring[(i + 2) % ring.size()] - ring[(i + 1) % ring.size()];
+    if (cross(before, after) < -straight * before.norm() * after.norm()) return false;
+  }
+  return shape.holes.empty();
 }
 
 bool gapes_throughout(const InterfaceState& own) {
@@ -58,7 +73,13 @@ void press_in_part(const InterfaceElement& element, InterfaceState& own) {
 
 bool has_parted(const Model& model, const State& state, const Interface& interface) {
   const EndsApart ends = ends_apart(model, state, interface);
-  return std::max(ends.from.norm(), ends.to.norm()) > parting_share * interface.length;
+  const auto gone = [](const Vec2& end) { return std::max(end.x(), std::abs(end.y())); };
+  return std::max(gone(ends.from), gone(ends.to)) > parting_share * interface.length;
+}
+
+bool touch_there_alone(const Model& model, const Interface& interface) {
+  return points_outwards(block_of(model, interface.block_a).shape) &&
+         points_outwards(block_of(model, interface.block_b).shape);
 }
 
 void measure_projected(const Model& model, const State& state, const Interface& interface,
@@ -69,7 +90,7 @@ void measure_projected(const Model& model, const State& state, const Interface& 
                                    stress_of(state, interface.block_b));
   own.gap << middle - turn + shift, middle + turn + shift;
   own.gap += drawn_gap(model, interface, element);
-  for (const std::size_t end : {0U, 1U}) own.gap(static_cast<Eigen::Index>(2 * end) + 1) -= own.slip[end];
+  own.gap -= Vec4(own.seat[0], own.slip[0], own.seat[1], own.slip[1]);
   if (!press_together(element, own.broken)) {
     own.force = element.stiffness.cwiseProduct(own.gap);
     return;
@@ -79,6 +100,24 @@ void measure_projected(const Model& model, const State& state, const Interface& 
   own.force(2) = bed.force(1);
   if (bed.force.isZero(0)) return open_whole(own);
   press_in_part(element, own);
+}
+
+void keep_gaps(const Model& model, const State& state, ContactSet& contacts) {
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    InterfaceElement& element = contacts.elements[i];
+    InterfaceState& own = contacts.states[i];
+    if (element.law != InterfaceLaw::projected) continue;
+    set_geometry(model, acting_frame(model, state, contacts.interfaces[i], element.law), element);
+    InterfaceState measured = own;
+    measured.status = {ContactStatus::locked, ContactStatus::locked};
+    measured.broken = {false, false};  // gaps as they are, whatever they answer
+    measure_gap(model, state, contacts.interfaces[i], element, measured);
+    const Vec4 more = measured.gap - own.gap;
+    for (const std::size_t end : {0U, 1U}) {
+      own.seat[end] += more(static_cast<Eigen::Index>(2 * end));
+      own.slip[end] += more(static_cast<Eigen::Index>(2 * end) + 1);
+    }
+  }
 }
 
 void count_free_slip(const InterfaceElement& element, const Vec4& gap, InterfaceState& own) {
@@ -98,10 +137,11 @@ StressLetGo stress_let_go(const Model& model, const State& state, const Interfac
   return {of(element.block_a, element.softness(0)), of(element.block_b, element.softness(1))};
 }
 
-std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const Vec4& force) {
-  std::array<Vec2, 2> ends = forces_at_ends(element, force);
+std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const InterfaceState& state) {
+  std::array<Vec2, 2> ends = forces_at_ends(element, state.force);
   for (const std::size_t end : {0U, 1U}) {
-    if (ends[end](0) <= 0) continue;  // the force acts beyond the other end
+    const bool gapes = state.status[end] == ContactStatus::open && state.status[1 - end] != ContactStatus::open;
+    if (ends[end](0) <= 0 && !gapes) continue;  // else the force acts at or beyond the other end
     ends[1 - end] += ends[end];
     ends[end].setZero();
   }

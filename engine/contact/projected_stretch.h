@@ -30,13 +30,22 @@ inline bool gapes(const InterfaceElement& element, const InterfaceState& state) 
   return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
 }
 
-// Whether an end has gone so far.
+// Whether an end has slid or gone away from the other block so far.
 bool has_parted(const Model& model, const State& state, const Interface& interface);
 
+// Whether two blocks can touch nowhere else as long as they have the stretch: neither has a corner that points inwards
+// by more than half a degree, nor a hole. No other contact is looked for between them.
+bool touch_there_alone(const Model& model, const Interface& interface);
+
 // The gaps of a stretch whose ends are so far apart, and forces to go with them. The tangential gap is what has not
-// slipped; joints that are open go on as they please, which counts as slip.
+// slipped; joints that are open go on as they please, which counts as slip. What small kinematics made of the gaps
+// before is their seat.
 void measure_projected(const Model& model, const State& state, const Interface& interface,
                        const InterfaceElement& element, const EndsApart& ends, InterfaceState& own);
+
+// Before the first measurement after small kinematics, whose gaps are of first order in the turns of blocks: forces go
+// on as they are.
+void keep_gaps(const Model& model, const State& state, ContactSet& contacts);
 
 // At the end of a step that moved the gaps to `gap`: what an open stretch has gone along its tangent.
 void count_free_slip(const InterfaceElement& element, const Vec4& gap, InterfaceState& own);
@@ -47,7 +56,7 @@ struct StressLetGo {
 };
 StressLetGo stress_let_go(const Model& model, const State& state, const InterfaceElement& element, const Vec4& force);
 
-// The forces of a stretch at its ends, for contacts there that can only press.
-std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const Vec4& force);
+// The forces of a stretch at its ends, for contacts there that can only press. An end that gapes has none.
+std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const InterfaceState& state);
 
 }  // namespace dda

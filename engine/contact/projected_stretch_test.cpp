@@ -149,13 +149,30 @@ TEST(ProjectedStretch, LeavesItsForceAndMomentToItsEnds) {
   const Model model = two_bricks({0, -3e6, 0});
   const InterfaceElement element = make_contacts(model).elements.at(0);
   const Vec4 inside(-3, 1, -2, 0.5);
-  const std::array<Vec2, 2> ends = pressing_ends(element, inside);
+  InterfaceState state;
+  state.force = inside;
+  const std::array<Vec2, 2> ends = pressing_ends(element, state);
   EXPECT_LT((ends[0] + ends[1] - inside.head<2>() - inside.tail<2>()).norm(), 1e-15);
   EXPECT_NEAR(ends[1](0) - ends[0](0), element.lever * (inside(2) - inside(0)), 1e-15);
   // Of a resultant at an end there is nothing at the other, and none pulls.
-  const std::array<Vec2, 2> beyond = pressing_ends(element, {-10, 2, 9, 0});
+  state.force << -10, 2, 9, 0;
+  const std::array<Vec2, 2> beyond = pressing_ends(element, state);
   EXPECT_EQ(beyond[1], Vec2::Zero());
   EXPECT_LT((beyond[0] - Vec2(-1, 2)).norm(), 1e-15);
+  // Nor is there at an end that gapes.
+  state.force = inside;
+  state.status[0] = ContactStatus::open;
+  EXPECT_EQ(pressing_ends(element, state)[0], Vec2::Zero());
+}
+
+// Pressed into each other they have not parted; nor do they stay a stretch where another contact could come.
+TEST(ProjectedStretch, IsKeptWherePressedAndNotBesideCornersThatPointInwards) {
+  Model model = two_bricks({0, -3e6, 0});
+  const Interface interface = make_contacts(model).interfaces.at(0);
+  EXPECT_FALSE(has_parted(model, moved(model, 0.3, {0, -0.1}), interface));
+  EXPECT_TRUE(touch_there_alone(model, interface));
+  model.blocks[1].shape.outer = {{0.4, 1}, {2, 1}, {2, 1.2}, {2.4, 1}, {2.4, 1.6}, {0.4, 1.6}};
+  EXPECT_FALSE(touch_there_alone(model, interface));
 }
 
 }  // namespace

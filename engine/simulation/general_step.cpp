@@ -15,7 +15,6 @@
 #include "engine/simulation/force_balance.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
-#include "engine/simulation/initial_acceleration.h"
 #include "engine/simulation/kinematic_update.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/step_limits.h"
@@ -95,14 +94,6 @@ void GeneralStep::set_step_size(double dt) {
   system_.coefficients = step_coefficients(stage.integrator, dt);
   rule_ = contact_rule(system_.model, stage, dt);
   base_is_current_ = false;
-}
-
-void GeneralStep::begin() {
-  solver_.begin_bolts_anew();
-  for (Vec3& force : system_.terms.centrifugal) force.setZero();
-  if (system_.plan.is_static) return;
-  if (feels_spin(system_.plan)) set_centrifugal_forces(system_.model, system_.state, system_.terms);
-  set_initial_acceleration(changing_, system_);
 }
 
 void GeneralStep::list_contacts() {

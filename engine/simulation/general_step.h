@@ -74,6 +74,7 @@ class GeneralStep : public Step {
   }
 
  private:
+  void change_kinematics();
   void set_step_size(double dt);
   void list_contacts();
 

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "engine/geometry/rotation.h"
+#include "engine/model/motion.h"
 #include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
@@ -148,6 +150,65 @@ TEST(ProjectedMotion, GoesOnToTheSameBitsFromASnapshot) {
   again.restore(state, saved);
   run(again, 300);
   EXPECT_EQ(memory_of(again), memory_of(whole));
+}
+
+// In either direction: gaps of small kinematics are of first order in the turns of blocks, and what stretches take off
+// their blocks has a direction.
+TEST(ProjectedMotion, LedgerBalancesWhereKinematicsChange) {
+  for (const Kinematics first : {Kinematics::small, Kinematics::finite}) {
+    const Kinematics second = first == Kinematics::small ? Kinematics::finite : Kinematics::small;
+    Model model = shaken_wall(first, 3e-5, 200);
+    model.stages.push_back(stage_of(generalized_alpha_integrator(0), 2e-4, 200, second));
+    model.stages[1].name = "then";
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, 200);
+    const double before = simulation.energy().numerical;
+    run(simulation, 1);
+    EXPECT_LT(std::abs(simulation.energy().numerical - before), 1e-3 * simulation.energy().scale());
+    run(simulation, 199);
+    EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+  }
+}
+
+// A staple stands on one leg beside its middle; the other one hangs a millimetre above the floor, and tips on to it.
+TEST(ProjectedMotion, BlocksWithCornersThatPointInwardsTouchElsewhere) {
+  Model model;
+  model.materials = {rock()};
+  model.joints = {dry(0.8)};
+  model.blocks = {rectangle("floor", -2, -1, 6, 1)};
+  Block staple;
+  staple.name = "staple";
+  staple.shape.outer = {{0, 0}, {0.3, 0}, {0.3, 0.5}, {1.7, 0.5}, {1.7, 1e-3}, {2, 1e-3}, {2, 1}, {0, 1}};
+  model.blocks.push_back(staple);
+  model.held_blocks.resize(1);
+  model.gravity = {0, -10};
+  model.stages = {stage_of(generalized_alpha_integrator(0), 1e-3, 500, Kinematics::finite)};
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 500);
+  const double tip = point_displacement(simulation.model(), simulation.state(), 1, {2, 1e-3}).y();
+  EXPECT_NEAR(tip, -1e-3, 2e-5);
+}
+
+// Pressed beyond the points of its law, by a weight whose middle is near an end of the joint.
+TEST(ProjectedMotion, SticksUnderUnlimitedStrengthWhereverItIsPressed) {
+  for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
+    Model model;
+    model.materials = {rock()};
+    model.joints = {dry(0.8)};
+    model.blocks = {rectangle("floor", -2, -1, 6, 1)};
+    Block leaning;
+    leaning.name = "leaning";
+    leaning.shape.outer = {{0, 0}, {1, 0}, {1.85, 2}, {0.85, 2}};
+    model.blocks.push_back(leaning);
+    model.held_blocks.resize(1);
+    model.gravity = {0, -10};
+    model.point_loads = {{1, {0.925, 1}, {2e3, 0}, Constant{}}};
+    model.stages = {stage_of(static_integrator(), 1, 20, kinematics)};
+    model.stages[0].unlimited_strength = true;
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, 20);
+    EXPECT_LT(std::abs(point_displacement(simulation.model(), simulation.state(), 1, {1, 0}).x()), 1e-4);
+  }
 }
 
 }  // namespace

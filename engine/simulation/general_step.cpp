@@ -80,8 +80,6 @@ void GeneralStep::leave_out(const std::vector<bool>& absent) {
 
 void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
-  cushion_ = {};
-  given_friction_ = {};
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
   motion_steps_ = moving_ ? steps_of_motion(system_) : 1;

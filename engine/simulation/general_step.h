@@ -74,7 +74,6 @@ class GeneralStep : public Step {
   }
 
  private:
-  void change_kinematics();
   void set_step_size(double dt);
   void list_contacts();
 

@@ -356,7 +356,7 @@ Outcome point_pulse() {
     dda::Model model = pressed_squares(size, joint_of(InterfaceLaw::projected, false));
     model.stages[0].kinematics = kinematics;
     dda::finish_model(model);
-    const RecordedRun dry = record_run(std::move(model));
+    const RecordedRun dry = record_run(model);
     outcome.counters += dry.counters;
     const double away = distance(dry, bonded);
     outcome.assertions.push_back(

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/projected_law.h"

@@ -7,17 +7,10 @@
 #include <string>
 
 #include "engine/core/error.h"
-#include "engine/simulation/simulation_models.h"
+#include "engine/simulation/projected_models.h"
 
 namespace dda {
 namespace {
-
-JointMaterial dry(double friction) {
-  JointMaterial joint;
-  joint.law = InterfaceLaw::projected;
-  joint.friction_angle = std::atan(friction);
-  return joint;
-}
 
 std::vector<Integrator> damping_integrators() {
   return {thesis_integrator(), hht_integrator(0.1), generalized_alpha_integrator(0.8), generalized_alpha_integrator(0)};
@@ -25,16 +18,7 @@ std::vector<Integrator> damping_integrators() {
 
 // A wall in running bond on a floor that is shaken so hard that bricks slide and lift off.
 Model shaken_wall(const Integrator& integrator) {
-  Model model = grid_of(4, dry(0.5), Pattern::running_bond);
-  model.blocks.push_back(rectangle("floor", -1, -1, 6, 1));
-  HeldBlock floor;
-  floor.block = static_cast<int>(model.blocks.size()) - 1;
-  floor.amplitude = {3e-4, 4e-4};
-  floor.history = SineCycles{40, 2, 0};
-  model.held_blocks = {floor};
-  model.gravity = {0, -10};
-  model.stages = {stage_of(integrator, 2e-4, 400)};
-  return model;
+  return wall_on_shaken_floor({3e-4, 4e-4}, stage_of(integrator, 2e-4, 400));
 }
 
 struct Seen {
@@ -97,7 +81,7 @@ TEST(ProjectedJoint, SticksAsABondedOneDoes) {
     }
     return model;
   };
-  Simulation loose = simulation_of(pressed(dry(0.8)));
+  Simulation loose = simulation_of(pressed(dry_projected(0.8)));
   Simulation firm = simulation_of(pressed(strong(InterfaceLaw::projected)));
   run(loose, 100);
   run(firm, 100);
@@ -115,7 +99,7 @@ TEST(ProjectedJoint, SticksAsABondedOneDoes) {
 TEST(ProjectedJoint, SlidesWithWhatFrictionLeaves) {
   Model model;
   model.materials = {rock()};
-  model.joints = {dry(0.3)};
+  model.joints = {dry_projected(0.3)};
   model.blocks = {rectangle("floor", -2, -1, 8, 1), rectangle("low", 0, 0, 2, 0.5),
                   rectangle("high", 0.7, 0.5, 2, 0.5)};
   model.held_blocks.resize(1);

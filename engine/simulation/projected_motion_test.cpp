@@ -12,17 +12,10 @@
 #include "engine/geometry/rotation.h"
 #include "engine/model/motion.h"
 #include "engine/simulation/memory_test_support.h"
-#include "engine/simulation/simulation_models.h"
+#include "engine/simulation/projected_models.h"
 
 namespace dda {
 namespace {
-
-JointMaterial dry(double friction) {
-  JointMaterial joint;
-  joint.law = InterfaceLaw::projected;
-  joint.friction_angle = std::atan(friction);
-  return joint;
-}
 
 std::size_t stretches(const Simulation& simulation) {
   return static_cast<std::size_t>(
@@ -31,16 +24,8 @@ std::size_t stretches(const Simulation& simulation) {
 
 // A wall in running bond on a floor that is shaken so hard that bricks slide and lift off.
 Model shaken_wall(Kinematics kinematics, double amplitude, int steps) {
-  Model model = grid_of(4, dry(0.5), Pattern::running_bond);
-  model.blocks.push_back(rectangle("floor", -1, -1, 6, 1));
-  HeldBlock floor;
-  floor.block = static_cast<int>(model.blocks.size()) - 1;
-  floor.amplitude = amplitude * Vec2(3, 4);
-  floor.history = SineCycles{40, 2, 0};
-  model.held_blocks = {floor};
-  model.gravity = {0, -10};
-  model.stages = {stage_of(generalized_alpha_integrator(0), 2e-4, steps, kinematics)};
-  return model;
+  return wall_on_shaken_floor(amplitude * Vec2(3, 4),
+                              stage_of(generalized_alpha_integrator(0), 2e-4, steps, kinematics));
 }
 
 double largest_difference(const Simulation& one, const Simulation& other) {
@@ -109,7 +94,7 @@ Model block_on_slope(double degrees, double friction, int steps) {
   const double angle = degrees * std::numbers::pi / 180;
   Model model;
   model.materials = {rock()};
-  model.joints = {dry(friction)};
+  model.joints = {dry_projected(friction)};
   model.blocks = {rectangle("slope", -2, -1, 12, 1), rectangle("block", 0, 0, 1, 0.5)};
   model.held_blocks.resize(1);
   model.gravity = 10 * Vec2(std::sin(angle), -std::cos(angle));
@@ -172,17 +157,10 @@ TEST(ProjectedMotion, LedgerBalancesWhereKinematicsChange) {
 
 // A staple stands on one leg beside its middle; the other one hangs a millimetre above the floor, and tips on to it.
 TEST(ProjectedMotion, BlocksWithCornersThatPointInwardsTouchElsewhere) {
-  Model model;
-  model.materials = {rock()};
-  model.joints = {dry(0.8)};
-  model.blocks = {rectangle("floor", -2, -1, 6, 1)};
   Block staple;
   staple.name = "staple";
   staple.shape.outer = {{0, 0}, {0.3, 0}, {0.3, 0.5}, {1.7, 0.5}, {1.7, 1e-3}, {2, 1e-3}, {2, 1}, {0, 1}};
-  model.blocks.push_back(staple);
-  model.held_blocks.resize(1);
-  model.gravity = {0, -10};
-  model.stages = {stage_of(generalized_alpha_integrator(0), 1e-3, 500, Kinematics::finite)};
+  Model model = on_floor(staple, 0.8, stage_of(generalized_alpha_integrator(0), 1e-3, 500, Kinematics::finite));
   Simulation simulation = simulation_of(std::move(model));
   run(simulation, 500);
   const double tip = point_displacement(simulation.model(), simulation.state(), 1, {2, 1e-3}).y();
@@ -192,18 +170,11 @@ TEST(ProjectedMotion, BlocksWithCornersThatPointInwardsTouchElsewhere) {
 // Pressed beyond the points of its law, by a weight whose middle is near an end of the joint.
 TEST(ProjectedMotion, SticksUnderUnlimitedStrengthWhereverItIsPressed) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
-    Model model;
-    model.materials = {rock()};
-    model.joints = {dry(0.8)};
-    model.blocks = {rectangle("floor", -2, -1, 6, 1)};
     Block leaning;
     leaning.name = "leaning";
     leaning.shape.outer = {{0, 0}, {1, 0}, {1.85, 2}, {0.85, 2}};
-    model.blocks.push_back(leaning);
-    model.held_blocks.resize(1);
-    model.gravity = {0, -10};
+    Model model = on_floor(leaning, 0.8, stage_of(static_integrator(), 1, 20, kinematics));
     model.point_loads = {{1, {0.925, 1}, {2e3, 0}, Constant{}}};
-    model.stages = {stage_of(static_integrator(), 1, 20, kinematics)};
     model.stages[0].unlimited_strength = true;
     Simulation simulation = simulation_of(std::move(model));
     run(simulation, 20);

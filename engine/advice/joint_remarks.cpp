@@ -1,4 +1,5 @@
 #include "engine/advice/joint_remarks.h"
+#include "engine/model/moving_stages.h"
 
 #include <fmt/format.h>
 
@@ -45,8 +46,7 @@ struct Joints {
 };
 
 Joints joints_in_use(const Model& model, const ContactSet& contacts) {
-  const bool moves =
-      std::ranges::any_of(model.stages, [](const Stage& s) { return s.kinematics == Kinematics::finite; });
+  const bool moves = has_finite_kinematics(model);
   Joints found;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const auto joint = static_cast<std::size_t>(contacts.interfaces[i].joint);

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "engine/contact/joint_stiffness.h"
+#include "engine/model/moving_stages.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/terms/load.h"
 
@@ -79,9 +80,8 @@ bool all_parallel(const std::vector<Vec2>& offsets) {
 JointMaterial acting_joint(const Model& model, const ContactSet& contacts, std::size_t index) {
   const Interface& interface = contacts.interfaces[index];
   JointMaterial joint = model.joints[static_cast<std::size_t>(interface.joint)];
-  const bool finite = std::any_of(model.stages.begin(), model.stages.end(),
-                                  [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
-  joint.law = finite && is_springs_where_blocks_move(joint) ? InterfaceLaw::classical : contacts.elements[index].law;
+  joint.law = has_finite_kinematics(model) && is_springs_where_blocks_move(joint) ? InterfaceLaw::classical
+                                                                                  : contacts.elements[index].law;
   joint.bonded = true;
   joint.contact_damping = 0;
   if (joint.law != InterfaceLaw::classical || joint.normal_stiffness > 0) return joint;

@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "engine/contact/joint_stiffness.h"
+#include "engine/model/moving_stages.h"
 
 namespace dda {
 namespace {
-
-bool moves(const Model& model) { return std::ranges::count(model.stages, Kinematics::finite, &Stage::kinematics) > 0; }
 
 // See check_projected_joints.
 bool stages_can_have_the_law(const Model& model) {
@@ -20,7 +19,7 @@ bool stages_can_have_the_law(const Model& model) {
 
 bool could_have_the_law(const Model& model, const JointMaterial& joint) {
   if (joint.bonded || joint.normal_stiffness > 0 || joint.contact_damping > 0 || joint.dilation_angle > 0) return false;
-  return joint.law == InterfaceLaw::classical || (moves(model) && is_springs_where_blocks_move(joint));
+  return joint.law == InterfaceLaw::classical || (has_finite_kinematics(model) && is_springs_where_blocks_move(joint));
 }
 
 double largest_error(const Advice& advice) {

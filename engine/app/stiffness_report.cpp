@@ -5,14 +5,10 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/contact/projected_law.h"
+#include "engine/model/moving_stages.h"
 
 namespace dda {
 namespace {
-
-bool has_finite_kinematics(const Model& model) {
-  return std::any_of(model.stages.begin(), model.stages.end(),
-                     [](const Stage& stage) { return stage.kinematics == Kinematics::finite; });
-}
 
 void add(const Model& model, const Interface& interface, std::optional<JointSurvey>& survey) {
   const double per_area = 2 * springs_of(model, interface).normal / interface.length;

@@ -144,7 +144,7 @@ bool MovingContacts::follow(const Model& model, const State& state, const State&
   for (const InterfaceState& each : contacts.states) lift = std::max({lift, each.held_open(0), each.held_open(1)});
   const bool new_pairs = search_.update(model, state, lift);
   search_.foresee(model, state, ahead);
-  end_stretches(model, state, false, contacts);
+  if (contacts.outline_compliance.empty()) end_stretches(model, state, false, contacts);
   refresh(model, state, acting, contacts);
   lost_ends_.clear();
   return new_pairs;

@@ -33,7 +33,8 @@ class MovingContacts {
   }
 
   // Ends the stretches of the projected law whose blocks have parted, which takes some of the blocks' stresses
-  // (projected_stretch.h); the next `follow` has the contacts that take their place.
+  // (projected_stretch.h). To be called before `follow`, which has the contacts that take their place, and ends no
+  // stretches itself where there are some of that law.
   void let_part(const Model& model, State& state, ContactSet& contacts);
 
   // Takes out the contacts of blocks that are absent, which touch nothing from now on.

@@ -7,6 +7,7 @@
 #include "engine/model/check_parts.h"
 #include "engine/model/extent.h"
 #include "engine/model/model.h"
+#include "engine/model/moving_stages.h"
 #include "engine/model/step_choice.h"
 
 namespace dda {
@@ -43,7 +44,7 @@ double expected_pressure(const Model& model) {
 
 // Blocks that part from a projected joint meet others by springs: as stiff as the engine chooses them.
 void choose_springs_of_parted_joints(Model& model) {
-  if (std::ranges::count(model.stages, Kinematics::finite, &Stage::kinematics) == 0) return;
+  if (!has_finite_kinematics(model)) return;
   for (JointMaterial& joint : model.joints)
     if (joint.law == InterfaceLaw::projected && !joint.bonded && joint.normal_stiffness == 0)
       joint.automatic_stiffness = true;

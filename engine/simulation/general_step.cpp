@@ -11,6 +11,7 @@
 #include "engine/contact/foreseen_gap.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/core/phase_clock.h"
+#include "engine/model/moving_stages.h"
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/force_balance.h"
 #include "engine/simulation/free_field.h"
@@ -34,7 +35,7 @@ constexpr int most_rounds = 10;
 // Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
 bool contacts_move(const Model& model) {
   const bool can_touch = model.blocks.size() > 1 && !std::ranges::all_of(model.joints, &JointMaterial::bonded);
-  return can_touch && std::ranges::count(model.stages, Kinematics::finite, &Stage::kinematics) > 0;
+  return can_touch && has_finite_kinematics(model);
 }
 
 ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {

@@ -147,8 +147,9 @@ TEST_F(Cut, LayersThatDifferInCapitalsOnlyAreOne) {
  "steps": {"dt": 1e-3, "duration": 1e-3}})");
   const Outcome named = call({"cut", path("named.json"), "--out", path("named")});
   ASSERT_EQ(named.code, 0) << named.errors;
-  for (const auto& line : nlohmann::json::parse(text("named/scene.json"))["joint_lines"])
-    EXPECT_EQ(line["joint"], "bedding");
+  const auto written = nlohmann::json::parse(text("named/scene.json"));
+  ASSERT_GT(written["joint_lines"].size(), 0U);
+  for (const auto& line : written["joint_lines"]) EXPECT_EQ(line["joint"], "bedding");
 }
 
 TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {

@@ -178,11 +178,15 @@ void add_rocks(CLI::App& app, Arguments& arguments) {
   rocks->add_option("--out", arguments.rocks.folder, "folder for all files; made if it is not there")->required();
   add_seeds(*rocks, arguments.rocks, "rock", "rocks");
   rocks->add_flag_callback(
-      "--dilating", [&arguments] { arguments.rocks.joints = verify::RockJoints::dilating; },
+      "--dilating", [&arguments] { arguments.rocks.family.joints = verify::RockJoints::dilating; },
       "smaller rocks, with joints that ride up as they slide");
   rocks->add_flag_callback(
-      "--projected", [&arguments] { arguments.rocks.joints = verify::RockJoints::projected; },
+      "--projected", [&arguments] { arguments.rocks.family.joints = verify::RockJoints::projected; },
       "joints of the projected law");
+  rocks->add_option("--extent", arguments.rocks.family.extent,
+                    "times as wide and high, with joints as far apart: its square times as many blocks")
+      ->check(CLI::Range(0.5, 20.0))
+      ->capture_default_str();
   rocks->add_option("--seconds", arguments.rocks.seconds, "of CPU time, the most that a rock is given")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -141,14 +141,15 @@ std::string name_of(RockKind kind) {
 
 RockKind rock_kind(std::uint64_t seed) { return all_rock_kinds.at(seed % all_rock_kinds.size()); }
 
-RandomRock random_rock(std::uint64_t seed, RockJoints joints) {
+RandomRock random_rock(std::uint64_t seed, const RockFamily& family) {
+  const RockJoints joints = family.joints;
   SeededNumbers random(seed);
   RandomRock made;
   made.seed = seed;
   made.kind = rock_kind(seed);
   made.unit = random.chance(0.5) ? 1 : random.magnitude(-2, 2);
   made.motion = 0.1 * std::sqrt(made.unit);
-  const double extent = joints == RockJoints::dilating ? 0.6 * made.unit : made.unit;
+  const double extent = family.extent * (joints == RockJoints::dilating ? 0.6 * made.unit : made.unit);
   const Box box{extent * random.number(8, 18), extent * random.number(8, 14)};
   Json scene = {{"dda", 1}, {"title", fmt::format("Random rock, {}, seed {}", name_of(made.kind), seed)}};
   scene["materials"]["rock"] = {{"density", random.number(2000, 3000)},

@@ -33,6 +33,12 @@ enum class RockJoints {
   projected  // the same rocks as dry ones, under the projected law
 };
 
+// What a population is of.
+struct RockFamily {
+  RockJoints joints = RockJoints::dry;
+  double extent = 1;  // times as wide and high, with joints as far apart: its square times as many blocks
+};
+
 struct RandomRock {
   std::uint64_t seed = 0;
   RockKind kind = RockKind::two_sets;
@@ -43,6 +49,6 @@ struct RandomRock {
 
 // Every rock settles in a static stage whose steps the engine finds, and moves for a time in which what is loose falls
 // by a twentieth of a unit.
-[[nodiscard]] RandomRock random_rock(std::uint64_t seed, RockJoints joints = RockJoints::dry);
+[[nodiscard]] RandomRock random_rock(std::uint64_t seed, const RockFamily& family = {});
 
 }  // namespace verify

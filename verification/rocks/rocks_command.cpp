@@ -35,7 +35,7 @@ int run_rocks(const RocksCommand& command, std::ostream& out, std::ostream& erro
   std::vector<RockResult> results;
   dda::Progress progress(0, command.count, dda::terminal());
   for (int i = 0; i < command.count; ++i) {
-    const RandomRock rock = random_rock(command.seed + static_cast<std::uint64_t>(i), command.joints);
+    const RandomRock rock = random_rock(command.seed + static_cast<std::uint64_t>(i), command.family);
     RockPicture picture;
     results.push_back(run_rock(rock, command.seconds, &picture));
     keep_picture(results.back(), picture, command.folder);

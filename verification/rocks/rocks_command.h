@@ -14,7 +14,7 @@ struct RocksCommand {
   std::uint64_t seed = 1;
   int count = 500;
   double seconds = 60;  // of CPU time, the most that a rock is given
-  RockJoints joints = RockJoints::dry;
+  RockFamily family;
 };
 
 // Writes rocks.json, rocks.md and images/ into the folder, and the scene of every rock that is not right into scenes/.

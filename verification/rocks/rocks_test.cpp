@@ -26,7 +26,7 @@ TEST(Rocks, EveryKindIsCutAndReadAndTheSameSeedGivesTheSameRock) {
 TEST(Rocks, HaveJointsThatRideUpWhereAskedFor) {
   int without_end = 0;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-    const dda::Model model = dda::parse_scene(random_rock(seed, RockJoints::dilating).scene, "scene.json");
+    const dda::Model model = dda::parse_scene(random_rock(seed, {.joints = RockJoints::dilating}).scene, "scene.json");
     const auto rises = [](const dda::JointMaterial& joint) { return joint.dilation_angle > 0; };
     const auto joint = std::ranges::find_if(model.joints, rises);
     ASSERT_NE(joint, model.joints.end()) << seed;
@@ -35,10 +35,17 @@ TEST(Rocks, HaveJointsThatRideUpWhereAskedFor) {
   EXPECT_EQ(without_end, 8);
 }
 
+TEST(Rocks, AreLargerWhereAskedFor) {
+  const auto blocks = [](double extent) {
+    return dda::parse_scene(random_rock(8, {.extent = extent}).scene, "scene.json").blocks.size();
+  };
+  EXPECT_GT(blocks(2), 3 * blocks(1));
+}
+
 // Half of such rocks ended not_converged while dilations followed the slips from one solution to the next.
 TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
   for (const unsigned seed : {1U, 4U, 5U, 15U, 16U, 24U}) {
-    const RockResult result = run_rock(random_rock(seed, RockJoints::dilating), 60);
+    const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::dilating}), 60);
     EXPECT_EQ(result.outcome, RockOutcome::right) << seed << ": " << result.reason();
   }
 }
@@ -47,7 +54,7 @@ TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
 // its neighbours, which it lies in by more than is there of it, and says so.
 TEST(Rocks, SettleAndMoveUnderTheProjectedLaw) {
   for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U}) {
-    const RockResult result = run_rock(random_rock(seed, RockJoints::projected), 60);
+    const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
     EXPECT_EQ(result.outcome, seed == 7 ? RockOutcome::stopped : RockOutcome::right) << seed << ": " << result.reason();
   }
 }

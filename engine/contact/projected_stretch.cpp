@@ -29,7 +29,7 @@ Vec4 drawn_gap(const Model& model, const Interface& interface, const InterfaceEl
   return gap;
 }
 
-// Sine of the angle by which a corner may point inwards and count as straight.
+// Sine of the angle by which a corner may point inwards, or an outline be off a line, and count as straight.
 constexpr double straight = 0.01;
 
 bool points_outwards(const Polygon& shape) {
@@ -40,6 +40,33 @@ bool points_outwards(const Polygon& shape) {
     if (cross(before, after) < -straight * before.norm() * after.norm()) return false;
   }
   return shape.holes.empty();
+}
+
+// Where the outline of a block is, seen from the line of a stretch that `outwards` points away from the block.
+struct SeenFromStretch {
+  bool is_beyond = false;                              // somewhere it is on the other side of the line
+  std::array<bool, 2> goes_on_along = {false, false};  // or comes back to it, past either end
+};
+
+SeenFromStretch see(const Polygon& shape, const Interface& stretch, const Vec2& outwards) {
+  SeenFromStretch seen;
+  const Vec2 along = (stretch.to - stretch.from) / stretch.length;
+  for (const Vec2& corner : shape.outer) {
+    const Vec2 before = stretch.from - corner, after = corner - stretch.to;
+    const double off = outwards.dot(after), far = std::min(before.norm(), after.norm());
+    if (off > straight * far) seen.is_beyond = true;
+    if (off < -straight * far) continue;
+    if (along.dot(before) > straight * stretch.length) seen.goes_on_along[0] = true;
+    if (along.dot(after) > straight * stretch.length) seen.goes_on_along[1] = true;
+  }
+  return seen;
+}
+
+// The line of a stretch parts its blocks, and past its ends no more than one of them is at the line.
+bool is_parted_by(const Interface& stretch, const Polygon& a, const Polygon& b) {
+  const SeenFromStretch of_a = see(a, stretch, stretch.normal), of_b = see(b, stretch, -stretch.normal);
+  const auto both_go_on = [&](std::size_t end) { return of_a.goes_on_along[end] && of_b.goes_on_along[end]; };
+  return !of_a.is_beyond && !of_b.is_beyond && !both_go_on(0) && !both_go_on(1);
 }
 
 bool gapes_throughout(const InterfaceState& own) {
@@ -78,8 +105,9 @@ bool has_parted(const Model& model, const State& state, const Interface& interfa
 }
 
 bool touch_there_alone(const Model& model, const Interface& interface) {
-  return points_outwards(block_of(model, interface.block_a).shape) &&
-         points_outwards(block_of(model, interface.block_b).shape);
+  const Polygon& a = block_of(model, interface.block_a).shape;
+  const Polygon& b = block_of(model, interface.block_b).shape;
+  return (points_outwards(a) && points_outwards(b)) || is_parted_by(interface, a, b);
 }
 
 void measure_projected(const Model& model, const State& state, const Interface& interface,

@@ -33,8 +33,10 @@ inline bool gapes(const InterfaceElement& element, const InterfaceState& state) 
 // Whether an end has slid or gone away from the other block so far.
 bool has_parted(const Model& model, const State& state, const Interface& interface);
 
-// Whether two blocks can touch nowhere else as long as they have the stretch: neither has a corner that points inwards
-// by more than half a degree, nor a hole. No other contact is looked for between them.
+// Whether two blocks can touch nowhere else as long as they have the stretch, but for half a degree: neither has a
+// corner that points inwards, nor a hole; or the line of the stretch lies between them, as along a joint that was cut
+// right through, and past an end of the stretch one of them has left it. What else there is of the blocks, the arc of
+// an opening or a bench, is then nothing to the other one. No other contact is looked for between two such blocks.
 bool touch_there_alone(const Model& model, const Interface& interface);
 
 // The gaps of a stretch whose ends are so far apart, and forces to go with them. The tangential gap is what has not

@@ -148,6 +148,25 @@ TEST(StressField, PushesOnEdges) {
   EXPECT_EQ(absorbed.traction, Vec2(-500 * 1.5, 5));
 }
 
+// A load of the stress in situ knew the section stress_field alone, and rock whose stress a table gave burst in
+// silence.
+TEST(StressField, PushesWithTheStressOfATableWhereOneGivesIt) {
+  const Model model = parse_scene(scene_with(R"(, "stress_field": {"xx": 3, "yy": 5},
+        "initial_fields": [{"x": [0], "y": [0], "stress_xx": [[-7]]}],
+        "loads": [{"edge": "outside", "traction": "in-situ"}],
+        "viscous_boundaries": [{"edge": {"from": [8, 1], "to": [8, 2]}, "carries_initial_stress": true}])",
+                                             ""),
+                                  "scene");
+  for (const EdgeLoad& load : model.edge_loads) {
+    const double x = (load.from.x() + load.to.x()) / 2;
+    if (load.block == 4) continue;
+    if (x == 0 || x == 8) {
+      EXPECT_EQ(load.traction, Vec2(x == 8 ? -7 : 7, 0));
+    }
+  }
+  EXPECT_EQ(model.edge_loads.back().traction, Vec2(-7, 0));
+}
+
 TEST(StressField, ThatSaysTooLittleOrTooMuchIsRefused) {
   const auto refused = [](const std::string& field, const std::vector<std::string>& parts) {
     expect_sentence_for(scene_with(R"(, "stress_field": )" + field, ""), parts);

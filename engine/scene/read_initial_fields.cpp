@@ -57,18 +57,26 @@ void read_initial_field(const Field& field, const std::vector<int>& blocks, Mode
   if (!given) throw InputError("", field.path(), "without values", "one of stress_xx, velocity_x, spin, ...");
 }
 
+bool gives_stress(const Field& field) {
+  return field.has("stress_xx") || field.has("stress_yy") || field.has("stress_xy");
+}
+
 }  // namespace
 
-void read_initial_fields(const Field& scene, const std::vector<std::string>& groups, Model& model) {
+std::vector<int> read_initial_fields(const Field& scene, const std::vector<std::string>& groups, Model& model) {
   const auto fields = scene.find("initial_fields");
-  if (!fields) return;
+  std::vector<int> stressed;
+  if (!fields) return stressed;
   const BlockSets sets(model, groups);
   std::vector<int> all(model.blocks.size());
   std::iota(all.begin(), all.end(), 0);
   for (const Field& field : fields->items()) {
     const auto group = field.find("group");
-    read_initial_field(field, group ? sets.members(*group) : all, model);
+    const std::vector<int> blocks = group ? sets.members(*group) : all;
+    read_initial_field(field, blocks, model);
+    if (gives_stress(field)) stressed.insert(stressed.end(), blocks.begin(), blocks.end());
   }
+  return stressed;
 }
 
 }  // namespace dda

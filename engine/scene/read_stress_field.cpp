@@ -52,6 +52,10 @@ void StressField::fill(Model& model) const {
     if (!own_stress_[i]) model.blocks[i].initial_stress = at(model.blocks[i].moments.centroid);
 }
 
+void StressField::leave_to_themselves(const std::vector<int>& blocks) {
+  for (const int block : blocks) own_stress_[static_cast<std::size_t>(block)] = true;
+}
+
 Vec2 StressField::traction_on(const Stretch& stretch, const Model& model) const {
   const Vec3 stress = states_own(stretch.block) ? model.blocks[static_cast<std::size_t>(stretch.block)].initial_stress
                                                 : at((stretch.from + stretch.to) / 2);

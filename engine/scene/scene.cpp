@@ -29,10 +29,10 @@ BlockFacts read_blocks_and_joints(const Field& scene, const Scheme& scheme, cons
   return facts;
 }
 
-void read_what_acts(const Field& scene, const SceneParts& parts, const StressField& stresses,
+void read_what_acts(const Field& scene, const SceneParts& parts, StressField& stresses,
                     const std::filesystem::path& folder, Model& model) {
   const std::vector<std::string>& groups = parts.groups;
-  read_initial_fields(scene, groups, model);
+  stresses.leave_to_themselves(read_initial_fields(scene, groups, model));
   const GroundPlan plan(model);
   read_joint_lines(scene, plan, model);
   RecordFiles records(folder);
@@ -75,7 +75,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   parts.remarks = std::move(facts.remarks);
   parts.openings = openings_of(scene, model);
   finish_blocks(model);  // what follows needs the moments, and blocks that do not overlap
-  const StressField stresses(scene, std::move(facts.own_stress), model);
+  StressField stresses(scene, std::move(facts.own_stress), model);
   stresses.fill(model);
   read_stages(scene, scheme, parts.groups, model);
   read_what_acts(scene, parts, stresses, folder, model);

@@ -36,7 +36,8 @@ void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups
 void read_gravity(const Field& scene, Model& model);
 
 // These need the blocks complete, as finish_model leaves them, and the stages.
-void read_initial_fields(const Field& scene, const std::vector<std::string>& groups, Model& model);
+// Says which blocks got a stress.
+std::vector<int> read_initial_fields(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_joint_lines(const Field& scene, const GroundPlan& plan, Model& model);
 void read_loads(const Field& scene, const GroundPlan& plan, const StressField& stresses, RecordFiles& records,
                 Model& model);

@@ -18,6 +18,9 @@ class StressField {
   // Gives every block that states none the stress of the field at its centroid.
   void fill(Model& model) const;
 
+  // These blocks got a stress in another way since: what lies beyond them exerts that one.
+  void leave_to_themselves(const std::vector<int>& blocks);
+
   // What the surroundings exert on a stretch of a block, Pa: by the field in its middle, where its forces are then
   // those of a field that grows linearly along it; by the block's own stress where it states one.
   [[nodiscard]] Vec2 traction_on(const Stretch& stretch, const Model& model) const;

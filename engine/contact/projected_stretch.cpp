@@ -53,7 +53,8 @@ SeenFromStretch see(const Polygon& shape, const Interface& stretch, const Vec2& 
   const Vec2 along = (stretch.to - stretch.from) / stretch.length;
   for (const Vec2& corner : shape.outer) {
     const Vec2 before = stretch.from - corner, after = corner - stretch.to;
-    const double off = outwards.dot(after), far = std::min(before.norm(), after.norm());
+    const double off = outwards.dot(after);
+    const double far = std::max(std::min(before.norm(), after.norm()), straight * stretch.length);
     if (off > straight * far) seen.is_beyond = true;
     if (off < -straight * far) continue;
     if (along.dot(before) > straight * stretch.length) seen.goes_on_along[0] = true;

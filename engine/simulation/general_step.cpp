@@ -257,15 +257,17 @@ Status GeneralStep::solve() {
   assemble_base();
   const StepSolution& solution = solver_.solve(problem());
   int rounds_of_linings = 0;
-  while (solution.status == Status::ok && rounds_of_linings < LiningSet::most_rounds) {
+  const int most_rounds_of_linings = can_be_cut_ ? LiningSet::most_rounds_before_a_cut : LiningSet::most_rounds;
+  while (solution.status == Status::ok && rounds_of_linings < most_rounds_of_linings) {
     const bool broke = replace_broken_joints() || solution.something_broke();
     if (broke) can_be_cut_ = false;  // it did so in this step, and a shorter one would not know of it
     // Linings that yield lie outside of the problem as well: Newton's method around it.
-    const bool yield = system_.plan.reinforcement.linings_yield &&
-                       system_.reinforcement.linings.follow(solver_.increment(), rounds_of_linings++);
-    if (!broke && !yield) return Status::ok;
-    if (yield) {
-      base_is_current_ = false;
+    LiningRound yield;
+    if (system_.plan.reinforcement.linings_yield)
+      yield = system_.reinforcement.linings.follow(solver_.increment(), rounds_of_linings++);
+    if (!broke && !yield.goes_on) return Status::ok;
+    if (yield.goes_on) {
+      if (yield.has_other_slopes) base_is_current_ = false;
       assemble_base();
       form_rhs(system_, rhs_);
     }

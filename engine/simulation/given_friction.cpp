@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/settling_pace.h"
 #include "engine/simulation/step_limits.h"
 
 namespace dda {
@@ -16,18 +17,26 @@ constexpr int steps_in_a_run = 5;
 // way at a friction 0.1 % higher where steps take it as given from the first on.
 constexpr std::int64_t first_step_given = 20;
 
+// Share of the first step of the stage. In a shorter one nothing moves that could go either way, nor does the stage
+// come nearer to its end: rocks of hundreds of blocks took the twenty steps in vain.
+constexpr double shortest_followed = 1.0 / 64;
+
 // Share of dt: where parts may not be that short, friction would be too late to be believed.
 constexpr double longest_part_given = 1.0 / 16;
 
 // A step of no more passes had next to nothing to change, and ends the run.
 constexpr std::int64_t passes_at_rest = 3;
 
+bool may_be_over_soon(const BlockSystem& system) {
+  const double first = first_step(system.model, system.stage(), system.contacts.can_change);
+  return system.clock.step < first_step_given && system.coefficients.dt > shortest_followed * first;
+}
+
 }  // namespace
 
 bool GivenFriction::give(const BlockSystem& system) {
   const bool is_convex = system.stage().unlimited_strength;
-  if (is_given() || !system.stage().paces_itself() || is_convex || system.plan.dilation ||
-      system.clock.step < first_step_given)
+  if (is_given() || !system.stage().paces_itself() || is_convex || system.plan.dilation || may_be_over_soon(system))
     return false;
   steps_left_ = steps_in_a_run;
   return true;

@@ -231,8 +231,9 @@ bool LiningSet::begin_step() {
   return changed;
 }
 
-bool LiningSet::follow(const Eigen::VectorXd& increment, int round) {
+LiningRound LiningSet::follow(const Eigen::VectorXd& increment, int round) {
   const bool surely = round >= quick_rounds;
+  LiningRound done;
   double largest = 0;
   double mismatch = 0;
   for (LiningElement& element : elements_) {
@@ -241,10 +242,13 @@ bool LiningSet::follow(const Eigen::VectorXd& increment, int round) {
     const LiningAnswer answer = lining_answer(element.strength, element.stiffness, gap);
     mismatch = std::max(mismatch, size_of(element, answer.force - expected(element, gap)));
     largest = std::max(largest, size_of(element, answer.force));
+    const Mat3 slope_before = slope_of(element);
     element.tangent = {!answer.yields, gap, answer.force,
                        surely ? Mat3(element.stiffness.asDiagonal()) : answer.tangent};
+    if (slope_of(element) != slope_before) done.has_other_slopes = true;
   }
-  return mismatch > force_tolerance * largest;
+  done.goes_on = mismatch > force_tolerance * largest;
+  return done;
 }
 
 void LiningSet::add_constant_forces(double factor, Eigen::VectorXd& rhs) const {

@@ -58,6 +58,12 @@ struct SectionForces {
   [[nodiscard]] double moment() const { return (moment_at_start + moment_at_end) / 2; }
 };
 
+// Of Newton's method around that of the contacts.
+struct LiningRound {
+  bool goes_on = false;           // the answers were not those expected
+  bool has_other_slopes = false;  // than the round before
+};
+
 class LiningSet {
  public:
   LiningSet() = default;
@@ -96,10 +102,11 @@ class LiningSet {
   // In the course of a step (Newton's method around that of the contacts): begins with elastic tangents; true where
   // some were others.
   bool begin_step();
-  // Takes the tangents at what the blocks have come to in a round of that method, counted from 0; false when the
-  // answers were those expected.
-  [[nodiscard]] bool follow(const Eigen::VectorXd& increment, int round);
+  // Takes the tangents at what the blocks have come to in a round of that method, counted from 0.
+  [[nodiscard]] LiningRound follow(const Eigen::VectorXd& increment, int round);
+  // Elastic slopes need hundreds of rounds where a lining yields all around; a step that can be cut is not worth them.
   static constexpr int most_rounds = 1000;
+  static constexpr int most_rounds_before_a_cut = 40;
   // Takes off what tangents expect of elements whose gaps stay, beyond their forces at the start of the step.
   void add_constant_forces(double factor, Eigen::VectorXd& rhs) const;
   // The step is over: books what yielded.

@@ -266,6 +266,25 @@ Model late_lining(bool yields, const JointMaterial& joint, Kinematics kinematics
   return model;
 }
 
+// A static stage with a lining that yielded all around factorized the same matrix a thousand times a step.
+TEST(Lining, KeepsItsSlopesFromOneElasticRoundToTheNext) {
+  Model weak = two_blocks(Kinematics::small);
+  weak.linings[0].compressive_strength = 1e3;
+  weak.linings[0].tensile_strength = 1e2;
+  const Model model = simulation_of(weak).model();
+  LiningSet linings(model, initial_state(model));
+  linings.begin_step();
+  Eigen::VectorXd apart = Eigen::VectorXd::Zero(12);
+  apart(6) = 0.01;
+  constexpr int quick = 0, sure = 50;
+  EXPECT_TRUE(linings.follow(apart, quick).has_other_slopes);
+  EXPECT_TRUE(linings.follow(apart, sure).has_other_slopes);
+  apart(6) = 0.02;
+  const LiningRound next = linings.follow(apart, sure);
+  EXPECT_TRUE(next.goes_on);
+  EXPECT_FALSE(next.has_other_slopes);
+}
+
 TEST(Lining, RestartsAndBranchesToTheBit) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite})
     for (const auto& [yields, joint] :

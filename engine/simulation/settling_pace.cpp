@@ -19,8 +19,10 @@ constexpr double shrinking = 8;
 
 // Steps that took more passes than this are long enough.
 constexpr std::int64_t easy = 30;
-// Of steps that settle at any length.
-constexpr std::int64_t easy_when_sure = 60;
+
+// And steps that took more than this were too long, by so much: two shorter ones take less.
+constexpr std::int64_t hard = 60;
+constexpr double shrinking_after_hard = 4;
 
 double transit_time(const Model& model) {
   double slowest = std::numeric_limits<double>::infinity();
@@ -49,8 +51,9 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
   dt_ = first_step(model, stage, contacts_can_change);
 }
 
-void SettlingPace::settled(std::int64_t passes, bool is_sure) {
-  if (passes <= (is_sure ? easy_when_sure : easy)) dt_ = std::min(growth * dt_, longest * transit_);
+void SettlingPace::settled(std::int64_t passes) {
+  if (passes <= easy) dt_ = std::min(growth * dt_, longest * transit_);
+  if (passes > hard && !is_convex_) dt_ = std::max(dt_ / shrinking_after_hard, shortest * transit_);
 }
 
 bool SettlingPace::shorten() {

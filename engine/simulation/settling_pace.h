@@ -5,8 +5,9 @@
 // over the slowest speed sqrt(E/rho) of its rock: the slowest mode of closely joined blocks has a period of some T, so
 // a step of r T divides what is out of balance by about (pi r)^2/2. Where contacts cannot slide and
 // blocks keep their geometry a step is a convex problem (or a linear one), which is solved at any length: steps begin
-// long. With friction they begin short, grow as the open-close iteration settles easily, and shrink where it does not;
-// so they do where blocks move, as one long step can open many joints at once, after which they close elsewhere.
+// long. With friction they begin short, grow as the open-close iteration settles easily, and shrink where it does not,
+// or only after many passes; so they do where blocks move, as one long step can open many joints at once, after which
+// they close elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -28,20 +29,19 @@ class SettlingPace {
 
   [[nodiscard]] double dt() const { return dt_; }  // s, of the next step
 
-  // Takes a step as long as it can be, by `advance(dt)`. `is_sure()`: the step taken was of those that settle at any
-  // length.
-  template <typename Advance, typename IsSure>
-  [[nodiscard]] Status step(const Counters& counters, const Advance& advance, const IsSure& is_sure) {
+  // Takes a step as long as it can be, by `advance(dt)`.
+  template <typename Advance>
+  [[nodiscard]] Status step(const Counters& counters, const Advance& advance) {
     while (true) {
       const std::int64_t passes_before = counters.open_close_iterations;
       const Status status = advance(dt_);
-      if (status == Status::ok) settled(counters.open_close_iterations - passes_before, is_sure());
+      if (status == Status::ok) settled(counters.open_close_iterations - passes_before);
       if (status != Status::not_converged || !shorten()) return status;
     }
   }
 
   // A step of dt() settled in that many passes of the open-close iteration.
-  void settled(std::int64_t passes, bool is_sure = false);
+  void settled(std::int64_t passes);
   // One did not; false when there is no shorter one to try.
   [[nodiscard]] bool shorten();
   [[nodiscard]] bool is_shortest() const;

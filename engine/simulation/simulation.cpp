@@ -190,10 +190,9 @@ Status Simulation::step() {
   s.clock.passes_before_step = s.costs.counters.open_close_iterations;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
   const Status status =
-      is_settling() ? pace_.step(
-                          s.costs.counters, [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); },
-                          [this] { return stage_step().is_provisional(); })
-                    : advance(s.stage().dt, s.stage().max_step_reductions);
+      is_settling()
+          ? pace_.step(s.costs.counters, [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); })
+          : advance(s.stage().dt, s.stage().max_step_reductions);
   if (status != Status::ok) {
     message_ = stage_step().message();
     return status;

@@ -1,12 +1,15 @@
 #include "engine/contact/lost_ends.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "engine/contact/interface_element.h"
 #include "engine/contact/vertex_contact.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
@@ -25,13 +28,33 @@ bool faces_as(const Interface& heir, const StretchEnd& end) {
   return sense * end.normal.dot(heir.normal) >= same_direction;
 }
 
+// Sine of the angle between the two normals.
+double turned(const Interface& heir, const StretchEnd& end) { return std::abs(cross(end.normal, heir.normal)); }
+
+// Where a joint bends two faces meet in the place of an end, and both face much as it does: those that lie as it lay go
+// on with its force.
+void keep_nearest_in_direction(const std::vector<Interface>& heirs, const StretchEnd& end,
+                               std::vector<std::size_t>& here) {
+  constexpr double same = 1e-6;
+  double least = 1;
+  for (const std::size_t i : here) least = std::min(least, turned(heirs[i], end));
+  std::erase_if(here, [&](std::size_t i) { return turned(heirs[i], end) > least + same; });
+}
+
+// A force as the heir sees it, whose face may have turned from that of the end by a few degrees: in the plane it stays.
+Vec2 seen_by(const Interface& heir, const StretchEnd& end) {
+  const Vec2 normal = end.block_a == heir.block_a ? end.normal : Vec2(-end.normal);
+  return local_axes(heir.normal) * (local_axes(normal).transpose() * end.state.force.head<2>());
+}
+
 // History is that of the end which came first; forces add up.
-void give(const StretchEnd& end, double part, std::optional<InterfaceState>& heir) {
-  if (heir) {
-    heir->force += part * end.state.force;
+void give(const StretchEnd& end, double part, const Interface& heir, std::optional<InterfaceState>& state) {
+  const Vec2 force = part * seen_by(heir, end);
+  if (state) {
+    state->force.head<2>() += force;
   } else {
-    heir = end.state;
-    heir->force *= part;
+    state = end.state;
+    state->force.head<2>() = force;
   }
 }
 
@@ -53,13 +76,15 @@ struct Beside {
   }
 };
 
-void give_to_those_beside(const StretchEnd& end, const Beside& beside, Heirs& states) {
+void give_to_those_beside(const StretchEnd& end, const Beside& beside, const std::vector<Interface>& heirs,
+                          Heirs& states) {
+  const auto give_to = [&](std::size_t heir, double part) { give(end, part, heirs[heir], states[heir]); };
   if (beside.before && beside.after) {
     const double whole = beside.to_before + beside.to_after;
-    give(end, beside.to_after / whole, states[*beside.before]);
-    give(end, beside.to_before / whole, states[*beside.after]);
+    give_to(*beside.before, beside.to_after / whole);
+    give_to(*beside.after, beside.to_before / whole);
   } else if (beside.before || beside.after) {
-    give(end, 1, states[beside.before ? *beside.before : *beside.after]);
+    give_to(beside.before ? *beside.before : *beside.after, 1);
   }
 }
 
@@ -83,10 +108,11 @@ Heirs LostEnds::shared_among(const std::vector<Interface>& heirs, double toleran
         beside.look_at(i, way, end.along);
       }
     }
-    for (const std::size_t i : here) give(end, 1 / static_cast<double>(here.size()), states[i]);
+    keep_nearest_in_direction(heirs, end, here);
+    for (const std::size_t i : here) give(end, 1 / static_cast<double>(here.size()), heirs[i], states[i]);
     if (here.empty()) between.emplace_back(&end, beside);
   }
-  for (const auto& [end, beside] : between) give_to_those_beside(*end, beside, states);
+  for (const auto& [end, beside] : between) give_to_those_beside(*end, beside, heirs, states);
   return states;
 }
 

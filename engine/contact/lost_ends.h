@@ -2,7 +2,9 @@
 //
 // An end goes to the contacts where it was, in equal parts where there are several (a vertex of both blocks in one
 // place makes two). Within a face whose stiffness goes by length there may be none: such an end is divided between the
-// contacts beside it on both sides by the lever rule. So force and moment on both blocks are as they were.
+// contacts beside it on both sides by the lever rule. Where a joint bends by a few degrees the face that goes on with
+// an end may be the other one, and the force keeps its direction in the plane. So force and moment on both blocks are
+// as they were.
 #pragma once
 
 #include <cstddef>

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/contact/interface_element.h"
 #include "engine/geometry/rotation.h"
 
 namespace dda {
@@ -87,6 +88,36 @@ TEST(LostEnds, AreOfOneFaceAndOnePair) {
   Interface turned = contact_at({1, 0}, {0, -1});
   std::swap(turned.block_a, turned.block_b);
   EXPECT_TRUE(ends.shared_among({turned}, 1e-9)[0]);
+}
+
+// Where a joint bends by two degrees both of its faces look the way of an end.
+TEST(LostEnds, ForcesStayWithTheFaceThatTheyWereOf) {
+  const Vec2 corner(1, 2), along(1, 0), bent = rotation(0.04) * along;
+  const std::vector<Interface> heirs{contact_at(corner, {0, 1}), contact_at(corner, {-bent.y(), bent.x()})};
+  LostEnds ends;
+  ends.add(end_at(corner, along, -3, 1));
+  ends.add(end_at(corner, bent, -5, 2));
+  const auto left = ends.shared_among(heirs, 1e-9);
+  ASSERT_TRUE(left[0] && left[1]);
+  EXPECT_LT((left[0]->force - Vec4(-3, 1, 0, 0)).norm(), 1e-14);
+  EXPECT_LT((left[1]->force - Vec4(-5, 2, 0, 0)).norm(), 1e-14);
+}
+
+// Only one of the two faces may have a contact there. Rock under stress that nobody touched was set in motion by forces
+// that had turned with the face.
+TEST(LostEnds, ForcesKeepTheirDirectionOnAnotherFace) {
+  const Vec2 corner(1, 2), along(1, 0), bent = rotation(0.04) * along;
+  for (const double sense : {1.0, -1.0}) {
+    Interface heir = contact_at(corner, {0, sense});
+    if (sense < 0) std::swap(heir.block_a, heir.block_b);
+    LostEnds ends;
+    ends.add(end_at(corner, bent, -5, 2));
+    const auto left = ends.shared_among({heir}, 1e-9);
+    ASSERT_TRUE(left[0]);
+    const Vec2 before = local_axes({-bent.y(), bent.x()}).transpose() * Vec2(-5, 2);
+    const Vec2 after = sense * (local_axes(heir.normal).transpose() * left[0]->force.head<2>());
+    EXPECT_LT((after - before).norm(), 1e-14);
+  }
 }
 
 }  // namespace

@@ -140,6 +140,17 @@ void remark_on_empty_sets(const Rock& rock, CutRock& cut) {
   }
 }
 
+// Openings took all of it, or what is narrower than the tolerance was dropped.
+[[noreturn]] void refuse_without_blocks(const Rock& rock, const CutRock& cut) {
+  constexpr double all = 1 - 1e-9;  // but for round-off
+  if (!rock.plan.openings.empty() && cut.left_out_area >= all * cut.boundary_area)
+    throw InputError("", rock.path + ".openings", "around all of the rock", "openings that leave some of it");
+  if (cut.dropped_area > 0)
+    throw InputError("", rock.path + ".tolerance", fmt::format("{:.4g} m", cut.tolerance),
+                     "a smaller length: all rock is narrower (width 2 area/perimeter)");
+  throw InputError("", rock.plan.boundary_origin, "around rock without any block", "rock to cut");
+}
+
 }  // namespace
 
 Rock read_rock(const Field& field, const std::filesystem::path& folder, const Model& model) {
@@ -165,8 +176,7 @@ const std::string& group_name(const Rock& rock, const CutBlock& block) {
 
 CutRock cut(const Rock& rock) {
   CutRock result = cut_rock(rock.plan, rock.options);
-  if (result.blocks.empty())
-    throw InputError("", rock.plan.boundary_origin, "around rock without any block", "rock to cut");
+  if (result.blocks.empty()) refuse_without_blocks(rock, result);
   remark_on_empty_sets(rock, result);
   return result;
 }

@@ -158,6 +158,17 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
            R"(, "openings": [{"name": "tunnel", "circle": {"centre": [50, 5], "radius": 2}, "joint": "bedding"}]})",
        "blocks.rock.openings[0] is \"tunnel\" around (50, 5) m, outside the rock, expected an opening inside the "
        "boundary"},
+      {"{" + square +
+           R"(, "openings": [{"name": "t", "circle": {"centre": [5, 5], "radius": 20}, "joint": "bedding"}]})",
+       "blocks.rock.openings[0] is \"t\" around all of the rock, expected an opening that leaves some of it"},
+      {"{" + square +
+           R"(, "openings": [{"name": "t", "rectangle": {"foot": [5, -10], "width": 30, "height": 30}, "left_out": true, "joint": "bedding"}]})",
+       "blocks.rock.openings[0] is \"t\" around all of the rock, expected an opening that leaves some of it"},
+      {"{" + square +
+           R"(, "openings": [{"name": "t", "rectangle": {"foot": [5, 0], "width": 10, "height": 10}, "left_out": true, "joint": "bedding"}]})",
+       "blocks.rock.openings is around all of the rock, expected openings that leave some of it"},
+      {"{" + square + R"(, "tolerance": "12 m", "lines": [{"points": [[0, 5], [10, 5]], "joint": "bedding"}]})",
+       "blocks.rock.tolerance is 12 m, expected a smaller length"},
       {"{" + square + R"(, "openings": [{"name": "rock", "circle": {"centre": [5, 5], "radius": 2}}]})",
        "blocks.rock.openings[0].name is \"rock\", expected another name than that of the rock's own group"},
       {"{" + square +

@@ -240,6 +240,23 @@ TEST_F(Cut, JointsWithoutALineAreRemarked) {
                  "--layer umris is for a layer on which nothing is drawn, expected a layer of " + path("plan.csv"));
 }
 
+TEST_F(Cut, SetsWithoutAJointAreRemarkedByCutAndCheck) {
+  write("empty.json",
+        R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},
+ "joints": {"default": {"friction_angle": "30 deg"}},
+ "blocks": {"rock": {"boundary": [[0, 0], [10, 0], [10, 10], [0, 10]],
+   "joint_sets": [{"name": "J1", "dip": 0, "spacing": "1 km", "start": [5, 500], "joint": "default"}]}},
+ "supports": [{"edge": "bottom"}], "steps": {"dt": 1e-3, "duration": 1e-3}})");
+  const std::string remark = "blocks.rock.joint_sets[0] (\"J1\") has no joint in the rock";
+  const Outcome cut = call({"cut", path("empty.json"), "--out", path("made")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  EXPECT_TRUE(contains(cut.out, "remark: " + remark)) << cut.out;
+  EXPECT_TRUE(contains(text("made/cut.json"), "has no joint in the rock"));
+  const Outcome check = call({"check", path("empty.json")});
+  ASSERT_EQ(check.code, 0) << check.errors;
+  EXPECT_TRUE(contains(check.out, remark)) << check.out;
+}
+
 TEST_F(Cut, AFolderToWhichARunWritesIsRefused) {
   const FolderLock run(path("busy"));
   const Outcome cut = call({"cut", path("plan.csv"), "--out", path("busy")});

@@ -33,7 +33,7 @@ void add(const CutEntry& entry, CutFigures& figures) {
     if (shape.aspect > slender_aspect) ++figures.slender;
     figures.shapes.push_back(shape);
   }
-  figures.statistics.push_back(statistics_of(entry.cut));
+  figures.statistics.push_back(statistics_of(entry.cut, entry.rock.plan));
 }
 
 json entry_of(const Cleaned& cleaned) {
@@ -54,8 +54,12 @@ json statistics_entry(const CutEntry& entry, const RockStatistics& statistics) {
           {"area_10_50_90_percent", statistics.area_shares},
           {"p20", statistics.p20},
           {"p21", statistics.p21},
+          {"p20_traces", statistics.p20_traces},
+          {"p21_traces", statistics.p21_traces},
           {"rqd_level", statistics.rqd_level},
-          {"rqd_upright", statistics.rqd_upright}};
+          {"rqd_upright", statistics.rqd_upright},
+          {"rqd_level_traces", statistics.rqd_level_traces},
+          {"rqd_upright_traces", statistics.rqd_upright_traces}};
 }
 
 json fill_entry(const CutFill& fill) {

@@ -96,7 +96,8 @@ void add_keyblocks(CLI::App& app, KeyBlocksRequest& request) {
   add("--opening", request.opening, "an opening, or a group of blocks, that alone is taken out; default: all openings",
       "NAME");
   add("--out", request.folder, "folder for the results; made if need be", "DIR");
-  add("--fos", request.wanted_safety, "factor of safety that bolts are to give; default 1.5", "FACTOR");
+  add("--fos", request.wanted_safety,
+      "factor of safety that bolts are to give, on joints and on what acts; default 1.5", "FACTOR");
   add("--bolt-direction", request.bolt_direction,
       "of their pull, counter-clockwise from +x, e.g. 90deg; default: into the free faces", "ANGLE");
   add("--acceleration", request.acceleration, "m/s2, on all mass besides gravity, e.g. of shaking", "X,Y")

@@ -24,6 +24,18 @@ void check_line(const PlanLine& line) {
   }
 }
 
+// Its outline runs outside of the rock: then it holds either nothing of it, or all.
+[[noreturn]] void refuse_without_outline_in_rock(const PlanOpening& opening, const RockPlan& plan) {
+  const Polygon shape{opening.outline, {}};
+  if (contains(shape, plan.boundary.front()))
+    throw InputError("", opening.origin, fmt::format("\"{}\" around all of the rock", opening.name),
+                     "an opening that leaves some of it");
+  throw InputError(
+      "", opening.origin,
+      fmt::format("\"{}\" around {}, outside the rock", opening.name, written(area_moments(shape).centroid)),
+      "an opening inside the boundary");
+}
+
 }  // namespace
 
 void check_plan(const RockPlan& plan) {
@@ -54,11 +66,7 @@ void check_openings(const Arrangement& arrangement, const std::vector<FacePlace>
   }
   const auto outside = std::find(in_rock.begin(), in_rock.end(), false);
   if (outside == in_rock.end()) return;
-  const PlanOpening& opening = plan.openings[static_cast<std::size_t>(outside - in_rock.begin())];
-  throw InputError("", opening.origin,
-                   fmt::format("\"{}\" around {}, outside the rock", opening.name,
-                               written(area_moments({opening.outline, {}}).centroid)),
-                   "an opening inside the boundary");
+  refuse_without_outline_in_rock(plan.openings[static_cast<std::size_t>(outside - in_rock.begin())], plan);
 }
 
 }  // namespace dda

@@ -12,7 +12,7 @@
 namespace dda {
 
 struct CutOptions {
-  double tolerance = 0;    // m; 0: 1e-6 of the diagonal of the boundary's box
+  double tolerance = 0;    // m; 0: 1e-6 of the diameter of the boundary
   double least_area = 0;   // m2: smaller blocks are merged into a neighbour
   double least_angle = 0;  // rad: so are blocks with a sharper corner
   std::size_t most_blocks = 2'000'000;

@@ -221,6 +221,23 @@ void expect_refusal(const RockPlan& plan, const std::string& sentence, const Cut
   }
 }
 
+// The box of a square that is turned by 45 degrees has 1.41 times its diagonal. What lies between two joints that are
+// as far apart as 1.2 tolerances is a block, however the plan is turned.
+TEST(CutRock, TheToleranceStaysWhereAPlanIsTurned) {
+  constexpr double tolerance = 1e-6 * 10 * std::numbers::sqrt2;
+  for (const double angle : {0.0, 0.3, std::numbers::pi / 4, 1.1, 2.0}) {
+    const auto turned = [&](double x, double y) {
+      return Vec2(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y);
+    };
+    RockPlan plan = square_plan();
+    for (Vec2& corner : plan.boundary) corner = turned(corner.x(), corner.y());
+    for (const double height : {4.0, 4.0 + 1.2 * tolerance}) add_line(plan, {turned(-1, height), turned(11, height)});
+    const CutRock rock = cut_rock(plan);
+    EXPECT_NEAR(rock.tolerance, tolerance, 1e-12 * tolerance) << angle;
+    EXPECT_EQ(rock.blocks.size(), 3U) << angle;
+  }
+}
+
 TEST(CutRock, RefusesWhatCannotBeCut) {
   RockPlan crossed = square_plan();
   crossed.boundary = {{0, 0}, {10, 10}, {10, 0}, {0, 10}};

@@ -9,25 +9,20 @@
 #include "engine/cutting/block_order.h"
 #include "engine/cutting/materials.h"
 #include "engine/geometry/box.h"
+#include "engine/geometry/diameter.h"
 #include "engine/geometry/near_shapes.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
 
-constexpr double default_tolerance = 1e-6;  // of the diagonal, as when cutting
+constexpr double default_tolerance = 1e-6;  // of the diameter, as when cutting
 
 // What of a straight line an edge of a block runs along, as distances from its start.
 struct Cover {
   double from = 0, to = 0;
   bool left = false;  // the block lies left of the line
 };
-
-std::vector<Box> boxes_of(const std::vector<CutBlock>& blocks) {
-  std::vector<Box> boxes;
-  for (const CutBlock& block : blocks) boxes.push_back(bounding_box(block.shape.outer));
-  return boxes;
-}
 
 std::vector<const Ring*> outlines_of(const std::vector<CutBlock>& blocks) {
   std::vector<const Ring*> outlines;
@@ -121,9 +116,10 @@ void add_joints(const RockPlan& plan, CutRock& rock) {
 
 double tolerance_for(const std::vector<CutBlock>& blocks, double wanted) {
   if (wanted > 0) return wanted;
-  Box box;
-  for (const Box& each : boxes_of(blocks)) box = expanded(expanded(box, each.lower), each.upper);
-  return default_tolerance * (box.upper - box.lower).norm();
+  std::vector<Vec2> corners;
+  for (const CutBlock& block : blocks)
+    corners.insert(corners.end(), block.shape.outer.begin(), block.shape.outer.end());
+  return default_tolerance * diameter(std::move(corners));
 }
 
 }  // namespace

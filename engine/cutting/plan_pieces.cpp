@@ -6,10 +6,12 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/geometry/diameter.h"
+
 namespace dda {
 namespace {
 
-constexpr double default_tolerance = 1e-6;  // of the diagonal
+constexpr double default_tolerance = 1e-6;  // of the diameter of the boundary
 constexpr double room_around = 0.01;        // of the diagonal, between the boundary and where lines are cut off
 
 // The part of a segment inside a box (Liang and Barsky), computed from left to right: its bits do not depend on
@@ -121,7 +123,7 @@ PlanPieces pieces_of(const RockPlan& plan, double tolerance) {
   const Box boundary = bounding_box(plan.boundary);
   const double diagonal = (boundary.upper - boundary.lower).norm();
   Collector collector(plan, expanded(box_of_curves(plan, boundary), room_around * diagonal),
-                      tolerance > 0 ? tolerance : default_tolerance * diagonal);
+                      tolerance > 0 ? tolerance : default_tolerance * diameter(plan.boundary));
   collector.add_ring(plan.boundary, boundary_curve);
   for (std::size_t i = 0; i < plan.holes.size(); ++i) collector.add_ring(plan.holes[i], curve_of_hole(i));
   for (std::size_t i = 0; i < plan.openings.size(); ++i)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/cutting/drawn_traces.h"
 #include "engine/geometry/box.h"
 
 namespace dda {
@@ -24,7 +25,49 @@ void append_crossings(const Ring& ring, double height, std::vector<double>& plac
   }
 }
 
-double quality_on_levels(const std::vector<CutBlock>& blocks) {
+struct Piece {
+  double from = 0, to = 0;
+};
+
+std::vector<Piece> pieces_on(const std::vector<CutBlock>& blocks, double height) {
+  std::vector<Piece> pieces;
+  std::vector<double> places;
+  for (const CutBlock& block : blocks) {
+    places.clear();
+    append_crossings(block.shape.outer, height, places);
+    for (const Ring& hole : block.shape.holes) append_crossings(hole, height, places);
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 1; i < places.size(); i += 2) pieces.push_back({places[i - 1], places[i]});
+  }
+  return pieces;
+}
+
+// Where traces cross the level, from left to right.
+std::vector<double> crossings_of(const std::vector<Segment>& traces, double height) {
+  std::vector<double> places;
+  for (const auto& [a, b] : traces) {
+    if ((a.y() <= height) == (b.y() <= height)) continue;
+    places.push_back(a.x() + (height - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+// Of a piece between joints, what traces within it leave sound.
+double sound_length(const Piece& piece, const std::vector<double>& traces) {
+  double sound = 0;
+  double from = piece.from;
+  const auto part = [&](double to) {
+    if (to - from >= sound_piece) sound += to - from;
+    from = to;
+  };
+  const auto first = std::upper_bound(traces.begin(), traces.end(), piece.from);
+  for (auto place = first; place != traces.end() && *place < piece.to; ++place) part(*place);
+  part(piece.to);
+  return sound;
+}
+
+double quality_on_levels(const std::vector<CutBlock>& blocks, const std::vector<Segment>& traces) {
   Box box;
   for (const CutBlock& block : blocks) {
     for (const Vec2& vertex : block.shape.outer) box = expanded(box, vertex);
@@ -33,9 +76,10 @@ double quality_on_levels(const std::vector<CutBlock>& blocks) {
   double all = 0;
   for (int i = 0; i < scan_lines; ++i) {
     const double height = box.lower.y() + (i + 0.5) / scan_lines * (box.upper.y() - box.lower.y());
-    for (const double piece : pieces_on_level(blocks, height)) {
-      all += piece;
-      if (piece >= sound_piece) sound += piece;
+    const std::vector<double> parted_at = crossings_of(traces, height);
+    for (const Piece& piece : pieces_on(blocks, height)) {
+      all += piece.to - piece.from;
+      sound += sound_length(piece, parted_at);
     }
   }
   return all > 0 ? sound / all : 0;
@@ -53,22 +97,36 @@ std::vector<CutBlock> on_its_side(std::vector<CutBlock> blocks) {
   return blocks;
 }
 
+std::vector<Segment> on_its_side(std::vector<Segment> traces) {
+  for (auto& [start, end] : traces) {
+    std::swap(start.x(), start.y());
+    std::swap(end.x(), end.y());
+  }
+  return traces;
+}
+
+void add_densities(const CutRock& rock, const RockPlan& plan, const DrawnTraces& drawn, double area,
+                   RockStatistics& statistics) {
+  double length = 0;
+  for (const CutJoint& run : rock.joints) length += (run.to - run.from).norm();
+  statistics.p20 = statistics.p20_traces = static_cast<double>(rock.joints.size()) / area;
+  statistics.p21 = statistics.p21_traces = length / area;
+  if (!plan.blocks.empty()) return;
+  length = 0;
+  for (const Segment& piece : drawn.pieces) length += (piece.end - piece.start).norm();
+  statistics.p20_traces = drawn.traces / area;
+  statistics.p21_traces = length / area;
+}
+
 }  // namespace
 
 std::vector<double> pieces_on_level(const std::vector<CutBlock>& blocks, double height) {
-  std::vector<double> pieces;
-  std::vector<double> places;
-  for (const CutBlock& block : blocks) {
-    places.clear();
-    append_crossings(block.shape.outer, height, places);
-    for (const Ring& hole : block.shape.holes) append_crossings(hole, height, places);
-    std::sort(places.begin(), places.end());
-    for (std::size_t i = 1; i < places.size(); i += 2) pieces.push_back(places[i] - places[i - 1]);
-  }
-  return pieces;
+  std::vector<double> lengths;
+  for (const Piece& piece : pieces_on(blocks, height)) lengths.push_back(piece.to - piece.from);
+  return lengths;
 }
 
-RockStatistics statistics_of(const CutRock& rock) {
+RockStatistics statistics_of(const CutRock& rock, const RockPlan& plan) {
   RockStatistics statistics;
   std::vector<double> areas;
   for (const CutBlock& block : rock.blocks) areas.push_back(area_moments(block.shape).area);
@@ -80,12 +138,13 @@ RockStatistics statistics_of(const CutRock& rock) {
   std::size_t number = 0;
   for (const double share : {0.1, 0.5, 0.9})
     statistics.area_shares.at(number++) = areas[static_cast<std::size_t>(share * (count - 1))];
-  double length = 0;
-  for (const CutJoint& run : rock.joints) length += (run.to - run.from).norm();
-  statistics.p20 = static_cast<double>(rock.joints.size()) / area;
-  statistics.p21 = length / area;
-  statistics.rqd_level = quality_on_levels(rock.blocks);
-  statistics.rqd_upright = quality_on_levels(on_its_side(rock.blocks));
+  const DrawnTraces drawn = traces_in_rock(plan);
+  add_densities(rock, plan, drawn, area, statistics);
+  const std::vector<CutBlock> upright = on_its_side(rock.blocks);
+  statistics.rqd_level = quality_on_levels(rock.blocks, {});
+  statistics.rqd_upright = quality_on_levels(upright, {});
+  statistics.rqd_level_traces = quality_on_levels(rock.blocks, drawn.pieces);
+  statistics.rqd_upright_traces = quality_on_levels(upright, on_its_side(drawn.pieces));
   return statistics;
 }
 

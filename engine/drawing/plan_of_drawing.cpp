@@ -18,7 +18,7 @@
 namespace dda {
 namespace {
 
-constexpr double reach_over_diagonal = 1e-6;  // as when cutting
+constexpr double reach_over_diameter = 1e-6;  // as when cutting
 
 // A line of the drawing as chords, with what its layer means.
 struct RoleLine {
@@ -71,7 +71,7 @@ std::map<std::string, LayerUse> table_for(const LineDrawing& drawing, const Draw
 class Planner {
  public:
   Planner(const LineDrawing& drawing, const DrawingOptions& options)
-      : reach_(options.reach > 0 ? options.reach : reach_over_diagonal * diagonal(drawing)),
+      : reach_(options.reach > 0 ? options.reach : reach_over_diameter * diameter_of(drawing)),
         encloses_(drawing.encloses ? drawing.name : ""),
         layers_(table_for(drawing, options)) {
     sort_lines(drawing, straightened(drawing, options.chords, reach_));

@@ -10,7 +10,7 @@ namespace dda {
 struct DrawingOptions {
   std::map<std::string, LayerUse> layers;
   ChordTolerance chords;
-  double reach = 0;  // m, within which ends of lines belong together; 0: 1e-6 of the diagonal of the drawing's box
+  double reach = 0;  // m, within which ends of lines belong together; 0: 1e-6 of the diameter of all that is drawn
 };
 
 // Boundary, holes, lines, openings, points and marks by the layers of the drawing; layers of points and marks go by the

@@ -1,5 +1,7 @@
 #include "engine/drawing/read_drawing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -36,11 +38,19 @@ const Format* format_of(const std::filesystem::path& file) {
 
 bool is_drawing(const std::filesystem::path& file) { return format_of(file) != nullptr; }
 
+std::string drawing_extensions() {
+  std::string list;
+  for (const Format& format : formats) {
+    const bool is_last = &format == &formats.back();
+    list += fmt::format("{}{}", list.empty() ? "" : is_last ? " or " : ", ", format.extension);
+  }
+  return list;
+}
+
 LineDrawing read_drawing(const std::filesystem::path& file, const std::string& name, double metres) {
   const Format* format = format_of(file);
   if (format == nullptr)
-    throw InputError("", "the drawing", "\"" + readable(name) + "\"",
-                     "a .dxf, .csv, .xlsx, .geojson, .dc or .geo file");
+    throw InputError("", "the drawing", "\"" + readable(name) + "\"", "a " + drawing_extensions() + " file");
   std::string text;
   try {
     text = read_file(file, most_input_bytes);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "engine/drawing/line_drawing.h"
 
@@ -9,6 +10,9 @@ namespace dda {
 
 // Whether the name of the file says that it holds a drawing: .dxf, .csv, .xlsx, .geojson, .dc, .geo.
 bool is_drawing(const std::filesystem::path& file);
+
+// ".dxf, .csv, .xlsx, .geojson, .dc or .geo".
+std::string drawing_extensions();
 
 // Reads a drawing in the format its name says. `name` stands for it in messages; `metres` is a unit of its coordinates,
 // 0 for what the file says. Throws InputError, without a file, whose field begins with the name.

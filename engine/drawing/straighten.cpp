@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/diameter.h"
 
 namespace dda {
 namespace {
@@ -118,16 +119,16 @@ std::vector<std::vector<Vec2>> straightened(const LineDrawing& drawing, const Ch
   return lines;
 }
 
-double diagonal(const LineDrawing& drawing) {
-  Box box;
+double diameter_of(const LineDrawing& drawing) {
+  std::vector<Vec2> points;
   for (const DrawnLine& line : drawing.lines) {
-    box = expanded(box, line.start);
+    points.push_back(line.start);
     for (const DrawnPiece& piece : line.pieces) {
-      box = expanded(box, piece.end);
-      if (piece.curve) box = expanded(box, piece.curve->at((piece.curve->from + piece.curve->to) / 2));
+      points.push_back(piece.end);
+      if (piece.curve) points.push_back(piece.curve->at((piece.curve->from + piece.curve->to) / 2));
     }
   }
-  return is_empty(box) ? 0 : (box.upper - box.lower).norm();
+  return diameter(std::move(points));
 }
 
 }  // namespace dda

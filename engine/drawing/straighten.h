@@ -13,7 +13,7 @@ namespace dda {
 // for tolerances that ask for too many chords.
 std::vector<std::vector<Vec2>> straightened(const LineDrawing& drawing, const ChordTolerance& tolerance, double reach);
 
-// m, of the box around all that is drawn.
-double diagonal(const LineDrawing& drawing);
+// m, the largest distance of two points that are drawn.
+double diameter_of(const LineDrawing& drawing);
 
 }  // namespace dda

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "engine/geometry/box.h"
+#include "engine/geometry/box_pairs.h"
 #include "engine/geometry/segment.h"
 
 // With E(B) the part of B deeper than the tolerance, A and E(B) meet if and only if an edge of A meets E(B) or, no edge
@@ -73,23 +74,60 @@ std::vector<Segment> edges_of(const Polygon& polygon) {
   return edges;
 }
 
+Box box_of(const Segment& segment) { return expanded(expanded(Box{}, segment.start), segment.end); }
+
 struct Shape {
   explicit Shape(const Polygon& given)
       : polygon(normalized(given)), edges(edges_of(polygon)), box(bounding_box(given)) {}
+
+  void make_index() {
+    std::vector<Box> boxes;
+    for (const Segment& edge : edges) boxes.push_back(box_of(edge));
+    index.emplace(std::move(boxes));
+  }
+
+  // Whether `holds` for an edge, of those whose box meets `near` at least; each is asked until one does.
+  template <typename Condition>
+  bool any_edge(const Box& near, const Condition& holds) const {
+    if (!index) return std::any_of(edges.begin(), edges.end(), holds);
+    const std::vector<int> found = index->overlapping(near);
+    return std::any_of(found.begin(), found.end(), [&](int i) { return holds(edges[static_cast<std::size_t>(i)]); });
+  }
+
   Polygon polygon;
   std::vector<Segment> edges;  // material on the left
   Box box;
+  std::optional<BoxIndex> index;  // of the edges
 };
 
-bool is_inside(const Shape& shape, const Vec2& point) { return locate(shape.polygon, point) == Location::inside; }
+// As `locate` does it: not on an edge, and by the edges that a ray to the right crosses.
+bool is_inside_by_index(const Shape& shape, const Vec2& point) {
+  const Box there{point, point};
+  const Box ray{point, Vec2(std::max(point.x(), shape.box.upper.x()), point.y())};
+  if (shape.any_edge(there, [&](const Segment& edge) { return distance(edge, point) <= 0; })) return false;
+  bool inside = false;
+  shape.any_edge(ray, [&](const Segment& edge) {
+    const auto& [a, b] = edge;
+    if ((a.y() > point.y()) == (b.y() > point.y())) return false;
+    const double side = cross(Vec2(b - a), Vec2(point - a));
+    if ((b.y() > a.y()) == (side > 0)) inside = !inside;
+    return false;
+  });
+  return inside;
+}
+
+bool is_inside(const Shape& shape, const Vec2& point) {
+  return shape.index ? is_inside_by_index(shape, point) : locate(shape.polygon, point) == Location::inside;
+}
 
 // A point of each piece of `segment` that is farther than `tolerance` from all edges of `shape` and inside it.
 std::vector<Vec2> deep_points(const Segment& segment, const Shape& shape, double tolerance) {
   std::vector<Interval> covered;
-  for (const Segment& edge : shape.edges) {
+  shape.any_edge(expanded(box_of(segment), 2 * tolerance), [&](const Segment& edge) {  // twice: room for round-off
     const Interval near = meet(within_strip(segment, edge, tolerance), {0, 1});
     if (near.first <= near.last) covered.push_back(near);
-  }
+    return false;
+  });
   covered.push_back({1, 1});
   std::sort(covered.begin(), covered.end(), [](const Interval& p, const Interval& q) { return p.first < q.first; });
   std::vector<Vec2> points;
@@ -102,21 +140,18 @@ std::vector<Vec2> deep_points(const Segment& segment, const Shape& shape, double
   return points;
 }
 
-bool box_meets(const Segment& segment, const Box& box) {
-  return overlap(expanded(expanded(Box{}, segment.start), segment.end), box);
-}
+bool box_meets(const Segment& segment, const Box& box) { return overlap(box_of(segment), box); }
 
 bool edge_enters(const Shape& a, const Shape& b, double tolerance) {
   const Box deep = expanded(b.box, -tolerance);
-  return std::any_of(a.edges.begin(), a.edges.end(), [&](const Segment& edge) {
-    return box_meets(edge, deep) && !deep_points(edge, b, tolerance).empty();
-  });
+  return a.any_edge(
+      deep, [&](const Segment& edge) { return box_meets(edge, deep) && !deep_points(edge, b, tolerance).empty(); });
 }
 
 // Whether `a` holds a component of the deep part of `b`, if no edge of either enters the deep part of the other. Then
 // `b` holds a part of `a` as well, so that one direction is enough.
 bool holds_deep_part(const Shape& a, const Shape& b, double tolerance) {
-  return std::any_of(b.edges.begin(), b.edges.end(), [&](const Segment& edge) {
+  return b.any_edge(expanded(a.box, 2 * tolerance), [&](const Segment& edge) {
     const Vec2 along = (edge.end - edge.start).normalized();
     const Vec2 inward = 1.5 * tolerance * Vec2(-along.y(), along.x());  // half as much again, for round-off
     const Segment inner = {edge.start + inward, edge.end + inward};
@@ -160,15 +195,45 @@ bool are_parted(const Ring& a, const Ring& b, double tolerance) {
          (is_parted_by_edge(a, b, tolerance) || is_parted_by_edge(b, a, tolerance));
 }
 
+bool shapes_overlap(const Shape& a, const Shape& b, double tolerance) {
+  if (!overlap(a.box, b.box)) return false;
+  return edge_enters(a, b, tolerance) || edge_enters(b, a, tolerance) || holds_deep_part(a, b, tolerance);
+}
+
 }  // namespace
 
 bool interiors_overlap(const Polygon& a, const Polygon& b, double tolerance) {
   if (are_parted(a.outer, b.outer, tolerance)) return false;
-  const Shape first(a);
-  const Shape second(b);
-  if (!overlap(first.box, second.box)) return false;
-  return edge_enters(first, second, tolerance) || edge_enters(second, first, tolerance) ||
-         holds_deep_part(first, second, tolerance);
+  return shapes_overlap(Shape(a), Shape(b), tolerance);
+}
+
+struct Overlaps::Indexed : Shape {
+  explicit Indexed(const Polygon& given) : Shape(given) { make_index(); }
+};
+
+Overlaps::Overlaps(std::vector<const Polygon*> polygons) : polygons_(std::move(polygons)), indexed_(polygons_.size()) {}
+Overlaps::~Overlaps() = default;
+
+// Of a polygon with fewer corners than `many` an index would cost more than looking at all edges.
+const Overlaps::Indexed* Overlaps::indexed(int i) {
+  constexpr std::size_t many = 64;
+  const Polygon& polygon = *polygons_[static_cast<std::size_t>(i)];
+  auto& indexed = indexed_[static_cast<std::size_t>(i)];
+  std::size_t corners = polygon.outer.size();
+  for (const Ring& hole : polygon.holes) corners += hole.size();
+  if (!indexed && corners >= many) indexed = std::make_unique<const Indexed>(polygon);
+  return indexed.get();
+}
+
+bool Overlaps::between(int a, int b, double tolerance) {
+  const Polygon& first = *polygons_[static_cast<std::size_t>(a)];
+  const Polygon& second = *polygons_[static_cast<std::size_t>(b)];
+  const Indexed* large_a = indexed(a);
+  const Indexed* large_b = indexed(b);
+  if (large_a == nullptr && large_b == nullptr) return interiors_overlap(first, second, tolerance);
+  if (large_a == nullptr) return shapes_overlap(Shape(first), *large_b, tolerance);
+  if (large_b == nullptr) return shapes_overlap(*large_a, Shape(second), tolerance);
+  return shapes_overlap(*large_a, *large_b, tolerance);
 }
 
 }  // namespace dda

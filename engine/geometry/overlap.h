@@ -1,6 +1,9 @@
 // Whether two polygons occupy the same ground.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "engine/geometry/polygon.h"
 
 namespace dda {
@@ -11,5 +14,22 @@ namespace dda {
 // boundaries coincide, common parts narrower than five tolerances are not seen. Both must be valid
 // (defect()), of either orientation; `tolerance` must be positive and well above the round-off of the coordinates.
 bool interiors_overlap(const Polygon& a, const Polygon& b, double tolerance);
+
+// The same of many pairs of some polygons, which must outlive it. Those with many edges are made ready once, with an
+// index of their edges: a large block with thousands of small neighbours takes time that goes with their number.
+class Overlaps {
+ public:
+  explicit Overlaps(std::vector<const Polygon*> polygons);
+  ~Overlaps();
+
+  bool between(int a, int b, double tolerance);
+
+ private:
+  struct Indexed;
+  const Indexed* indexed(int i);  // null for one with few edges
+
+  std::vector<const Polygon*> polygons_;
+  std::vector<std::unique_ptr<const Indexed>> indexed_;  // of each with many edges that was asked for
+};
 
 }  // namespace dda

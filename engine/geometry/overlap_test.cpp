@@ -185,6 +185,56 @@ RC_GTEST_PROP(InteriorsOverlapProperty, PiecesOfACutDoNotButEachMeetsTheWhole, (
   RC_ASSERT(interiors_overlap(moved(ring), moved(other), 1e-9));
 }
 
+// A star with a hole of its shape, both with so many corners on their sides that they are looked for by an index.
+Polygon with_many_corners() {
+  const Ring star = random::star();
+  const auto divided = [](const Ring& ring) {
+    Ring many;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      for (int part = 0; part < 10; ++part)
+        many.push_back(ring[i] + part / 10.0 * (ring[(i + 1) % ring.size()] - ring[i]));
+    }
+    return many;
+  };
+  Polygon result{divided(star), {}};
+  if (random::integer(0, 1) == 1) result.holes.push_back(divided(random::scaled(star, 0.5)));
+  return result;
+}
+
+// Stretches of the outline with a point beside it: neighbours that touch, and some that reach in.
+Polygon beside(const Polygon& large) {
+  const Ring& ring = large.holes.empty() || random::integer(0, 1) == 0 ? large.outer : large.holes.front();
+  const auto at = static_cast<std::size_t>(random::integer(0, static_cast<int>(ring.size()) - 1));
+  const Vec2& from = ring[at];
+  const Vec2& to = ring[(at + 1) % ring.size()];
+  const Vec2 aside(to.y() - from.y(), from.x() - to.x());
+  return {{from, to, (from + to) / 2 + random::number(0.1, 1) * (random::integer(0, 1) == 0 ? 1 : -1) * aside}, {}};
+}
+
+// An index changes how long it takes, and no answer.
+RC_GTEST_PROP(OverlapsProperty, ArePairByPairWhatTwoPolygonsSay, ()) {
+  const Mat2 turn = rotation(random::number(-3.2, 3.2));
+  std::vector<Polygon> polygons{with_many_corners(), with_many_corners()};
+  polygons[1] = random::transformed(polygons[1], Mat2::Identity(), random::point(3));
+  for (int i = 0; i < 6; ++i) polygons.push_back(beside(polygons[static_cast<std::size_t>(i % 2)]));
+  for (int i = 0; i < 3; ++i)
+    polygons.push_back(random::transformed(random::polygon(), Mat2(0.2 * Mat2::Identity()), random::point(2)));
+  std::vector<const Polygon*> all;
+  for (Polygon& polygon : polygons) {
+    polygon = random::transformed(polygon, turn, {100, 200});
+    all.push_back(&polygon);
+  }
+  Overlaps overlaps(all);
+  const int count = static_cast<int>(all.size());
+  for (int a = 0; a < count; ++a) {
+    for (int b = 0; b < count; ++b) {
+      if (a == b || defect(*all[static_cast<std::size_t>(a)]) || defect(*all[static_cast<std::size_t>(b)])) continue;
+      RC_ASSERT(overlaps.between(a, b, 1e-9) ==
+                interiors_overlap(*all[static_cast<std::size_t>(a)], *all[static_cast<std::size_t>(b)], 1e-9));
+    }
+  }
+}
+
 RC_GTEST_PROP(InteriorsOverlapProperty, APlugDoesNotMeetWhatItPlugs, ()) {
   const Ring ring = random::star();
   const Ring hole = random::scaled(ring, 0.5);

@@ -55,10 +55,13 @@ void check_initial_state(const Model& model) {
 }
 
 void check_overlaps(const Model& model) {
+  std::vector<const Polygon*> shapes;
+  for (const Block& block : model.blocks) shapes.push_back(&block.shape);
+  Overlaps overlaps(std::move(shapes));
   for (const auto& [a, b] : suspect_pairs(model)) {
+    if (!overlaps.between(a, b, model.length_tolerance)) continue;
     const Block& first = model.blocks[static_cast<std::size_t>(a)];
     const Block& second = model.blocks[static_cast<std::size_t>(b)];
-    if (!interiors_overlap(first.shape, second.shape, model.length_tolerance)) continue;
     const Item item("blocks", static_cast<std::size_t>(b), second.name);
     item.fail("shape", fmt::format("overlapping \"{}\"", first.name), "blocks that at most touch");
   }

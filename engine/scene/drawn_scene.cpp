@@ -11,6 +11,7 @@
 #include "engine/drawing/layers.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/diameter.h"
 #include "engine/geometry/segment.h"
 #include "engine/scene/read_drawn_plan.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double share_of_diagonal = 1e-6;  // within which points lie on outlines, as when cutting
+constexpr double share_of_diameter = 1e-6;  // within which points lie on outlines, as when cutting
 constexpr double level = 1e-2;              // of that: what lies so near the bottom is found by its name
 
 const std::string& word(LayerRole role) { return role_names()[static_cast<std::size_t>(role)]; }
@@ -30,12 +31,10 @@ class MarkedPlaces {
  public:
   MarkedPlaces(const Rock& rock, const std::vector<Block>& blocks, json& scene)
       : plan_(rock.plan), blocks_(blocks), scene_(scene), index_(boxes_of(blocks)) {
-    Box box;
-    for (const Block& block : blocks) {
-      for (const Vec2& corner : block.shape.outer) box = expanded(box, corner);
-    }
-    bottom_ = box.lower.y();
-    tolerance_ = share_of_diagonal * (box.upper - box.lower).norm();
+    std::vector<Vec2> corners;
+    for (const Block& block : blocks) corners.insert(corners.end(), block.shape.outer.begin(), block.shape.outer.end());
+    bottom_ = bounding_box(corners).lower.y();
+    tolerance_ = share_of_diameter * diameter(std::move(corners));
   }
 
   void add() {

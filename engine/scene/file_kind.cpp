@@ -52,6 +52,13 @@ std::string drawing_kind(const std::string& extension) {
   return fmt::format("a drawing ({})", extension == ".dxf" ? "DXF" : "GeoJSON");
 }
 
+// Files that nothing but their name tells from others: they hold numbers alone.
+std::optional<FileKind> kind_by_name(const std::string& extension) {
+  if (extension != ".df") return std::nullopt;
+  return FileKind{"data of a run for df, which are not read as their versions cannot be told apart",
+                  fmt::format("dda cut reads drawings ({})", drawing_extensions())};
+}
+
 // Drawings are JSON in one of their formats.
 bool begins_as_scene(std::string_view text, const std::string& extension) {
   return text.starts_with('{') && extension != ".geojson";
@@ -73,6 +80,7 @@ std::optional<FileKind> kind_other_than_scene(const std::filesystem::path& file,
   const bool is_packed = text.starts_with("PK\x03\x04");
   if (is_packed && extension != ".xlsx") return FileKind{"a packed file (zip)", "dda cut reads workbooks (.xlsx)"};
   const bool is_dxf = text.starts_with("0\n") || text.starts_with("0\r\n") || text.starts_with("999");
+  if (const auto kind = kind_by_name(extension)) return kind;
   if (!is_drawing(file) && !(is_dxf && text.find("SECTION") != std::string_view::npos)) return std::nullopt;
   const std::string name = file.filename().string();
   return FileKind{drawing_kind(is_drawing(file) ? extension : ".dxf"),

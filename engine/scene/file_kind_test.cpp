@@ -52,9 +52,18 @@ TEST(FileKind, FilesOfRunsAndOfOtherPrograms) {
   EXPECT_NE(complaint("plan.pdf", "%PDF-1.4").find("a PDF document"), std::string::npos);
 }
 
+// They hold numbers alone, and are no JSON.
+TEST(FileKind, DataOfRunsForDfAreNotRead) {
+  const std::string said =
+      "the scene file is data of a run for df, which are not read as their versions cannot be told "
+      "apart, expected a scene (JSON); dda cut reads drawings (.dxf, .csv, .xlsx, .geojson, .dc or "
+      ".geo)";
+  for (const char* name : {"x.df", "RUN.DF"}) EXPECT_EQ(complaint(name, "0\n1 2 3\n"), std::string(name) + ": " + said);
+}
+
 // Whatever their names: what is wrong with them is said as of any scene.
 TEST(FileKind, WhatMayBeASceneIsTaken) {
-  for (const char* name : {"scene.json", "scene.csv", "scene"})
+  for (const char* name : {"scene.json", "scene.csv", "scene.df", "scene"})
     for (const char* content : {"{\"dda\": 1}", "\xEF\xBB\xBF {}", " \n{", ""})
       EXPECT_EQ(complaint(name, content), "taken") << name << ' ' << content;
   EXPECT_EQ(complaint("scene.json", "no JSON"), "taken");

@@ -127,6 +127,7 @@ void read_dilation(const Field& field, JointMaterial& joint) {
   }
   joint.zero_dilation_slip = value_or(field, "zero_dilation_slip", joint.zero_dilation_slip,
                                       [](const Field& f) { return f.positive(Dimension::length); });
+  if (joint.dilation_angle == 0) refuse(field, "zero_dilation_slip", "without a dilation_angle above 0");
 }
 
 // The law chooses its penalty by itself.

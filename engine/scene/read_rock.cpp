@@ -37,12 +37,13 @@ int seed_of(const Field& rock) {
   return value_or(rock, "seed", 1, [](const Field& f) { return f.whole_number(); });
 }
 
-void read_sets(const Field& field, const Model& model, RockPlan& plan) {
+void read_sets(const Field& field, const Model& model, Rock& rock) {
   const auto sets = field.find("joint_sets");
   if (!sets) return;
   const std::vector<JointSet> read = read_joint_sets(*sets, model);
-  for (PlanLine& trace : traces_of(read, plan.boundary, static_cast<std::uint64_t>(seed_of(field))))
-    plan.lines.push_back(std::move(trace));
+  for (const JointSet& set : read) rock.joint_sets.push_back({set.name, set.origin});
+  for (PlanLine& trace : traces_of(read, rock.plan.boundary, static_cast<std::uint64_t>(seed_of(field))))
+    rock.plan.lines.push_back(std::move(trace));
 }
 
 void read_boundary(const Field& field, RockPlan& plan) {
@@ -66,7 +67,8 @@ void refuse_what_cuts(const Field& field) {
 }
 
 // Adds to what a drawing says.
-void read_plan(const Field& field, const std::string& group, const Model& model, RockPlan& plan) {
+void read_plan(const Field& field, const Model& model, Rock& rock) {
+  RockPlan& plan = rock.plan;
   if (plan.blocks.empty())
     read_boundary(field, plan);
   else
@@ -74,14 +76,15 @@ void read_plan(const Field& field, const std::string& group, const Model& model,
   if (const auto holes = field.find("holes")) {
     for (const Field& hole : holes->items()) plan.holes.push_back(read_ring(hole));
   }
-  read_sets(field, model, plan);
+  read_sets(field, model, rock);
   if (const auto lines = field.find("lines")) {
     for (const Field& line : lines->items()) plan.lines.push_back(read_line(line, model));
   }
   if (const auto openings = field.find("openings")) {
     for (const Field& opening : openings->items()) {
       plan.openings.push_back(read_opening(opening, model));
-      if (plan.openings.back().name == group) opening.at("name").fail("another name than that of the rock's own group");
+      if (plan.openings.back().name == rock.group.name)
+        opening.at("name").fail("another name than that of the rock's own group");
       for (PlanLine& line : read_rings(opening, plan.openings.back().outline, model))
         plan.lines.push_back(std::move(line));
     }
@@ -115,6 +118,39 @@ int material_of(const CutBlock& block, const BlockGroup& group, const Model& mod
   return found == model.materials.end() ? group.material : static_cast<int>(found - model.materials.begin());
 }
 
+// What a set has in the rock cuts it, runs along something else, or was trimmed as it ends there.
+bool has_joint_in_rock(const NamedSet& set, const RockPlan& plan, const CutRock& cut) {
+  const auto is_of_set = [&](const auto& part) { return part.origin == set.origin; };
+  const auto drawn = std::ranges::count_if(plan.lines, is_of_set);
+  std::ptrdiff_t unused = 0;
+  for (const Cleaned& cleaned : cut.cleaned) {
+    if (!is_of_set(cleaned)) continue;
+    if (cleaned.what != Cleaning::line_not_used) return true;
+    ++unused;
+  }
+  return unused < drawn;
+}
+
+void remark_on_empty_sets(const Rock& rock, CutRock& cut) {
+  for (const NamedSet& set : rock.joint_sets) {
+    if (has_joint_in_rock(set, rock.plan, cut)) continue;
+    cut.remarks.push_back(fmt::format(
+        "{} (\"{}\") has no joint in the rock: its spacing, start, trace length or region leaves none there",
+        set.origin, set.name));
+  }
+}
+
+// Openings took all of it, or what is narrower than the tolerance was dropped.
+[[noreturn]] void refuse_without_blocks(const Rock& rock, const CutRock& cut) {
+  constexpr double all = 1 - 1e-9;  // but for round-off
+  if (!rock.plan.openings.empty() && cut.left_out_area >= all * cut.boundary_area)
+    throw InputError("", rock.path + ".openings", "around all of the rock", "openings that leave some of it");
+  if (cut.dropped_area > 0)
+    throw InputError("", rock.path + ".tolerance", fmt::format("{:.4g} m", cut.tolerance),
+                     "a smaller length: all rock is narrower (width 2 area/perimeter)");
+  throw InputError("", rock.plan.boundary_origin, "around rock without any block", "rock to cut");
+}
+
 }  // namespace
 
 Rock read_rock(const Field& field, const std::filesystem::path& folder, const Model& model) {
@@ -129,7 +165,7 @@ Rock read_rock(const Field& field, const std::filesystem::path& folder, const Mo
     rock.plan = std::move(drawn.plan);
     rock.remarks = std::move(drawn.remarks);
   }
-  read_plan(field, rock.group.name, model, rock.plan);
+  read_plan(field, model, rock);
   return rock;
 }
 
@@ -140,8 +176,8 @@ const std::string& group_name(const Rock& rock, const CutBlock& block) {
 
 CutRock cut(const Rock& rock) {
   CutRock result = cut_rock(rock.plan, rock.options);
-  if (result.blocks.empty())
-    throw InputError("", rock.plan.boundary_origin, "around rock without any block", "rock to cut");
+  if (result.blocks.empty()) refuse_without_blocks(rock, result);
+  remark_on_empty_sets(rock, result);
   return result;
 }
 

@@ -12,11 +12,18 @@
 
 namespace dda {
 
+// A joint set as remarks name it.
+struct NamedSet {
+  std::string name;
+  std::string origin;  // of its traces in the plan
+};
+
 struct Rock {
   std::string path;  // of the scene's entry
   RockPlan plan;
   CutOptions options;
   BlockGroup group;
+  std::vector<NamedSet> joint_sets;
   std::vector<std::string> remarks;  // on its drawing
 };
 
@@ -24,7 +31,7 @@ struct Rock {
 // joints.
 Rock read_rock(const Field& field, const std::filesystem::path& folder, const Model& model);
 
-// Cuts the plan. Errors name fields of the scene.
+// Cuts the plan, and remarks on joint sets that have no joint in the rock. Errors name fields of the scene.
 CutRock cut(const Rock& rock);
 
 // Name of the group of a block: that a drawing of blocks gives it, that of its opening, else that of the rock.

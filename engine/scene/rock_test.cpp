@@ -9,6 +9,7 @@
 #include "engine/cutting/opening_shapes.h"
 #include "engine/scene/cut_scene.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_parts.h"
 
 #include <fstream>
 
@@ -157,6 +158,17 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
            R"(, "openings": [{"name": "tunnel", "circle": {"centre": [50, 5], "radius": 2}, "joint": "bedding"}]})",
        "blocks.rock.openings[0] is \"tunnel\" around (50, 5) m, outside the rock, expected an opening inside the "
        "boundary"},
+      {"{" + square +
+           R"(, "openings": [{"name": "t", "circle": {"centre": [5, 5], "radius": 20}, "joint": "bedding"}]})",
+       "blocks.rock.openings[0] is \"t\" around all of the rock, expected an opening that leaves some of it"},
+      {"{" + square +
+           R"(, "openings": [{"name": "t", "rectangle": {"foot": [5, -10], "width": 30, "height": 30}, "left_out": true, "joint": "bedding"}]})",
+       "blocks.rock.openings[0] is \"t\" around all of the rock, expected an opening that leaves some of it"},
+      {"{" + square +
+           R"(, "openings": [{"name": "t", "rectangle": {"foot": [5, 0], "width": 10, "height": 10}, "left_out": true, "joint": "bedding"}]})",
+       "blocks.rock.openings is around all of the rock, expected openings that leave some of it"},
+      {"{" + square + R"(, "tolerance": "12 m", "lines": [{"points": [[0, 5], [10, 5]], "joint": "bedding"}]})",
+       "blocks.rock.tolerance is 12 m, expected a smaller length"},
       {"{" + square + R"(, "openings": [{"name": "rock", "circle": {"centre": [5, 5], "radius": 2}}]})",
        "blocks.rock.openings[0].name is \"rock\", expected another name than that of the rock's own group"},
       {"{" + square +
@@ -188,6 +200,34 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
                                                                                   << each.sentence;
     }
   }
+}
+
+std::vector<std::string> remarks_of_sets(const std::string& sets) {
+  const std::string rock = R"({"boundary": [[0, 0], [10, 0], [10, 10], [0, 10]], "joint_sets": [)" + sets + "]}";
+  return parse_scene_parts(scene_with(rock), "rock.json").remarks;
+}
+
+// A set that lies beside the rock, whose next line does, or whose traces all do. Traces that end within a block cut
+// nothing either, but that is listed as cleaned.
+TEST(Rock, SetsWithoutAJointInTheRockAreRemarkedOn) {
+  const std::string whole = R"({"dip": 0, "spacing": "4 m", "start": [0, 3], "joint": "bedding"})";
+  const std::string said = " has no joint in the rock: its spacing, start, trace length or region leaves none there";
+  EXPECT_TRUE(remarks_of_sets(whole).empty());
+  for (const char* none :
+       {R"("spacing": "1 m", "region": [[50, 50], [60, 50], [60, 60]])", R"("spacing": "1 km", "start": [5, 500])",
+        R"("spacing": "1 km", "trace_length": "3 m", "bridge": "90 m", "start": [30, 5])"}) {
+    const std::string set = R"({"dip": "1 deg", "joint": "bedding", )" + std::string(none) + "}";
+    EXPECT_EQ(remarks_of_sets(whole + ", " + set),
+              std::vector<std::string>{"cutting \"rock\": blocks.rock.joint_sets[1] (\"set 2\")" + said})
+        << none;
+  }
+  const auto named =
+      remarks_of_sets(R"({"name": "J1", "dip": 0, "spacing": "1 km", "start": [0, 500], "joint": "bedding"})");
+  ASSERT_EQ(named.size(), 1U);
+  EXPECT_EQ(named[0], "cutting \"rock\": blocks.rock.joint_sets[0] (\"J1\")" + said);
+  for (const std::string& remark : remarks_of_sets(
+           R"({"dip": 0, "spacing": "2 m", "trace_length": "3 m", "persistence": 0.5, "joint": "bedding"})"))
+    EXPECT_EQ(remark.find("no joint"), std::string::npos) << remark;
 }
 
 const std::string square_with_joint =

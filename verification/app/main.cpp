@@ -183,8 +183,9 @@ void add_rocks(CLI::App& app, Arguments& arguments) {
   rocks->add_flag_callback(
       "--projected", [&arguments] { arguments.rocks.family.joints = verify::RockJoints::projected; },
       "joints of the projected law");
-  rocks->add_option("--extent", arguments.rocks.family.extent,
-                    "times as wide and high, with joints as far apart: its square times as many blocks")
+  rocks
+      ->add_option("--extent", arguments.rocks.family.extent,
+                   "times as wide and high, with joints as far apart: its square times as many blocks")
       ->check(CLI::Range(0.5, 20.0))
       ->capture_default_str();
   rocks->add_option("--seconds", arguments.rocks.seconds, "of CPU time, the most that a rock is given")

@@ -26,6 +26,7 @@ Model stressed_rock(int seed, const nlohmann::json& joint) {
   const nlohmann::json rock = {{"boundary", {{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}},
                                {"joint_sets", {set("35 deg", 2), set("-50 deg", 2.5)}},
                                {"seed", seed},
+                               {"tolerance", 0.02},
                                {"merge", {{"area", 0.05}, {"angle", "5 deg"}}}};
   const nlohmann::json scene = {
       {"dda", 1},

@@ -1,7 +1,7 @@
-// Rock under the stress that lies on it everywhere, inside and at its edges, stays where it is: seeded joints that cross
-// at random, with small blocks merged into their neighbours, so that joints bend by any angle. Its stress is one tensor,
-// in balance whatever the blocks are, and friction can carry it on every joint. Corners nearer than 2 cm are one: faces
-// of less than a hundredth of a block may begin with half of their force (docs/scene.md).
+// Rock under the stress that lies on it everywhere, inside and at its edges, stays where it is: seeded joints that
+// cross at random, with small blocks merged into their neighbours, so that joints bend by any angle. Its stress is one
+// tensor, in balance whatever the blocks are, and friction can carry it on every joint. Corners nearer than 2 cm are
+// one: faces of less than a hundredth of a block may begin with half of their force (docs/scene.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -80,7 +80,7 @@ std::optional<FileKind> kind_other_than_scene(const std::filesystem::path& file,
   const bool is_packed = text.starts_with("PK\x03\x04");
   if (is_packed && extension != ".xlsx") return FileKind{"a packed file (zip)", "dda cut reads workbooks (.xlsx)"};
   const bool is_dxf = text.starts_with("0\n") || text.starts_with("0\r\n") || text.starts_with("999");
-  if (const auto kind = kind_by_name(extension)) return kind;
+  if (auto kind = kind_by_name(extension)) return kind;
   if (!is_drawing(file) && !(is_dxf && text.find("SECTION") != std::string_view::npos)) return std::nullopt;
   const std::string name = file.filename().string();
   return FileKind{drawing_kind(is_drawing(file) ? extension : ".dxf"),

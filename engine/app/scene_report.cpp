@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/ramp_of_removal.h"
 #include "engine/advice/remarks.h"
 #include "engine/advice/ringing_weight.h"
 #include "engine/app/measurement_report.h"
@@ -220,6 +221,26 @@ std::string removal_of(const Model& model, const Stage& stage) {
                      stage.removal.relaxation ? "; what they exerted on the others fades" : ", at once");
 }
 
+template <typename Item>
+std::string names_of_changed(const std::vector<Item>& before, const std::vector<Item>& now,
+                             bool (*same)(const Item&, const Item&)) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (!same(before[i], now[i])) names.push_back(fmt::format("\"{}\"", now[i].name));
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+void add_rock_of(const Model& model, std::size_t stage, Text& text) {
+  const RockOfStage& rock = model.stages[stage].rock;
+  if (stage == 0) return;
+  if (!rock.joints.empty())
+    text.plain("  other strength of joints: " +
+               names_of_changed(joints_in(model, stage - 1), rock.joints, have_same_strength));
+  if (!rock.materials.empty())
+    text.plain("  other moduli of materials: " +
+               names_of_changed(materials_in(model, stage - 1), rock.materials, have_same_moduli));
+}
+
 void add_stage(const Simulation& simulation, std::size_t index, const BlockMatrix& matrix, Text& text) {
   const Model& model = simulation.model();
   const ContactSet& contacts = simulation.contacts();
@@ -231,6 +252,8 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
   if (!stage.removal.blocks.empty()) text.plain("  " + removal_of(model, stage));
+  if (const std::string ramp = ramp_of_removal(model, contacts, stage); !ramp.empty()) text.plain("  " + ramp);
+  add_rock_of(model, index, text);
   const auto put_in = std::ranges::count(model.bolts, static_cast<int>(index), &Bolt::first_stage);
   if (index > 0 && put_in > 0) text.plain(fmt::format("  puts in {}", count(static_cast<std::size_t>(put_in), "bolt")));
   for (const Lining& lining : model.linings)

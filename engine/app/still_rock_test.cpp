@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 
 #include "engine/scene/scene.h"
@@ -44,6 +45,49 @@ double fastest(const Simulation& simulation) {
   double most = 0;
   for (const Vec6& velocity : simulation.state().velocity) most = std::max(most, velocity.head<2>().norm());
   return most;
+}
+
+// Courses of rocks that weigh and resist differently, each cut by lot into rectangles, under the weight of what lies
+// above them and the sideways pressure of each. All have the same weight, so that what lies between two of them is the
+// mean of both. (Projected joints have another mean, by the softness of both blocks.)
+Model layered_ground(int seed, const nlohmann::json& joint, const char* kinematics) {
+  std::mt19937_64 random(static_cast<unsigned>(seed));
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11U) * 0x1p-53;
+  };
+  nlohmann::json scene = {{"dda", 1},
+                          {"joints", {{"default", joint}}},
+                          {"gravity", 9.81},
+                          {"loads", {{{"edge", "outside"}, {"traction", "in-situ"}}}},
+                          {"steps", {{"dt", 1e-4}, {"duration", 2e-3}, {"kinematics", kinematics}}}};
+  double top = 0;
+  nlohmann::json layers = {{{"down_to", "0 m"}, {"gradient", "25 kPa/m"}}};
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = fmt::format("rock {}", i);
+    const int columns = 2 + static_cast<int>(between(0, 4));
+    const double density = between(1800, 3200);
+    const double height = 3000 / density;
+    scene["materials"][name] = {{"density", density}, {"young", between(2e9, 5e10)}, {"poisson", 0.2}};
+    top -= height;
+    const nlohmann::json grid = {{"name", name},    {"origin", {0, top}},     {"columns", columns},
+                                 {"rows", 1},       {"block_height", height}, {"block_width", 6.0 / columns},
+                                 {"material", name}};
+    scene["blocks"].push_back({{"grid", grid}});
+    layers.push_back({{"material", name}, {"k0", between(0.5, 1.5)}, {"down_to", top}});
+  }
+  scene["stress_field"] = {{"surface", 200}, {"layers", layers}};
+  return parse_scene(scene.dump(), "scene.json");
+}
+
+TEST(LayeredGround, StaysWhereItIs) {
+  const nlohmann::json joints[] = {{{"bonded", true}}, {{"friction_angle", "40 deg"}}};
+  for (const nlohmann::json& joint : joints)
+    for (const char* kinematics : {"small", "finite"})
+      for (int seed = 1; seed <= 8; ++seed) {
+        Simulation simulation(layered_ground(seed, joint, kinematics));
+        while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+        EXPECT_LT(fastest(simulation), 1e-10) << joint << kinematics << seed;  // let go at once: 0.3 m/s
+      }
 }
 
 class StillRock : public testing::TestWithParam<const char*> {};

@@ -33,7 +33,7 @@ struct ContactSet {
 };
 
 // Cubic joints become consistent ones unless all joints are bonded, all stages have small kinematics, no block is ever
-// removed and there are no bolts: only then is the inertia between blocks constant.
+// removed, no material changes and there are no bolts: only then is the inertia between blocks constant.
 ContactSet make_contacts(const Model& model);
 
 // Normal and shear force at either end of an interface under the mean of its blocks' initial stresses, as far as a dry

@@ -26,7 +26,8 @@ double stress_share(const Model& model, int block, int other) {
 
 // The stiffer of both blocks' moduli, Pa.
 double stiffer(const Model& model, const Interface& interface, double (*modulus)(const Material&)) {
-  return std::max(modulus(model.material_of(interface.block_a)), modulus(model.material_of(interface.block_b)));
+  return std::max(modulus(model.material_at_start(interface.block_a)),
+                  modulus(model.material_at_start(interface.block_b)));
 }
 
 // What the rows need that do not resist a change of volume, Pa: the plane modulus, but no more than four times the

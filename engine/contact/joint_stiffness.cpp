@@ -10,7 +10,7 @@ namespace dda {
 namespace {
 
 double softer_young(const Model& model, const Interface& interface) {
-  return std::min(model.material_of(interface.block_a).young, model.material_of(interface.block_b).young);
+  return std::min(model.material_at_start(interface.block_a).young, model.material_at_start(interface.block_b).young);
 }
 
 // A lower bound of the width of a block in any direction: its area over the diameter of a disk that holds it.
@@ -65,7 +65,7 @@ Springs springs_of(const Model& model, const Interface& interface) {
 
 StiffnessErrors stiffness_errors(const Model& model, const Interface& interface) {
   const auto half_block = [&](int block) {
-    return width_across(model, block, interface.normal) / (2 * model.material_of(block).young);
+    return width_across(model, block, interface.normal) / (2 * model.material_at_start(block).young);
   };
   const double per_area = 2 * springs_of(model, interface).normal / interface.length;
   const double smaller =

@@ -203,8 +203,8 @@ std::vector<char> MovingContacts::ending_stretches(const Model& model, const Sta
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
     const auto& broken = contacts.states[i].broken;
-    const bool holds = interface.length > 0 && !is_dry(joint_of(model, interface));
-    if (holds && (dry_ones || !broken[0] || !broken[1])) firm.add(pair_of(interface));
+    const bool holds = dry_ones ? !is_dry(joint_of(model, interface)) : !broken[0] || !broken[1];
+    if (interface.length > 0 && holds) firm.add(pair_of(interface));
     if (contacts.elements[i].law != InterfaceLaw::projected) continue;
     const bool stays = touch_there_alone(model, interface) && !has_parted(model, state, interface);
     (stays ? closed : parted).add(pair_of(interface));

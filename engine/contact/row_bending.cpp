@@ -40,7 +40,7 @@ double flexibility(const Model& model, const Interface& interface, int block) {
   const Vec2 middle = (interface.from + interface.to) / 2;
   const double distance = std::abs((block_of(model, block).moments.centroid - middle).dot(interface.normal));
   const double width = width_along(model, block, interface.normal);
-  return distance / (side_free_modulus(model.material_of(block)) * width * width * width / 12);
+  return distance / (side_free_modulus(model.material_at_start(block)) * width * width * width / 12);
 }
 
 // Of half the difference of the normal gap between the ends of a joint, N/m per m of thickness.

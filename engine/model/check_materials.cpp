@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/model/check_parts.h"
@@ -74,10 +75,10 @@ void check_joint_lines(const Model& model) {
 
 }  // namespace
 
-void check_materials(const Model& model) {
-  if (model.materials.empty()) throw InputError("", "materials", "empty", "at least one material");
-  for (std::size_t i = 0; i < model.materials.size(); ++i) {
-    const Material& material = model.materials[i];
+void check_materials(const std::vector<Material>& materials) {
+  if (materials.empty()) throw InputError("", "materials", "empty", "at least one material");
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const Material& material = materials[i];
     const Item item("materials", i, material.name);
     item.positive("density", material.density);
     item.positive("Young's modulus", material.young);
@@ -85,10 +86,12 @@ void check_materials(const Model& model) {
   }
 }
 
+void check_strengths(const std::vector<JointMaterial>& joints) {
+  for (std::size_t i = 0; i < joints.size(); ++i) check_joint(Item("joints", i, joints[i].name), joints[i]);
+}
+
 void check_joints(const Model& model) {
-  for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    check_joint(Item("joints", i, model.joints[i].name), model.joints[i]);
-  }
+  check_strengths(model.joints);
   check_joint_pairs(model);
   check_joint_lines(model);
 }

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "engine/model/model.h"
 
 namespace dda::model_checks {
 
-void check_materials(const Model& model);
-void check_joints(const Model& model);
+void check_materials(const std::vector<Material>& materials);
+void check_strengths(const std::vector<JointMaterial>& joints);
+void check_joints(const Model& model);    // where they are, too
 void check_blocks(const Model& model);    // their shapes must be normalized
 void check_overlaps(const Model& model);  // needs length_tolerance
 void check_initial_state(const Model& model);
@@ -25,5 +27,6 @@ void check_stages(const Model& model);
 void check_peaks(const Model& model);             // after the stages
 void check_projected_joints(const Model& model);  // after the stages
 void check_removals(const Model& model);          // after all that acts on blocks, and the stages
+void check_rock_changes(const Model& model);      // after the joints and the stages
 
 }  // namespace dda::model_checks

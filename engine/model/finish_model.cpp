@@ -45,9 +45,13 @@ double expected_pressure(const Model& model) {
 // Blocks that part from a projected joint meet others by springs: as stiff as the engine chooses them.
 void choose_springs_of_parted_joints(Model& model) {
   if (!has_finite_kinematics(model)) return;
-  for (JointMaterial& joint : model.joints)
-    if (joint.law == InterfaceLaw::projected && !joint.bonded && joint.normal_stiffness == 0)
-      joint.automatic_stiffness = true;
+  const auto choose = [](std::vector<JointMaterial>& joints) {
+    for (JointMaterial& joint : joints)
+      if (joint.law == InterfaceLaw::projected && !joint.bonded && joint.normal_stiffness == 0)
+        joint.automatic_stiffness = true;
+  };
+  choose(model.joints);
+  for (Stage& stage : model.stages) choose(stage.rock.joints);
 }
 
 void check_gravity(const Model& model) {
@@ -58,7 +62,7 @@ void check_gravity(const Model& model) {
 
 void finish_blocks(Model& model) {
   using namespace model_checks;
-  check_materials(model);
+  check_materials(model.materials);
   check_blocks(model);
   if (model.joints.empty()) model.joints.emplace_back().name = "default";
   check_joints(model);
@@ -86,6 +90,8 @@ void finish_around_blocks(Model& model) {
   check_projected_joints(model);
   choose_springs_of_parted_joints(model);
   check_removals(model);
+  check_rock_changes(model);
+  keep_rock_at_start(model);
 }
 
 void finish_model(Model& model) {

@@ -12,6 +12,10 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 const Material& Model::material_of(int block) const { return materials[at(blocks[at(block)].material)]; }
 
+const Material& Model::material_at_start(int block) const {
+  return materials_in(*this, 0)[at(blocks[at(block)].material)];
+}
+
 int Model::joint_index(int block_a, int block_b) const {
   if (joint_of_block_pair.empty()) return 0;
   const auto found = joint_of_block_pair.find({std::min(block_a, block_b), std::max(block_a, block_b)});
@@ -30,7 +34,7 @@ bool Model::stays_linear() const {
 
 Stage Model::with_acting_corrections(const Stage& stage) const {
   Stage acting = stage;
-  if (stays_linear() && !stage.integrator.is_static) return acting;
+  if (stays_linear() && !stage.integrator.is_static && !changes_materials(*this)) return acting;
   acting.correct_block_dispersion = acting.correct_time_dispersion = false;
   return acting;
 }

@@ -160,13 +160,16 @@ struct Model {
   std::optional<PeakRequest> peaks = {};  // what is asked about the strongest motion
 
   [[nodiscard]] const Material& material_of(int block) const;
+  // What it was before any stage began: joints' springs and penalties go by it.
+  [[nodiscard]] const Material& material_at_start(int block) const;
   // Index into `joints` of the joint between two blocks.
   [[nodiscard]] int joint_index(int block_a, int block_b) const;
   [[nodiscard]] const JointMaterial& joint_between(int block_a, int block_b) const;
   // Nothing can change in any stage: all joints bonded, small kinematics, no bolts, linings that do not yield.
   [[nodiscard]] bool stays_linear() const;
-  // The stage with those of its corrections for waves that act: in dynamic stages of runs that stay linear. Static
-  // stages carry no waves, and forces that only such stages know of would be missing when joints open or blocks move.
+  // The stage with those of its corrections for waves that act: in dynamic stages of runs that stay linear and whose
+  // materials stay the same. Static stages carry no waves, and forces that only such stages know of would be missing
+  // when joints open or blocks move.
   [[nodiscard]] Stage with_acting_corrections(const Stage& stage) const;
   [[nodiscard]] bool is_held(int block) const;    // as a whole: one of held_blocks
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness

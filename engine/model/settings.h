@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/model/rock_change.h"
 #include "engine/model/time_function.h"
 
 namespace dda {
@@ -122,6 +123,7 @@ struct Stage {
   bool unlimited_strength = false;
 
   Removal removal;
+  RockOfStage rock;
 
   int max_open_close_iterations = 200;
   int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge

@@ -67,6 +67,7 @@ int keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
   Stage last = static_stage(is_taken_out ? like.name : "opening", is_taken_out ? like : model.stages.back());
   last.duration = fade;
   last.removal = {opening, fading_to(1)};
+  if (is_taken_out) last.rock = like.rock;
   model.stages.push_back(std::move(last));
   return static_cast<int>(kept);
 }

@@ -89,13 +89,25 @@ void add(FnvHash& hash, const TimeFunction& history) {
   add(hash, recorded->recording->values());
 }
 
+// A run may have changed what the model says of its rock: what it began with counts, and what each stage makes of it.
+void add_rock(FnvHash& hash, const Model& model) {
+  add_all(hash, materials_in(model, 0));
+  add_all(hash, joints_in(model, 0));
+  for (std::size_t i = 1; i < model.stages.size(); ++i) {
+    const auto& [materials, joints] = model.stages[i].rock;
+    if (materials.empty() && joints.empty()) continue;
+    hash.add_number(i);
+    add_all(hash, materials);
+    add_all(hash, joints);
+  }
+}
+
 }  // namespace
 
 std::uint64_t fingerprint(const Model& model) {
   FnvHash hash;
   add_all(hash, model.blocks);
-  add_all(hash, model.materials);
-  add_all(hash, model.joints);
+  add_rock(hash, model);
   for (const auto& [blocks, joint] : model.joint_of_block_pair) {
     for (const int index : {blocks.first, blocks.second, joint}) hash.add_number(index);
   }

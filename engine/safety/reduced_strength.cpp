@@ -1,6 +1,7 @@
 #include "engine/safety/reduced_strength.h"
 
 #include <cmath>
+#include <vector>
 
 namespace dda {
 namespace {
@@ -17,11 +18,16 @@ void weaken(JointMaterial& joint, double factor) {
   joint.tensile_strength /= factor;
 }
 
+void weaken_all(double factor, std::vector<JointMaterial>& joints) {
+  for (JointMaterial& joint : joints)
+    if (!joint.bonded) weaken(joint, factor);
+}
+
 }  // namespace
 
 Model with_strength_over(double factor, Model model) {
-  for (JointMaterial& joint : model.joints)
-    if (!joint.bonded) weaken(joint, factor);
+  weaken_all(factor, model.joints);
+  for (Stage& stage : model.stages) weaken_all(factor, stage.rock.joints);
   return model;
 }
 

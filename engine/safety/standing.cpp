@@ -85,6 +85,9 @@ class Watch {
 Standing standing_of(Model model, double time) {
   Stage stand = static_stage("stand", 0, false);
   stand.removal.blocks = removed_blocks(model);
+  const RockOfStage last{materials_in(model, model.stages.size()), joints_in(model, model.stages.size())};
+  model.materials = last.materials;
+  model.joints = last.joints;
   model.stages = {static_stage("load", time, true), stand};
   for (Bolt& bolt : model.bolts) bolt.first_stage = 0;
   for (Lining& lining : model.linings) lining.first_stage = std::min(lining.first_stage, 1);  // on walls that are there

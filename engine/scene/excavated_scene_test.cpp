@@ -126,6 +126,45 @@ TEST(StressField, HasNoPressureAboveTheSurface) {
   EXPECT_EQ(model.blocks[5].initial_stress, Vec3(0, 0, 0));
 }
 
+// Courses of two rocks; the upper course is 2 m high and its density is the material's.
+std::string layered(const std::string& layers) {
+  return R"({"dda": 1, "materials": {"light": {"density": 2000, "young": 1e10, "poisson": 0.2},
+                                     "heavy": {"density": 3000, "young": 4e10, "poisson": 0.1}},
+    "joints": {"default": {"friction_angle": "40 deg"}}, "gravity": 10,
+    "blocks": [{"grid": {"name": "under", "columns": 4, "rows": 3, "block_width": 1, "block_height": 1, "material": "heavy"}},
+               {"grid": {"name": "over", "origin": [0, 3], "columns": 3, "rows": 2, "block_width": 1.3333333333333333,
+                         "block_height": 1, "material": "light"}}],
+    "stress_field": {"yy": "-1 MPa", "xx": "-1 MPa", "surface": 9, "layers": )" +
+         layers + R"(},
+    "steps": {"dt": 1e-4, "duration": 1e-2}})";
+}
+
+constexpr const char* ground =
+    R"([{"down_to": 5, "gradient": "1 kPa/m"}, {"down_to": 3, "material": "light", "k0": 0.6},
+                                   {"material": "heavy", "k0": 1.4}])";
+
+TEST(StressField, OfLayersAddsUpWhatLiesAbove) {
+  const Model model = parse_scene(layered(ground), "scene");
+  const auto expect_stress = [&](std::size_t block, double vertical, double k0) {
+    const Vec3 expected = -Vec3(1e6, 1e6, 0) - vertical * Vec3(k0, 1, 0);
+    EXPECT_LT((model.blocks[block].initial_stress - expected).norm(), 1e-9);
+  };
+  expect_stress(12, 4e3 + 1.5 * 20e3, 0.6);  // the lower row of the light rock
+  expect_stress(15, 4e3 + 0.5 * 20e3, 0.6);
+  expect_stress(0, 4e3 + 2 * 20e3 + 2.5 * 30e3, 1.4);  // the lowest of the heavy rock
+}
+
+TEST(StressField, OfLayersRefusesWhatIsNoGround) {
+  const auto refused = [](const std::string& layers, const std::vector<std::string>& parts) {
+    expect_sentence_for(layered(layers), parts);
+  };
+  refused(R"([{"material": "light"}, {"material": "heavy"}])", {"layers[0]", "down_to"});
+  refused(R"([{"down_to": 9.5, "material": "light"}, {"material": "heavy"}])", {"layers[0].down_to", "below 9 m"});
+  refused(R"([{"material": "granite"}])", {"layers[0].material", "granite", "a material of the scene"});
+  refused(R"([{"material": "light", "density": 2000}])", {"layers[0].material", "beside density"});
+  refused(R"([{"k0": 1}])", {"layers[0]", "without gradient and density"});
+}
+
 TEST(StressField, PushesOnEdges) {
   const Model model = parse_scene(scene_with(R"(, "stress_field": {"xy": 5, "surface": 3, "gradient": 1000, "k0": 0.5},
         "loads": [{"edge": "outside", "traction": "in-situ"}],

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <numbers>
 #include <set>
 #include <vector>
 
 #include "engine/drawing/line_drawing.h"
 #include "engine/scene/read_drawn_plan.h"
+#include "engine/scene/rock_values.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -20,15 +20,6 @@ PlaneState read_plane(const Field& owner, PlaneState otherwise) {
   });
 }
 
-double read_poisson(const Field& field, PlaneState plane) {
-  const double poisson = field.quantity(Dimension::dimensionless);
-  const bool strain = plane == PlaneState::strain;
-  if (poisson <= -1 || poisson > 0.5 || (strain && poisson == 0.5)) {
-    field.fail(strain ? "a number above -1 and below 0.5 in plane strain" : "a number above -1 and at most 0.5");
-  }
-  return poisson;
-}
-
 Material read_material(const std::string& name, const Field& field, PlaneState plane) {
   Material material;
   material.name = name;
@@ -37,13 +28,6 @@ Material read_material(const std::string& name, const Field& field, PlaneState p
   material.plane = read_plane(field, plane);
   material.poisson = read_poisson(field.at("poisson"), material.plane);
   return material;
-}
-
-double read_friction_angle(const Field& field) {
-  const double angle = field.not_negative(Dimension::angle);
-  if (angle < std::numbers::pi / 2) return angle;
-  field.fail(field.is_text() ? "an angle below 90 deg"
-                             : "an angle below 90 deg; without a unit it is in radians, for degrees write \"35 deg\"");
 }
 
 void refuse(const Field& owner, const char* key, const std::string& reason) {

@@ -183,6 +183,7 @@ void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std
   const auto append = [&](const Field& step, std::string name) {
     Stage stage = read_stage(step, std::move(name), scheme, all_bonded);
     if (const auto removed = step.find("remove")) read_removal(*removed, groups, model, stage);
+    stage.rock = read_rock_changes(step, model);
     model.stages.push_back(std::move(stage));
   };
   if (!steps.is_array()) {

@@ -1,5 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/scene/places.h"
@@ -8,17 +13,33 @@
 namespace dda {
 namespace {
 
+double read_k0(const Field& field) {
+  return value_or(field, "k0", 1.0, [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
+}
+
+double weight_of(double density, const Field& field, const Model& model) {
+  if (!(model.gravity.y() < 0)) field.fail("gradient instead, as the scene has no gravity that points down");
+  return -model.gravity.y() * density;
+}
+
+double density_of_material(const Field& field, const Model& model) {
+  const std::string name = field.name();
+  const auto found = std::ranges::find(model.materials, name, &Material::name);
+  if (found == model.materials.end()) field.fail("the name of a material of the scene");
+  return found->density;
+}
+
 // By which vertical pressure grows with depth, Pa/m.
 double read_gradient(const Field& field, const Model& model) {
-  if (field.has("gradient")) {
-    refuse(field, {"density"}, "beside gradient");
-    return field.at("gradient").positive(Dimension::stiffness_per_area);
-  }
-  const double gravity = -model.gravity.y();
+  const auto gradient = field.find("gradient");
   const auto density = field.find("density");
-  if (!density) throw InputError("", field.path(), "without gradient and density", "one of them beside surface");
-  if (!(gravity > 0)) density->fail("gradient instead, as the scene has no gravity that points down");
-  return gravity * density->positive(Dimension::mass_density);
+  const auto material = field.find("material");
+  if (gradient) refuse(field, {"density", "material"}, "beside gradient");
+  if (density) refuse(field, {"material"}, "beside density");
+  if (gradient) return gradient->positive(Dimension::stiffness_per_area);
+  if (density) return weight_of(density->positive(Dimension::mass_density), *density, model);
+  if (material) return weight_of(density_of_material(*material, model), *material, model);
+  throw InputError("", field.path(), "without gradient and density", "one of them beside surface");
 }
 
 }  // namespace
@@ -35,17 +56,48 @@ StressField::StressField(const Field& scene, std::vector<bool> own_stress, const
   constant_ = read_stress(*field);
   const auto surface = field->find("surface");
   if (!surface) {
-    refuse(*field, {"gradient", "density", "k0"}, "without surface, from which depth is counted");
+    refuse(*field, {"gradient", "density", "k0", "layers"}, "without surface, from which depth is counted");
     return;
   }
   surface_ = surface->quantity(Dimension::length);
-  const double gradient = read_gradient(*field, model);
-  const double k0 =
-      value_or(*field, "k0", 1.0, [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
-  slope_ = gradient * Vec3(k0, 1, 0);
+  if (field->has("layers")) {
+    refuse(*field, {"gradient", "density", "k0"}, "beside layers, each of which has its own");
+    layers_ = read_layers(field->at("layers"), model, surface_);
+  } else {
+    layers_ = {{-std::numeric_limits<double>::infinity(), read_gradient(*field, model), read_k0(*field)}};
+  }
 }
 
-Vec3 StressField::at(const Vec2& point) const { return constant_ + std::min(0.0, point.y() - surface_) * slope_; }
+std::vector<StressField::Layer> StressField::read_layers(const Field& field, const Model& model, double surface) {
+  std::vector<Layer> layers;
+  const std::vector<Field> entries = field.items();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Field& entry = entries[i];
+    const auto bottom = entry.find("down_to");
+    if (!bottom && i + 1 < entries.size()) entry.fail("without down_to", "one: only the last layer has no end");
+    const double above = layers.empty() ? surface : layers.back().bottom;
+    const double y = bottom ? bottom->quantity(Dimension::length) : -std::numeric_limits<double>::infinity();
+    if (y >= above) bottom->fail(fmt::format("below {:g} m, where the layer begins", above));
+    layers.push_back({y, read_gradient(entry, model), read_k0(entry)});
+  }
+  // What lies below the last of them is as it is.
+  layers.back().bottom = -std::numeric_limits<double>::infinity();
+  return layers;
+}
+
+// The weight of what lies above, and of it the share that the layer there has sideways.
+Vec3 StressField::of_depth(double y) const {
+  const auto own = std::ranges::find_if(layers_, [y](const Layer& layer) { return y >= layer.bottom; });
+  Vec3 stress = Vec3::Zero();
+  double top = surface_;
+  for (auto layer = layers_.begin(); layer != layers_.end() && top > y; ++layer) {
+    stress += (std::max(y, layer->bottom) - top) * (layer->gradient * Vec3(own->k0, 1, 0));
+    top = layer->bottom;
+  }
+  return stress;
+}
+
+Vec3 StressField::at(const Vec2& point) const { return constant_ + of_depth(point.y()); }
 
 void StressField::fill(Model& model) const {
   for (std::size_t i = 0; i < model.blocks.size(); ++i)

@@ -55,6 +55,8 @@ void read_measurements(const Field& scene, const GroundPlan& plan, const std::ve
 void read_peaks(const Field& scene, const std::vector<std::string>& groups, const std::vector<PlanOpening>& openings,
                 Model& model);
 
+// What a stage changes of the rock that the model has after its stages so far.
+RockOfStage read_rock_changes(const Field& step, const Model& model);
 void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std::string>& groups, Model& model);
 
 }  // namespace dda

@@ -1,5 +1,5 @@
 // The stress in the ground before anything is done to it, as the section `stress_field` gives it: a part that is the
-// same everywhere, and one that grows with depth below a level surface.
+// same everywhere, and one that grows with depth below a level surface, in each layer of the ground as its rock weighs.
 #pragma once
 
 #include <vector>
@@ -29,10 +29,20 @@ class StressField {
   [[nodiscard]] Vec3 at(const Vec2& point) const;
   [[nodiscard]] bool states_own(int block) const { return own_stress_[static_cast<std::size_t>(block)]; }
 
+  // From the one above it, or the surface, down to `bottom`.
+  struct Layer {
+    double bottom;    // m, a y
+    double gradient;  // Pa/m, by which vertical pressure grows with depth
+    double k0;        // horizontal over vertical pressure
+  };
+
+  static std::vector<Layer> read_layers(const Field& field, const Model& model, double surface);
+  [[nodiscard]] Vec3 of_depth(double y) const;
+
   std::vector<bool> own_stress_;
   Vec3 constant_ = Vec3::Zero();  // Pa, tension positive
-  Vec3 slope_ = Vec3::Zero();     // Pa/m, over y
-  double surface_ = 0;            // m, y above which there is none of that part
+  double surface_ = 0;            // m, y above which there is none of the part that grows
+  std::vector<Layer> layers_;     // from above; empty: no such part
 };
 
 // xx, yy and xy, as far as they are given.

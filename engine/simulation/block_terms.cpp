@@ -19,16 +19,23 @@ BlockTerms make_block_terms(const Model& model) {
   BlockTerms terms;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
-    const Mat3 elasticity = elasticity_matrix(model.material_of(static_cast<int>(i)));
     terms.inertia.push_back({model.mass_of(static_cast<int>(i)), mean_squares(block.moments), 1});
     terms.area.push_back(block.moments.area);
-    terms.elasticity.push_back(elasticity);
-    terms.compliance.emplace_back(elasticity.inverse());
     terms.directions.push_back(0);
     terms.centrifugal.emplace_back(Vec3::Zero());
   }
   for (const HeldBlock& held : model.held_blocks) terms.inertia[static_cast<std::size_t>(held.block)].mass = 0;
+  set_elasticity(model, terms);
   return terms;
+}
+
+void set_elasticity(const Model& model, BlockTerms& terms) {
+  terms.elasticity.clear();
+  terms.compliance.clear();
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    terms.elasticity.push_back(elasticity_matrix(model.material_of(static_cast<int>(i))));
+    terms.compliance.emplace_back(terms.elasticity.back().inverse());
+  }
 }
 
 BlockTerms make_block_terms(const Model& model, const Stage& stage) {

@@ -37,6 +37,9 @@ struct BlockTerms {
 // Held blocks have no mass here: their motion does not follow from forces.
 BlockTerms make_block_terms(const Model& model);
 
+// Elasticity and compliance by the materials that the model has now.
+void set_elasticity(const Model& model, BlockTerms& terms);
+
 // The same with the factor on the inertia of the strains that the stage asks for.
 BlockTerms make_block_terms(const Model& model, const Stage& stage);
 void set_strain_inertia(const Stage& stage, BlockTerms& terms);

@@ -19,6 +19,7 @@
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/rock_of_stage.h"
 
 namespace dda {
 namespace {
@@ -134,15 +135,6 @@ void take_over_viscous_edges(const BlockSystem& before, const State& geometry, B
   }
 }
 
-void renew_strengths(bool contacts_move, BlockSystem& s) {
-  for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
-    const Interface& interface = s.contacts.interfaces[i];
-    const JointMaterial& joint = s.model.joints[static_cast<std::size_t>(interface.joint)];
-    s.contacts.strengths[i] = contacts_move && interface.length == 0 ? unbonded_strength(joint, interface.share)
-                                                                     : end_strength(joint, interface.length);
-  }
-}
-
 // Held blocks go where they are told to go within the next step, however far that is.
 void expect_held_blocks_in_place(const BlockSystem& s) {
   for (const HeldBlock& held : s.model.held_blocks) {
@@ -187,6 +179,7 @@ void go_on_from(const Simulation& settled, Simulation& fresh) {
   s.clock = before.clock;
   leave_out_absent(s, general);
   take_over_blocks(before, s);
+  take_rock_in_force(s);
   s.costs.counters = settled.counters();
   carry(*settled.general_, general);
   carry(*settled.linear_, *fresh.linear_);

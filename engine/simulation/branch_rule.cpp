@@ -89,7 +89,7 @@ bool are_same(const std::optional<TimeFunction>& a, const std::optional<TimeFunc
 void check(const Stage& then, const Stage& now, const std::string& field) {
   const auto& [name, dt, duration, chosen_dt, integrator, kinematics, solver, velocity_factor, damping_rate,
                material_damping, strain_inertia, correct_block_dispersion, correct_time_dispersion, lateral_inertia,
-               equilibrium, on_unbalanced, unlimited_strength, removal, max_open_close_iterations,
+               equilibrium, on_unbalanced, unlimited_strength, removal, rock, max_open_close_iterations,
                max_step_reductions] = now;
   expect_equal(then.name, name, field + ".name");
   expect_equal(then.dt, dt, field + ".dt");
@@ -179,7 +179,8 @@ bool have_same_viscous_edges(const Model& a, const Model& b) {
                             [](const ViscousEdge& one, const ViscousEdge& other) { return are_same(one, other); });
 }
 
-void expect_same_past(const Model& settled, const Model& branch, std::size_t stages) {
+void expect_same_past(const Model& run, const Model& scene, std::size_t stages) {
+  const Model settled = with_rock_at_start(run), branch = with_rock_at_start(scene);
   check_all(settled.blocks, branch.blocks, "blocks");
   check_all(settled.materials, branch.materials, "materials");
   check_all(settled.joints, branch.joints, "joints");
@@ -192,6 +193,10 @@ void expect_same_past(const Model& settled, const Model& branch, std::size_t sta
   expect(std::ranges::equal(settled.held_blocks, branch.held_blocks, same_block), "fixed or supports",
          "list of held blocks");
   check_stages(settled, branch, stages);
+  for (std::size_t i = 0; i < stages; ++i) {
+    check_all(materials_in(settled, i), materials_in(branch, i), "materials");
+    check_all(joints_in(settled, i), joints_in(branch, i), "joints");
+  }
   check_free_field(settled, branch);
   check_contacts(settled, branch);
 }

@@ -135,6 +135,12 @@ class EnergyAudit {
     ledger_.external_work += contact + bolts + linings;
   }
 
+  // Moduli of blocks changed, by which what their stresses store grew: whatever changes them works.
+  void elasticity_changed(double strain) {
+    ledger_.strain += strain;
+    ledger_.external_work += strain;
+  }
+
   // Blocks were removed, by which the stored energies fell.
   void blocks_removed(const StoredEnergy& before, const StoredEnergy& after);
 

@@ -18,6 +18,7 @@
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/rock_of_stage.h"
 #include "engine/simulation/stability_limit.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/system_matrix.h"
@@ -154,6 +155,7 @@ void Simulation::begin_stage() {
   s.clock.step = 0;
   s.clock.start = s.state.time;
   excavate(s, *general_);
+  change_rock(general_->follows_contacts(), s);
   put_in_bolts(*general_, s);
   spray_linings(*general_, s);
   set_strain_inertia(s.stage(), s.terms);

@@ -15,6 +15,7 @@
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/linear_step.h"
+#include "engine/simulation/rock_of_stage.h"
 
 namespace dda {
 namespace {
@@ -97,12 +98,14 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   reader(saved_kind);
   if (saved_kind != kind) throw InputError("", "checkpoint", "of another version or kind", "one of this program");
   reader(dt);
+  s.model = with_rock_at_start(std::move(s.model));
   if (!s.excavated.absent.empty()) {
     draw_again(s);
     general_ = std::make_unique<GeneralStep>(s);
   }
   reader(s.clock);
   leave_out_absent(s, *general_);
+  take_rock_in_force(s);
   check_parts(s, follows_contacts(), reader);
   check_place_in_run(s, dt);
   s.state = std::move(state);

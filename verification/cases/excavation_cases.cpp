@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/advice/ramp_of_removal.h"
 #include "engine/model/energy_release.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/cavity_mesh.h"
@@ -280,6 +281,56 @@ Outcome fine_sudden_removal() {
   return outcome;
 }
 
+// What `dda check` foretells of an opening that is taken out over a time: against finite differences in the radius, and
+// what the wall of rings of blocks does against both. Nothing has come back from the outside when the wall has its
+// peak.
+double overshoot_by_waves(const SuddenRock& rock, double ramp) {
+  const double shear = shear_modulus(rock.poisson);
+  const double speed = p_speed(rock.poisson);
+  const exact::Cavity cavity{1, cavity_density * speed * speed, shear, cavity_density};
+  const auto pull = [&](double t) { return -std::min(1.0, t * speed / ramp); };
+  const exact::CavityMotion motion = exact::pressurised_cavity(cavity, pull, {1}, (ramp + 8) / speed, 100);
+  double closed = 0, most = 0;
+  for (const double velocity : motion.histories[0].velocity) {
+    closed -= motion.interval * velocity;
+    most = std::max(most, closed);
+  }
+  return most * 2 * shear - 1;
+}
+
+double overshoot_of_blocks(const SuddenRock& rock, double ramp, Outcome& outcome) {
+  constexpr int sectors = 64;
+  dda::Model model = hydrostatic(sectors, rock.poisson);
+  const double speed = p_speed(rock.poisson);
+  remove_core(model, dda::generalized_alpha_integrator(0.5), std::numbers::pi / sectors / speed, 8 / speed);
+  model.stages[1].removal.relaxation = dda::PiecewiseLinear{{0, ramp / speed}, {1, 0}};
+  dda::Simulation simulation(model);
+  const Peaks peaks = peaks_of(simulation, sectors);
+  outcome.counters += simulation.counters();
+  return peaks.displacement * 2 * shear_modulus(rock.poisson) / pressure - 1;
+}
+
+Outcome slow_removal() {
+  Outcome outcome;
+  for (const SuddenRock& rock : rocks)
+    for (const double ramp : {2.0, 4.0, 20.0, 90.0}) {
+      const double foretold = dda::wall_overshoot((1 - rock.poisson) / (1 - 2 * rock.poisson), ramp);
+      const std::string what = fmt::format("nu = {}, over {} a/c_P", rock.poisson, ramp);
+      outcome.assertions.push_back(expect("overshoot of the wall that is foretold, " + what, "-")
+                                       .is(foretold)
+                                       .against(overshoot_by_waves(rock, ramp), "wave equation in the radius")
+                                       .absolutely()
+                                       .within(1e-3, "3e-4 of the inversion, the rest of rings of a/100"));
+      if (ramp > 4) continue;  // what comes back from the outside would be at the wall before its peak
+      outcome.assertions.push_back(expect("overshoot of the wall of 64 sectors, " + what, "-")
+                                       .is(overshoot_of_blocks(rock, ramp, outcome))
+                                       .against(foretold, "foretold")
+                                       .absolutely()
+                                       .within(5e-3, "measured with margin"));
+    }
+  return outcome;
+}
+
 }  // namespace
 
 std::vector<Case> excavation_cases() {
@@ -288,6 +339,7 @@ std::vector<Case> excavation_cases() {
       {"kirsch-dry", "A circle removed from dry rock that sticks", {28}, CaseLabel::fast, kirsch_in_dry_rock},
       {"removed-tractions-kept", "A circle removed whose tractions stay", {31}, CaseLabel::fast, kept_tractions},
       {"sudden-removal", "A circle removed at once under hydrostatic stress", {41}, CaseLabel::fast, sudden_removal},
+      {"slow-removal", "A circle removed over a time", {41}, CaseLabel::fast, slow_removal},
       {"sudden-removal-fine", "The same in a fine mesh", {41}, CaseLabel::slow, fine_sudden_removal}};
 }
 

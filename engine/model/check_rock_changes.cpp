@@ -1,0 +1,114 @@
+// What a stage may change of the rock, and what not.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/model/check_parts.h"
+#include "engine/model/checks.h"
+
+namespace dda::model_checks {
+namespace {
+
+// Joints hold by a penalty of so many moduli of the rock at the start, which must stay above one modulus: half of it is
+// what every block's neighbours leave it.
+constexpr double share_of_penalty = 0.5;
+
+void expect_same(bool same, const Item& item, std::string_view member) {
+  if (!same) item.fail(member, "changed by a stage", "what it was: stages change the strength of joints alone");
+}
+
+// What is unpacked and not looked at may change.
+void check_change(const Item& item, const JointMaterial& before, const JointMaterial& now) {
+  const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, residual_friction_angle,
+               residual_cohesion, dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal,
+               normal_stiffness, shear_stiffness, automatic_stiffness, contact_damping, penalty, stabilisation] = now;
+  expect_same(name == before.name, item, "name");
+  expect_same(law == before.law && bonded == before.bonded, item, "law");
+  expect_same(dilation_angle == before.dilation_angle && zero_dilation_slip == before.zero_dilation_slip, item,
+              "dilation");
+  expect_same(normal_spring == before.normal_spring && spring_over_young == before.spring_over_young &&
+                  shear_to_normal == before.shear_to_normal && normal_stiffness == before.normal_stiffness &&
+                  shear_stiffness == before.shear_stiffness && automatic_stiffness == before.automatic_stiffness &&
+                  contact_damping == before.contact_damping,
+              item, "springs");
+  expect_same(penalty == before.penalty && stabilisation == before.stabilisation, item, "penalty");
+  if (is_dry(before) && !is_dry(now))
+    item.fail("strength", "given cohesion or tensile strength by a stage",
+              "none, as before: what is dry has no bond that could become stronger");
+  if ((before.residual_cohesion > 0) != (residual_cohesion > 0))
+    item.fail("residual cohesion",
+              fmt::format("{} Pa in a stage, {} Pa before", residual_cohesion, before.residual_cohesion),
+              "a positive one in both, or none in either");
+}
+
+void check_change(const Item& item, const Material& before, const Material& now) {
+  expect_same(now.name == before.name && now.density == before.density && now.plane == before.plane, item,
+              "name, density or plane");
+}
+
+// `start` belongs to the model before any stage.
+void check_penalty(const Item& item, const Model& model, const Material& start, const Material& now) {
+  double least = 0;
+  for (const JointMaterial& joint : joints_in(model, 0))
+    if (joint.law != InterfaceLaw::classical) least = least == 0 ? joint.penalty : std::min(least, joint.penalty);
+  if (least == 0) return;
+  const double limit = share_of_penalty * least;
+  const double grows = elasticity_matrix(now)(0, 0) / elasticity_matrix(start)(0, 0);
+  if (grows > limit)
+    item.fail("Young's modulus", fmt::format("{:.3g} times as stiff as at the start", grows),
+              fmt::format("at most {:g} times: joints hold by a penalty of {:g} moduli of the start", limit, least));
+}
+
+void check_sizes(const Item& item, std::size_t now, std::size_t before) {
+  if (now != before) item.fail("rock", fmt::format("of {} entries", now), fmt::format("{}, as the model", before));
+}
+
+void check_joints_of(const Model& model, std::size_t stage) {
+  const std::vector<JointMaterial>& before = joints_in(model, stage - 1);
+  const std::vector<JointMaterial>& now = model.stages[stage].rock.joints;
+  check_strengths(now);
+  check_sizes(Item("stages", stage, model.stages[stage].name), now.size(), before.size());
+  for (std::size_t i = 0; i < now.size(); ++i) check_change(Item("joints", i, now[i].name), before[i], now[i]);
+}
+
+void check_materials_of(const Model& model, std::size_t stage) {
+  const std::vector<Material>& before = materials_in(model, stage - 1);
+  const std::vector<Material>& now = model.stages[stage].rock.materials;
+  check_materials(now);
+  check_sizes(Item("stages", stage, model.stages[stage].name), now.size(), before.size());
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    check_change(Item("materials", i, now[i].name), before[i], now[i]);
+    check_penalty(Item("materials", i, now[i].name), model, materials_in(model, 0)[i], now[i]);
+  }
+}
+
+bool is_projected(const JointMaterial& joint) { return joint.law == InterfaceLaw::projected && !joint.bonded; }
+
+void refuse_beside(const Model& model, std::size_t stage) {
+  const RockOfStage& rock = model.stages[stage].rock;
+  const Item item("stages", stage, model.stages[stage].name);
+  if (!model.free_field_sides.empty())
+    item.fail("rock", "changed beside free-field sides", "the same in all stages: their columns do not change");
+  if (!rock.materials.empty() && std::ranges::any_of(model.joints, is_projected))
+    item.fail("materials", "changed beside projected joints",
+              "the same in all stages, or joints of another law: what projected joints take off their blocks goes by "
+              "the modulus at the start");
+}
+
+}  // namespace
+
+void check_rock_changes(const Model& model) {
+  for (std::size_t i = 1; i < model.stages.size(); ++i) {
+    const RockOfStage& rock = model.stages[i].rock;
+    if (rock.materials.empty() && rock.joints.empty()) continue;
+    refuse_beside(model, i);
+    if (!rock.joints.empty()) check_joints_of(model, i);
+    if (!rock.materials.empty()) check_materials_of(model, i);
+  }
+}
+
+}  // namespace dda::model_checks

@@ -1,0 +1,58 @@
+#include "engine/model/rock_change.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/model/model.h"
+
+namespace dda {
+namespace {
+
+template <typename Table>
+const Table& latest(const Model& model, std::size_t stage, Table RockOfStage::*table, const Table& otherwise) {
+  for (std::size_t i = std::min(stage + 1, model.stages.size()); i > 0; --i)
+    if (!(model.stages[i - 1].rock.*table).empty()) return model.stages[i - 1].rock.*table;
+  return otherwise;
+}
+
+template <typename Table>
+bool any_later_stage_has(const Model& model, Table RockOfStage::*table) {
+  for (std::size_t i = 1; i < model.stages.size(); ++i)
+    if (!(model.stages[i].rock.*table).empty()) return true;
+  return false;
+}
+
+}  // namespace
+
+const std::vector<Material>& materials_in(const Model& model, std::size_t stage) {
+  return latest(model, stage, &RockOfStage::materials, model.materials);
+}
+
+const std::vector<JointMaterial>& joints_in(const Model& model, std::size_t stage) {
+  return latest(model, stage, &RockOfStage::joints, model.joints);
+}
+
+bool have_same_moduli(const Material& a, const Material& b) { return a.young == b.young && a.poisson == b.poisson; }
+
+bool have_same_strength(const JointMaterial& a, const JointMaterial& b) {
+  return a.friction_angle == b.friction_angle && a.cohesion == b.cohesion && a.tensile_strength == b.tensile_strength &&
+         a.residual_friction_angle == b.residual_friction_angle && a.residual_cohesion == b.residual_cohesion;
+}
+
+bool changes_materials(const Model& model) { return any_later_stage_has(model, &RockOfStage::materials); }
+bool changes_joints(const Model& model) { return any_later_stage_has(model, &RockOfStage::joints); }
+
+void keep_rock_at_start(Model& model) {
+  if (model.stages.empty()) return;
+  RockOfStage& first = model.stages.front().rock;
+  if (changes_materials(model) && first.materials.empty()) first.materials = model.materials;
+  if (changes_joints(model) && first.joints.empty()) first.joints = model.joints;
+}
+
+Model with_rock_at_start(Model model) {
+  model.materials = std::vector(materials_in(model, 0));
+  model.joints = std::vector(joints_in(model, 0));
+  return model;
+}
+
+}  // namespace dda

@@ -7,7 +7,7 @@
 
 #include "engine/scene/drawn_scene.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
 }
 

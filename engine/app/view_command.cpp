@@ -85,9 +85,11 @@ bool is_given(const ViewOptions& options, std::string_view name) {
 // What is a file, or has the name of one that could be drawn.
 bool shows_scene(const std::filesystem::path& given) {
   std::error_code ignored;
-  if (is_drawing(given)) return !std::filesystem::is_directory(given, ignored);
-  if (std::filesystem::is_regular_file(given, ignored)) return !kind_other_than_scene(given);
-  return given.extension() == ".json" && !std::filesystem::exists(given, ignored);
+  if (std::filesystem::is_regular_file(given, ignored)) {
+    const auto kind = kind_other_than_scene(given);
+    return !kind || (is_drawing(given) && kind->command.starts_with("dda cut"));
+  }
+  return (is_drawing(given) || given.extension() == ".json") && !std::filesystem::exists(given, ignored);
 }
 
 // Options that say something of results, which a scene does not have.

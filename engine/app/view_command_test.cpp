@@ -114,6 +114,9 @@ TEST_F(CommandLine, ViewRefusesInOneSentence) {
   expect_refusal({"view", run, "--out", "/dev/null"}, "--out is /dev/null, which is a device");
   std::filesystem::create_symlink(path("elsewhere.html"), path("link.html"));
   expect_refusal({"view", run, "--out", path("link.html")}, "link.html, which is a symbolic link");
+  expect_refusal({"view", run + "/histories.csv"}, "which is a table of measurements, expected a folder with results");
+  expect_refusal({"view", run, "--unit", "mm"}, "--unit is given beside a run");
+  expect_refusal({"view", run, "--window", "0,0,1,1"}, "--window is given without --svg");
   write("run/frames/000001.vtp", "no frame");
   expect_refusal({"view", run}, "frames/000001.vtp: the file is ");
   EXPECT_FALSE(exists("run/view.html"));

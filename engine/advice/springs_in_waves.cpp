@@ -5,21 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/contact/joint_stiffness.h"
-#include "engine/model/moving_stages.h"
+#include "engine/advice/projected_offer.h"
 
 namespace dda {
 namespace {
 
-// See check_projected_joints.
-bool stages_can_have_the_law(const Model& model) {
-  const auto conserves = [](const Stage& stage) { return with_contacts(stage.integrator).conserves_contact_energy; };
-  return model.free_field_sides.empty() && std::ranges::none_of(model.stages, conserves);
-}
-
 bool could_have_the_law(const Model& model, const JointMaterial& joint) {
-  if (joint.bonded || joint.normal_stiffness > 0 || joint.contact_damping > 0 || joint.dilation_angle > 0) return false;
-  return joint.law == InterfaceLaw::classical || (has_finite_kinematics(model) && is_springs_where_blocks_move(joint));
+  return joint.normal_stiffness == 0 && could_be_projected(model, joint);
 }
 
 double largest_error(const Advice& advice) {
@@ -35,7 +27,8 @@ double largest_error(const Advice& advice) {
 std::string springs_in_waves(const Model& model, const Advice& advice) {
   const double error = largest_error(advice);
   const auto could = [&](const JointMaterial& joint) { return could_have_the_law(model, joint); };
-  if (error <= advice.wanted_error || !stages_can_have_the_law(model) || std::ranges::none_of(model.joints, could))
+  if (error <= advice.wanted_error || !stages_can_have_projected_joints(model) ||
+      std::ranges::none_of(model.joints, could))
     return "";
   return fmt::format(
       "springs at closed joints make the speed of waves up to {:.2g} % wrong: with \"law\": \"projected\" for the "

@@ -46,17 +46,26 @@ void BlockSheet::draw_blocks(const SvgPath& blocks, std::string_view fill) {
         fill);
 }
 
-void BlockSheet::draw_arrow(const Vec2& start, const Vec2& way, double length) {
-  const Vec2 along(way.x(), -way.y());
+void BlockSheet::begin_clipped() {
+  const Vec2 size = scale_ * (box_.upper - box_.lower);
+  add("<clipPath id=\"part\"><rect x=\"{0}\" y=\"{0}\" width=\"{1:.1f}\" height=\"{2:.1f}\"/></clipPath>\n"
+      "<g clip-path=\"url(#part)\">\n",
+      margin, size.x(), size.y());
+}
+
+void BlockSheet::append_arrow(const Vec2& foot, const Vec2& along, double length, SvgPath& path) {
   const Vec2 barb(-along.y(), along.x());
-  const Vec2 foot = place_of(start);
   const Vec2 tip = foot + length * along;
+  path.move_to(foot);
+  path.line_to(tip);
+  path.move_to(tip - 0.3 * length * along + 0.2 * length * barb);
+  path.line_to(tip);
+  path.line_to(tip - 0.3 * length * along - 0.2 * length * barb);
+}
+
+void BlockSheet::draw_arrow(const Vec2& start, const Vec2& way, double length) {
   SvgPath arrow;
-  arrow.move_to(foot);
-  arrow.line_to(tip);
-  arrow.move_to(tip - 0.3 * length * along + 0.2 * length * barb);
-  arrow.line_to(tip);
-  arrow.line_to(tip - 0.3 * length * along - 0.2 * length * barb);
+  append_arrow(place_of(start), Vec2(way.x(), -way.y()), length, arrow);
   add("<path d=\"{}\" fill=\"none\" stroke=\"#1a2129\" stroke-width=\"1.5\"/>\n", arrow.text());
 }
 

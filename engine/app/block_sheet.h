@@ -31,6 +31,12 @@ class BlockSheet {
   }
 
   void draw_blocks(const SvgPath& blocks, std::string_view fill);
+  // What is added in between shows within the box alone.
+  void begin_clipped();
+  void end_clipped() { content_ += "</g>\n"; }
+
+  // From `foot` (px) along the unit vector `along` (px, y downwards).
+  static void append_arrow(const Vec2& foot, const Vec2& along, double length, SvgPath& path);
   // From `start` (m) along the unit vector `way`, `length` px long.
   void draw_arrow(const Vec2& start, const Vec2& way, double length);
 

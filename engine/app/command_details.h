@@ -55,11 +55,15 @@ inline constexpr auto run_details =
 
 inline constexpr auto view_details =
     "The page needs nothing but a browser: blocks, stresses, contact forces and measurements, played through time.\n"
-    "With --svg, one frame becomes a picture for a document.\n\n"
+    "With --svg, one frame becomes a picture for a document. A scene, or a drawing that dda cut reads, is drawn "
+    "before\n"
+    "anything moves: blocks by group and material, joints, what is taken out, holds, loads and supports. Nothing is "
+    "run.\n\n"
     "Quantities: mean_stress, stress_1, stress_2 (principal, the first the larger), max_shear, stress_xx, stress_yy,\n"
     "stress_xy, speed, displacement.\n\n"
     "Examples:\n"
     "  dda run arch.json --out results --frames 200 && dda view results     then open results/view.html\n"
+    "  dda view arch.json                                                   then open arch.view.svg\n"
     "  dda view results --svg last --out arch.svg --quantity stress_2\n"
     "  dda view results --svg 40 --out arch.svg --forces contacts --window -6,-1,6,6\n";
 
@@ -73,7 +77,7 @@ inline constexpr auto report_details =
 
 inline constexpr auto cut_details =
     "DIR gets scene.json, with all blocks and joints of the rock written out, which runs as the given scene does;\n"
-    "cut.json, with figures and all that was cleaned; and cut.svg, a picture. check and run cut by themselves.\n"
+    "cut.json, with figures and all that was cleaned; and cut.svg, a picture. check, run and view cut by themselves.\n"
     "A drawing has its lines on layers boundary, rock, tunnel, ... (docs/drawings.md); its scene.json has assumptions "
     "for\n"
     "what no drawing says.\n\n"

@@ -11,6 +11,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "engine/app/advise_command.h"
 #include "engine/app/command_details.h"
@@ -166,28 +167,37 @@ void add_run(CLI::App& app, Arguments& arguments) {
 
 void add_view(CLI::App& app, Arguments& arguments) {
   ViewOptions& options = arguments.view;
-  CLI::App* view = app.add_subcommand("view", "Show a run that has frames: a page, or a picture")->footer(view_details);
-  view->add_option("folder", options.folder, "what dda run --frames wrote")->required()->type_name("DIR");
-  view->add_option("--out", options.file, "the file to write; default DIR/view.html")->type_name("FILE");
+  CLI::App* view = app.add_subcommand("view", "Show a run that has frames, as a page or a picture, or a scene")
+                       ->footer(view_details);
+  view->add_option("folder", options.folder, "what dda run --frames wrote; a scene file or a drawing is drawn as it is")
+      ->required()
+      ->type_name("DIR|SCENE.json|DRAWING");
+  view->add_option("--out", options.file, "the file to write; default DIR/view.html, of a scene SCENE.view.svg")
+      ->type_name("FILE");
   view->add_option("--quantity", options.quantity, "what blocks are coloured by; default mean_stress")
       ->type_name("NAME");
   view->add_option("--max-size", options.most_megabytes, "largest page in MB; default 50; longer runs are thinned")
       ->type_name("MB")
       ->check(number_from(0.01, 1e6));
-  CLI::Option* svg = view->add_option("--svg", options.svg_frame, "a picture (SVG) of this frame, from 0, or last")
-                         ->type_name("FRAME");
+  view->add_option("--svg", options.svg_frame, "a picture (SVG) of this frame, from 0, or last")->type_name("FRAME");
   view->add_option("--forces", options.forces, "contact forces in the picture: joints (default), contacts, none")
-      ->type_name("KIND")
-      ->needs(svg);
-  view->add_flag("--crosses", options.crosses, "principal stresses in the picture")->needs(svg);
+      ->type_name("KIND");
+  view->add_flag("--crosses", options.crosses, "principal stresses in the picture");
   view->add_option("--deformation-scale", options.deformation_scale, "factor on all motion in the picture; default 1")
       ->type_name("FACTOR")
-      ->check(number_from(0, 1e12))
-      ->needs(svg);
+      ->check(number_from(0, 1e12));
   view->add_option("--window", options.window, "part of the plane in the picture, m; default: all blocks")
       ->type_name("LEFT,BOTTOM,RIGHT,TOP")
-      ->delimiter(',')
-      ->needs(svg);
+      ->delimiter(',');
+  add_drawing_options(*view, options.drawing);
+}
+
+// The names of the options that stand on the command line.
+std::vector<std::string> given_options(const CLI::App& command) {
+  std::vector<std::string> given;
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0) given.push_back(option->get_name());
+  return given;
 }
 
 void add_report(CLI::App& app, ReportOptions& options) {
@@ -205,11 +215,7 @@ void add_cut(CLI::App& app, Arguments& arguments) {
   cut->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
   cut->add_option("--export", arguments.cut.exported, "the blocks as a drawing, too: .dxf, .geojson or .dc")
       ->type_name("FILE");
-  cut->add_option("--layer", arguments.cut.layers, "what a layer of a drawing is, e.g. \"bed joints=rock\"; any number")
-      ->type_name("NAME=MEANING")
-      ->allow_extra_args(false);
-  cut->add_option("--unit", arguments.cut.unit, "of a drawing's coordinates, e.g. mm; default what it says, else m")
-      ->type_name("UNIT");
+  add_drawing_options(*cut, arguments.cut.drawing);
 }
 
 void check_scene(const Arguments& arguments, std::ostream& out) {
@@ -288,6 +294,7 @@ int carry_out(const CLI::App& app, Arguments& arguments, std::ostream& out, std:
   if (app.got_subcommand("reaction")) return find_ground_reaction(arguments.reaction, out, errors);
   if (app.got_subcommand("run")) return run(arguments, out, errors);
   if (app.got_subcommand("view")) {
+    arguments.view.given = given_options(*app.get_subcommand("view"));
     view_run(arguments.view, out);
     return 0;
   }

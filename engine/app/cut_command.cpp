@@ -13,7 +13,6 @@
 #include "engine/app/exported_blocks.h"
 #include "engine/app/statistics_picture.h"
 #include "engine/core/error.h"
-#include "engine/drawing/read_drawing.h"
 #include "engine/drawing/write_blocks.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/folder_lock.h"
@@ -57,21 +56,6 @@ void check_outputs(const CutRequest& request) {
                      "a file, or a name that is free");
 }
 
-DrawingWords words_of(const CutRequest& request) {
-  const bool said = !request.layers.empty() || !request.unit.empty();
-  if (said && !is_drawing(request.scene))
-    throw InputError("", request.layers.empty() ? "--unit" : "--layer", "given beside a scene",
-                     "a drawing; a scene says it in \"drawing\"");
-  DrawingWords words;
-  words.unit = request.unit;
-  for (const std::string& layer : request.layers) {
-    const auto at = layer.rfind('=');
-    if (at == std::string::npos || at == 0) throw InputError("", "--layer", "\"" + layer + "\"", "NAME=MEANING");
-    words.layers[layer.substr(0, at)] = layer.substr(at + 1);
-  }
-  return words;
-}
-
 struct Output {
   std::filesystem::path file;
   std::string text;
@@ -104,7 +88,8 @@ void cut_into_folder(const CutRequest& request, std::ostream& out) {
   const auto began = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   std::ostream* const screen = terminal();
-  const CutScene cut = cut_scene(request.scene, request.folder, words_of(request), [&](std::string_view what) {
+  const DrawingWords words = words_of(request.drawing, request.scene);
+  const CutScene cut = cut_scene(request.scene, request.folder, words, [&](std::string_view what) {
     if (screen != nullptr && seconds() > worth_telling) *screen << fmt::format("{:6.1f} s  {}\n", seconds(), what);
   });
   const CutFigures figures = figures_of(cut, seconds());

@@ -3,17 +3,15 @@
 
 #include <filesystem>
 #include <iosfwd>
-#include <string>
-#include <vector>
+#include "engine/app/drawing_words.h"
 
 namespace dda {
 
 struct CutRequest {
   std::filesystem::path scene;  // or a drawing
   std::filesystem::path folder;
-  std::filesystem::path exported;   // a drawing of the blocks; empty: none
-  std::vector<std::string> layers;  // of a drawing: "NAME=MEANING"
-  std::string unit;                 // of a drawing; empty: what it says
+  std::filesystem::path exported;  // a drawing of the blocks; empty: none
+  DrawingOptions drawing;
 };
 
 // Writes scene.json (blocks and joints written out), cut.json (figures and what was cleaned) and cut.svg (a picture)

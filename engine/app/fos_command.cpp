@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <ostream>
+#include <string>
 
 #include "engine/app/fos_report.h"
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/reserved_folder.h"
 #include "engine/scene/scene.h"
@@ -21,12 +23,14 @@ constexpr auto details =
     "fos.json and fos.svg, a picture of what moves.\n\n"
     "Examples:\n"
     "  dda fos slope.json\n"
-    "  dda fos slope.json --width 0.001 --out fos\n";
+    "  dda fos slope.json --width 0.001 --out fos\n"
+    "  dda fos slope.json --jobs 1                  one run after the other, as beside other work\n";
 
 constexpr double least_width = 1e-6;
 constexpr double most_width = 0.5;
 constexpr double least_most = 1.1;
 constexpr double most_most = 1e4;
+constexpr int most_jobs = 1024;  // more than any machine has would only be a slip
 
 void check_number(double value, double least, double most, const char* option) {
   if (!(value >= least && value <= most))  // nor is what is no number
@@ -43,10 +47,18 @@ double time_of_loads(const Model& model) {
   return time;
 }
 
+int jobs_of(const FosRequest& request) {
+  if (!request.jobs) return cores();
+  if (*request.jobs < 1 || *request.jobs > most_jobs)
+    throw InputError("", "--jobs", std::to_string(*request.jobs),
+                     fmt::format("a whole number from 1 to {}", most_jobs));
+  return *request.jobs;
+}
+
 SafetyQuestion question_of(const FosRequest& request, const Model& model) {
   check_number(request.most, least_most, most_most, "--most");
   check_number(request.width, least_width, most_width, "--width");
-  return {time_of_loads(model), request.most, request.width};
+  return {time_of_loads(model), request.most, request.width, jobs_of(request)};
 }
 
 SafetyReport answer(const FosRequest& request, const SafetyQuestion& question, const Model& model,
@@ -74,6 +86,7 @@ void add_fos(CLI::App& app, FosRequest& request) {
   add("--out", request.folder, "folder for the results; made if need be", "DIR");
   add("--most", request.most, "greatest factor tried, and one over the least; default 64", "FACTOR");
   add("--width", request.width, "of the interval in which the factor lies, as a share of it; default 0.005", "SHARE");
+  add("--jobs", request.jobs, "factors tried at once; default: as many as there are cores", "N");
 }
 
 void find_factor_of_safety(const FosRequest& request, std::ostream& out, std::ostream& progress) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
@@ -17,6 +18,7 @@ struct FosRequest {
   std::filesystem::path folder;  // for fos.json and fos.svg; empty: none are written
   double most = 64;              // the factor is looked for between 1/most and this
   double width = 0.005;          // of the interval in which it lies, as a share of the factor
+  std::optional<int> jobs;       // runs at once; none: as many as there are cores
 };
 
 // The command with its options and help; parsing fills `request`.

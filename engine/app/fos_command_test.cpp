@@ -42,6 +42,20 @@ TEST_F(FosCommand, FindsTheSameEveryTime) {
   EXPECT_EQ(text("one/fos.json"), text("two/fos.json"));
 }
 
+TEST_F(FosCommand, WritesTheSameWithOneJobAndWithTwo) {
+  write("scene.json", leaning_box);
+  const auto outcome = [this](const std::string& jobs) {
+    return call({"fos", path("scene.json"), "--jobs", jobs, "--out", path("of " + jobs)});
+  };
+  const Outcome one = outcome("1");
+  const Outcome two = outcome("2");
+  ASSERT_EQ(one.code, 0) << one.errors;
+  EXPECT_EQ(one.errors, two.errors);
+  EXPECT_EQ(text("of 1/fos.json"), text("of 2/fos.json"));
+  ASSERT_EQ(outcome("6").code, 0);
+  EXPECT_NEAR(nlohmann::json::parse(text("of 6/fos.json"))["factor_of_safety"].get<double>(), 2, 0.01);
+}
+
 // Joints that only exist in small kinematics are looked at in these.
 TEST_F(FosCommand, FindsTheFactorOfProjectedJoints) {
   nlohmann::json scene = nlohmann::json::parse(leaning_box);
@@ -67,6 +81,10 @@ TEST_F(FosCommand, RefusesWhatIsWrongBeforeItWritesAnything) {
   write("scene.json", leaning_box);
   expect_refusal({"fos", path("none.json")}, "the scene file is missing");
   expect_refusal({"fos", path("scene.json"), "--width", "0", "--out", path("out")}, "--width is 0, expected");
+  for (const char* jobs : {"0", "-3", "1025"})
+    expect_refusal({"fos", path("scene.json"), "--jobs", jobs},
+                   "--jobs is " + std::string(jobs) + ", expected a whole number from 1 to 1024");
+  expect_refusal({"fos", path("scene.json"), "--jobs", "many"}, "--jobs");
   expect_refusal({"fos", path("scene.json"), "--most", "nan", "--out", path("out")}, "--most is nan, expected");
   expect_refusal({"fos", path("scene.json"), "--out", path("scene.json")}, "which is a file");
   EXPECT_EQ(files_below(".").size(), 1U);

@@ -6,12 +6,22 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <ostream>
+#include <string_view>
 #include <system_error>
 
+#include "engine/app/scene_picture.h"
 #include "engine/core/error.h"
+#include "engine/drawing/read_drawing.h"
+#include "engine/geometry/box.h"
 #include "engine/record/atomic_file.h"
+#include "engine/scene/cut_scene.h"
 #include "engine/scene/file_kind.h"
+#include "engine/scene/scene_parts.h"
+#include "engine/simulation/probes.h"
+#include "engine/simulation/simulation.h"
 #include "engine/view/page.h"
 #include "engine/view/quantities.h"
 #include "engine/view/run_facts.h"
@@ -68,6 +78,77 @@ void check_output(const std::filesystem::path& file, const std::vector<std::stri
     throw InputError("", "--out", file.string() + ", which is " + kind, "a file, or a name that is free");
 }
 
+bool is_given(const ViewOptions& options, std::string_view name) {
+  return std::ranges::find(options.given, name) != options.given.end();
+}
+
+// What is a file, or has the name of one that could be drawn.
+bool shows_scene(const std::filesystem::path& given) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(given, ignored)) {
+    const auto kind = kind_other_than_scene(given);
+    return !kind || (is_drawing(given) && kind->command.starts_with("dda cut"));
+  }
+  return (is_drawing(given) || given.extension() == ".json") && !std::filesystem::exists(given, ignored);
+}
+
+// Options that say something of results, which a scene does not have.
+void refuse_options_of_runs(const ViewOptions& options) {
+  for (const char* name : {"--quantity", "--max-size", "--svg", "--forces", "--crosses", "--deformation-scale"})
+    if (is_given(options, name))
+      throw InputError("", name, "given for a scene, which is drawn before anything moves",
+                       "the folder of a run: dda run SCENE.json --out DIR --frames 100 makes one");
+}
+
+void refuse_options_without_picture(const ViewOptions& options) {
+  for (const char* name : {"--forces", "--crosses", "--deformation-scale", "--window"})
+    if (is_given(options, name)) throw InputError("", name, "given without --svg", "--svg FRAME beside it");
+}
+
+void refuse_options_of_drawings(const ViewOptions& options) {
+  for (const char* name : {"--layer", "--unit"})
+    if (is_given(options, name)) throw InputError("", name, "given beside a run", "a drawing, in place of the run");
+}
+
+SceneParts parts_of_drawing(const std::filesystem::path& file, const DrawingWords& words) {
+  CutScene cut = cut_scene(file, file.parent_path(), words);
+  SceneParts parts = parse_scene_parts(cut.text, file.string() + " (cut)", file.parent_path());
+  for (const CutEntry& entry : cut.entries) std::ranges::copy(entry.rock.remarks, std::back_inserter(parts.remarks));
+  return parts;
+}
+
+// What only setting up a run finds out is refused too, as by dda check.
+void expect_runnable(const Model& model, const std::string& file) {
+  try {
+    const Simulation simulation(model);
+    const Probes probes(simulation);
+  } catch (const InputError& error) {
+    throw error.in_file(file);
+  }
+}
+
+std::optional<Box> part_of(const std::vector<double>& sides) {
+  const std::optional<Window> window = window_of(sides);
+  if (!window) return std::nullopt;
+  return Box{{window->left, window->bottom}, {window->right, window->top}};
+}
+
+void draw_scene(const ViewOptions& options, std::ostream& out) {
+  refuse_options_of_runs(options);
+  const std::filesystem::path& scene = options.folder;
+  const DrawingWords words = words_of(options.drawing, scene);
+  const std::optional<Box> part = part_of(options.window);
+  const std::filesystem::path file =
+      options.file.empty() ? std::filesystem::path(scene).replace_extension(".view.svg") : options.file;
+  check_output(file, {".svg"});
+  const SceneParts parts = is_drawing(scene) ? parts_of_drawing(scene, words) : read_scene_parts(scene);
+  expect_runnable(parts.model, scene.string());
+  write_file(file, scene_picture(parts, part));
+  for (const std::string& remark : parts.remarks) out << "remark: " << remark << '\n';
+  out << fmt::format("{}: {} block{}, before anything moves\n", file.string(), parts.model.blocks.size(),
+                     parts.model.blocks.size() == 1 ? "" : "s");
+}
+
 void draw_picture(const ViewOptions& options, std::ostream& out) {
   if (options.file.empty()) throw InputError("", "--out", "missing", "the file of the picture, which --svg needs");
   check_output(options.file, {".svg"});
@@ -99,8 +180,11 @@ void expect_folder(const std::filesystem::path& folder) {
 }
 
 void view_run(const ViewOptions& options, std::ostream& out) {
+  if (shows_scene(options.folder)) return draw_scene(options, out);
   expect_folder(options.folder);
+  refuse_options_of_drawings(options);
   if (!options.svg_frame.empty()) return draw_picture(options, out);
+  refuse_options_without_picture(options);
   PageOptions page;
   page.folder = options.folder;
   page.file = options.file.empty() ? options.folder / "view.html" : options.file;

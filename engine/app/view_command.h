@@ -1,4 +1,4 @@
-// `dda view`: a run with frames in, a page or a picture out.
+// `dda view`: a run with frames in, a page or a picture out; a scene or a drawing in, a picture out.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/drawing_words.h"
+
 namespace dda {
 
 struct ViewOptions {
-  std::filesystem::path folder;
-  std::filesystem::path file;  // empty: view.html in the folder
+  std::filesystem::path folder;  // of a run; or a scene file, or a drawing
+  std::filesystem::path file;    // empty: view.html in the folder, or NAME.view.svg beside the scene
   std::string quantity = "mean_stress";
   double most_megabytes = 50;  // of the page
 
@@ -19,6 +21,9 @@ struct ViewOptions {
   bool crosses = false;
   double deformation_scale = 1;
   std::vector<double> window;  // left, bottom, right, top, m; empty: all blocks
+
+  DrawingOptions drawing;
+  std::vector<std::string> given;  // names of the options on the command line
 };
 
 // InputError where the folder of a run is a file, with what it is and which command reads it.

@@ -114,10 +114,90 @@ TEST_F(CommandLine, ViewRefusesInOneSentence) {
   expect_refusal({"view", run, "--out", "/dev/null"}, "--out is /dev/null, which is a device");
   std::filesystem::create_symlink(path("elsewhere.html"), path("link.html"));
   expect_refusal({"view", run, "--out", path("link.html")}, "link.html, which is a symbolic link");
+  expect_refusal({"view", run + "/histories.csv"}, "which is a table of measurements, expected a folder with results");
+  expect_refusal({"view", run, "--unit", "mm"}, "--unit is given beside a run");
+  expect_refusal({"view", run, "--window", "0,0,1,1"}, "--window is given without --svg");
   write("run/frames/000001.vtp", "no frame");
   expect_refusal({"view", run}, "frames/000001.vtp: the file is ");
   EXPECT_FALSE(exists("run/view.html"));
   EXPECT_FALSE(exists("a.svg"));
+}
+
+// Rock with an opening that a stage takes out, held and loaded.
+constexpr auto rock_scene = R"({"dda": 1, "gravity": 9.81,
+ "materials": {"rock": {"density": 2600, "young": "20 GPa", "poisson": 0.25}},
+ "joints": {"default": {"friction_angle": "35 deg"}, "bedding": {"friction_angle": "25 deg"}},
+ "blocks": {"rock": {"boundary": [[0, 0], [6, 0], [6, 6], [0, 6]],
+   "joint_sets": [{"dip": 0, "spacing": 1, "joint": "bedding"}, {"dip": 90, "spacing": 2, "joint": "default"}],
+   "openings": [{"name": "drift", "rectangle": {"width": 2, "height": 2, "foot": [3, 2]}}]}},
+ "loads": [{"edge": "top", "traction": [0, "-1 MPa"]}],
+ "supports": [{"edge": "bottom"}],
+ "steps": [{"name": "settle", "integrator": "static", "dt": "1 s", "duration": "1 s"},
+           {"name": "open", "remove": ["drift"], "dt": "1 ms", "duration": "1 ms"}]})";
+
+std::size_t count_of(const std::string& text, std::string_view part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(CommandLine, ViewCutsAndDrawsAScene) {
+  write("rock.json", rock_scene);
+  const Outcome view = call({"view", path("rock.json")});
+  ASSERT_EQ(view.code, 0) << view.errors;
+  EXPECT_TRUE(contains(view.out, "rock.view.svg: ")) << view.out;
+  const std::string picture = text("rock.view.svg");
+  for (const char* part :
+       {"joint bedding", "joint default", ">drift<", "taken out by a stage", ">support<", ">load<", ">rock<"})
+    EXPECT_TRUE(contains(picture, part)) << part;
+  EXPECT_FALSE(contains(picture, ">bolt<"));
+  EXPECT_EQ(files_below("").size(), 2U);  // the scene and its picture, and no folder of results
+  const Outcome part = call({"view", path("rock.json"), "--out", path("part.svg"), "--window", "2,2,4,4"});
+  ASSERT_EQ(part.code, 0) << part.errors;
+  EXPECT_EQ(count_of(text("part.svg"), "clipPath"), 2U);
+  EXPECT_FALSE(contains(picture, "clipPath"));
+}
+
+TEST_F(CommandLine, ViewDrawsPlainBlocksAndDrawings) {
+  write("bar.json", hanging_block(4, true));
+  ASSERT_EQ(call({"view", path("bar.json"), "--out", path("bar.svg")}).code, 0);
+  EXPECT_TRUE(contains(text("bar.svg"), ">rock<"));
+  EXPECT_TRUE(contains(text("bar.svg"), ">bolt<"));
+  EXPECT_FALSE(contains(text("bar.svg"), ">load<"));
+  const std::string plan =
+      "layer,x1,y1,x2,y2\nboundary,0,0,4,0\nboundary,4,0,4,4\nboundary,4,4,0,4\n"
+      "boundary,0,4,0,0\nbeds,0,1,4,2\n";
+  write("plan.csv", plan);
+  expect_refusal({"view", path("plan.csv")}, "plan.csv line 6 is on the unknown layer \"beds\"");
+  const Outcome drawn = call({"view", path("plan.csv"), "--layer", "beds=rock"});
+  ASSERT_EQ(drawn.code, 0) << drawn.errors;
+  EXPECT_TRUE(contains(drawn.out, "plan.view.svg: 2 blocks")) << drawn.out;
+  EXPECT_TRUE(contains(drawn.out, "remark: ")) << drawn.out;
+}
+
+// A scene that dda check refuses is refused in the same words.
+TEST_F(CommandLine, ViewRefusesOfASceneWhatCheckRefuses) {
+  write("rock.json", rock_scene);
+  const auto refuse = [&](const std::string& option, const std::string& value) {
+    std::vector<std::string> arguments{"view", path("rock.json"), option};
+    if (!value.empty()) arguments.push_back(value);
+    expect_refusal(arguments, option + " is given for a scene, which is drawn before anything moves, expected");
+  };
+  for (const char* option : {"--quantity", "--svg", "--forces"}) refuse(option, "last");
+  for (const char* option : {"--max-size", "--deformation-scale"}) refuse(option, "2");
+  refuse("--crosses", "");
+  expect_refusal({"view", path("rock.json"), "--unit", "mm"}, "--unit is given beside a scene");
+  expect_refusal({"view", path("rock.json"), "--out", path("a.html")}, "expected a name that ends in .svg");
+  std::string bad = rock_scene;
+  bad.replace(bad.find("\"25 deg\""), 8, "\"95 deg\"");
+  write("bad.json", bad);
+  write("unset.json", std::string(bar_scene(3, 10)).replace(bar_scene(3, 10).find("[2, 0.5]"), 8, "[2.2, 0.5]"));
+  for (const char* scene : {"bad.json", "unset.json", "missing.json"}) {
+    const Outcome check = call({"check", path(scene)});
+    EXPECT_EQ(check.code, 2);
+    expect_refusal({"view", path(scene)}, check.errors);
+  }
+  EXPECT_FALSE(exists("rock.view.svg"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/model/check_parts.h"
@@ -86,6 +87,10 @@ void check_relaxation(const Item& item, const Stage& stage) {
   check_history(item, *stage.removal.relaxation);
   const double first = evaluate(*stage.removal.relaxation, 0);
   if (std::abs(first - 1) > 1e-12) item.fail("relaxation", fmt::format("{} at its start", first), "1 there");
+  const auto* rows = std::get_if<PiecewiseLinear>(&*stage.removal.relaxation);
+  if (rows == nullptr) return;
+  for (const double factor : rows->values)
+    if (!(factor >= 0 && factor <= 1)) item.fail("relaxation", fmt::format("{}", factor), "factors from 0 to 1");
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dda {
 namespace {
+
+constexpr double sums = 64;  // roundings of the largest energy that differences of sums of it may have together
 
 double stored(const EnergyLedger& energy) { return energy.strain + energy.contact + energy.bolts + energy.linings; }
 
@@ -26,7 +29,7 @@ double EnergyRelease::relative_difference() const {
   for (const double entry : {work, strain, potential, joints, plastic, kinetic, damping, radiated, removed})
     most = std::max(most, std::abs(entry));
   const double difference = by_work() - by_fate();
-  return difference == 0 ? 0 : difference / most;
+  return std::abs(difference) <= round_off ? 0 : difference / most;
 }
 
 EnergyRelease energy_release(const EnergyLedger& after) { return energy_release(start_of(after), after); }
@@ -43,6 +46,7 @@ EnergyRelease energy_release(const EnergyLedger& before, const EnergyLedger& aft
       (after.damping - before.damping) + (after.dashpot - before.dashpot) + (after.numerical - before.numerical);
   release.radiated = after.radiated - before.radiated;
   release.removed = after.removed - before.removed;
+  release.round_off = sums * std::numeric_limits<double>::epsilon() * after.scale();
   return release;
 }
 

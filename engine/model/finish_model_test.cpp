@@ -132,6 +132,12 @@ const std::vector<Spoiled> spoiled = {
        m.joint_of_block_pair[{1, 0}] = 0;
      },
      "pair", "(1, 0)"},
+    {"relaxation above 1",
+     [](Model& m) {
+       m.stages.push_back(m.stages[0]);
+       m.stages[1].removal = {{1}, PiecewiseLinear{{0, 1}, {1, 2}}};
+     },
+     "relaxation", "2"},
     {"material index", [](Model& m) { m.blocks[1].material = 1; }, "blocks \"b\" material", "1"},
     {"zero area", [](Model& m) { m.blocks[0].shape.outer[2].y() = m.blocks[0].shape.outer[3].y() = 0; }, "shape",
      "degenerate"},

@@ -1,14 +1,27 @@
 #include "engine/safety/factor_of_safety.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <future>
+#include <stop_token>
 #include <utility>
+#include <vector>
 
 #include "engine/safety/reduced_strength.h"
 
 namespace dda {
 namespace {
+
+// Asks to stop when it goes.
+struct StopAtEnd {
+  std::stop_source source;
+  StopAtEnd() = default;
+  StopAtEnd(const StopAtEnd&) = delete;
+  StopAtEnd& operator=(const StopAtEnd&) = delete;
+  ~StopAtEnd() { source.request_stop(); }
+};
 
 class Search {
  public:
@@ -24,8 +37,8 @@ class Search {
   }
 
  private:
-  [[nodiscard]] Standing run(double factor) const {
-    return standing_of(with_strength_over(factor, model_), question_.time);
+  [[nodiscard]] Standing run(double factor, const std::stop_token& stop = {}) const {
+    return standing_of(with_strength_over(factor, model_), question_.time, stop);
   }
 
   void note(double factor, Standing standing) {
@@ -42,8 +55,12 @@ class Search {
   // Rock that does not carry its loads while contacts stick stands at no strength: there is nothing to look for.
   void bracket() {
     const double ratio = report_.stands > 0 ? 2 : 0.5;
-    for (double factor = ratio; !report_.is_bracketed() && within_reach(factor) && can_stand(); factor *= ratio)
-      note(factor, run(factor));
+    double factor = ratio;
+    while (!report_.is_bracketed() && within_reach(factor) && can_stand()) {
+      std::vector<double> factors;
+      for (; factors.size() < jobs() && within_reach(factor); factor *= ratio) factors.push_back(factor);
+      run_until([this] { return report_.is_bracketed() || !can_stand(); }, factors);
+    }
   }
 
   [[nodiscard]] bool within_reach(double factor) const {
@@ -55,14 +72,26 @@ class Search {
   // A run that stands above one that fails, as where blocks find another hold, counts as failed: the factor is that of
   // the first failure.
   void part() {
-    const double third = std::cbrt(report_.fails / report_.stands);
-    const std::array<double, 2> factors{report_.stands * third, report_.stands * third * third};
-    std::future<Standing> other = std::async(std::launch::async, [&] { return run(factors[1]); });
-    Standing lower = run(factors[0]);
-    const bool lower_stands = lower.stands;
-    note(factors[0], std::move(lower));
-    Standing upper = other.get();
-    if (lower_stands) note(factors[1], std::move(upper));
+    const std::size_t inner = std::max<std::size_t>(2, jobs());
+    const double ratio = inner == 2 ? std::cbrt(report_.fails / report_.stands)
+                                    : std::pow(report_.fails / report_.stands, 1.0 / static_cast<double>(inner + 1));
+    std::vector<double> factors{report_.stands * ratio};
+    while (factors.size() < inner) factors.push_back(factors.back() * ratio);
+    const double end = report_.fails;
+    run_until([&] { return report_.fails < end; }, factors);
+  }
+
+  [[nodiscard]] std::size_t jobs() const { return static_cast<std::size_t>(std::max(1, question_.jobs)); }
+
+  // Notes runs of these factors, one after the other, until `is_enough`. Several jobs run all of them at once, this
+  // thread the first, and those that are not needed are given up; one job runs what is asked for.
+  void run_until(const std::function<bool()>& is_enough, const std::vector<double>& factors) {
+    std::vector<std::future<Standing>> runs;
+    const StopAtEnd end;  // before the runs go, which wait for their threads
+    for (const double factor : factors)
+      runs.push_back(std::async(jobs() == 1 || runs.empty() ? std::launch::deferred : std::launch::async,
+                                [this, factor, stop = end.source.get_token()] { return run(factor, stop); }));
+    for (std::size_t i = 0; i < factors.size() && !is_enough(); ++i) note(factors[i], runs[i].get());
   }
 
   const Model& model_;

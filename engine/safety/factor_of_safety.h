@@ -13,6 +13,7 @@ struct SafetyQuestion {
   double time = 0;       // s, at which loads and prescribed motions are taken
   double most = 64;      // the factor is looked for between 1/most and this
   double width = 0.005;  // of the interval in which it lies, as a share of the factor
+  int jobs = 2;          // runs at once, each on a thread of its own
 };
 
 // One run of the search.
@@ -35,9 +36,11 @@ struct SafetyReport {
   [[nodiscard]] double factor() const;
 };
 
-// Doubles or halves the factor until it is bracketed, and then parts the interval in three equal ratios, by two runs on
-// two threads. What is found does not depend on how many threads there are. `progress` is called after every run, by
-// one thread at a time.
+// Doubles or halves the factor until it is bracketed, and then parts the interval in equal ratios again and again: in
+// three by one or two jobs, which find the same to the last bit, in N + 1 by N. So the interval that is found depends
+// on the number of jobs from three on, its width does not. Which runs are needed is known once those before them have
+// ended: what several jobs have begun in vain is given up and not told. `progress` is called with every run that
+// counts, in order.
 [[nodiscard]] SafetyReport factor_of_safety(const Model& model, const SafetyQuestion& question,
                                             const std::function<void(const SafetyTrial&)>& progress = {});
 

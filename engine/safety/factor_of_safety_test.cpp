@@ -93,6 +93,40 @@ TEST(FactorOfSafety, BoxesThatLeanOnEachOther) {
   for (const std::size_t box : {std::size_t{1}, std::size_t{2}}) EXPECT_GT(report.failure.movement[box].norm(), 1e-3);
 }
 
+std::vector<double> factors_of(const SafetyReport& report) {
+  std::vector<double> factors;
+  for (const SafetyTrial& trial : report.trials) factors.push_back(trial.factor);
+  return factors;
+}
+
+// A box that stands at 8 times less, one that stands at once and one that needs 5 times more, and one that never
+// slides.
+TEST(FactorOfSafety, ManyJobsFindWhatOneFinds) {
+  for (const double exact : {9.7, 1.2, 0.2}) {
+    const Model model = boxes_on_slope(20 * degree, {std::atan(exact * std::tan(20 * degree))});
+    const SafetyReport one = factor_of_safety(model, {.jobs = 1});
+    ASSERT_TRUE(one.is_bracketed());
+    EXPECT_EQ(factors_of(one), factors_of(factor_of_safety(model, {.jobs = 2})));
+    for (const int jobs : {3, 4, 7}) {
+      const SafetyReport many = factor_of_safety(model, {.jobs = jobs});
+      ASSERT_TRUE(many.is_bracketed());
+      EXPECT_LE(many.fails / many.stands, 1 + width);
+      EXPECT_NEAR(many.factor() / exact, 1, width);
+      EXPECT_NEAR(many.factor() / one.factor(), 1, width);
+      EXPECT_EQ(factors_of(many), factors_of(factor_of_safety(model, {.jobs = jobs})));
+    }
+  }
+  EXPECT_EQ(factor_of_safety(boxes_on_slope(0, {20 * degree}), {.most = 8, .jobs = 5}).trials.size(), 4U);
+}
+
+// The interval narrows N + 1 times in a round of N jobs: 2 to 1 needs 4 rounds of 3 jobs to be narrower than 0.5 %.
+TEST(FactorOfSafety, ARoundOfNJobsPartsTheIntervalInNPlusOne) {
+  const Model model = boxes_on_slope(20 * degree, {std::atan(1.9 * std::tan(20 * degree))});
+  const SafetyReport report = factor_of_safety(model, {.jobs = 3});
+  ASSERT_TRUE(report.is_bracketed());
+  EXPECT_NEAR(std::log(report.fails / report.stands), std::log(2) / 256, 1e-12);
+}
+
 TEST(FactorOfSafety, LevelGroundHasNone) {
   const SafetyReport report = factor_of_safety(boxes_on_slope(0, {20 * degree}), {.most = 8});
   EXPECT_EQ(report.stands, 8);

@@ -82,7 +82,7 @@ class Watch {
 
 }  // namespace
 
-Standing standing_of(Model model, double time) {
+Standing standing_of(Model model, double time, const std::stop_token& stop) {
   Stage stand = static_stage("stand", 0, false);
   stand.removal.blocks = removed_blocks(model);
   const RockOfStage last{materials_in(model, model.stages.size()), joints_in(model, model.stages.size())};
@@ -96,7 +96,7 @@ Standing standing_of(Model model, double time) {
   Simulation simulation(std::move(model));
   Watch watch(simulation);
   Status status = Status::ok;
-  while (!simulation.finished() && status == Status::ok && !watch.has_failed()) {
+  while (!simulation.finished() && status == Status::ok && !watch.has_failed() && !stop.stop_requested()) {
     status = simulation.step();
     watch.look();
   }

@@ -2,6 +2,7 @@
 // an equilibrium without moving far.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ constexpr double movement_of_failure = 0.05;
 
 // The model's own stages give way to two static ones that find their own steps; loads and motions are those of `time`
 // (s). What its stages remove is removed when the first of the two is over. Throws InputError as finish_model does.
-[[nodiscard]] Standing standing_of(Model model, double time);
+// Once it is asked to `stop` it gives up after the step under way, with an answer that says nothing.
+[[nodiscard]] Standing standing_of(Model model, double time, const std::stop_token& stop = {});
 
 }  // namespace dda

@@ -81,6 +81,13 @@ TEST(RemovalInScenes, ThatCannotBeIsRefused) {
   refused(R"({"over": 1})", {"steps[1].remove", "blocks"});
   refused(R"({"blocks": ["hole"], "over": 1, "table": [[0, 1]]})", {"steps[1].remove.table", "beside over"});
   refused(R"({"blocks": ["hole"], "table": [[0, 0.5], [1, 0]]})", {"steps[1].remove.table", "1 at time 0"});
+  for (const char* factor : {"2", "-1"})
+    refused(R"({"blocks": ["hole"], "table": [[0, 1], [1, )" + std::string(factor) + "], [2, 0]]}",
+            {"steps[1].remove.table[1] is [1," + std::string(factor) + "]", "a factor from 0 to 1"});
+  refused(R"(["hole", "right", "hole"])", {"steps[1].remove[2] is \"hole\" a second time", "each name once"});
+  refused(R"({"blocks": ["a", "a"], "over": 1e-3})", {"steps[1].remove.blocks[1] is \"a\" a second time"});
+  refused(R"(["hole"]}, {"dt": 1e-4, "duration": 1e-2, "remove": ["hole"])",
+          {"steps[2].remove[0] is \"hole\"", "no stage before removes"});
   refused(R"(["floor"])", {"\"motion\" remove", "which is held"});
   refused(R"(["hole"]}, {"dt": 1e-4, "duration": 1e-2, "remove": ["a"])",
           {"steps[2].remove[0]", "no stage before removes"});
@@ -167,7 +174,9 @@ TEST(StressField, OfLayersRefusesWhatIsNoGround) {
 
 TEST(StressField, PushesOnEdges) {
   const Model model = parse_scene(scene_with(R"(, "stress_field": {"xy": 5, "surface": 3, "gradient": 1000, "k0": 0.5},
-        "loads": [{"edge": "outside", "traction": "in-situ"}],
+        "loads": [{"edge": "left", "traction": "in-situ"}, {"edge": "top", "traction": "in-situ"},
+                  {"edge": "bottom", "traction": "in-situ"},
+                  {"edge": {"from": [8, 0], "to": [8, 1]}, "traction": "in-situ"}],
         "viscous_boundaries": [{"edge": {"from": [8, 1], "to": [8, 2]}, "carries_initial_stress": true}])",
                                              ""),
                                   "scene");
@@ -182,7 +191,7 @@ TEST(StressField, PushesOnEdges) {
     if (middle.y() == 0) expected = {-5, 1000 * depth};
     EXPECT_EQ(load.traction, expected);
   }
-  EXPECT_EQ(model.edge_loads.size(), 4U + 4U + 4U + 1U);
+  EXPECT_EQ(model.edge_loads.size(), 2U + 4U + 4U + 1U + 1U);
   const EdgeLoad& absorbed = model.edge_loads.back();
   EXPECT_EQ(absorbed.traction, Vec2(-500 * 1.5, 5));
 }
@@ -192,7 +201,7 @@ TEST(StressField, PushesOnEdges) {
 TEST(StressField, PushesWithTheStressOfATableWhereOneGivesIt) {
   const Model model = parse_scene(scene_with(R"(, "stress_field": {"xx": 3, "yy": 5},
         "initial_fields": [{"x": [0], "y": [0], "stress_xx": [[-7]]}],
-        "loads": [{"edge": "outside", "traction": "in-situ"}],
+        "loads": [{"edge": "left", "traction": "in-situ"}, {"edge": "top", "traction": "in-situ"}],
         "viscous_boundaries": [{"edge": {"from": [8, 1], "to": [8, 2]}, "carries_initial_stress": true}])",
                                              ""),
                                   "scene");
@@ -204,6 +213,24 @@ TEST(StressField, PushesWithTheStressOfATableWhereOneGivesIt) {
     }
   }
   EXPECT_EQ(model.edge_loads.back().traction, Vec2(-7, 0));
+}
+
+// Both would add up, in silence.
+TEST(StressField, IsRefusedOnAnEdgeThatCarriesItAlready) {
+  const auto scene = [](const std::string& load, const std::string& boundary) {
+    return scene_with(R"(, "stress_field": {"xx": -5}, "loads": [)" + load + R"(], "viscous_boundaries": [)" +
+                          boundary + R"(, "carries_initial_stress": true}])",
+                      "");
+  };
+  const std::string right = R"({"edge": {"from": [8, 1], "to": [8, 2]})";
+  const std::string outside = R"({"edge": "outside", "traction": "in-situ"})";
+  const std::string half =
+      R"({"edge": "top", "pressure": 1}, {"edge": {"from": [8, 1.5], "to": [8, 2]}, "traction": "in-situ"})";
+  const std::string is_true = "viscous_boundaries[0].carries_initial_stress is true along \"right\", on which loads";
+  expect_sentence_for(scene(outside, right), {is_true + "[0] puts the traction in situ already", "one of the two"});
+  expect_sentence_for(scene(half, right), {is_true + "[1]"});
+  const std::string beside = R"({"edge": "left", "traction": "in-situ"}, {"edge": "right", "pressure": "1 kPa"})";
+  EXPECT_EQ(parse_scene(scene(beside, right), "scene").edge_loads.size(), 2U + 2U + 1U);
 }
 
 TEST(StressField, ThatSaysTooLittleOrTooMuchIsRefused) {

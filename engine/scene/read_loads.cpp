@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
+#include "engine/geometry/segment.h"
 #include "engine/model/check_parts.h"
+#include "engine/model/tolerance.h"
 #include "engine/scene/places.h"
 #include "engine/scene/sections.h"
 
@@ -87,6 +91,40 @@ std::vector<Stretch> read_free_side(const Field& field, const GroundPlan& plan, 
   return stretches;
 }
 
+// Stretches on which loads put the traction in situ, with the load that does.
+struct InSituLoads {
+  struct Entry {
+    Stretch stretch;
+    std::string load;
+  };
+  std::vector<Entry> entries;
+
+  // A boundary that carries the same traction there would double it.
+  void refuse_on(const Stretch& stretch, const Field& boundary, const Model& model) const {
+    for (const auto& [other, load] : entries) {
+      if (other.block != stretch.block ||
+          !collinear_overlap({other.from, other.to}, {stretch.from, stretch.to}, point_tolerance(model)))
+        continue;
+      boundary.at("carries_initial_stress")
+          .fail(fmt::format("true along \"{}\", on which {} puts the traction in situ already",
+                            model.blocks[static_cast<std::size_t>(stretch.block)].name, load),
+                "one of the two, as both would double it");
+    }
+  }
+};
+
+InSituLoads in_situ_loads(const Field& scene, const GroundPlan& plan, const Model& model) {
+  InSituLoads found;
+  const auto loads = scene.find("loads");
+  if (!loads) return found;
+  for (const Field& load : loads->items()) {
+    const auto traction = load.find("traction");
+    if (!traction || !traction->is_text()) continue;
+    for (const Stretch& stretch : read_edge(load, plan, model)) found.entries.push_back({stretch, load.path()});
+  }
+  return found;
+}
+
 void append_free_field_side(const std::vector<Stretch>& stretches, Model& model) {
   FreeFieldSide side;
   const std::size_t first = model.viscous_edges.size() - stretches.size();
@@ -95,7 +133,14 @@ void append_free_field_side(const std::vector<Stretch>& stretches, Model& model)
   model.free_field_sides.push_back(std::move(side));
 }
 
-void read_viscous_boundary(const Field& field, const GroundPlan& plan, const StressField& stresses, Model& model) {
+void carry_initial_stress(const Field& boundary, const Stretch& s, const StressField& stresses,
+                          const InSituLoads& in_situ, Model& model) {
+  in_situ.refuse_on(s, boundary, model);
+  model.edge_loads.push_back({s.block, s.from, s.to, stresses.traction_on(s, model), Constant{}});
+}
+
+void read_viscous_boundary(const Field& field, const GroundPlan& plan, const StressField& stresses,
+                           const InSituLoads& in_situ, Model& model) {
   if (field.has("normal_impedance")) refuse(field, {"normal_speed"}, "beside normal_impedance");
   if (field.has("shear_impedance")) refuse(field, {"shear_speed"}, "beside shear_impedance");
   const double ratio =
@@ -112,7 +157,7 @@ void read_viscous_boundary(const Field& field, const GroundPlan& plan, const Str
         read_impedance(field, "normal_impedance", material.density * read_normal_speed(field, material));
     const double shear = read_impedance(field, "shear_impedance", material.density * read_shear_speed(field, material));
     model.viscous_edges.push_back({s.block, s.from, s.to, ratio * normal, ratio * shear, first_stage});
-    if (carries) model.edge_loads.push_back({s.block, s.from, s.to, stresses.traction_on(s, model), Constant{}});
+    if (carries) carry_initial_stress(field, s, stresses, in_situ, model);
   }
   if (free_field) append_free_field_side(stretches, model);
 }
@@ -150,9 +195,10 @@ void read_loads(const Field& scene, const GroundPlan& plan, const StressField& s
 
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, const StressField& stresses, Model& model) {
   std::vector<Field> free_edges;
+  const InSituLoads in_situ = in_situ_loads(scene, plan, model);
   read_each(scene, "viscous_boundaries", [&](const Field& edge) {
     const std::size_t before = model.free_field_sides.size();
-    read_viscous_boundary(edge, plan, stresses, model);
+    read_viscous_boundary(edge, plan, stresses, in_situ, model);
     if (model.free_field_sides.size() > before) free_edges.push_back(edge.at("edge"));
   });
   check_free_field(free_edges, model);

@@ -131,14 +131,25 @@ std::optional<TimeFunction> read_relaxation(const Field& field, const Stage& sta
   if (over) return PiecewiseLinear{{0, over->positive(Dimension::time)}, {1, 0}};
   PiecewiseLinear rows = read_table(*table);
   if (evaluate(rows, 0) != 1) table->fail("1 at time 0, when the blocks are removed");
+  for (std::size_t i = 0; i < rows.values.size(); ++i)
+    if (!(rows.values[i] >= 0 && rows.values[i] <= 1))
+      table->items()[i].fail("[time, factor] with a factor from 0 to 1, of what the blocks exerted");
   return rows;
 }
 
-// Names of blocks and groups; one that is in two of them is meant once.
+void refuse_names_given_twice(const Field& names) {
+  std::set<std::string> given;
+  for (const Field& name : names.items())
+    if (!given.insert(name.text()).second)
+      name.fail(fmt::format("\"{}\" a second time", name.text()), "each name once");
+}
+
+// Names of blocks and groups; a block that is in two of them is meant once.
 void read_removal(const Field& field, const std::vector<std::string>& groups, const Model& model, Stage& stage) {
   const Field names = field.is_object() ? field.at("blocks") : field;
   if (model.stages.empty())
     field.fail("given in the first stage", "a later one: leave the blocks out of the scene, or let them settle first");
+  refuse_names_given_twice(names);
   std::vector<bool> absent = model.absent_in(model.stages.size());
   absent.resize(model.blocks.size(), false);
   std::vector<int>& removed = stage.removal.blocks;

@@ -183,20 +183,28 @@ Advice wrong_word(const Node& node, const json& rule) {
   return InputError("", path_or_root(node), shown_value(value), joined(words, " or ") + hint);
 }
 
+std::string bound(const json& rule, const char* key, const char* before, const char* behind) {
+  return rule.contains(key) ? before + rule[key].dump() + behind : "";
+}
+
+// The numbers that a rule allows, in words; empty where it has no bounds.
+std::string allowed_numbers(const json& rule) {
+  const std::string least =
+      bound(rule, "exclusiveMinimum", "a number above ", "") + bound(rule, "minimum", "", " or more");
+  const std::string most = bound(rule, "exclusiveMaximum", "below ", "") + bound(rule, "maximum", "at most ", "");
+  if (least.empty() || most.empty()) return least + most;
+  return least + " and " + most;
+}
+
 Advice wrong_number(const Node& node, const json& rule) {
   if (!node.value->is_number()) return {};
   const double value = node.value->get<double>();
-  std::string expected;
-  if (rule.contains("exclusiveMinimum") && !(value > rule["exclusiveMinimum"])) {
-    expected = "a number above " + rule["exclusiveMinimum"].dump();
-  } else if (rule.contains("minimum") && value < rule["minimum"]) {
-    expected = rule["minimum"].dump() + " or more";
-  } else if (rule.contains("maximum") && value > rule["maximum"]) {
-    expected = "at most " + rule["maximum"].dump();
-  } else {
-    return {};
-  }
-  return InputError("", path_or_root(node), shown_value(*node.value), with_description(expected, node));
+  const bool is_allowed = !(rule.contains("exclusiveMinimum") && !(value > rule["exclusiveMinimum"])) &&
+                          !(rule.contains("minimum") && value < rule["minimum"]) &&
+                          !(rule.contains("exclusiveMaximum") && !(value < rule["exclusiveMaximum"])) &&
+                          !(rule.contains("maximum") && value > rule["maximum"]);
+  if (is_allowed) return {};
+  return InputError("", path_or_root(node), shown_value(*node.value), with_description(allowed_numbers(rule), node));
 }
 
 struct Count {

@@ -1,0 +1,20 @@
+#include "engine/advice/projected_offer.h"
+
+#include <algorithm>
+
+#include "engine/contact/joint_stiffness.h"
+#include "engine/model/moving_stages.h"
+
+namespace dda {
+
+bool stages_can_have_projected_joints(const Model& model) {
+  const auto conserves = [](const Stage& stage) { return with_contacts(stage.integrator).conserves_contact_energy; };
+  return model.free_field_sides.empty() && std::ranges::none_of(model.stages, conserves);
+}
+
+bool could_be_projected(const Model& model, const JointMaterial& joint) {
+  if (joint.bonded || joint.contact_damping > 0 || joint.dilation_angle > 0) return false;
+  return joint.law == InterfaceLaw::classical || (has_finite_kinematics(model) && is_springs_where_blocks_move(joint));
+}
+
+}  // namespace dda

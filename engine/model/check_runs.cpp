@@ -35,8 +35,8 @@ void check_stage(const Item& item, const Stage& stage) {
   item.not_negative("mass damping", stage.material_damping.mass);
   item.not_negative("stiffness damping", stage.material_damping.stiffness);
   item.within("equilibrium", stage.equilibrium, 0, 1);
-  item.positive("max open-close iterations", stage.max_open_close_iterations);
-  item.within("max step reductions", stage.max_step_reductions, 0, 60);
+  item.positive("max open-close iterations", stage.limits.open_close_iterations);
+  item.within("max step reductions", stage.limits.step_reductions, 0, 60);
 }
 
 // What `strain_inertia` must exceed for a block to have inertia in all motion. With second moments X and Y about the

@@ -189,7 +189,7 @@ const std::vector<Spoiled> spoiled = {
     {"steps without end", [](Model& m) { m.stages[0].dt = 1e-300; }, "duration in steps", "e+"},
     {"rho_inf", [](Model& m) { m.stages[0].integrator = generalized_alpha_integrator(-0.1); }, "alpha", "-"},
     {"velocity factor", [](Model& m) { m.stages[0].velocity_factor = 1.01; }, "velocity factor", "1.01"},
-    {"iterations", [](Model& m) { m.stages[0].max_open_close_iterations = 0; }, "open-close", "0"},
+    {"iterations", [](Model& m) { m.stages[0].limits.open_close_iterations = 0; }, "open-close", "0"},
 };
 
 INSTANTIATE_TEST_SUITE_P(FinishModel, BadModel, testing::ValuesIn(spoiled));

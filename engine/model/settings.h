@@ -83,6 +83,12 @@ struct ChosenDt {
   std::string reason;  // why it chose that, one phrase
 };
 
+// How much is tried before a step is given up.
+struct StepEffort {
+  int open_close_iterations = 200;
+  int step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge
+};
+
 struct Stage {
   std::string name = "run";
   double dt = 0;        // s; 0: a static stage that finds its own steps, see paces_itself()
@@ -125,8 +131,7 @@ struct Stage {
   Removal removal;
   RockOfStage rock;
 
-  int max_open_close_iterations = 200;
-  int max_step_reductions = 6;  // halvings of dt tried when the open-close iteration does not converge
+  StepEffort limits;
 
   // A static stage without dt takes as many steps, and as long ones, as equilibrium needs. Loads and prescribed motions
   // are those of its end from its first step on; the clock goes there when it is over.

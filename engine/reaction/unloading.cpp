@@ -24,8 +24,8 @@ Stage static_stage(const std::string& name, const Stage& like) {
   stage.solver = like.solver;
   stage.equilibrium = like.integrator.is_static && like.equilibrium > 0 ? like.equilibrium : asked_balance;
   stage.unlimited_strength = like.integrator.is_static && like.unlimited_strength;
-  stage.max_open_close_iterations = like.max_open_close_iterations;
-  stage.max_step_reductions = like.max_step_reductions;
+  stage.limits.open_close_iterations = like.limits.open_close_iterations;
+  stage.limits.step_reductions = like.limits.step_reductions;
   return stage;
 }
 

@@ -114,9 +114,9 @@ void read_static(const Field& field, Stage& stage) {
 
 void read_limits(const Field& field, Stage& stage) {
   const auto whole = [](const Field& f) { return f.whole_number(); };
-  stage.max_open_close_iterations =
-      value_or(field, "max_open_close_iterations", stage.max_open_close_iterations, whole);
-  stage.max_step_reductions = value_or(field, "max_step_reductions", stage.max_step_reductions, whole);
+  stage.limits.open_close_iterations =
+      value_or(field, "max_open_close_iterations", stage.limits.open_close_iterations, whole);
+  stage.limits.step_reductions = value_or(field, "max_step_reductions", stage.limits.step_reductions, whole);
 }
 
 std::optional<TimeFunction> read_relaxation(const Field& field, const Stage& stage) {

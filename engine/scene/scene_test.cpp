@@ -144,8 +144,8 @@ TEST(Scene, StagesAreReadInOrderWithTheirSettings) {
   EXPECT_TRUE(go.correct_time_dispersion);
   EXPECT_TRUE(go.correct_block_dispersion);
   EXPECT_FALSE(go.lateral_inertia);
-  EXPECT_EQ(go.max_open_close_iterations, 7);
-  EXPECT_EQ(go.max_step_reductions, 0);
+  EXPECT_EQ(go.limits.open_close_iterations, 7);
+  EXPECT_EQ(go.limits.step_reductions, 0);
   EXPECT_EQ(go.solver, SolverRequest::dense);
   EXPECT_EQ(model.stages[2].integrator.alpha_f, generalized_alpha_integrator(0.5).alpha_f);
 }

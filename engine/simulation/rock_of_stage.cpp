@@ -8,11 +8,13 @@
 namespace dda {
 namespace {
 
-// What joints add to their blocks' strains goes by the moduli too. Where blocks move, each step does this anew.
-void renew_stress_rows(BlockSystem& s) {
-  for (std::size_t i = 0; i < s.contacts.elements.size(); ++i) {
-    InterfaceElement& element = s.contacts.elements[i];
-    if (has_stress_rows(element)) set_geometry(s.model, reference_frame(s.model, s.contacts.interfaces[i]), element);
+// What joints add to their blocks' strains goes by the moduli too.
+void renew_strain_rows(BlockSystem& s) {
+  const auto elasticity = [&s](int block) { return s.terms.elasticity[static_cast<std::size_t>(block)]; };
+  for (InterfaceElement& element : s.contacts.elements) {
+    if (!has_stress_rows(element)) continue;
+    element.strain_rows_a = element.stress_rows_a * elasticity(element.block_a);
+    element.strain_rows_b = element.stress_rows_b * elasticity(element.block_b);
   }
 }
 
@@ -33,7 +35,7 @@ void take_rock_in_force(BlockSystem& s) {
   if (!changes_materials(s.model)) return;
   s.model.materials = materials_in(s.model, stage);
   set_elasticity(s.model, s.terms);
-  renew_stress_rows(s);
+  renew_strain_rows(s);
 }
 
 void change_rock(bool contacts_move, BlockSystem& s) {

@@ -194,7 +194,7 @@ Status Simulation::step() {
   const Status status =
       is_settling()
           ? pace_.step(s.costs.counters, [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); })
-          : advance(s.stage().dt, s.stage().max_step_reductions);
+          : advance(s.stage().dt, s.stage().limits.step_reductions);
   if (status != Status::ok) {
     message_ = stage_step().message();
     return status;
@@ -214,7 +214,7 @@ Status Simulation::advance(double dt, int reductions_left) {
   // settle at no length, these must not be taken in each of 64 parts.
   constexpr int cuts_before_sure_passes = 4;
   const Stage& stage = system_->stage();
-  const int cuts = stage.max_step_reductions - reductions_left;
+  const int cuts = stage.limits.step_reductions - reductions_left;
   const bool can_be_cut = !stage.integrator.is_static && reductions_left > 0 && cuts < cuts_before_sure_passes;
   const auto take = [&] { return stage_step().advance(dt, can_be_cut); };
   const Status status = cuts == 0 ? take() : memory_.part(dt, system_->contacts, system_->state.acceleration, take);

@@ -43,6 +43,11 @@ ArchivedCounts counts_of(const Model& model) {
   return counts;
 }
 
+void take_rock_at_start(Model& model) {
+  model.materials = std::vector(materials_in(model, 0));
+  model.joints = std::vector(joints_in(model, 0));
+}
+
 template <typename Contact>
 std::vector<std::pair<int, int>> touching_blocks(const std::vector<Contact>& contacts) {
   std::vector<std::pair<int, int>> pairs;
@@ -98,7 +103,7 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   reader(saved_kind);
   if (saved_kind != kind) throw InputError("", "checkpoint", "of another version or kind", "one of this program");
   reader(dt);
-  s.model = with_rock_at_start(std::move(s.model));
+  take_rock_at_start(s.model);
   if (!s.excavated.absent.empty()) {
     draw_again(s);
     general_ = std::make_unique<GeneralStep>(s);

@@ -161,8 +161,8 @@ Model thrown_bricks() {
 
 TEST(StepReduction, CutsStepsAndLeavesAConsistentState) {
   Model model = thrown_bricks();
-  model.stages[0].max_open_close_iterations = 3;
-  model.stages[0].max_step_reductions = 30;
+  model.stages[0].limits.open_close_iterations = 3;
+  model.stages[0].limits.step_reductions = 30;
   Simulation simulation = simulation_of(std::move(model));
   run(simulation, 100);
   EXPECT_GT(simulation.counters().steps, 100);  // counts the parts of a cut step
@@ -182,8 +182,8 @@ TEST(StepReduction, CutsStepsAndLeavesAConsistentState) {
 
 TEST(StepReduction, GivesUpAtTheLimitWithTheStateOfTheLastStep) {
   Model model = thrown_bricks();
-  model.stages[0].max_open_close_iterations = 1;
-  model.stages[0].max_step_reductions = 2;
+  model.stages[0].limits.open_close_iterations = 1;
+  model.stages[0].limits.step_reductions = 2;
   Simulation simulation = simulation_of(std::move(model));
   Status status = Status::ok;
   State before = simulation.state();
@@ -206,7 +206,7 @@ TEST(StepReduction, IsOneStepAlsoInALinearScene) {
   model.point_loads = {{0, {0, 0.4}, {1e6, 0}, Constant{}}};
   Stage stage = stage_of(thesis_integrator(), 1, 1);
   stage.solver = SolverRequest::pcg;
-  stage.max_step_reductions = 40;
+  stage.limits.step_reductions = 40;
   model.stages = {stage};
   Simulation simulation = simulation_of(std::move(model));
   ASSERT_EQ(simulation.step(), Status::ok);

@@ -33,12 +33,12 @@ std::string_view remedy_of_unsettled(const Stage& stage) {
 
 bool is_shortest_part(const BlockSystem& system) {
   const Stage& stage = system.stage();
-  return system.coefficients.dt <= std::ldexp(stage.dt, -stage.max_step_reductions);
+  return system.coefficients.dt <= std::ldexp(stage.dt, -stage.limits.step_reductions);
 }
 
 int most_passes(const Stage& stage) {
   constexpr int most_when_paced = 60;
-  const int most = stage.max_open_close_iterations;
+  const int most = stage.limits.open_close_iterations;
   return stage.paces_itself() ? std::min(most, most_when_paced) : most;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <random>
 #include <string>
 #include <utility>
@@ -42,6 +43,10 @@ struct Kind {
   const char* kinematics;
 };
 
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << kind.name;
+}  // NOLINT(readability-identifier-naming): gtest's
+
 const Kind kinds[] = {
     {"dry", {{"friction_angle", "45 deg"}}, {{"friction_angle", "12 deg"}}, "finite"},
     {"dry_as_drawn", {{"friction_angle", "45 deg"}}, {{"friction_angle", "12 deg"}}, "small"},
@@ -70,10 +75,7 @@ json slope(int seed, const Kind& kind) {
                 {"fixed", json::array({"base"})}};
   scene["joints"]["default"] = kind.joint;
   scene["steps"] = {{{"name", "settle"}, {"integrator", "static"}, {"strength", "unlimited"}},
-                    {{"name", "later"},
-                     {"dt", between(random, 1e-4, 4e-4)},
-                     {"duration", 12e-3},
-                     {"integrator", {{"generalized_alpha", 0.5}}}}};
+                    {{"name", "later"}, {"dt", between(random, 1e-4, 4e-4)}, {"duration", 12e-3}}};
   for (json& step : scene["steps"]) step["kinematics"] = kind.kinematics;
   return scene;
 }
@@ -147,7 +149,7 @@ TEST_P(ChangedRock, MovesAsABranchOfThatStrength) {
     Simulation branch(model_of(other));
     begin_from(settled, branch);
     expect_same_course(changed, branch);
-    EXPECT_GT(largest_speed(changed), 5e-3);  // it slides
+    EXPECT_GT(largest_speed(changed), 1e-3);  // it slides
   }
 }
 

@@ -33,8 +33,11 @@ std::array<double, terms> stehfest_weights() {
   return weights;
 }
 
-double bessel_ratio(double z) {  // K0/K1
-  constexpr double far = 300;    // where both are near the smallest numbers there are
+// K0/K1, by its limits where both functions are near the smallest numbers there are, and where K1 is so large that the
+// library's own series take for ever. To 1e-9.
+double bessel_ratio(double z) {
+  constexpr double near = 1e-5, far = 300;
+  if (z < near) return -z * (std::log(z / 2) + std::numbers::egamma);
   return z > far ? 1 - 1 / (2 * z) : std::cyl_bessel_k(0, z) / std::cyl_bessel_k(1, z);
 }
 
@@ -80,14 +83,14 @@ double after_ramp(double modulus_ratio, double ramp, double time) {
   return sum / (3 * parts);
 }
 
-// The moduli of the first block that stays beside the opening are those of its rock.
-const Material& rock_beside(const Model& model, const ContactSet& contacts, const std::vector<char>& removed) {
+// The first block that stays beside the opening is of its rock.
+int material_beside(const Model& model, const ContactSet& contacts, const std::vector<char>& removed) {
   for (const Interface& each : contacts.interfaces) {
     const bool a = removed[static_cast<std::size_t>(each.block_a)] != 0;
     const bool b = removed[static_cast<std::size_t>(each.block_b)] != 0;
-    if (a != b) return model.material_of(a ? each.block_b : each.block_a);
+    if (a != b) return model.blocks[static_cast<std::size_t>(a ? each.block_b : each.block_a)].material;
   }
-  return model.materials.front();
+  return 0;
 }
 
 // Removed blocks that touch are one opening. Its area, m2, of the largest.
@@ -142,12 +145,14 @@ double least_ramp(double modulus_ratio, double overshoot) {
   return high;
 }
 
-std::string ramp_of_removal(const Model& model, const ContactSet& contacts, const Stage& stage) {
+std::string ramp_of_removal(const Model& model, const ContactSet& contacts, std::size_t stage_index) {
+  const Stage& stage = model.stages[stage_index];
   const std::optional<double> ramp = straight_ramp(stage);
   if (stage.removal.blocks.empty() || stage.integrator.is_static || !ramp) return "";
   std::vector<char> removed(model.blocks.size(), 0);
   for (const int block : stage.removal.blocks) removed[static_cast<std::size_t>(block)] = 1;
-  const Material& rock = rock_beside(model, contacts, removed);
+  const auto beside = static_cast<std::size_t>(material_beside(model, contacts, removed));
+  const Material& rock = materials_in(model, stage_index)[beside];
   const Mat3 elasticity = elasticity_matrix(rock);
   const double modulus_ratio = elasticity(0, 0) / (2 * elasticity(2, 2));
   const double radius = std::sqrt(largest_opening(model, contacts, removed) / std::numbers::pi);

@@ -10,6 +10,7 @@
 // come back by the formula of Stehfest (1970) with 14 terms, to 1e-3 of what the wall settles to.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "engine/contact/contact_set.h"
@@ -25,7 +26,8 @@ double wall_overshoot(double modulus_ratio, double ramp);
 double least_ramp(double modulus_ratio, double overshoot);
 
 // A sentence for a dynamic stage that removes blocks: what the wall is to overshoot by, and the ramps that leave 5 %
-// and 1 %; empty for other stages. The largest of the openings counts, as a round one of its area.
-std::string ramp_of_removal(const Model& model, const ContactSet& contacts, const Stage& stage);
+// and 1 %; empty for other stages. The largest of the openings counts, as a round one of its area in the rock as it is
+// in that stage.
+std::string ramp_of_removal(const Model& model, const ContactSet& contacts, std::size_t stage_index);
 
 }  // namespace dda

@@ -252,7 +252,7 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
   if (!stage.removal.blocks.empty()) text.plain("  " + removal_of(model, stage));
-  if (const std::string ramp = ramp_of_removal(model, contacts, stage); !ramp.empty()) text.plain("  " + ramp);
+  if (const std::string ramp = ramp_of_removal(model, contacts, index); !ramp.empty()) text.plain("  " + ramp);
   add_rock_of(model, index, text);
   const auto put_in = std::ranges::count(model.bolts, static_cast<int>(index), &Bolt::first_stage);
   if (index > 0 && put_in > 0) text.plain(fmt::format("  puts in {}", count(static_cast<std::size_t>(put_in), "bolt")));

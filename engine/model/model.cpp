@@ -13,7 +13,9 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 const Material& Model::material_of(int block) const { return materials[at(blocks[at(block)].material)]; }
 
 const Material& Model::material_at_start(int block) const {
-  return materials_in(*this, 0)[at(blocks[at(block)].material)];
+  // As materials_in(*this, 0), without a call: contacts ask for it in every step.
+  const bool has_changed = !stages.empty() && !stages.front().rock.materials.empty();
+  return (has_changed ? stages.front().rock.materials : materials)[at(blocks[at(block)].material)];
 }
 
 int Model::joint_index(int block_a, int block_b) const {

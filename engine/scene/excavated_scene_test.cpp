@@ -169,6 +169,7 @@ TEST(StressField, OfLayersRefusesWhatIsNoGround) {
   refused(R"([{"down_to": 9.5, "material": "light"}, {"material": "heavy"}])", {"layers[0].down_to", "below 9 m"});
   refused(R"([{"material": "granite"}])", {"layers[0].material", "granite", "a material of the scene"});
   refused(R"([{"material": "light", "density": 2000}])", {"layers[0].material", "beside density"});
+  refused(R"([{"down_to": 3, "material": "light"}])", {"layers[0].down_to", "none in the last layer"});
   refused(R"([{"k0": 1}])", {"layers[0]", "without gradient and density"});
 }
 

@@ -74,14 +74,14 @@ std::vector<StressField::Layer> StressField::read_layers(const Field& field, con
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Field& entry = entries[i];
     const auto bottom = entry.find("down_to");
-    if (!bottom && i + 1 < entries.size()) entry.fail("without down_to", "one: only the last layer has no end");
+    const bool is_last = i + 1 == entries.size();
+    if (!bottom && !is_last) entry.fail("without down_to", "one: only the last layer has no end");
+    if (bottom && is_last) bottom->fail("none in the last layer, which goes on below all others");
     const double above = layers.empty() ? surface : layers.back().bottom;
     const double y = bottom ? bottom->quantity(Dimension::length) : -std::numeric_limits<double>::infinity();
     if (y >= above) bottom->fail(fmt::format("below {:g} m, where the layer begins", above));
     layers.push_back({y, read_gradient(entry, model), read_k0(entry)});
   }
-  // What lies below the last of them is as it is.
-  layers.back().bottom = -std::numeric_limits<double>::infinity();
   return layers;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/advice/changed_rock_remarks.h"
 #include "engine/advice/far_coordinates.h"
 #include "engine/advice/held_blocks_acted_on.h"
 #include "engine/advice/joint_remarks.h"
@@ -350,12 +351,16 @@ void remark_on_springs(const Model& model, const ContactSet& /*contacts*/, Remar
   for (std::string& sentence : springs_around_openings(model)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_changed_rock(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : changed_rock_remarks(model)) remarks.push_back(std::move(sentence));
+}
+
 constexpr auto all_remarks = {remark_on_holding,     remark_on_gravity,      remark_on_tension,
                               remark_on_materials,   remark_on_sizes,        remark_on_gaps,
                               remark_on_steps,       remark_on_coarse_steps, remark_on_loads,
                               remark_on_joints,      remark_on_chatter,      remark_on_chatter_on_slopes,
                               remark_on_linings,     remark_on_held_blocks,  remark_on_damping_rate,
-                              remark_on_coordinates, remark_on_springs};
+                              remark_on_coordinates, remark_on_springs,      remark_on_changed_rock};
 
 }  // namespace
 

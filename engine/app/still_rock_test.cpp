@@ -75,6 +75,7 @@ Model layered_ground(int seed, const nlohmann::json& joint, const char* kinemati
     scene["blocks"].push_back({{"grid", grid}});
     layers.push_back({{"material", name}, {"k0", between(0.5, 1.5)}, {"down_to", top}});
   }
+  layers.back().erase("down_to");
   scene["stress_field"] = {{"surface", 200}, {"layers", layers}};
   return parse_scene(scene.dump(), "scene.json");
 }

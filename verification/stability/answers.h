@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/simulation/simulation.h"
-#include "verification/harness/check.h"
+#include "verification/study/judged_run.h"
 #include "verification/stability/setting.h"
 
 namespace verify {

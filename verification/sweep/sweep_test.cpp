@@ -9,7 +9,7 @@
 #include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
 #include "verification/sweep/job_list.h"
-#include "verification/sweep/process_pool.h"
+#include "verification/study/process_pool.h"
 #include "verification/sweep/sweep_command.h"
 #include "verification/sweep/sweep_folder.h"
 #include "verification/sweep/sweep_test_support.h"

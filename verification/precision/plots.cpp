@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "verification/study/gnuplot.h"
 #include "verification/precision/table.h"
+#include "verification/study/gnuplot.h"
 
 namespace verify {
 namespace {

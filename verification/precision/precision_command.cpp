@@ -6,13 +6,13 @@
 
 #include "engine/record/atomic_file.h"
 #include "engine/record/progress.h"
-#include "verification/study/gnuplot.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/other_systems.h"
 #include "verification/precision/plots.h"
 #include "verification/precision/study.h"
 #include "verification/precision/summary.h"
 #include "verification/precision/table.h"
+#include "verification/study/gnuplot.h"
 
 namespace verify {
 

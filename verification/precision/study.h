@@ -19,8 +19,8 @@ struct Measured {
 };
 
 struct StudyOptions {
-  int rounds = 3;         // runs of every job, in turn; what takes more than half a second runs once
-  bool resume = false;    // go on in a folder that has runs, and keep them
+  int rounds = 3;                    // runs of every job, in turn; what takes more than half a second runs once
+  bool resume = false;               // go on in a folder that has runs, and keep them
   std::ostream* progress = nullptr;  // a terminal, or none
 };
 

@@ -107,9 +107,9 @@ void run(const RandomRock& rock, double seconds, const Stopwatch& watch, RockPic
 }  // namespace
 
 const OutcomeNames& rock_outcomes() {
-  static const OutcomeNames names = {{Outcome::right, "right"}, {Outcome::stopped, "stopped"},
+  static const OutcomeNames names = {{Outcome::right, "right"},     {Outcome::stopped, "stopped"},
                                      {Outcome::refused, "refused"}, {Outcome::late, "late"},
-                                     {Outcome::warned, "warned"}, {Outcome::silent, "wrong"}};
+                                     {Outcome::warned, "warned"},   {Outcome::silent, "wrong"}};
   return names;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/model/state.h"
-#include "verification/study/judged_run.h"
 #include "verification/rocks/random_rock.h"
+#include "verification/study/judged_run.h"
 
 namespace verify {
 

@@ -171,8 +171,8 @@ RockResult rock_result_from(const Json& json) {
   result.seed = json.at("seed");
   result.kind = *std::ranges::find(all_rock_kinds, json.at("kind").get<std::string>(),
                                    [](RockKind kind) { return std::string(name_of(kind)); });
-  const auto outcome = std::ranges::find(rock_outcomes(), json.at("outcome").get<std::string>(),
-                                         &OutcomeNames::value_type::second);
+  const auto outcome =
+      std::ranges::find(rock_outcomes(), json.at("outcome").get<std::string>(), &OutcomeNames::value_type::second);
   result.outcome = outcome->first;
   result.blocks = json.at("blocks");
   result.loose = json.at("loose");

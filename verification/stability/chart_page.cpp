@@ -5,8 +5,8 @@
 #include <iterator>
 #include <map>
 
-#include "verification/study/markdown.h"
 #include "verification/stability/chart.h"
+#include "verification/study/markdown.h"
 
 namespace verify {
 namespace {
@@ -34,8 +34,7 @@ Table counts(const std::vector<Cell>& cells, const std::string& caption) {
     std::vector<Cell> of_problem;
     std::ranges::copy_if(cells, std::back_inserter(of_problem),
                          [&](const Cell& cell) { return cell.setting.problem == problem; });
-    for (const auto& [outcome, name] : cell_outcomes())
-      row.push_back(std::to_string(count_of(of_problem, outcome)));
+    for (const auto& [outcome, name] : cell_outcomes()) row.push_back(std::to_string(count_of(of_problem, outcome)));
   }
   return table;
 }

@@ -15,8 +15,7 @@ void add_lots(std::uint64_t& seed, const std::string& one, int& count, std::vect
                      .target = &seed,
                      .help = "of the first " + one + "; the others follow",
                      .shows_default = true});
-  options.push_back(
-      {.name = "--count", .target = &count, .help = one + "s", .shows_default = true, .positive = true});
+  options.push_back({.name = "--count", .target = &count, .help = one + "s", .shows_default = true, .positive = true});
 }
 
 }  // namespace verify

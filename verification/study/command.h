@@ -1,5 +1,5 @@
-// How a study says what it is on the command line: a name, what it does, its options, and what carries it out. It says so
-// beside its code; the programs list their commands and know no option.
+// How a study says what it is on the command line: a name, what it does, its options, and what carries it out. It says
+// so beside its code; the programs list their commands and know no option.
 #pragma once
 
 #include <cstdint>
@@ -27,16 +27,17 @@ using OptionTarget = std::variant<bool*, int*, std::uint64_t*, double*, std::fil
                                   std::vector<std::string>*>;
 
 struct CommandOption {
-  std::string name;  // "--out", or "spec" for what is told by its place; what comes in a list may be given several times
+  std::string
+      name;  // "--out", or "spec" for what is told by its place; what comes in a list may be given several times
   OptionTarget target;
   std::string help;
 
   bool required = false;
   bool shows_default = false;
-  bool positive = false;                                  // a number above zero
-  std::optional<std::pair<double, double>> range = {};    // of a number, both ends included
-  std::string kind = {};                                  // what --help calls the value, if anything special
-  std::string instead_of = {};                            // an earlier option: one of the two must be given, not both
+  bool positive = false;                                // a number above zero
+  std::optional<std::pair<double, double>> range = {};  // of a number, both ends included
+  std::string kind = {};                                // what --help calls the value, if anything special
+  std::string instead_of = {};                          // an earlier option: one of the two must be given, not both
 };
 
 // The folder that all files of a study go to.
@@ -56,8 +57,8 @@ struct StudyCommand {
   std::function<int(const Surroundings&)> carry_out;  // gives the exit code: 0, or 1 if the study finds something wrong
 };
 
-// A command whose options fill `Arguments`: `options_of(arguments)` lists them, and `carry_out(arguments, surroundings)`
-// is called when they are read.
+// A command whose options fill `Arguments`: `options_of(arguments)` lists them, and `carry_out(arguments,
+// surroundings)` is called when they are read.
 template <typename Arguments, typename OptionsOf, typename CarryOut>
 [[nodiscard]] StudyCommand study_command(std::string name, std::string description, const OptionsOf& options_of,
                                          const CarryOut& carry_out) {

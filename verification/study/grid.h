@@ -6,8 +6,8 @@
 
 namespace verify {
 
-// Every item with every one of the values, which `set(value, item)` puts into a copy of it; the values vary fastest. Axis
-// after axis, the last one varying fastest, this makes a whole grid out of one item.
+// Every item with every one of the values, which `set(value, item)` puts into a copy of it; the values vary fastest.
+// Axis after axis, the last one varying fastest, this makes a whole grid out of one item.
 template <typename Item, typename Values, typename Set>
 [[nodiscard]] std::vector<Item> with_each(const std::vector<Item>& items, const Values& values, const Set& set) {
   std::vector<Item> all;

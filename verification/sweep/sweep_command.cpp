@@ -10,11 +10,11 @@
 #include "engine/record/atomic_file.h"
 #include "engine/record/progress.h"
 #include "verification/study/gnuplot.h"
+#include "verification/study/job_progress.h"
+#include "verification/study/process_pool.h"
 #include "verification/sweep/job.h"
 #include "verification/sweep/job_list.h"
 #include "verification/sweep/plots.h"
-#include "verification/study/job_progress.h"
-#include "verification/study/process_pool.h"
 #include "verification/sweep/sweep_folder.h"
 #include "verification/sweep/table.h"
 

@@ -6,10 +6,10 @@
 
 #include "engine/record/atomic_file.h"
 #include "engine/record/progress.h"
+#include "verification/harness/recorded_run.h"
 #include "verification/study/gnuplot.h"
 #include "verification/study/html.h"
 #include "verification/study/markdown.h"
-#include "verification/harness/recorded_run.h"
 #include "verification/thesis/calibration_json.h"
 #include "verification/thesis/plots.h"
 #include "verification/thesis/promises.h"

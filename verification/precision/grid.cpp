@@ -20,8 +20,8 @@ void add(std::vector<PrecisionJob>& jobs, const PrecisionJob& job) {
   if (planned_passes(job) <= most_passes) jobs.push_back(job);
 }
 
-// Of the 50 m up to the receiver. The springs' compliance and the blocks' dispersion cancel in the thesis' scheme near
-// 2.5 m: there the sizes lie close.
+// How many blocks the 50 m up to the receiver have. The springs' compliance and the blocks' dispersion cancel in the
+// thesis' scheme near 2.5 m: there the sizes lie close.
 constexpr std::array bar_blocks = {4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 22, 25, 32, 40, 64, 100};
 
 // First order needs the short ones; what is of second order has nothing left to gain there.

@@ -21,7 +21,7 @@ struct RockResult : JudgedRun {
   std::int64_t steps = 0, passes = 0;
   double settling_s = 0;
 
-  // Of what is not right: what the run said, or the first check that fails.
+  // Why it is not right: what the run said, or the first check that fails.
   [[nodiscard]] std::string reason() const { return message.empty() ? first_failure(checks) : message; }
 };
 

@@ -57,7 +57,7 @@ TEST(Jobs, ThatCrashAreTold) {
 
 TEST(Grid, HasEveryCombinationAndTheLastAxisIsFastest) {
   std::vector<std::string> items = {""};
-  for (const std::string& axis : {"ab", "xyz"})
+  for (const std::string& axis : {std::string("ab"), std::string("xyz")})
     items = with_each(items, axis, [](char value, std::string& item) { item += value; });
   EXPECT_EQ(items, (std::vector<std::string>{"ax", "ay", "az", "bx", "by", "bz"}));
   EXPECT_EQ(geometric(1, 8, 2).size(), 4U);
@@ -79,8 +79,9 @@ TEST(JudgedRun, ReasonsComeBackFromJson) {
 }
 
 TEST(Csv, QuotesOnlyWhatItMust) {
-  EXPECT_EQ(csv_line({csv_cell("a"), csv_cell("b,\"c\"\n"), csv_cell(nlohmann::ordered_json())}),
-            "a,\"b,\"\"c\"\" \",\n");
+  EXPECT_EQ(
+      csv_line({csv_cell(std::string("a")), csv_cell(std::string("b,\"c\"\n")), csv_cell(nlohmann::ordered_json())}),
+      "a,\"b,\"\"c\"\" \",\n");
 }
 
 struct Tilt {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -93,8 +94,9 @@ struct Tilt {
 
 class TiltProgram : public testing::Test {
  protected:
-  int run(std::vector<const char*> words) {
-    words.insert(words.begin(), "tilt");
+  int run(const std::vector<const char*>& options) {
+    std::vector<const char*> words(options.size() + 1, "tilt");
+    std::copy(options.begin(), options.end(), words.begin() + 1);
     errors_.str("");
     return run_command_line("tilt", "", {command_}, static_cast<int>(words.size()), words.data(), out_, errors_);
   }

@@ -28,12 +28,12 @@ struct Range {
   double low = 0, high = 1;
 };
 
-// Of a curve: the mean, or one of the places.
+// The value that a curve shows: the mean, or that of one of the places.
 double value_of(const WallMotion& motion, std::size_t curve) {
   return curve == 0 ? motion.mean : motion.places[curve - 1];
 }
 
-// Of all displacements, with zero and some room.
+// The range of all displacements, with zero and some room.
 Range displacements(const ReactionCurve& curve) {
   Range range{0, 0};
   for (const ReactionPoint& point : curve.points) {

@@ -26,7 +26,7 @@ struct CoverEnd {
   [[nodiscard]] double gap() const { return cover->contact.gap; }
 };
 
-// Of the covers' ends those whose corners are within reach of each other, those of one corner one after the other.
+// Those of the covers' ends whose corners are within reach of each other, those of one corner one after the other.
 std::vector<CoverEnd> ends_of(const Outlines& outlines, double reach, std::vector<Cover>& covers) {
   std::vector<CoverEnd> ends;
   for (Cover& cover : covers) {
@@ -74,8 +74,8 @@ int compare_stay(const Cover& first, const Cover& second, double round_off) {
   return compare(first.coming_gap, second.coming_gap, round_off);
 }
 
-// Of two covers in line that are the same but for round-off the one whose vertex lies farther within its edge: it stays
-// on it longer. Where corners are exactly above each other either will do, see acting_frame.h.
+// Two covers in line may be the same but for round-off. The one goes before whose vertex lies farther within its edge:
+// it stays on it longer. Where corners are exactly above each other either will do, see acting_frame.h.
 bool goes_before(const CoverEnd& one, const CoverEnd& other) {
   return one.cover->past != other.cover->past ? one.cover->past < other.cover->past : &one < &other;
 }
@@ -143,7 +143,7 @@ bool lasts_longer(const CoverEnd& i, const CoverEnd& j, double round_off) {
   return std::abs(i.gap() - j.gap()) > round_off ? i.gap() > j.gap() : goes_before(i, j);
 }
 
-// Of covers that are one the one with the largest gap.
+// Where covers are one and the same, only the one with the largest gap stays.
 void drop_doubles(const Outlines& outlines, double round_off, const std::vector<CoverEnd>& ends) {
   std::vector<Cover*> out;
   for_each_corner(ends, [&](std::span<const CoverEnd> corner) {

@@ -8,7 +8,7 @@
 namespace dda {
 namespace {
 
-// Of the shear spring, what is left at least of its stiffness and of what pressure gains by slip together.
+// The share of the shear spring that is left at least of its stiffness and of what pressure gains by slip together.
 constexpr double least_share = 0.25;
 
 // What an end is and where it is. Slips count towards the side that the tangential gap is on.
@@ -32,7 +32,7 @@ struct RisingEnd {
     if (total >= 0) return total < reach ? tangent : 0;
     return total >= -reach ? -tangent : 0;
   }
-  // Of the shear force over the slip, with its sign turned: above 0 where more slip is resisted.
+  // Slope of the shear force over the slip with its sign turned: above 0 where more slip is resisted.
   [[nodiscard]] double resistance(double slope) const {
     return std::max(shear_stiffness + friction * normal_stiffness * slope, least_share * shear_stiffness);
   }

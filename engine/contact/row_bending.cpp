@@ -14,7 +14,8 @@ namespace {
 // Faces count as opposite within 25 degrees, as those of the voussoirs of an arch do.
 constexpr double opposite = 0.9;
 
-// Of width times depth: the area of a block that is a piece of a beam. Voussoirs have more, triangles half.
+// A block is a piece of a beam when its area is at least this part of width times depth. Voussoirs have more, triangles
+// half.
 constexpr double least_area = 0.9;
 
 double width_along(const Model& model, int block, const Vec2& normal) {
@@ -43,7 +44,7 @@ double flexibility(const Model& model, const Interface& interface, int block) {
   return distance / (side_free_modulus(model.material_at_start(block)) * width * width * width / 12);
 }
 
-// Of half the difference of the normal gap between the ends of a joint, N/m per m of thickness.
+// Stiffness against half the difference of the normal gap between the ends of a joint, N/m per m of thickness.
 double bending_stiffness(const Model& model, const Interface& interface, const std::vector<bool>& held) {
   double turn = 0;
   for (const int block : {interface.block_a, interface.block_b})

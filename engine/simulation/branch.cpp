@@ -39,7 +39,7 @@ bool is_same_spring(const PointSupport& a, const PointSupport& b) {
          a.stiffness == b.stiffness && a.direction == b.direction && a.partner == b.partner;
 }
 
-// Of every support of the new scene the same spring in the one before, each of them once.
+// For every support of the new scene the same spring in the one before; each of those is given once.
 std::vector<std::optional<std::size_t>> same_springs(const std::vector<PointSupport>& before,
                                                      const std::vector<PointSupport>& now) {
   std::vector<bool> taken(before.size(), false);
@@ -164,7 +164,7 @@ void take_over_blocks(const BlockSystem& before, BlockSystem& s) {
   s.plan.explicit_steps = before.plan.explicit_steps;
 }
 
-// Of the stages that are over.
+// Results of the stages that are over are those of the run before.
 template <typename Value>
 void take_over_results(const std::vector<Value>& before, std::size_t stages, std::vector<Value>& results) {
   std::copy_n(before.begin(), stages, results.begin());

@@ -22,8 +22,8 @@ constexpr double share_remembered = 1e-3;
 // In units of round-off, of the forces that would move rock as far as it has gone: contacts are stiffer than blocks.
 constexpr double most_round_off = 1024;
 
-// Of the entries of one block. Moments count as forces at the arm of its size, or balance would be asked for the more
-// strictly the larger a scene.
+// The largest of the entries of one block. Moments count as forces at the arm of its size, or balance would be asked
+// for the more strictly the larger a scene.
 double largest_of(const BlockSystem& system, const Eigen::VectorXd& forces, std::size_t block) {
   return largest_entry(forces, block, system.terms.area[block]);
 }
@@ -35,7 +35,7 @@ double largest_of_all(const BlockSystem& system, const Eigen::VectorXd& forces) 
   return largest + 0 * forces.sum();
 }
 
-// Of supports and bolts, N per m of thickness.
+// The largest force of supports and bolts, N per m of thickness.
 double largest_of_springs(const BlockSystem& system) {
   double largest = 0;
   for (const SupportElement& support : system.supports)
@@ -72,7 +72,7 @@ double exchanged_now(const BlockSystem& system) {
   return std::max(largest_of_springs(system), largest_in_rock(system));
 }
 
-// Of forces between blocks that have moved together, N per m of thickness.
+// Round-off in forces between blocks that have moved together, N per m of thickness.
 double round_off_of_motion(const BlockSystem& system) {
   double largest = 0;
   for (std::size_t i = 0; i < system.terms.area.size(); ++i)
@@ -80,9 +80,9 @@ double round_off_of_motion(const BlockSystem& system) {
   return most_round_off * std::numeric_limits<double>::epsilon() * largest;
 }
 
-// Of the held blocks in N per m of thickness, where steps do not take it from an inertia that these do not have. It is
-// in no balance, but of the size of what rests on them; no more of it counts than does rest on them, or the ground
-// below a stone would say that a stone in the air is at rest.
+// The largest weight of a held block in N per m of thickness, where steps do not take it from an inertia that these do
+// not have. It is in no balance, but of the size of what rests on them; no more of it counts than does rest on them, or
+// the ground below a stone would say that a stone in the air is at rest.
 double largest_held_weight(const BlockSystem& system) {
   double largest = 0;
   if (!system.plan.gravity || system.plan.linear) return largest;

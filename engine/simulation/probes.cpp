@@ -75,7 +75,7 @@ Vec2 traction(const Simulation& simulation, const Measurement& measurement, int 
   return mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], simulation.interface_state(i));
 }
 
-// Of one link, or of the bolt: the sum of elongations, the force that is largest in magnitude.
+// Value of one link, or of the whole bolt: the sum of elongations, the force that is largest in magnitude.
 double bolt_value(const Simulation& simulation, const Measurement& measurement) {
   const Bolt& bolt = simulation.model().bolts[static_cast<std::size_t>(measurement.bolt)];
   const BoltSet& bolts = simulation.bolts();
@@ -101,7 +101,7 @@ double value_in(const SectionForces& forces, Quantity quantity) {
   return quantity == Quantity::lining_moment ? forces.moment() : forces.shear;
 }
 
-// Of one element, or the largest in magnitude.
+// Value of one element, or the one that is largest in magnitude.
 double lining_value(const Simulation& simulation, const Measurement& measurement) {
   const auto lining = static_cast<std::size_t>(measurement.lining);
   const auto of = [&](std::size_t element) {

@@ -3,7 +3,7 @@
 namespace dda {
 namespace {
 
-// Of the foot of a support, at both ends of the step with these weights.
+// Velocity of the foot of a support: those at both ends of the step with these weights.
 Vec2 foot_velocity(const BlockSystem& system, std::size_t support, double load_old, double load_new) {
   const PointSupport& foot = system.model.supports[support];
   Vec2 velocity = Vec2::Zero();
@@ -87,7 +87,7 @@ double RayleighDamping::power_of_feet(const BlockSystem& system, double time, co
   return power;
 }
 
-// Of C (damping d + damping_v v0 + damping_a a0) less what drives it.
+// Works of the damping force C (damping d + damping_v v0 + damping_a a0) less what drives it.
 RayleighDamping::Works RayleighDamping::works_in_balance(const BlockSystem& system) {
   const StepCoefficients& step = system.coefficients;
   product_ = carried_ + step.damping * system.increment;
@@ -95,7 +95,7 @@ RayleighDamping::Works RayleighDamping::works_in_balance(const BlockSystem& syst
           work_on_feet(system, product_, step.load_old, step.load_new)};
 }
 
-// Of C v0 less what drives it. C is symmetric: d . C v0 = v0 . C d.
+// Works of C v0 less what drives it. C is symmetric: d . C v0 = v0 . C d.
 RayleighDamping::Works RayleighDamping::works_of_start(const LinearOperators& operators, const MotionAtStart& start,
                                                        const BlockSystem& system) {
   Works works;
@@ -116,7 +116,7 @@ void RayleighDamping::book(const LinearOperators& operators, const MotionAtStart
   operators.inertia_times.multiply(system.increment, product_);
   force_of(operators, system.increment, product_, of_increment_);
   force_ = known_ + step.damping * of_increment_;
-  // Of held blocks the momentum is what the integrator has, and not what their prescribed velocities make of it.
+  // The momentum of held blocks is what the integrator has, and not what their prescribed velocities make of it.
   const double of_momentum = mass_ * (system.increment.dot(start.momentum) - start.velocity.dot(product_));
   Works mean = works_in_balance(system);
   double by_integrator = 0;

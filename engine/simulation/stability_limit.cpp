@@ -19,7 +19,7 @@
 namespace dda {
 namespace {
 
-// Of omega^2, which Lanczos' method may have missed, and with what probability it has missed more.
+// The part of omega^2 that Lanczos' method may have missed, and the probability that it has missed more.
 constexpr double tolerance = 0.01;
 constexpr double doubt = 1e-6;
 
@@ -138,7 +138,7 @@ std::vector<SupportElement> supports_in(const Model& model, std::size_t stage) {
   return supports;
 }
 
-// Of the operators of steps of dt.
+// The limit as the operators of steps of dt have it.
 double limit_at(const Model& model, std::size_t index, double dt) {
   Stage stage = model.stages[index];
   stage.dt = dt;

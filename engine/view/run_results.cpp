@@ -106,7 +106,7 @@ void append_lines(const std::filesystem::path& path, const PolyData& data, const
   }
 }
 
-// Of the elements of linings, those of one lining after the other.
+// Reads how far the elements of linings are used, those of one lining after the other.
 void read_utilisation(const std::filesystem::path& path, const PolyData& data, std::span<DrawnBolt> elements) {
   const auto& shares = need_array<double>(path, data.cell_data, "utilisation", 1);
   for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
@@ -118,7 +118,7 @@ void read_utilisation(const std::filesystem::path& path, const PolyData& data, s
   }
 }
 
-// Of a block that has been removed.
+// Gives a block that has been removed the values of none.
 void add_nothing(const Drawing& drawing, std::size_t block, Frame& frame) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   frame.stress.emplace_back(Vec3::Constant(nothing));

@@ -89,7 +89,7 @@ bool can_jump(const Model& model, const Interface& interface) {
   return a.material == b.material && is_convex(a.shape) && is_convex(b.shape);
 }
 
-// Of the lighter and softer block: the bound then holds for both.
+// The density of the lighter block: the bound then holds for both.
 double density(const Model& model, const Interface& interface) {
   return std::min(model.material_of(interface.block_a).density, model.material_of(interface.block_b).density);
 }
@@ -160,7 +160,7 @@ Mat6 dilatation_reduction(const Model& model, int block, double strain_inertia, 
   const Mat3 elasticity = elasticity_matrix(material);
   const AreaMoments& moments = block_of(model, block).moments;
   const double wanted = period_error * dt * dt * (elasticity(0, 0) - elasticity(2, 2)) * moments.area;
-  // Of the inertia [xx, 0; 0, yy] (principal axes) at most this multiple of [1, 1; 1, 1] can be taken.
+  // At most this multiple of [1, 1; 1, 1] can be taken from the inertia [xx, 0; 0, yy] (principal axes).
   const double whole = (moments.xx * moments.yy - moments.xy * moments.xy) / (moments.xx + moments.yy);
   Mat6 inertia = Mat6::Zero();
   inertia.block<2, 2>(3, 3).setConstant(

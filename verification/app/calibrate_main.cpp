@@ -1,9 +1,11 @@
 // dda-calibrate: what `dda-verify calibrate` does, in a program that needs no verification case and is soon compiled.
-#include "verification/app/program.h"
+#include <iostream>
+
+#include "verification/study/command_line.h"
+#include "verification/thesis/calibrate_command.h"
 
 int main(int argc, char** argv) {
-  CLI::App app(verify::calibrate_description, "dda-calibrate");
-  verify::CalibrateCommand calibrate;
-  verify::add_calibrate_options(app, calibrate);
-  return verify::run_program(app, argc, argv, [&calibrate] { return verify::calibrate(calibrate); });
+  const verify::StudyCommand calibrate = verify::calibrate_command();
+  return verify::run_command_line("dda-calibrate", calibrate.description, {calibrate}, argc, argv, std::cout,
+                                  std::cerr);
 }

@@ -38,7 +38,7 @@ struct Reading {
   [[nodiscard]] double share() const { return std::abs(predicted - measured) / allowed(); }
 };
 
-// Of many readings the one that comes nearest to breaking the promise, and how large the errors are.
+// Keeps the reading that comes nearest to breaking the promise, and how large the errors are.
 class Readings {
  public:
   void add(const Reading& reading) {

@@ -149,7 +149,7 @@ Modes modes() {
           solver.eigenvectors().transpose() * m * Eigen::Vector2d(1, 0)};
 }
 
-// Of displacement and strain times half the length, relative to the base.
+// The exact displacement, and strain times half the length, relative to the base.
 Eigen::Vector2d exact_motion(double time) {
   const Modes given = modes();
   const exact::Accelerogram record = accelerogram();

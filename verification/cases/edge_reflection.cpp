@@ -104,7 +104,8 @@ std::vector<MeshWave> waves_of(const Column& column) {
   return waves;
 }
 
-// Of the travelling waves in one direction: P is faster, so it has the smaller phase from column to column.
+// The wave of that kind among those that travel in one direction: P is faster, so it has the smaller phase from column
+// to column.
 const MeshWave& travelling(const std::vector<MeshWave>& waves, exact::PlaneWave kind, double sign) {
   std::vector<const MeshWave*> found;
   for (const MeshWave& wave : waves)

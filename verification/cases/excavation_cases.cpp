@@ -165,7 +165,7 @@ dda::Model hydrostatic(int sectors, double poisson) {
 double p_speed(double poisson) { return exact::p_speed_plane_strain(cavity_young, poisson, cavity_density); }
 double shear_modulus(double poisson) { return cavity_young / (2 * (1 + poisson)); }
 
-// Of the wall on the x axis, in the dynamic stage: largest values, and when.
+// The largest values at the wall on the x axis in the dynamic stage, and when they come.
 struct Peaks {
   double hoop = 0, hoop_time = 0;  // Pa, s
   double displacement = 0;         // m, inwards

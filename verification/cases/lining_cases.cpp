@@ -194,7 +194,7 @@ Outcome biaxial() {
 
 // --- A ring that crushes ---
 
-// Of the wall, inwards since the lining has come, the mean over the middles of its faces.
+// How far the wall has come in since the lining is there: the mean over the middles of its faces.
 double mean_convergence(const dda::Simulation& simulation) {
   double sum = 0;
   const dda::Lining& lining = simulation.model().linings[0];

@@ -36,7 +36,7 @@ struct Shaking {
         exact::incline_forces(standard_gravity, slope, friction_angle, {0, amplitude, omega, 0});
     return {drive, limit, 0, duration};
   }
-  // Of the base, against the acceleration that blocks feel, m/s.
+  // Velocity of the base (m/s), which goes against the acceleration that blocks feel.
   [[nodiscard]] double base_velocity(double t) const { return amplitude / omega * (1 - std::cos(omega * t)); }
 };
 

@@ -48,7 +48,7 @@ constexpr double plate_passes = 2e5;     // 3 % and the runs around it
 
 bool is_accurate(const PrecisionScheme& scheme) { return scheme == accurate_scheme(Problem::bar); }
 bool is_thesis(const PrecisionScheme& scheme) { return scheme == thesis_scheme(); }
-// Of implicit steps: a pass of explicit ones is a product alone.
+// True for implicit steps: a pass of explicit ones is a product alone, so the two do not compare.
 bool is_engine(const PrecisionScheme& scheme) { return scheme.is_engine() && scheme != explicit_scheme(); }
 
 // What the thesis' scheme makes of `times` the passes that the accurate one needs for `error`: still more than that.

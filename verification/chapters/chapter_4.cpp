@@ -59,7 +59,7 @@ std::vector<Reading> by_scheme(const BlastStudy& study, const auto& judge) {
   return all;
 }
 
-// Of H1 and V1, with every scheme and with every decay time.
+// Readings of H1 and V1 with every scheme and with every decay time.
 std::vector<Reading> by_scheme_and_decay(const BlastStudy& study, const auto& judge) {
   std::vector<Reading> all = by_scheme(study, [&](const BlastResult& result) {
     return judge(first(study, result, true).peak_stress, first(study, result, false).peak_stress);

@@ -11,10 +11,11 @@
 
 namespace verify {
 
-// Of each reading that is given: the sensors, and the points at the edges beside those of the larger rock.
+// Draws for each reading that is given the sensors, and the points at the edges beside those of the larger rock.
 void draw_jinping(const SceneFolder& folder, const std::vector<JinpingReading>& readings, Chapter& chapter);
 
-// Of the first reading of each section, whose other readings are variations of it. Runs that failed have no figure.
+// Both draw the first reading of each section, whose other readings are variations of it. Runs that failed have no
+// figure.
 void draw_relaxation(const SceneFolder& folder, const std::vector<RelaxationResult>& results, Chapter& chapter);
 void draw_tunnel_blast(const SceneFolder& folder, const std::vector<TunnelBlastResult>& results, Chapter& chapter);
 

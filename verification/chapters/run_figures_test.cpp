@@ -25,7 +25,8 @@ void write_run(const std::filesystem::path& folder, int rows) {
   for (int row = 0; row < rows; ++row) csv << row << ",3,4,3,4,3,4\n";
 }
 
-// Of a run that there is a history for, of the others none; no mesh without the program that draws it.
+// A run that is well has a figure of its history and the others have none; there is no mesh without the program that
+// draws it.
 TEST(RunFigures, HistoriesAreOfTheRunsThatAreWell) {
   const dda::TemporaryFolder folder;
   std::ostringstream out;

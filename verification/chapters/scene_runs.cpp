@@ -9,7 +9,7 @@
 
 #include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
-#include "verification/sweep/process_pool.h"
+#include "verification/study/process_pool.h"
 
 namespace verify {
 namespace {
@@ -102,9 +102,7 @@ std::string SceneFolder::picture(const std::string& name) const {
   const std::filesystem::path file = results(name) / "last.svg";
   const Command command{program_.string(), "view", results(name).string(), "--svg",        "last",  "--crosses",
                         "--forces",        "none", "--quantity",           "displacement", "--out", file.string()};
-  std::string why;
-  run_processes({{0, command}}, 1, [&](std::size_t, const std::string& failure) { why = failure; });
-  return why.empty() && std::filesystem::exists(file) ? dda::read_file(file) : "";
+  return failure_of(command).empty() && std::filesystem::exists(file) ? dda::read_file(file) : "";
 }
 
 Json SceneFolder::key_blocks(const std::string& name) const {

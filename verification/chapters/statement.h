@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "verification/harness/document.h"
+#include "verification/study/document.h"
 
 namespace verify {
 

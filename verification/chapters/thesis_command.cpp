@@ -60,4 +60,25 @@ int judge_thesis(const ThesisCommand& command, const std::filesystem::path& prog
   return well ? 0 : 1;
 }
 
+StudyCommand thesis_command() {
+  return study_command<ThesisCommand>(
+      "thesis",
+      "What Zelig (2015) says in chapters 3 to 6, statement by statement, and what this engine says to it, in all "
+      "readings of what the text leaves open.\nWrites thesis.json and chapter_N.md, for chapters 5 and 6 also scenes/ "
+      "and runs/; runs that are done there are kept. Exit code 1 if a run failed.",
+      [](ThesisCommand& a) -> std::vector<CommandOption> {
+        return {{.name = "--chapter",
+                 .target = &a.chapters,
+                 .help = "3, 4, 5 or 6; may be given several times; default: all",
+                 .range = {{3, 6}}},
+                out_folder(a.folder),
+                jobs_at_once(a.jobs, "runs at once; default: as many as there are cores"),
+                {"--quick", &a.quick,
+                 "small readings of section 6.1, in seconds, and no runs of chapter 5 and section 6.2"}};
+      },
+      [](const ThesisCommand& a, const Surroundings& s) {
+        return judge_thesis(a, std::filesystem::path(s.program).replace_filename("dda"), s.out, s.errors);
+      });
+}
+
 }  // namespace verify

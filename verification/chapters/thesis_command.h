@@ -5,6 +5,8 @@
 #include <iosfwd>
 #include <vector>
 
+#include "verification/study/command.h"
+
 namespace verify {
 
 struct ThesisCommand {
@@ -19,5 +21,8 @@ struct ThesisCommand {
 // failed, each told on `errors`.
 int judge_thesis(const ThesisCommand& command, const std::filesystem::path& program, std::ostream& out,
                  std::ostream& errors);
+
+// Its program is the dda beside the file that runs.
+[[nodiscard]] StudyCommand thesis_command();
 
 }  // namespace verify

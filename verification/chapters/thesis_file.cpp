@@ -8,7 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
-#include "verification/harness/markdown.h"
+#include "verification/study/markdown.h"
 
 namespace verify {
 namespace {

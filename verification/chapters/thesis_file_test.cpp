@@ -9,7 +9,7 @@
 #include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
 #include "verification/chapters/chapter_figures.h"
-#include "verification/harness/markdown.h"
+#include "verification/study/markdown.h"
 
 namespace verify {
 namespace {

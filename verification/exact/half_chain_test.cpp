@@ -29,7 +29,7 @@ std::complex<double> force(const BlockChain& chain, const TimeScheme& scheme, do
   return std::complex<double>(half_chain_force(chain, scheme, dt, omega, interface));
 }
 
-// Of fourth order; a share of the end's strain that is off by a hundredth makes it third at the finest.
+// The error is of fourth order; a share of the end's strain that is off by a hundredth makes it third at the finest.
 TEST(HalfChain, IsTheContinuumInTheLimit) {
   const double speed = std::sqrt(young / density);
   double last = 1;

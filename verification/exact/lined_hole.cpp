@@ -50,7 +50,8 @@ double wall_compliance(const LinedHole& hole) {
 
 namespace {
 
-// Of the pressure that the wall has left, what a ring takes that answers with `stiffness`; times the radius.
+// The thrust of a ring that answers with `stiffness`: its part of the pressure that the wall has left, times the
+// radius.
 double thrust_of_ring(const LinedHole& hole, double pressure, double stiffness) {
   const double stiffer = stiffness * wall_compliance(hole);
   return hole.radius * (1 - hole.let_go) * pressure * stiffer / (1 + stiffer);

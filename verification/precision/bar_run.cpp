@@ -23,7 +23,7 @@ double exact_stress(Problem problem, double t) {
   return -bar.incident_stress() * bar_pulse(problem, t - bar.measuring_point / bar.wave_speed());
 }
 
-// Of the lagging exact wave, times the factor that makes the least squares.
+// The factor by which the lagging exact wave fits the signal best, in least squares.
 double fitted_amplitude(Problem problem, const exact::Signal& signal, double lag) {
   double both = 0, square = 0;
   for (std::size_t i = 0; i < signal.values.size(); ++i) {

@@ -17,9 +17,9 @@ namespace verify {
 // Half-way between the moment the pulse has passed 50 m and that its reflection is back there, s.
 [[nodiscard]] double bar_window();
 
-// Of a history of stress at 50 m (Pa, at t = i dt) against the wave equation's: relative L2 norm of the difference; and
-// the larger of the errors of velocity (by cross-correlation) and amplitude (the factor of the delayed wave that fits
-// best), NaN with fewer than 8 samples in a period or where the wave is 0.45 of a period off its time.
+// Errors of a history of stress at 50 m (Pa, at t = i dt) against the wave equation's: relative L2 norm of the
+// difference; and the larger of the errors of velocity (by cross-correlation) and amplitude (the factor of the delayed
+// wave that fits best), NaN with fewer than 8 samples in a period or where the wave is 0.45 of a period off its time.
 [[nodiscard]] HistoryErrors bar_errors(Problem problem, const std::vector<double>& history, double dt);
 
 }  // namespace verify

@@ -5,19 +5,11 @@
 
 #include "verification/precision/bar_run.h"
 #include "verification/precision/plane_run.h"
+#include "verification/study/grid.h"
 #include "verification/thesis/reference.h"
 
 namespace verify {
 namespace {
-
-// Geometric, the ends included.
-std::vector<double> from_to(double first, double last, double ratio) {
-  std::vector<double> values;
-  const int intervals = static_cast<int>(std::lround(std::log(last / first) / std::log(ratio)));
-  for (int i = 0; i <= intervals; ++i)
-    values.push_back(first * std::pow(last / first, static_cast<double>(i) / intervals));
-  return values;
-}
 
 bool is_first_order(const PrecisionScheme& scheme) { return scheme.integrator == "thesis"; }
 
@@ -28,13 +20,13 @@ void add(std::vector<PrecisionJob>& jobs, const PrecisionJob& job) {
   if (planned_passes(job) <= most_passes) jobs.push_back(job);
 }
 
-// Of the 50 m up to the receiver. The springs' compliance and the blocks' dispersion cancel in the thesis' scheme near
-// 2.5 m: there the sizes lie close.
+// How many blocks the 50 m up to the receiver have. The springs' compliance and the blocks' dispersion cancel in the
+// thesis' scheme near 2.5 m: there the sizes lie close.
 constexpr std::array bar_blocks = {4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 22, 25, 32, 40, 64, 100};
 
 // First order needs the short ones; what is of second order has nothing left to gain there.
 std::vector<double> bar_steps(const PrecisionScheme& scheme) {
-  return is_first_order(scheme) ? from_to(5e-7, 5e-4, std::sqrt(2.0)) : from_to(2e-5, 1.6e-3, std::sqrt(2.0));
+  return is_first_order(scheme) ? geometric(5e-7, 5e-4, std::sqrt(2.0)) : geometric(2e-5, 1.6e-3, std::sqrt(2.0));
 }
 
 void add_bar(std::vector<PrecisionJob>& jobs, Problem problem, const PrecisionScheme& scheme) {

@@ -14,7 +14,7 @@
 namespace verify {
 namespace {
 
-// Of a name that is `word` and a number.
+// The number in a name that is `word` and a number.
 std::optional<double> number_after(std::string_view word, const std::string& name) {
   if (!name.starts_with(word)) return std::nullopt;
   const std::string_view rest = std::string_view(name).substr(word.size());

@@ -7,9 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "engine/record/atomic_file.h"
-#include "verification/harness/gnuplot.h"
 #include "verification/precision/table.h"
+#include "verification/study/gnuplot.h"
 
 namespace verify {
 namespace {
@@ -108,9 +107,7 @@ void plot_study(const std::vector<Measured>& all, const std::filesystem::path& f
     for (const Cost cost : {Cost::cpu, Cost::passes}) {
       const std::string name = fmt::format("{}_{}", name_of(problem), cost == Cost::cpu ? "cpu" : "passes");
       const std::vector<Curve> curves = curves_of(all, problem, cost);
-      dda::write_file(folder / (name + ".dat"), data_of(curves));
-      dda::write_file(folder / (name + ".gp"), script_of(name, problem, cost, curves));
-      run_gnuplot(folder / (name + ".gp"));
+      draw(folder, {name, data_of(curves), script_of(name, problem, cost, curves)});
     }
   }
 }

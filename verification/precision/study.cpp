@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <fstream>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
-#include "engine/record/progress.h"
+#include "verification/study/job_progress.h"
 
 namespace verify {
 namespace {
@@ -73,36 +71,6 @@ Measured run_once(const PrecisionJob& job) {
   }
 }
 
-// "precision: 123 of 4567 runs, 0:42 left", drawn over once a second.
-class RunCount {
- public:
-  RunCount(std::size_t runs, bool shown) : runs_(runs), shown_(shown) {}
-  ~RunCount() {
-    if (shown_ && done_ > 0) std::cerr << "\n";
-  }
-  RunCount(const RunCount&) = delete;
-  RunCount& operator=(const RunCount&) = delete;
-
-  void run_ended() {
-    ++done_;
-    const double passed = seconds(began_);
-    if (!shown_ || (seconds(drawn_) < 1 && done_ < runs_)) return;
-    drawn_ = Clock::now();
-    const double left = passed / static_cast<double>(done_) * static_cast<double>(runs_ - done_);
-    std::cerr << fmt::format("\rprecision: {} of {} runs, {} left   ", done_, runs_, dda::clock_text(left))
-              << std::flush;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static double seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
-
-  std::size_t runs_;
-  bool shown_;
-  std::size_t done_ = 0;
-  Clock::time_point began_ = Clock::now(), drawn_ = Clock::now();
-};
-
 bool has_runs(const std::filesystem::path& file) {
   return std::filesystem::exists(file) && !std::filesystem::is_empty(file);
 }
@@ -128,7 +96,7 @@ std::vector<Measured> run_study(const std::vector<PrecisionJob>& jobs, const std
   if (options.resume) read_runs(file, all);
   std::ofstream stream(file, std::ios::app);
   if (options.resume) stream << "\n";  // ends a line that was cut off
-  RunCount count(runs_left(all, options.rounds), options.progress);
+  JobProgress progress(runs_left(all, options.rounds), options.progress);
   for (int round = 0; round < options.rounds; ++round) {
     for (Measured& measured : all) {
       if (measured.runs > round || (measured.runs > 0 && measured.result.cpu_s > long_run)) continue;
@@ -136,7 +104,7 @@ std::vector<Measured> run_study(const std::vector<PrecisionJob>& jobs, const std
       measured.failure = run.failure;
       take(measured, run.result);
       stream << line_of(run).dump() << std::endl;
-      count.run_ended();
+      progress.job_ended(!run.failure.empty());
     }
   }
   return all;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,9 @@ struct Measured {
 };
 
 struct StudyOptions {
-  int rounds = 3;         // runs of every job, in turn; what takes more than half a second runs once
-  bool resume = false;    // go on in a folder that has runs, and keep them
-  bool progress = false;  // a line on standard error
+  int rounds = 3;                    // runs of every job, in turn; what takes more than half a second runs once
+  bool resume = false;               // go on in a folder that has runs, and keep them
+  std::ostream* progress = nullptr;  // a terminal, or none
 };
 
 // Runs what FOLDER/runs.jsonl, a line a run, has not yet; a line that is not whole (the program was stopped) does not

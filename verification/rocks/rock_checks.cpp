@@ -88,7 +88,8 @@ double strength(const dda::EndStrength& end, const InterfaceState& state, std::s
   return end.capacity(normal, state.residual[which]);
 }
 
-// Of a broken stretch whose ends press together: all of its shear, by all of its normal force.
+// How far a broken stretch is beyond its strength: its ends press together, so all of its shear stands against all of
+// its normal force.
 double beyond_of_whole(const dda::EndStrength& end, const InterfaceState& state) {
   if (!state.broken[0]) return 0;
   const double normal = state.force(0) + state.force(2), shear = state.force(1) + state.force(3);
@@ -96,7 +97,7 @@ double beyond_of_whole(const dda::EndStrength& end, const InterfaceState& state)
   return normal < 0 ? std::abs(shear) - residual + end.friction_now(state.residual[0]) * normal : std::abs(shear);
 }
 
-// Of a contact of springs, the end that is farther beyond.
+// How far a contact of springs is beyond its strength, at the end that is farther beyond.
 double beyond_of_ends(const dda::EndStrength& end, const InterfaceState& state) {
   double beyond = 0;
   for (std::size_t which = 0; which < 2; ++which) {
@@ -125,7 +126,7 @@ Check beyond_strength(const Simulation& simulation) {
   return {"shear beyond strength, of the largest force", largest > 0 ? beyond / largest : 0, measured ? 1e-6 : 1e-8};
 }
 
-// Of what accelerations could have made it in the time.
+// The fastest block, judged by the speed that accelerations could have given it in the time.
 Check fastest(const Simulation& simulation, double acceleration, double motion) {
   double speed = 0;
   for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i)

@@ -38,15 +38,15 @@ void judge(const Simulation& simulation, double motion, RockResult& result) {
   result.said = dda::warnings_of(simulation);
   if (!verdict.message.empty()) result.said.push_back(verdict.message);
   if (verdict.status != Status::ok) {
-    result.outcome = RockOutcome::stopped;
+    result.outcome = Outcome::stopped;
     result.message = std::string(to_string(verdict.status)) + ": " + verdict.message;
     return;
   }
   const bool holds = std::ranges::all_of(result.checks, &Check::holds);
-  result.outcome = holds ? RockOutcome::right : result.said.empty() ? RockOutcome::wrong : RockOutcome::warned;
+  result.outcome = holds ? Outcome::right : result.said.empty() ? Outcome::silent : Outcome::warned;
 }
 
-void end_early(RockOutcome outcome, const std::string& why, RockResult& result) {
+void end_early(Outcome outcome, const std::string& why, RockResult& result) {
   result.outcome = outcome;
   result.message = why;
 }
@@ -79,11 +79,11 @@ void note(const Simulation& simulation, RockResult& result) {
 bool go_through(const Stopwatch& watch, double seconds, Simulation& simulation, RockResult& result) {
   while (!simulation.finished()) {
     if (const Status status = simulation.step(); status != Status::ok) {
-      end_early(RockOutcome::stopped, std::string(to_string(status)) + ": " + simulation.message(), result);
+      end_early(Outcome::stopped, std::string(to_string(status)) + ": " + simulation.message(), result);
       return false;
     }
     if (watch.seconds() > seconds) {
-      end_early(RockOutcome::late, dda::stages_done(simulation) == 0 ? "still settling" : "still moving", result);
+      end_early(Outcome::late, dda::stages_done(simulation) == 0 ? "still settling" : "still moving", result);
       return false;
     }
   }
@@ -106,27 +106,23 @@ void run(const RandomRock& rock, double seconds, const Stopwatch& watch, RockPic
 
 }  // namespace
 
-std::string name_of(RockOutcome outcome) {
-  switch (outcome) {
-    case RockOutcome::right: return "right";
-    case RockOutcome::stopped: return "stopped";
-    case RockOutcome::refused: return "refused";
-    case RockOutcome::late: return "late";
-    case RockOutcome::warned: return "warned";
-    case RockOutcome::wrong: return "wrong";
-  }
-  return "";
+const OutcomeNames& rock_outcomes() {
+  static const OutcomeNames names = {{Outcome::right, "right"},     {Outcome::stopped, "stopped"},
+                                     {Outcome::refused, "refused"}, {Outcome::late, "late"},
+                                     {Outcome::warned, "warned"},   {Outcome::silent, "wrong"}};
+  return names;
 }
 
 RockResult run_rock(const RandomRock& rock, double seconds, RockPicture* picture) {
   RockResult result;
+  result.outcome = Outcome::right;
   result.seed = rock.seed;
   result.kind = rock.kind;
   const Stopwatch watch;
   try {
     run(rock, seconds, watch, picture, result);
   } catch (const dda::InputError& error) {
-    end_early(RockOutcome::refused, error.what(), result);
+    end_early(Outcome::refused, error.what(), result);
   }
   result.cpu_s = watch.seconds();
   return result;

@@ -1,43 +1,27 @@
 // Runs a rock as `dda run` does and judges it by what does not come from the rules that it was run by.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "engine/model/state.h"
-#include "verification/harness/check.h"
 #include "verification/rocks/random_rock.h"
+#include "verification/study/judged_run.h"
 
 namespace verify {
 
-enum class RockOutcome {
-  right,    // went through, and every check holds
-  stopped,  // ended early, and said why
-  refused,  // was not begun, and said why
-  late,     // did not come to its end in the time that it was given
-  warned,   // went through, a check fails, and something was said
-  wrong     // went through, a check fails, and nothing was said
-};
+[[nodiscard]] const OutcomeNames& rock_outcomes();
+[[nodiscard]] inline const std::string& name_of(Outcome outcome) { return name_of(outcome, rock_outcomes()); }
 
-inline constexpr std::array all_rock_outcomes{RockOutcome::right, RockOutcome::stopped, RockOutcome::refused,
-                                              RockOutcome::late,  RockOutcome::warned,  RockOutcome::wrong};
-
-[[nodiscard]] std::string name_of(RockOutcome outcome);
-
-struct RockResult {
+struct RockResult : JudgedRun {
   std::uint64_t seed = 0;
   RockKind kind = RockKind::two_sets;
-  RockOutcome outcome = RockOutcome::right;
-  std::string message;
-  std::vector<Check> checks;
-  std::vector<std::string> said;  // warnings
   std::size_t blocks = 0, loose = 0;
   std::int64_t steps = 0, passes = 0;
-  double settling_s = 0, cpu_s = 0;
+  double settling_s = 0;
 
-  // Of what is not right: what the run said, or the first check that fails.
+  // Why it is not right: what the run said, or the first check that fails.
   [[nodiscard]] std::string reason() const { return message.empty() ? first_failure(checks) : message; }
 };
 

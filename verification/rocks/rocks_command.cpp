@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ostream>
 
 #include "engine/record/atomic_file.h"
-#include "engine/record/progress.h"
 #include "verification/rocks/rocks_report.h"
+#include "verification/study/jobs.h"
 
 namespace verify {
 namespace {
@@ -16,15 +15,50 @@ void keep_scene(const RandomRock& rock, const std::filesystem::path& folder) {
   dda::write_file(folder / "scenes" / fmt::format("seed_{}.json", rock.seed), rock.scene);
 }
 
+// What a job hands over: its result, and its picture where it is right.
+std::string text_of(const RandomRock& rock, double seconds) {
+  RockPicture picture;
+  const RockResult result = run_rock(rock, seconds, &picture);
+  nlohmann::ordered_json json = json_of(result);
+  if (result.outcome == Outcome::right) json["picture"] = to_svg(picture);
+  return json.dump();
+}
+
 // One picture a kind: the first rock of it that has come to its end.
-void keep_picture(const RockResult& result, const RockPicture& picture, const std::filesystem::path& folder) {
+void keep_picture(const RockResult& result, const nlohmann::ordered_json& json, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "images" / picture_of(result.kind);
-  if (result.outcome == RockOutcome::right && !std::filesystem::exists(file)) dda::write_file(file, to_svg(picture));
+  if (json.contains("picture") && !std::filesystem::exists(file))
+    dda::write_file(file, json.at("picture").get<std::string>());
 }
 
 void tell(const RockResult& result, std::ostream& errors) {
   errors << fmt::format("dda-verify: seed {}, {}: {}: {}\n", result.seed, name_of(result.kind), name_of(result.outcome),
                         result.reason());
+}
+
+// Kinds of joints are flags on the command line.
+struct RocksArguments {
+  RocksCommand command;
+  bool dilating = false, projected = false;
+};
+
+std::vector<CommandOption> options_of(RocksArguments& a) {
+  std::vector<CommandOption> options{out_folder(a.command.folder)};
+  add_lots(a.command.seed, "rock", a.command.count, options);
+  options.push_back({"--dilating", &a.dilating, "smaller rocks, with joints that ride up as they slide"});
+  options.push_back({"--projected", &a.projected, "joints of the projected law"});
+  options.push_back({.name = "--extent",
+                     .target = &a.command.family.extent,
+                     .help = "times as wide and high, with joints as far apart: its square times as many blocks",
+                     .shows_default = true,
+                     .range = {{0.5, 20.0}}});
+  options.push_back({.name = "--seconds",
+                     .target = &a.command.seconds,
+                     .help = "of CPU time, the most that a rock is given",
+                     .shows_default = true,
+                     .positive = true});
+  options.push_back(jobs_at_once(a.command.jobs, "rocks at once, each a process of its own; default: 1"));
+  return options;
 }
 
 }  // namespace
@@ -33,23 +67,34 @@ int run_rocks(const RocksCommand& command, std::ostream& out, std::ostream& erro
   std::filesystem::create_directories(command.folder / "scenes");
   std::filesystem::create_directories(command.folder / "images");
   std::vector<RockResult> results;
-  dda::Progress progress(0, command.count, dda::terminal());
-  for (int i = 0; i < command.count; ++i) {
-    const RandomRock rock = random_rock(command.seed + static_cast<std::uint64_t>(i), command.family);
-    RockPicture picture;
-    results.push_back(run_rock(rock, command.seconds, &picture));
-    keep_picture(results.back(), picture, command.folder);
-    if (results.back().outcome != RockOutcome::right) {
-      keep_scene(rock, command.folder);
-      tell(results.back(), errors);
-    }
-    progress.update(i + 1, i + 1);
-  }
+  const auto rock = [&](std::size_t i) { return random_rock(command.seed + i, command.family); };
+  const auto run = [&](std::size_t i) { return text_of(rock(i), command.seconds); };
+  run_jobs(static_cast<std::size_t>(command.count), command.jobs, run, [&](std::size_t i, const std::string& text) {
+    const auto json = nlohmann::ordered_json::parse(text);
+    const RockResult& result = results.emplace_back(rock_result_from(json));
+    keep_picture(result, json, command.folder);
+    if (result.outcome == Outcome::right) return;
+    keep_scene(rock(i), command.folder);
+    tell(result, errors);
+  });
   dda::write_file(command.folder / "rocks.json", to_json(results));
   dda::write_file(command.folder / "rocks.md", to_page(results));
-  for (const RockOutcome outcome : all_rock_outcomes)
-    out << fmt::format("{:5} {}\n", std::ranges::count(results, outcome, &RockResult::outcome), name_of(outcome));
-  return std::ranges::count(results, RockOutcome::wrong, &RockResult::outcome) > 0 ? 1 : 0;
+  out << counts_of(results, rock_outcomes());
+  return count_of(results, Outcome::silent) > 0 ? 1 : 0;
+}
+
+StudyCommand rocks_command() {
+  return study_command<RocksArguments>(
+      "rocks",
+      "Rock cut by lot - joint sets, traces, grains, openings, excavations, slopes, shaken walls - settles and moves, "
+      "and is judged by outlines, weights, Coulomb's law and speeds.\nWrites rocks.json, rocks.md, images/ and the "
+      "scenes that are not right. Exit code 1 if a rock is wrong in silence.",
+      options_of, [](const RocksArguments& a, const Surroundings& s) {
+        RocksCommand command = a.command;
+        if (a.dilating) command.family.joints = RockJoints::dilating;
+        if (a.projected) command.family.joints = RockJoints::projected;
+        return run_rocks(command, s.out, s.errors);
+      });
 }
 
 }  // namespace verify

@@ -7,22 +7,12 @@
 #include <span>
 
 #include "engine/view/svg_path.h"
-#include "verification/harness/markdown.h"
+#include "verification/study/markdown.h"
 
 namespace verify {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const RockResult& result) {
-  Json json = {{"seed", result.seed},     {"kind", name_of(result.kind)},    {"outcome", name_of(result.outcome)},
-               {"blocks", result.blocks}, {"loose", result.loose},           {"steps", result.steps},
-               {"passes", result.passes}, {"settling_s", result.settling_s}, {"cpu_s", result.cpu_s}};
-  if (!result.message.empty()) json["message"] = result.message;
-  if (!result.said.empty()) json["said"] = result.said;
-  for (const Check& check : result.checks) json["checks"].push_back(json_of(check));
-  return json;
-}
 
 std::vector<RockResult> of_kind(const std::vector<RockResult>& results, RockKind kind) {
   std::vector<RockResult> some;
@@ -41,8 +31,7 @@ std::string median_and_most(std::vector<double> values) {
 
 std::vector<std::string> row_of(const std::string& name, const std::vector<RockResult>& results) {
   std::vector<std::string> row{name, std::to_string(results.size())};
-  for (const RockOutcome outcome : all_rock_outcomes)
-    row.push_back(std::to_string(std::ranges::count(results, outcome, &RockResult::outcome)));
+  for (const auto& [outcome, known] : rock_outcomes()) row.push_back(std::to_string(count_of(results, outcome)));
   std::vector<double> blocks, settling, all;
   for (const RockResult& result : results) {
     blocks.push_back(static_cast<double>(result.blocks));
@@ -57,7 +46,7 @@ Table table_of(const std::vector<RockResult>& results) {
   Table table;
   table.caption = "Rocks by kind; blocks, CPU seconds until settled and in all as median / most";
   table.header = {"kind", "rocks"};
-  for (const RockOutcome outcome : all_rock_outcomes) table.header.push_back(name_of(outcome));
+  for (const auto& [outcome, known] : rock_outcomes()) table.header.push_back(known);
   table.header.insert(table.header.end(), {"blocks", "settled after (s)", "in all (s)"});
   for (const RockKind kind : all_rock_kinds) table.rows.push_back(row_of(name_of(kind), of_kind(results, kind)));
   table.rows.push_back(row_of("all", results));
@@ -95,7 +84,7 @@ Section gallery(const std::vector<RockResult>& results) {
                 "the others settled."});
   for (const RockKind kind : all_rock_kinds) {
     const auto shown = std::ranges::find_if(
-        results, [&](const RockResult& result) { return result.kind == kind && result.outcome == RockOutcome::right; });
+        results, [&](const RockResult& result) { return result.kind == kind && result.outcome == Outcome::right; });
     if (shown == results.end()) continue;
     const std::string caption = fmt::format("{}, seed {}, {} blocks", name_of(kind), shown->seed, shown->blocks);
     section.pieces.emplace_back(Figure{"images/" + picture_of(kind), caption});
@@ -106,7 +95,7 @@ Section gallery(const std::vector<RockResult>& results) {
 Section not_right(const std::vector<RockResult>& results) {
   Bullets bullets;
   for (const RockResult& result : results)
-    if (result.outcome != RockOutcome::right)
+    if (result.outcome != Outcome::right)
       bullets.items.push_back(fmt::format("**{}**, seed {} ({}, {} blocks): {}", name_of(result.outcome), result.seed,
                                           name_of(result.kind), result.blocks, result.reason()));
   if (bullets.items.empty()) bullets.items.emplace_back("none");
@@ -167,6 +156,32 @@ std::string picture_of(RockKind kind) {
   std::string name = name_of(kind);
   std::ranges::replace(name, ' ', '_');
   return "rocks_" + name + ".svg";
+}
+
+Json json_of(const RockResult& result) {
+  Json json = {{"seed", result.seed},     {"kind", name_of(result.kind)},    {"outcome", name_of(result.outcome)},
+               {"blocks", result.blocks}, {"loose", result.loose},           {"steps", result.steps},
+               {"passes", result.passes}, {"settling_s", result.settling_s}, {"cpu_s", result.cpu_s}};
+  add_reasons(result, json);
+  return json;
+}
+
+RockResult rock_result_from(const Json& json) {
+  RockResult result;
+  result.seed = json.at("seed");
+  result.kind = *std::ranges::find(all_rock_kinds, json.at("kind").get<std::string>(),
+                                   [](RockKind kind) { return std::string(name_of(kind)); });
+  const auto outcome =
+      std::ranges::find(rock_outcomes(), json.at("outcome").get<std::string>(), &OutcomeNames::value_type::second);
+  result.outcome = outcome->first;
+  result.blocks = json.at("blocks");
+  result.loose = json.at("loose");
+  result.steps = json.at("steps");
+  result.passes = json.at("passes");
+  result.settling_s = json.at("settling_s");
+  result.cpu_s = json.at("cpu_s");
+  read_reasons(json, result);
+  return result;
 }
 
 std::string to_json(const std::vector<RockResult>& results) {

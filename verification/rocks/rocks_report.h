@@ -1,12 +1,17 @@
 // A population of rocks as JSON, as a page and as pictures.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "verification/rocks/rock_run.h"
 
 namespace verify {
+
+// One of them, and back from there.
+[[nodiscard]] nlohmann::ordered_json json_of(const RockResult& result);
+[[nodiscard]] RockResult rock_result_from(const nlohmann::ordered_json& json);
 
 [[nodiscard]] std::string to_json(const std::vector<RockResult>& results);
 

@@ -46,7 +46,7 @@ TEST(Rocks, AreLargerWhereAskedFor) {
 TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
   for (const unsigned seed : {1U, 4U, 5U, 15U, 16U, 24U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::dilating}), 60);
-    EXPECT_EQ(result.outcome, RockOutcome::right) << seed << ": " << result.reason();
+    EXPECT_EQ(result.outcome, Outcome::right) << seed << ": " << result.reason();
   }
 }
 
@@ -55,7 +55,7 @@ TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
 TEST(Rocks, SettleAndMoveUnderTheProjectedLaw) {
   for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
-    EXPECT_EQ(result.outcome, seed == 7 ? RockOutcome::warned : RockOutcome::right) << seed << ": " << result.reason();
+    EXPECT_EQ(result.outcome, seed == 7 ? Outcome::warned : Outcome::right) << seed << ": " << result.reason();
   }
 }
 
@@ -102,7 +102,7 @@ TEST_F(ChecksOfRock, SeeABlockThatFlies) {
 TEST(Rocks, ReportsHaveEveryRockThatIsNotRight) {
   RockResult late;
   late.seed = 77;
-  late.outcome = RockOutcome::late;
+  late.outcome = Outcome::late;
   late.message = "still settling";
   EXPECT_NE(to_page({late}).find("**late**, seed 77"), std::string::npos);
   EXPECT_NE(to_json({late}).find("\"outcome\":\"late\""), std::string::npos);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/simulation/simulation.h"
-#include "verification/harness/check.h"
 #include "verification/stability/setting.h"
+#include "verification/study/judged_run.h"
 
 namespace verify {
 

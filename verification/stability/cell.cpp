@@ -64,7 +64,7 @@ void judge(const dda::Simulation& simulation, const Watcher& watcher, const std:
   cell.said.insert(cell.said.end(), remarks.begin(), remarks.end());
   cell.checks = watcher.checks(simulation);
   if (std::ranges::all_of(cell.checks, &Check::holds))
-    cell.outcome = Outcome::correct;
+    cell.outcome = Outcome::right;
   else
     cell.outcome = cell.said.empty() ? Outcome::silent : Outcome::warned;
 }
@@ -83,15 +83,13 @@ void run(const Setting& setting, const std::string& scene, Cell& cell) {
 
 }  // namespace
 
-std::string name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::correct: return "correct";
-    case Outcome::warned: return "warned";
-    case Outcome::stopped: return "stopped";
-    case Outcome::refused: return "refused";
-    case Outcome::silent: return "silently wrong";
-  }
-  return "";
+const OutcomeNames& cell_outcomes() {
+  static const OutcomeNames names = {{Outcome::right, "correct"},
+                                     {Outcome::warned, "warned"},
+                                     {Outcome::stopped, "stopped"},
+                                     {Outcome::refused, "refused"},
+                                     {Outcome::silent, "silently wrong"}};
+  return names;
 }
 
 Cell run_cell(const Setting& setting, const nlohmann::ordered_json& scene) {

@@ -17,9 +17,7 @@ Json json_of(const Cell& cell) {
                {"aspect", setting.aspect},
                {"steps", steps_of(setting)},
                {"outcome", name_of(cell.outcome)}};
-  if (!cell.message.empty()) json["message"] = cell.message;
-  if (!cell.said.empty()) json["said"] = cell.said;
-  for (const Check& check : cell.checks) json["checks"].push_back(json_of(check));
+  add_reasons(cell, json);
   if (!cell.scene.empty()) json["scene"] = cell.scene;
   json["cpu_s"] = cell.cpu_s;
   return json;

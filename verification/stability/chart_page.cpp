@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 
-#include "verification/harness/markdown.h"
 #include "verification/stability/chart.h"
+#include "verification/study/markdown.h"
 
 namespace verify {
 namespace {
@@ -25,13 +27,14 @@ Table counts(const std::vector<Cell>& cells, const std::string& caption) {
   Table table;
   table.caption = caption;
   table.header = {"problem"};
-  for (const Outcome outcome : all_outcomes) table.header.push_back(name_of(outcome));
+  for (const auto& [outcome, name] : cell_outcomes()) table.header.push_back(name);
   for (const Problem problem : all_problems) {
     std::vector<std::string>& row = table.rows.emplace_back();
     row.push_back(name_of(problem));
-    for (const Outcome outcome : all_outcomes)
-      row.push_back(std::to_string(std::ranges::count_if(
-          cells, [&](const Cell& cell) { return cell.setting.problem == problem && cell.outcome == outcome; })));
+    std::vector<Cell> of_problem;
+    std::ranges::copy_if(cells, std::back_inserter(of_problem),
+                         [&](const Cell& cell) { return cell.setting.problem == problem; });
+    for (const auto& [outcome, name] : cell_outcomes()) row.push_back(std::to_string(count_of(of_problem, outcome)));
   }
   return table;
 }

@@ -13,11 +13,12 @@ constexpr int left_margin = 80, top_margin = 48, between = 14, bottom_margin = 6
 // Okabe & Ito 2008, which colour-blind readers can tell apart.
 const char* colour_of(Outcome outcome) {
   switch (outcome) {
-    case Outcome::correct: return "#009E73";
+    case Outcome::right: return "#009E73";
     case Outcome::warned: return "#F0E442";
     case Outcome::stopped: return "#56B4E9";
     case Outcome::refused: return "#999999";
     case Outcome::silent: return "#D55E00";
+    case Outcome::late: break;  // cells are not timed out
   }
   return "";
 }
@@ -107,9 +108,8 @@ class Maps {
     std::string legend;
     double x = left_margin;
     const double y = bottom() + bottom_margin - 24;
-    for (const Outcome outcome : all_outcomes) {
-      const std::string words =
-          fmt::format("{} ({})", name_of(outcome), std::ranges::count(cells, outcome, &Cell::outcome));
+    for (const auto& [outcome, name] : cell_outcomes()) {
+      const std::string words = fmt::format("{} ({})", name, count_of(cells, outcome));
       legend += fmt::format("<rect x=\"{:g}\" y=\"{:g}\" width=\"11\" height=\"11\" fill=\"{}\"/>\n", x, y,
                             colour_of(outcome));
       legend += text(x + 15, y + 9, words, " text-anchor=\"start\"");

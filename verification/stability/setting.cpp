@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/study/grid.h"
+
 namespace verify {
 namespace {
 
@@ -39,13 +41,9 @@ struct Axis {
 std::vector<Setting> all_settings(const ChartGrid& grid, const Axis& outer, const Axis& inner) {
   std::vector<Setting> settings;
   for (const Problem problem : all_problems)
-    for (const std::string& integrator : grid.integrators)
-      for (const double outer_value : outer.values)
-        for (const double inner_value : inner.values) {
-          Setting& setting = settings.emplace_back(ordinary(grid, problem, integrator));
-          setting.*outer.quantity = outer_value;
-          setting.*inner.quantity = inner_value;
-        }
+    for (const std::string& integrator : grid.integrators) settings.push_back(ordinary(grid, problem, integrator));
+  for (const Axis& axis : {outer, inner})
+    settings = with_each(settings, axis.values, [&](double value, Setting& each) { each.*axis.quantity = value; });
   return settings;
 }
 

@@ -20,7 +20,7 @@ Setting ordinary(Problem problem) {
 TEST(Stability, OrdinaryScenesAreCorrectAndNothingIsSaidOfThem) {
   for (const Problem problem : all_problems) {
     const Cell cell = run_cell(ordinary(problem), scene_of(ordinary(problem)));
-    EXPECT_EQ(cell.outcome, Outcome::correct) << name_of(problem) << ": " << cell.message;
+    EXPECT_EQ(cell.outcome, Outcome::right) << name_of(problem) << ": " << cell.message;
     EXPECT_TRUE(cell.said.empty()) << name_of(problem) << ": " << cell.said.front();
   }
 }

@@ -150,7 +150,7 @@ double allowed(Column column, const std::vector<std::string>& measured, double l
   return std::max(1e-5 * largest, of_tolerance * scale);
 }
 
-// Of one column of two rows.
+// Whether two rows say the same in one column.
 bool agree(Column column, const std::vector<std::string>& printed, const std::vector<std::string>& measured) {
   if (printed[column] == measured[column]) return true;
   const std::optional<Figure> was = figure_of(printed[column]);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
+#include "verification/study/values.h"
 
 namespace verify {
 namespace {
@@ -15,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const dda::Counters& counters) {
   Json json = Json::object();
-  for (const dda::CounterField& field : dda::counter_fields) json[field.name] = counters.*field.value;
+  add_counters(counters, json);
   return json;
 }
 

@@ -17,6 +17,11 @@ std::string verdict_of(const std::vector<Row>& rows) {
   return fmt::format("{}, {:.2f} s", verdict, rows.front().cpu_s);
 }
 
+struct RunArguments {
+  RunCommand command;
+  bool list = false;
+};
+
 }  // namespace
 
 int run_cases(const std::vector<Case>& cases, const RunCommand& command, std::ostream& out, std::ostream& errors) {
@@ -48,6 +53,40 @@ void list_cases(const std::vector<Case>& cases, std::ostream& out) {
   for (const Case& each : cases)
     out << fmt::format("{:<8} {}  {:<40} {}\n", fmt::format("{}", fmt::join(each.catalogue, ",")), name_of(each.label),
                        each.id, each.title);
+}
+
+void add_selection(Selection& selection, std::vector<CommandOption>& options) {
+  options.push_back({.name = "--case",
+                     .target = &selection.ids,
+                     .help = "only the case of this id; may be given several times",
+                     .kind = "ID"});
+  options.push_back({.name = "--label",
+                     .target = &selection.labels,
+                     .help = "only cases of this label, fast or slow",
+                     .kind = "LABEL"});
+}
+
+StudyCommand run_command(const ListCases& all_cases) {
+  return study_command<RunArguments>(
+      "run",
+      "Runs the cases of the verification catalogue, all of them or those asked for, and writes verification.json: "
+      "one entry per asserted quantity with its reference, error and tolerance.\nExit code 1 if an assertion fails; "
+      "each is told on standard error.",
+      [](RunArguments& a) {
+        std::vector<CommandOption> options;
+        add_selection(a.command.selection, options);
+        options.push_back({"--out", &a.command.folder, "folder for verification.json; made if it is not there"});
+        options.push_back({.name = "--list",
+                           .target = &a.list,
+                           .help = "list catalogue numbers, label, id and title of the cases",
+                           .instead_of = "--out"});
+        return options;
+      },
+      [all_cases](const RunArguments& a, const Surroundings& s) {
+        if (!a.list) return run_cases(all_cases(), a.command, s.out, s.errors);
+        list_cases(select(all_cases(), a.command.selection), s.out);
+        return 0;
+      });
 }
 
 }  // namespace verify

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <vector>
 
+#include "verification/study/command.h"
 #include "verification/suite/case.h"
 #include "verification/suite/runner.h"
 
@@ -24,5 +25,12 @@ int run_cases(const std::vector<Case>& cases, const RunCommand& command, std::os
 
 // One line a case: catalogue numbers, label, id and title.
 void list_cases(const std::vector<Case>& cases, std::ostream& out);
+
+// `all_cases` is asked when the command is carried out.
+using ListCases = const std::vector<Case>& (*)();
+[[nodiscard]] StudyCommand run_command(const ListCases& all_cases);
+
+// The options by which cases are selected.
+void add_selection(Selection& selection, std::vector<CommandOption>& options);
 
 }  // namespace verify

@@ -82,6 +82,11 @@ void write_page(const std::vector<Case>& cases, const TableCommand& command, con
   dda::write_file(command.page, page_of(cases, tables));
 }
 
+struct TableArguments {
+  TableCommand command;
+  std::filesystem::path checked;
+};
+
 }  // namespace
 
 int make_table(const std::vector<Case>& cases, const TableCommand& command, std::ostream& out, std::ostream& errors) {
@@ -92,6 +97,31 @@ int make_table(const std::vector<Case>& cases, const TableCommand& command, std:
   write_page(cases, command, measured);
   out << fmt::format("{} of {} tables made anew; {}\n", measured.size(), cases.size(), command.page.string());
   return 0;
+}
+
+StudyCommand table_command(const ListCases& all_cases) {
+  return study_command<TableArguments>(
+      "table",
+      "Makes docs/verification.md from what `run` has written. Cases without results keep the table that the page "
+      "has.\nExit code 1 if an assertion failed, or with --check if the page is stale.",
+      [](TableArguments& a) {
+        std::vector<CommandOption> options{{.name = "results",
+                                            .target = &a.command.results,
+                                            .help = "folder with verification.json, or with one for each case",
+                                            .required = true,
+                                            .kind = "DIR"}};
+        add_selection(a.command.selection, options);
+        options.push_back({"--check", &a.checked, "page to compare; nothing is written"});
+        options.push_back(
+            {.name = "--out", .target = &a.command.page, .help = "page to write", .instead_of = "--check"});
+        return options;
+      },
+      [all_cases](const TableArguments& a, const Surroundings& s) {
+        TableCommand command = a.command;
+        command.check = !a.checked.empty();
+        if (command.check) command.page = a.checked;
+        return make_table(all_cases(), command, s.out, s.errors);
+      });
 }
 
 }  // namespace verify

@@ -5,7 +5,9 @@
 #include <iosfwd>
 #include <vector>
 
+#include "verification/study/command.h"
 #include "verification/suite/case.h"
+#include "verification/suite/run_command.h"
 #include "verification/suite/runner.h"
 
 namespace verify {
@@ -21,5 +23,7 @@ struct TableCommand {
 // them. Or checks that the page says what every selected case measured. Returns the exit code of the program: 0, or 1
 // if the page is stale or a row has failed, told on `errors`. Throws dda::InputError for what is not there.
 int make_table(const std::vector<Case>& cases, const TableCommand& command, std::ostream& out, std::ostream& errors);
+
+[[nodiscard]] StudyCommand table_command(const ListCases& all_cases);
 
 }  // namespace verify

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "verification/study/grid.h"
 #include "verification/thesis/reference.h"
 
 namespace verify {
@@ -152,10 +153,7 @@ std::vector<JobParameters> jobs_of_grid(const Field& grid) {
     if (!values) continue;
     if (jobs.size() * values->items().size() > most_jobs)
       grid.fail("more", fmt::format("a grid of at most {} jobs", most_jobs));
-    std::vector<JobParameters> more;
-    for (const JobParameters& job : jobs)
-      for (const Field& value : values->items()) key.set(value, more.emplace_back(job));
-    jobs = std::move(more);
+    jobs = with_each(jobs, values->items(), key.set);
   }
   expect_used(grid, jobs);
   return jobs;

@@ -14,6 +14,7 @@
 #include "verification/exact/signal.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/study/values.h"
 #include "verification/sweep/sweep_bar.h"
 #include "verification/thesis/closed_form.h"
 
@@ -88,10 +89,6 @@ std::optional<double> onset_error(const exact::Signal& signal, double on_time) {
   }
 }
 
-nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
-
 }  // namespace
 
 WaveReadings read_wave(const ThesisBar& bar, Pulse pulse, const std::vector<double>& history, double dt) {
@@ -151,13 +148,13 @@ JobResult run_job(const JobParameters& parameters, bool closed_form) {
 nlohmann::ordered_json to_json(const JobResult& result) {
   const WaveErrors& measured = result.measured.errors;
   const auto predicted = [&](double WaveErrors::*error) {
-    return number_or_null(result.predicted ? std::optional((*result.predicted).*error) : std::nullopt);
+    return or_null(result.predicted ? std::optional((*result.predicted).*error) : std::nullopt);
   };
   const auto agrees = [&](double WaveErrors::*error) {
     return result.predicted && agree(measured.*error, (*result.predicted).*error);
   };
   const auto of_form = [&](double WaveErrors::*error) {
-    return number_or_null(result.closed_form ? std::optional((*result.closed_form).*error) : std::nullopt);
+    return or_null(result.closed_form ? std::optional((*result.closed_form).*error) : std::nullopt);
   };
   nlohmann::ordered_json json = {{"place", result.place},
                                  {"velocity_error_pct", measured.velocity},
@@ -172,12 +169,12 @@ nlohmann::ordered_json to_json(const JobResult& result) {
                                  {"wave_amplitude_error_pct", result.wave.amplitude},
                                  {"closed_form_velocity_error_pct", of_form(&WaveErrors::velocity)},
                                  {"closed_form_amplitude_error_pct", of_form(&WaveErrors::amplitude)},
-                                 {"closed_form_difference", number_or_null(result.largest_difference)},
+                                 {"closed_form_difference", or_null(result.largest_difference)},
                                  {"half_range_error_pct", result.measured.half_range},
-                                 {"onset_velocity_error_pct", number_or_null(result.measured.onset_velocity)},
+                                 {"onset_velocity_error_pct", or_null(result.measured.onset_velocity)},
                                  {"setup_cpu_s", result.setup_cpu_s},
                                  {"cpu_s", result.cpu_s}};
-  for (const dda::CounterField& field : dda::counter_fields) json[field.name] = result.counters.*field.value;
+  add_counters(result.counters, json);
   return json;
 }
 

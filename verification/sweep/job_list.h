@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/sweep/process_pool.h"
+#include "verification/study/process_pool.h"
 #include "verification/sweep/sweep_folder.h"
 
 namespace verify {

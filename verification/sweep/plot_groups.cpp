@@ -21,7 +21,7 @@ std::set<std::string> values_of(const SweepSpec& spec, const std::string& name) 
   return values;
 }
 
-// Of two names of one thing the jobs are told apart by that of fewer values: it is the one that the grid lists.
+// Two names of one thing tell jobs apart; the one with fewer values is what the grid lists, and the other is idle.
 std::string idle_name(const SweepSpec& spec, const std::string& first, const std::string& second) {
   return values_of(spec, first).size() <= values_of(spec, second).size() ? second : first;
 }

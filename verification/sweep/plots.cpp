@@ -6,23 +6,10 @@
 #include <map>
 #include <set>
 
-#include "engine/record/atomic_file.h"
-#include "verification/harness/gnuplot.h"
+#include "verification/study/gnuplot.h"
 
 namespace verify {
 namespace {
-
-struct Figure {
-  std::string name;  // of its files
-  std::string data;
-  std::string script;
-};
-
-void draw(const std::filesystem::path& folder, const Figure& figure) {
-  dda::write_file(folder / (figure.name + ".dat"), figure.data);
-  dda::write_file(folder / (figure.name + ".gp"), figure.script);
-  run_gnuplot(folder / (figure.name + ".gp"));
-}
 
 // Without the round-off of an eta or cfl made of a length and a time step, which would split a line of the grid.
 double axis_value(const JobParameters& job, const std::string& name) {
@@ -111,7 +98,7 @@ set tics front
 set cbtics scale 0.4
 )";
 
-std::string contour_script(const Figure& figure, const Plane& plane, const SweepPlot& plot, const std::string& title,
+std::string contour_script(const PlotFiles& figure, const Plane& plane, const SweepPlot& plot, const std::string& title,
                            const std::string& quantity) {
   const std::string data = figure.name + ".dat";
   std::string text = gnuplot_style(1300, 430) + contour_settings + log_axes(plane);
@@ -145,7 +132,7 @@ void draw_contours(const SweepSpec& spec, const std::vector<JobFile>& jobs, cons
     const Plane plane = plane_of(spec, plot, groups[i]);
     if (plane.xs.size() < 2 || plane.ys.size() < 2) continue;
     for (const char* quantity : {"velocity", "amplitude"}) {
-      Figure figure{fmt::format("{}_{}_{}_{}", quantity, plot.x, plot.y, i + 1), "", ""};
+      PlotFiles figure{fmt::format("{}_{}_{}_{}", quantity, plot.x, plot.y, i + 1), "", ""};
       figure.data = contour_data(plane, jobs, quantity);
       figure.script = contour_script(figure, plane, plot, groups[i].title, quantity);
       draw(folder, figure);
@@ -167,7 +154,7 @@ std::string line_data(const SweepSpec& spec, const std::vector<JobFile>& jobs, c
   return text;
 }
 
-std::string line_script(const Figure& figure, const SweepSpec& spec, const SweepPlot& plot,
+std::string line_script(const PlotFiles& figure, const SweepSpec& spec, const SweepPlot& plot,
                         const std::vector<PlotGroup>& groups, const std::string& quantity) {
   std::set<double> xs;
   for (const JobParameters& job : spec.jobs) xs.insert(axis_value(job, plot.x));
@@ -189,7 +176,7 @@ void draw_lines(const SweepSpec& spec, const std::vector<JobFile>& jobs, const S
                 const std::filesystem::path& folder) {
   const std::vector<PlotGroup> groups = groups_of(spec, plot);
   for (const char* quantity : {"velocity", "amplitude"}) {
-    Figure figure{fmt::format("{}_{}", quantity, plot.x), "", ""};
+    PlotFiles figure{fmt::format("{}_{}", quantity, plot.x), "", ""};
     figure.data = line_data(spec, jobs, plot, groups, quantity);
     figure.script = line_script(figure, spec, plot, groups, quantity);
     draw(folder, figure);

@@ -9,12 +9,12 @@
 #include "engine/core/parallel.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/progress.h"
-#include "verification/harness/gnuplot.h"
+#include "verification/study/gnuplot.h"
+#include "verification/study/job_progress.h"
+#include "verification/study/process_pool.h"
 #include "verification/sweep/job.h"
 #include "verification/sweep/job_list.h"
 #include "verification/sweep/plots.h"
-#include "verification/sweep/pool_progress.h"
-#include "verification/sweep/process_pool.h"
 #include "verification/sweep/sweep_folder.h"
 #include "verification/sweep/table.h"
 
@@ -43,7 +43,7 @@ void run_jobs(const SweepCommand& command, const std::filesystem::path& program,
               const SweepFolder& folder, const std::vector<std::size_t>& open) {
   std::vector<PoolTask> tasks;
   for (const std::size_t index : open) tasks.push_back({index, job_command(program, folder, index)});
-  PoolProgress progress(open.size(), dda::terminal());
+  JobProgress progress(open.size(), dda::terminal());
   run_processes(tasks, command.jobs > 0 ? command.jobs : dda::cores(),
                 [&](std::size_t index, const std::string& failure) {
                   if (!folder.read(index, spec.jobs[index]).ended_by_itself())

@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <vector>
+
+#include "verification/study/command.h"
 
 namespace verify {
 
@@ -31,5 +34,8 @@ int job(const JobCommand& command, std::ostream& out);
 
 // results.csv and plots/ from the files of the jobs.
 int collect(const std::filesystem::path& folder, std::ostream& out, std::ostream& errors);
+
+// The three of them for a command line.
+[[nodiscard]] std::vector<StudyCommand> sweep_commands();
 
 }  // namespace verify

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "verification/study/values.h"
 #include "verification/sweep/job.h"
 
 namespace verify {
@@ -11,21 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of("\",\n\r") == std::string::npos) return text;
-  std::string result(1, '"');
-  for (const char c : text) {
-    result += c == '\n' ? ' ' : c;
-    if (c == '"') result += c;
-  }
-  result += '"';
-  return result;
-}
-
-std::string cell(const Json& value) {
-  if (value.is_null()) return "";
-  return quoted(value.is_string() ? value.get<std::string>() : value.dump());
-}
+// What is told of each job before its parameters and results.
+const std::vector<std::string> first_columns = {"index", "status", "message"};
 
 std::string agreeing(const std::vector<JobFile>& jobs, const std::string& name) {
   const auto measured = std::count_if(jobs.begin(), jobs.end(), [](const JobFile& job) { return job.status == "ok"; });
@@ -47,17 +35,16 @@ std::vector<JobFile> read_jobs(const SweepFolder& folder, const SweepSpec& spec)
 std::string to_csv(const SweepSpec& spec, const std::vector<JobFile>& jobs) {
   const Json results = to_json(JobResult{});
   const Json parameters = to_json(JobParameters{});
-  std::string text = "index,status,message";
-  for (const auto& [name, value] : parameters.items()) text += fmt::format(",{}", name);
-  for (const auto& [name, value] : results.items()) text += fmt::format(",{}", name);
-  text += "\n";
+  std::vector<std::string> header = first_columns;
+  for (const Json* columns : {&parameters, &results})
+    for (const auto& [name, value] : columns->items()) header.push_back(name);
+  std::string text = csv_line(header);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
-    text += fmt::format("{},{},{}", i, jobs[i].status, quoted(jobs[i].message));
+    std::vector<std::string> cells{std::to_string(i), jobs[i].status, csv_cell(jobs[i].message)};
     const Json given = to_json(spec.jobs[i]);
-    for (const auto& [name, value] : given.items()) text += fmt::format(",{}", cell(value));
-    for (const auto& [name, value] : results.items())
-      text += fmt::format(",{}", cell(jobs[i].result.value(name, Json())));
-    text += "\n";
+    for (const auto& [name, value] : given.items()) cells.push_back(csv_cell(value));
+    for (const auto& [name, value] : results.items()) cells.push_back(csv_cell(jobs[i].result.value(name, Json())));
+    text += csv_line(cells);
   }
   return text;
 }

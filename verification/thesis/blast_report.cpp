@@ -18,7 +18,7 @@ const BlastResult& named(const BlastStudy& study, const std::string& name) {
   throw std::out_of_range("no blast run of that name");
 }
 
-// Of the first point of a direction, Pa: the largest, as stresses fall from there.
+// The stress (Pa) at the first point of a direction, which is the largest, as stresses fall from there.
 double first_stress(const BlastStudy& study, const std::string& name, bool level) {
   const auto& points = study.points;
   const auto first = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.level() == level; });

@@ -1,7 +1,7 @@
 // The page about the blast of the thesis' chapter 4, as a Document.
 #pragma once
 
-#include "verification/harness/document.h"
+#include "verification/study/document.h"
 #include "verification/thesis/blast_study.h"
 
 namespace verify {

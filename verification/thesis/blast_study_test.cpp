@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "verification/harness/markdown.h"
+#include "verification/study/markdown.h"
 #include "verification/thesis/blast_report.h"
 
 namespace verify {

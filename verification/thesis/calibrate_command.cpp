@@ -6,10 +6,10 @@
 
 #include "engine/record/atomic_file.h"
 #include "engine/record/progress.h"
-#include "verification/harness/gnuplot.h"
-#include "verification/harness/html.h"
-#include "verification/harness/markdown.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/study/gnuplot.h"
+#include "verification/study/html.h"
+#include "verification/study/markdown.h"
 #include "verification/thesis/calibration_json.h"
 #include "verification/thesis/plots.h"
 #include "verification/thesis/promises.h"
@@ -57,6 +57,19 @@ int calibrate(const CalibrateCommand& command) {
   }
   say_what_came_out(promises);
   return all_kept(promises) && figures ? 0 : 1;
+}
+
+StudyCommand calibrate_command() {
+  return study_command<CalibrateCommand>(
+      "calibrate",
+      "The P wave of Zelig (2015), chapter 3: Tables 3.2 and 3.3 from this engine, beside the printed numbers, its "
+      "accurate scheme and the closed form of the discrete problem.\nWrites calibration.json, calibration.md, "
+      "calibration.html and plots/. Exit code 1 if a promised accuracy is not met.",
+      [](CalibrateCommand& a) -> std::vector<CommandOption> {
+        return {out_folder(a.folder, "folder of the report; made if it is not there"),
+                {"--quick", &a.quick, "the time step of 0.1 ms only, each run once"}};
+      },
+      [](const CalibrateCommand& a, const Surroundings&) { return calibrate(a); });
 }
 
 }  // namespace verify

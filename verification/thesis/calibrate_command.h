@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "verification/study/command.h"
+
 namespace verify {
 
 struct CalibrateCommand {
@@ -14,5 +16,7 @@ struct CalibrateCommand {
 // Returns the exit code of the program: 0, or 1 if a promise is broken or the plots could not be made, with a sentence
 // on standard error for each. Throws std::runtime_error if a run fails or a file cannot be written.
 int calibrate(const CalibrateCommand& command);
+
+[[nodiscard]] StudyCommand calibrate_command();
 
 }  // namespace verify

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "engine/record/progress.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"
+#include "verification/study/job_progress.h"
 #include "verification/thesis/bar_scene.h"
 #include "verification/thesis/closed_form.h"
 
@@ -17,25 +17,6 @@ namespace {
 constexpr double oracle_dt = 1e-4;  // s; the rows themselves cover the smaller step
 
 double percent(double value, double reference) { return 100 * (value / reference - 1); }
-
-// One stretch of work in seconds of simulated time: what a progress bar counts.
-class Work {
- public:
-  Work(double total, double duration, std::ostream* output) : duration_(duration), progress_(0, total, output) {}
-
-  void run_done(double dt) {
-    simulated_ += duration_;
-    steps_ += std::llround(duration_ / dt);
-    progress_.update(simulated_, steps_);
-  }
-  void finish() { progress_.finish(simulated_, steps_); }
-
- private:
-  double duration_;
-  double simulated_ = 0;
-  std::int64_t steps_ = 0;
-  dda::Progress progress_;
-};
 
 // Long enough that the first of the reflection is in the history and is judged by the oracle too. A whole number of ms.
 double run_duration(const ThesisBar& bar) { return std::ceil(1000 * reflection_time(bar)) / 1000; }
@@ -136,12 +117,12 @@ Calibration run_calibration(const CalibrationOptions& options) {
 
   const std::size_t rows = result.time_steps.size() * scheme_names().size() * result.block_lengths.size();
   const std::size_t runs = rows * static_cast<std::size_t>(result.repetitions) + oracle_runs(reference, 1);
-  Work work(static_cast<double>(runs) * result.duration, result.duration, options.progress);
+  JobProgress progress(runs, options.progress);
   for (const double dt : result.time_steps) {
     for (const std::string_view scheme : scheme_names()) {
       for (const double length : result.block_lengths) {
         result.rows.push_back(calibrate_row(scheme_settings(scheme), dt, length));
-        work.run_done(dt);
+        progress.job_ended();
       }
     }
   }
@@ -151,14 +132,13 @@ Calibration run_calibration(const CalibrationOptions& options) {
         for (CalibrationRow& row : result.rows) {
           if (row.dt != dt || row.block_length != result.block_lengths[column]) continue;
           time_again(reference.bar, row);
-          work.run_done(dt);
+          progress.job_ended();
         }
       }
     }
   }
-  result.oracle = oracle_study(reference, {oracle_dt}, result.duration, [&] { work.run_done(oracle_dt); });
+  result.oracle = oracle_study(reference, {oracle_dt}, result.duration, [&] { progress.job_ended(); });
   result.readings = readings_study(reference, result.time_steps, result.duration);
-  work.finish();
   return result;
 }
 

@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "verification/study/values.h"
+
 namespace verify {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 std::string_view name_of(AmplitudeReading reading) {
   return reading == AmplitudeReading::half_range ? "half_range" : "first_peak";

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "verification/harness/document.h"
+#include "verification/study/document.h"
 #include "verification/thesis/calibration.h"
 
 namespace verify {

@@ -7,22 +7,14 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/record/atomic_file.h"
-#include "verification/harness/gnuplot.h"
+#include "verification/study/gnuplot.h"
 
 namespace verify {
 namespace {
 
-void draw(const std::filesystem::path& folder, const std::string& svg, const std::string& data,
-          const std::string& script) {
-  const std::filesystem::path file = folder / svg;
-  const std::filesystem::path script_file = std::filesystem::path(file).replace_extension(".gp");
-  dda::write_file(std::filesystem::path(file).replace_extension(".dat"), data);
-  dda::write_file(script_file, script);
-  run_gnuplot(script_file);
-}
+std::string name_of(const std::string& svg) { return std::filesystem::path(svg).stem().string(); }
 
-std::string data_name(const std::string& svg) { return std::filesystem::path(svg).replace_extension(".dat").string(); }
+std::string data_name(const std::string& svg) { return name_of(svg) + ".dat"; }
 
 // ---- histories -----------------------------------------------------------------------------------------------------
 
@@ -102,8 +94,7 @@ unset multiplot
                                                 curves(calibration, data, 0, 1), curves(calibration, data, 1, 1));
 }
 
-// ---- errors against eta
-// ----------------------------------------------------------------------------------------------
+// ---- errors against eta --------------------------------------------------------------------------------------------
 
 struct Series {
   std::string title;
@@ -212,8 +203,7 @@ set bmargin at screen 0.22; set tmargin at screen 0.91
   return text + "unset multiplot\n";
 }
 
-// ---- run time against error
-// --------------------------------------------------------------------------------------------
+// ---- run time against error ----------------------------------------------------------------------------------------
 
 // The strip is left out: what it differs by from bar theory is physics, no error to be bought off with run time.
 bool is_strip(std::string_view scheme) { return scheme == "accurate_strip"; }
@@ -291,13 +281,13 @@ std::string history_figure(double dt) { return dt > 5e-5 ? "fig_3_2_histories.sv
 void plot_calibration(const Calibration& calibration, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const double dt : calibration.time_steps)
-    draw(folder, history_figure(dt), history_data(calibration, dt), history_script(calibration, dt));
+    draw(folder, {name_of(history_figure(dt)), history_data(calibration, dt), history_script(calibration, dt)});
   const auto draw_errors = [&](const std::string& svg, const std::vector<Series>& series, const std::string& quantity) {
-    draw(folder, svg, error_data(calibration, series), error_script(calibration, series, svg, quantity));
+    draw(folder, {name_of(svg), error_data(calibration, series), error_script(calibration, series, svg, quantity)});
   };
   draw_errors(amplitude_figure, amplitude_series(), "amplitude error");
   draw_errors(velocity_figure, velocity_series(), "velocity error");
-  draw(folder, cost_figure, cost_data(calibration), cost_script(calibration));
+  draw(folder, {name_of(cost_figure), cost_data(calibration), cost_script(calibration)});
 }
 
 }  // namespace verify

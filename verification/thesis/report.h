@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/harness/document.h"
+#include "verification/study/document.h"
 #include "verification/thesis/calibration.h"
 #include "verification/thesis/promises.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "verification/harness/document.h"
+#include "verification/study/document.h"
 #include "verification/thesis/calibration.h"
 #include "verification/thesis/promises.h"
 

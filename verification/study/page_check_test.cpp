@@ -1,5 +1,5 @@
 // A page that was made earlier against what is made now.
-#include "verification/harness/page_check.h"
+#include "verification/study/page_check.h"
 
 #include <gtest/gtest.h>
 

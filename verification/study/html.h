@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "verification/harness/document.h"
+#include "verification/study/document.h"
 
 namespace verify {
 

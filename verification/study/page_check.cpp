@@ -1,4 +1,4 @@
-#include "verification/harness/page_check.h"
+#include "verification/study/page_check.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "verification/harness/html.h"
+#include "verification/study/html.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "verification/harness/markdown.h"
+#include "verification/study/markdown.h"
 
 #include <fmt/format.h>
 

@@ -7,9 +7,9 @@
 #include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
 #include "engine/record/atomic_file.h"
-#include "verification/harness/gnuplot.h"
-#include "verification/harness/html.h"
-#include "verification/harness/markdown.h"
+#include "verification/study/gnuplot.h"
+#include "verification/study/html.h"
+#include "verification/study/markdown.h"
 
 namespace verify {
 namespace {

@@ -1,7 +1,6 @@
-#include "verification/harness/gnuplot.h"
+#include "verification/study/gnuplot.h"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -9,24 +8,13 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "engine/record/atomic_file.h"
+#include "verification/study/process_pool.h"
+
 namespace verify {
 namespace {
 
 constexpr std::array<std::string_view, 6> palette = {"#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9"};
-
-constexpr int not_started = 127;  // what a shell, too, says of a program it cannot find
-
-// Exit code of `gnuplot ARGUMENT` in `folder`.
-int gnuplot(const std::filesystem::path& folder, const std::string& argument) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    if (folder.empty() || ::chdir(folder.c_str()) == 0) ::execlp("gnuplot", "gnuplot", argument.c_str(), nullptr);
-    ::_exit(not_started);
-  }
-  int status = 0;
-  if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return not_started;
-  return WEXITSTATUS(status);
-}
 
 }  // namespace
 
@@ -43,9 +31,15 @@ bool gnuplot_is_installed() {
 }
 
 void run_gnuplot(const std::filesystem::path& script) {
-  const int code = gnuplot(script.parent_path(), script.filename().string());
-  if (code == not_started) throw std::runtime_error("gnuplot could not be started");
-  if (code != 0) throw std::runtime_error(fmt::format("gnuplot stopped with code {} on {}", code, script.string()));
+  const std::string failure = failure_of({"gnuplot", script.filename().string()}, script.parent_path());
+  if (!failure.empty()) throw std::runtime_error(fmt::format("gnuplot: {} on {}", failure, script.string()));
+}
+
+void draw(const std::filesystem::path& folder, const PlotFiles& plot) {
+  const std::filesystem::path script = folder / (plot.name + ".gp");
+  dda::write_file(folder / (plot.name + ".dat"), plot.data);
+  dda::write_file(script, plot.script);
+  run_gnuplot(script);
 }
 
 std::string gnuplot_style(int width, int height) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "verification/harness/document.h"
+#include "verification/study/document.h"
 
 namespace verify {
 

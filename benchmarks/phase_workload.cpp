@@ -1,9 +1,9 @@
 // Steps of a scene with callgrind's counts written out wherever one phase ends and another begins:
 // `dda-phase-workload SCENE WARM_STEPS STEPS [PHASE NUMBER]`, for `ci/perf phases`.
 //
-// The clock of the phases (engine/core/phase_clock.h) is given one that ticks at each look and has callgrind write what it
-// counted since the one before. Printed is the phase of every stretch between two ticks, by its place among phase_names.
-// PHASE and NUMBER plant a slowdown: so many rounds of arithmetic in that phase after each step.
+// The clock of the phases (engine/core/phase_clock.h) is given one that ticks at each look and has callgrind write what
+// it counted since the one before. Printed is the phase of every stretch between two ticks, by its place among
+// phase_names. PHASE and NUMBER plant a slowdown: so many rounds of arithmetic in that phase after each step.
 #include <fmt/format.h>
 #include <valgrind/callgrind.h>
 
@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
   }
   std::vector<std::string> names;
   for (const dda::PhaseName& each : dda::phase_names) names.push_back(fmt::format("\"{}\"", each.name));
-  fmt::print("{{\"names\": [{}], \"phases\": [{}]}}\n", fmt::join(names, ", "), fmt::join(phases_of_stretches(clock), ", "));
+  fmt::print("{{\"names\": [{}], \"phases\": [{}]}}\n", fmt::join(names, ", "),
+             fmt::join(phases_of_stretches(clock), ", "));
   return 0;
 }

@@ -42,7 +42,8 @@ int main(int argc, char** argv) {
   const double seconds = peers::seconds_since(begin);
   double drift = 0;
   for (std::size_t i = 0; i < bricks.size(); ++i)
-    drift = std::max(drift, std::hypot(bodies[i]->GetPosition().x - bricks[i].x, bodies[i]->GetPosition().y - bricks[i].y));
+    drift =
+        std::max(drift, std::hypot(bodies[i]->GetPosition().x - bricks[i].x, bodies[i]->GetPosition().y - bricks[i].y));
   std::printf("%zu %.6g %.6g\n", bricks.size(), 1e3 * seconds / steps, drift);
   return 0;
 }

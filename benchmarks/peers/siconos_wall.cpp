@@ -1,5 +1,6 @@
-// The wall of ci/compare-peers as rigid bricks stepped by Moreau and Jean's scheme, each step a frictional contact problem for Siconos' plane
-// Gauss-Seidel: `siconos-wall SIDE DT STEPS TOLERANCE` prints bricks, CPU ms a step and the farthest way of a brick in m.
+// The wall of ci/compare-peers as rigid bricks stepped by Moreau and Jean's scheme, each step a frictional contact
+// problem for Siconos' plane Gauss-Seidel: `siconos-wall SIDE DT STEPS TOLERANCE` prints bricks, CPU ms a step and the
+// farthest way of a brick in m.
 //
 // With v_f = v + dt g and gaps p:  v = v_f + M^-1 H r,  0 <= H_N^T v + p_N/dt, r_N >= 0, and Coulomb's law for H_T^T v.
 // Bricks stay where they are to first order, so contacts, H and W = H^T M^-1 H are made once.

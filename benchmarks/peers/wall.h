@@ -1,4 +1,5 @@
-// For programs that only use others' libraries: the dry brick wall of ci/compare-peers, 1 x 0.5 m bricks in running bond.
+// For programs that only use others' libraries: the dry brick wall of ci/compare-peers, 1 x 0.5 m bricks in running
+// bond.
 #pragma once
 
 #include <algorithm>

@@ -23,7 +23,15 @@ double number(std::mt19937& lot, double low, double high) {
   return low + (high - low) * static_cast<double>(lot()) / static_cast<double>(std::mt19937::max());
 }
 
-// A pile of two or three blocks on a held floor: contacts at places by lot, some open, some pressed at the start.
+// Bonds in the base matrix, to a held block as well.
+void tie(int a, int b, dda::HandMadeProblem& made) {
+  const dda::Mat6 spring = 30 * dda::Mat6::Identity();
+  made.base.diagonal(a) += spring;
+  made.base.diagonal(b) += spring;
+  made.base.add_coupling(b, a, -spring);
+}
+
+// A pile of three blocks on a held floor: contacts at places by lot, some open, some pressed at the start.
 dda::HandMadeProblem random_pile(unsigned seed) {
   std::mt19937 lot(seed);
   dda::HandMadeProblem made(4, {{0, 1}, {1, 2}, {2, 3}, {0, 2}, {0, 3}, {1, 3}});
@@ -44,6 +52,8 @@ dda::HandMadeProblem random_pile(unsigned seed) {
   for (int block = 1; block < 4; ++block)
     made.rhs.segment<3>(6 * block) << number(lot, -6, 6), number(lot, -12, 0), number(lot, -2, 2);
   made.factor = lot() % 2 == 0 ? 1 : 0.8;
+  tie(0, 1, made);
+  tie(1, 3, made);
   return made;
 }
 

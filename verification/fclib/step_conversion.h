@@ -2,10 +2,10 @@
 //
 // A contact that presses with k_N and shears with k_T answers the gaps g = g0 + rows d of the end of the step with
 //   f_N = k_N min(0, g_N),   f_T = k_T g_T, but no more than mu |f_N|.
-// With r = -factor f and u = g + D r, D = 1/(factor k), that is u_N = 0 where it presses and u_N = g_N where it is open,
-// and u_T is the slip of the step: Signorini's and Coulomb's laws, with nothing left out. The base matrix is M, the rows
-// are the columns of H, and f = rhs + factor * sum of rows^T (forces of the start). Held blocks leave M; their way goes
-// into f and w.
+// With r = -factor f and u = g + D r, D = 1/(factor k), that is u_N = 0 where it presses and u_N = g_N where it is
+// open, and u_T is the slip of the step: Signorini's and Coulomb's laws, with nothing left out. The base matrix is M,
+// the rows are the columns of H, and f = rhs + factor * sum of rows^T (forces of the start). Held blocks leave M; their
+// way goes into f and w.
 #pragma once
 
 #include <vector>

@@ -15,8 +15,7 @@ std::vector<int> blocks_of(const FrictionProblem& problem, Eigen::Index contact,
     for (SparseMatrix::InnerIterator entry(problem.directions, column); entry; ++entry)
       blocks.push_back(static_cast<int>(entry.row()) / unknowns);
   std::ranges::sort(blocks);
-  const auto [first, last] = std::ranges::unique(blocks);
-  blocks.erase(first, last);
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   if (blocks.size() > 2)
     throw std::invalid_argument("contact " + std::to_string(contact) + " moves " + std::to_string(blocks.size()) +
                                 " blocks, expected one or two");

@@ -1,5 +1,5 @@
-// Problems in files of FCLIB (HDF5). FCLIB's law is rigid, so a spring becomes an unknown of its own, the way v_s that it
-// gives: M is 1/D on its diagonal and H is 1 in its row, so v_s = D r, and H^T v has D r in it. Nothing is lost.
+// Problems in files of FCLIB (HDF5). FCLIB's law is rigid, so a spring becomes an unknown of its own, the way v_s that
+// it gives: M is 1/D on its diagonal and H is 1 in its row, so v_s = D r, and H^T v has D r in it. Nothing is lost.
 #pragma once
 
 #include <string>

@@ -49,8 +49,12 @@ Answer ask_engine(const OwnedStep& step, const LocalFrictionProblem& local) {
   const double chi = is_iterative ? 100 : std::numeric_limits<double>::infinity();
   solver.begin(step.base, is_iterative ? dda::SolverKind::pcg : dda::SolverKind::cholesky, chi);
   const dda::Status status = solver.solve(step.problem()).status;
-  Answer answer{"dda (ContactSolver)", std::string(to_string(status)), forces_of(step.problem(), solver.contacts()),
-                costs.counters.open_close_iterations, 0, 0};
+  Answer answer{"dda (ContactSolver)",
+                std::string(to_string(status)),
+                forces_of(step.problem(), solver.contacts()),
+                costs.counters.open_close_iterations,
+                0,
+                0};
   answer.cpu_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   answer.residual = residual(local, answer.forces);
   return answer;
@@ -82,12 +86,15 @@ int compare(const OwnedStep& step, const Command& command) {
   const double forming = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   fmt::print("{} blocks, {} contacts; W has {} numbers and takes {:.3g} ms to form\n\n", step.base.size(),
              local.friction.size(), local.delassus.nonZeros(), 1e3 * forming);
-  fmt::print("| solver | residual <= {:g} | passes | CPU ms | residual | forces apart from dda's |\n|---|---|---|---|---|---|\n",
-             command.accuracy);
+  fmt::print(
+      "| solver | residual <= {:g} | passes | CPU ms | residual | forces apart from dda's "
+      "|\n|---|---|---|---|---|---|\n",
+      command.accuracy);
   const Answer engine = ask_engine(step, local);
   print(engine, command.accuracy, engine.forces);
   for (const PeerSolver& solver : siconos_solvers())
-    if (local.friction.size() <= solver.contacts) print(ask(solver, local, command.accuracy), command.accuracy, engine.forces);
+    if (local.friction.size() <= solver.contacts)
+      print(ask(solver, local, command.accuracy), command.accuracy, engine.forces);
   return 0;
 }
 
@@ -104,8 +111,10 @@ int run(int argc, char** argv) {
   }
   writes->add_option("file", command.output, "file to write (HDF5)")->required();
   solves->add_option("file", command.input, "file of FCLIB (HDF5)")->required();
-  solves->add_option("--unknowns", command.unknowns, "of a block: 6, or 3 where blocks are rigid")->capture_default_str();
-  solves->add_option("--rigid", command.rigid, "stiffness that stands for none given, over that of W")->capture_default_str();
+  solves->add_option("--unknowns", command.unknowns, "of a block: 6, or 3 where blocks are rigid")
+      ->capture_default_str();
+  solves->add_option("--rigid", command.rigid, "stiffness that stands for none given, over that of W")
+      ->capture_default_str();
   for (CLI::App* of_both : {compares, solves})
     of_both->add_option("--residual", command.accuracy, "that all are to reach")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

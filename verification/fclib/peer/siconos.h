@@ -17,16 +17,16 @@ struct PeerAnswer {
 
 struct PeerSolver {
   std::string name;
-  int number;             // Siconos' own
-  bool is_spatial;        // takes problems of three dimensions alone
+  int number;       // Siconos' own
+  bool is_spatial;  // takes problems of three dimensions alone
   int most_iterations;
   Eigen::Index contacts;  // more of them are not worth waiting for
 };
 
 [[nodiscard]] const std::vector<PeerSolver>& siconos_solvers();
 
-// With W of about 1 on its diagonal, and q of at most 1, which its tolerances are made for. A plane problem is solved as
-// a spatial one whose second tangent nothing pushes along and nothing else is tied to.
+// With W of about 1 on its diagonal, and q of at most 1, which its tolerances are made for. A plane problem is solved
+// as a spatial one whose second tangent nothing pushes along and nothing else is tied to.
 [[nodiscard]] PeerAnswer ask_siconos(const PeerSolver& solver, const LocalFrictionProblem& problem, double tolerance);
 
 }  // namespace verify

@@ -89,7 +89,7 @@ bool are_same(const std::optional<TimeFunction>& a, const std::optional<TimeFunc
 void check(const Stage& then, const Stage& now, const std::string& field) {
   const auto& [name, dt, duration, chosen_dt, integrator, kinematics, solver, velocity_factor, damping_rate,
                material_damping, strain_inertia, correct_block_dispersion, correct_time_dispersion, lateral_inertia,
-               equilibrium, on_unbalanced, unlimited_strength, removal, rock, limits] = now;
+               equilibrium, on_unbalanced, unlimited_strength, removal, added, rock, limits] = now;
   expect_equal(then.name, name, field + ".name");
   expect_equal(then.dt, dt, field + ".dt");
   expect_equal(then.duration, duration, field + ".duration");
@@ -107,6 +107,7 @@ void check(const Stage& then, const Stage& now, const std::string& field) {
   expect_equal(then.equilibrium, equilibrium, field + ".equilibrium");
   expect(then.unlimited_strength == unlimited_strength, field + ".strength", "kind");
   expect(then.removal.blocks == removal.blocks, field + ".remove", "list of blocks");
+  expect(then.added == added, field + ".add", "list of blocks");
   expect(are_same(then.removal.relaxation, removal.relaxation), field + ".remove", "course");
   expect_equal(then.limits.open_close_iterations, limits.open_close_iterations, field + ".max_open_close_iterations");
   expect_equal(then.limits.step_reductions, limits.step_reductions, field + ".max_step_reductions");
@@ -117,6 +118,7 @@ void check_stages(const Model& then, const Model& now, std::size_t stages) {
     const std::string field = fmt::format("steps[{}]", i);
     if (i >= now.stages.size()) refuse(field, "missing", fmt::format("stage \"{}\"", then.stages[i].name));
     check(then.stages[i], now.stages[i], field);
+    expect(then.absent_in(i) == now.absent_in(i), field + ".add", "list of blocks that are yet to come in");
   }
   if (now.stages.size() == stages)
     throw InputError("", fmt::format("steps[{}]", stages), "missing", "a stage to go on with");

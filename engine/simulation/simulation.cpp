@@ -96,6 +96,7 @@ Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std:
   explicit_ = std::make_unique<ExplicitStep>(s);
   if (s.contacts.can_change)
     for (Stage& each : s.model.stages) each.integrator = with_contacts(each.integrator);
+  leave_out_absent(s, *general_);
   s.sum_internal_forces(s.forces.internal_old);
   if (!s.model.free_field_sides.empty()) s.free_field = std::make_unique<FreeField>(s.model, s.contacts, s.state);
   s.loads_at(s.state.time, s.forces.load_old);
@@ -156,6 +157,7 @@ void Simulation::begin_stage() {
   s.clock.start = s.state.time;
   excavate(s, *general_);
   change_rock(general_->follows_contacts(), s);
+  bring_in(s, *general_);
   put_in_bolts(*general_, s);
   spray_linings(*general_, s);
   set_strain_inertia(s.stage(), s.terms);

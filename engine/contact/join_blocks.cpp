@@ -31,31 +31,20 @@ void leave_open(const std::array<double, 2>& apart, InterfaceState& own) {
   }
 }
 
-// Its gaps are those of the blocks and what stresses make of them; seat and slip take what is to count as none.
-void join_projected(const Model& model, const State& state, const Interface& interface, bool holds,
-                    const InterfaceElement& element, InterfaceState& own) {
-  InterfaceState measured = own;
-  measured.broken = {false, false};  // gaps as they are, whatever they answer
-  measure_gap(model, state, interface, element, measured);
-  const double deepest = std::min({0.0, measured.gap(0), measured.gap(2)});
-  for (const std::size_t end : {0U, 1U}) {
-    const Eigen::Index n = normal_rows[end];
-    own.seat[end] = holds ? measured.gap(n) : deepest;
-    own.slip[end] = measured.gap(n + 1);
-  }
-  if (!holds) leave_open({measured.gap(0) - own.seat[0], measured.gap(2) - own.seat[1]}, own);
+// What is not cast against its neighbours cannot pass on their stress, nor take it off them: it has springs, as where a
+// joint broke.
+bool has_springs(const JointMaterial& joint, const InterfaceElement& element) {
+  return element.law == InterfaceLaw::projected || (is_dry(joint) && !joint.bonded);
 }
 
-void join(const Model& model, const State& state, const Interface& interface, InterfaceElement& element,
-          InterfaceState& own) {
+void join(const Model& model, const State& state, const ComingBlocks& blocks, const Interface& interface,
+          InterfaceElement& element, InterfaceState& own) {
   const JointMaterial& joint = model.joints[at(interface.joint)];
-  const bool holds = joint.bonded || !is_dry(joint);
-  const auto broken = own.broken;
+  if (has_springs(joint, element)) element = make_element(model, interface, InterfaceLaw::classical);
+  set_geometry(model, acting_frame(model, blocks.acting, interface, element.law), element);
   own = {};
-  own.broken = broken;
   if (has_stress_rows(element)) return join_passing_stress(model, state, interface, element, own);
-  if (element.law == InterfaceLaw::projected) return join_projected(model, state, interface, holds, element, own);
-  if (holds) return;
+  if (joint.bonded || !is_dry(joint)) return;
   const EndsApart ends = ends_apart(model, state, interface);
   leave_open({ends.from.x(), ends.to.x()}, own);
 }
@@ -93,9 +82,7 @@ ContactSet joined_contacts(const Model& model, const State& state, const ComingB
     const Interface& interface = drawn.interfaces[i];
     if (!blocks.comes_in[at(interface.block_a)] && !blocks.comes_in[at(interface.block_b)]) continue;
     append(drawn, i, joined);
-    InterfaceElement& element = joined.elements.back();
-    set_geometry(model, acting_frame(model, blocks.acting, interface, element.law), element);
-    join(model, state, interface, element, joined.states.back());
+    join(model, state, blocks, interface, joined.elements.back(), joined.states.back());
   }
   return joined;
 }

@@ -96,7 +96,6 @@ void GeneralStep::bring_in(const std::vector<bool>& absent, const std::vector<in
     dda::bring_in(s.model, s.state, blocks, at_rest, s.contacts);
     range_.leave_out(absent, s.model, s.contacts.interfaces);
   }
-  moved_ = std::numeric_limits<double>::infinity();
 }
 
 void GeneralStep::set_up(BlockMatrix pattern) {

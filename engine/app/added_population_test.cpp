@@ -1,6 +1,6 @@
-// Rock cut at random, stressed, whose opening is filled in a run, and walls with a part that is built later: bonded, with
-// strength and dry, as drawn and moving. Oracles that share nothing with adding blocks: before, the same rock whose
-// opening was left out; after, the ledger of energies, a branch, and a run that was stopped.
+// Rock cut at random, stressed, whose opening is filled in a run, and walls with a part that is built later: bonded,
+// with strength and dry, as drawn and moving. Oracles that share nothing with adding blocks: before, the same rock
+// whose opening was left out; after, the ledger of energies, a branch, and a run that was stopped.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,17 +36,15 @@ void PrintTo(const Kind& kind, std::ostream* out) {
   *out << kind.name;
 }  // NOLINT(readability-identifier-naming): gtest's
 
-const Kind kinds[] = {{"bonded", {{"bonded", true}}, "small"},
-                      {"bonded moving", {{"bonded", true}}, "finite"},
-                      {"dry", {{"friction_angle", "40 deg"}}, "finite"},
-                      {"strong",
-                       {{"friction_angle", "35 deg"},
-                        {"cohesion", "1 MPa"},
-                        {"tensile_strength", "0.3 MPa"},
-                        {"spring_over_young", 10}},
-                       "finite"},
-                      {"dry as drawn", {{"friction_angle", "40 deg"}}, "small"},
-                      {"projected", {{"friction_angle", "40 deg"}, {"law", "projected"}}, "finite"}};
+const Kind kinds[] = {
+    {"bonded", {{"bonded", true}}, "small"},
+    {"bonded moving", {{"bonded", true}}, "finite"},
+    {"dry", {{"friction_angle", "40 deg"}}, "finite"},
+    {"strong",
+     {{"friction_angle", "35 deg"}, {"cohesion", "1 MPa"}, {"tensile_strength", "0.3 MPa"}, {"spring_over_young", 10}},
+     "finite"},
+    {"dry as drawn", {{"friction_angle", "40 deg"}}, "small"},
+    {"projected", {{"friction_angle", "40 deg"}, {"law", "projected"}}, "finite"}};
 
 json wall(double left, double bottom, double right, double top) {
   return {{"polygon",
@@ -65,9 +63,10 @@ json rock_of(int seed, bool left_out) {
                 {"spacing", {{"mean", between(0.9, 1.4)}, {"deviation", 0.2}}},
                 {"joint", "default"}};
   };
-  const json opening = {{"name", "opening"},
-                        {"left_out", left_out},
-                        {"circle", {{"centre", {between(2.6, 3.4), between(2.6, 3.4)}}, {"radius", between(0.8, 1.3)}}}};
+  const json opening = {
+      {"name", "opening"},
+      {"left_out", left_out},
+      {"circle", {{"centre", {between(2.6, 3.4), between(2.6, 3.4)}}, {"radius", between(0.8, 1.3)}}}};
   return {{"boundary", {{0, 0}, {6, 0}, {6, 6}, {0, 6}}},
           {"joint_sets", {set(20, 80), set(-60, 10)}},
           {"openings", {opening}},
@@ -76,13 +75,9 @@ json rock_of(int seed, bool left_out) {
 }
 
 json settle(const Kind& kind) {
-  return {{"name", "settle"},
-          {"integrator", "static"},
-          {"dt", 1e-3},
-          {"duration", settling * 1e-3},
-          {"strength", "unlimited"},
-          {"kinematics", kind.kinematics},
-          {"solver", "cholesky"}};
+  return {
+      {"name", "settle"},        {"integrator", "static"},        {"dt", 1e-3},          {"duration", settling * 1e-3},
+      {"strength", "unlimited"}, {"kinematics", kind.kinematics}, {"solver", "cholesky"}};
 }
 
 json motion(const Kind& kind, const char* name) {

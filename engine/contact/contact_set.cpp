@@ -121,8 +121,8 @@ ContactSet make_contacts(const Model& model) {
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
   const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
-  const bool cubic_allowed = model.stays_linear() && !model.removes_blocks() && !model.adds_blocks() &&
-                             !changes_materials(model);
+  const bool cubic_allowed =
+      model.stays_linear() && !model.removes_blocks() && !model.adds_blocks() && !changes_materials(model);
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];

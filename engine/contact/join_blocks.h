@@ -1,10 +1,11 @@
 // Contacts of blocks that come in while others have moved and bear stress.
 //
-// A block comes in as drawn and free of stress. What holds blocks together, bonded joints and those with strength, joins
-// them as they are: gap and force count from there (gap_at_start, force_at_start), as mortar fills what lies between. Dry
-// joints are as wide as they are: one that gapes must close first, and blocks that would lie in each other are seated,
-// so that nothing presses. No contact begins with a force or an energy. Dry joints and those of the projected law have
-// springs from the start, since the latter takes off its blocks stress that they had before they touched.
+// A block comes in as drawn and free of stress. What holds blocks together, bonded joints and those with strength,
+// joins them as they are: gap and force count from there (gap_at_start, force_at_start), as mortar fills what lies
+// between. Dry joints are as wide as they are: one that gapes must close first, and blocks that would lie in each other
+// are seated, so that nothing presses. No contact begins with a force or an energy. Dry joints and those of the
+// projected law have springs from the start, since the latter takes off its blocks stress that they had before they
+// touched.
 #pragma once
 
 #include <cstddef>

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/model/checks.h"
 #include "engine/model/model.h"
 
 namespace dda::model_checks {
@@ -24,6 +25,7 @@ void check_held_blocks(const Model& model);
 void check_free_field_side(const Model& model, std::size_t index);  // after all that acts on blocks
 void check_free_field_sides(const Model& model);
 void check_bolts(const Model& model);
+void check_withdrawal(const Item& item, const Withdrawal& withdrawal, int first_stage, const Model& model);
 void check_linings(const Model& model);
 void check_measurements(const Model& model);
 void check_stages(const Model& model);

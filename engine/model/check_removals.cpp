@@ -18,7 +18,11 @@ namespace {
 class ComingAndGoing {
  public:
   explicit ComingAndGoing(const Model& model)
-      : model_(model), none_(model.stages.size()), comes_(model.blocks.size(), none_), goes_(comes_), place_(comes_.size()) {}
+      : model_(model),
+        none_(model.stages.size()),
+        comes_(model.blocks.size(), none_),
+        goes_(comes_),
+        place_(comes_.size()) {}
 
   // In the order of the stages.
   void follow(std::size_t stage) {
@@ -29,14 +33,14 @@ class ComingAndGoing {
   // `what`, as in "with a load", is on the block when it is removed, or comes later.
   void refuse_on(int block, const std::string& what) const {
     if (goes_[at(block)] != none_)
-      fail(stage_of(block), "remove", block, what,
-           "blocks on which nothing acts and nothing is measured to the end");
+      fail(stage_of(block), "remove", block, what, "blocks on which nothing acts and nothing is measured to the end");
   }
 
   // `what`, as in "to which a bolt is anchored", is there from this stage on.
   void refuse_before(int block, int stage, const std::string& what) const {
     const std::size_t comes = comes_[at(block)];
-    if (comes != none_ && static_cast<std::size_t>(stage) < comes) fail(comes, "add", block, what, "nothing on a block before it comes in");
+    if (comes != none_ && static_cast<std::size_t>(stage) < comes)
+      fail(comes, "add", block, what, "nothing on a block before it comes in");
   }
 
   // At whose start the block goes, past the last where it never does.
@@ -102,17 +106,18 @@ void refuse_loads_and_supports(const Model& model, const ComingAndGoing& blocks)
 }
 
 void refuse_reinforcement(const Model& model, const ComingAndGoing& blocks) {
-  const auto refuse = [&blocks](int block, int from, const std::string& what) {
-    blocks.refuse_on(block, what);
-    blocks.refuse_before(block, from, what + " before");
+  const auto refuse = [&blocks](int block, const auto& on_it, const std::string& what) {
+    const bool leaves_nothing = !on_it.withdrawal.relaxation && on_it.withdrawal.is_over_in(blocks.stage_of(block));
+    if (!leaves_nothing) blocks.refuse_on(block, what);
+    blocks.refuse_before(block, on_it.first_stage, what + " before");
   };
   for (const Bolt& bolt : model.bolts)
     for (const BoltLink& link : bolt.links)
       for (const int block : {link.block_a, link.block_b})
-        refuse(block, bolt.first_stage, fmt::format("to which \"{}\" is anchored", bolt.name));
+        refuse(block, bolt, fmt::format("to which \"{}\" is anchored", bolt.name));
   for (const Lining& lining : model.linings)
     for (const LiningNode& node : lining.nodes)
-      refuse(node.block, lining.first_stage, fmt::format("on which \"{}\" is sprayed", lining.name));
+      refuse(node.block, lining, fmt::format("on which \"{}\" is sprayed", lining.name));
 }
 
 void refuse_what_is_measured(const Model& model, const ComingAndGoing& blocks) {
@@ -148,7 +153,8 @@ void check_removals(const Model& model) {
     const Item item = blocks.item(i);
     if (i == 0 && !stage.removal.blocks.empty())
       item.fail("remove", "in the first stage", "a later one, or a scene without these blocks");
-    if (i == 0 && !stage.added.empty()) item.fail("add", "in the first stage", "a later one: what no stage adds is there");
+    if (i == 0 && !stage.added.empty())
+      item.fail("add", "in the first stage", "a later one: what no stage adds is there");
     check_relaxation(item, stage);
     blocks.follow(i);
   }

@@ -119,8 +119,7 @@ std::optional<std::pair<std::string, std::string>> problem_of_growth(const Modul
   if (growth > limits.most)
     return std::pair{found, fmt::format("at most {:g} times: joints hold by a penalty of {:g} moduli of the start",
                                         limits.most, limits.penalty)};
-  return std::pair{found,
-                   fmt::format("at least {:g} times, as joints keep the stiffness of the start", limits.least)};
+  return std::pair{found, fmt::format("at least {:g} times, as joints keep the stiffness of the start", limits.least)};
 }
 
 void check_rock_changes(const Model& model) {

@@ -130,8 +130,7 @@ TEST(AdditionInScenes, NamesBlocksAndGroups) {
 }
 
 TEST(AdditionInScenes, BringsNoStressAlong) {
-  const Model model =
-      parse_scene(scene_with(R"(, "stress_field": {"xx": "-1 kPa"})", R"(, "add": ["hole"])"), "scene");
+  const Model model = parse_scene(scene_with(R"(, "stress_field": {"xx": "-1 kPa"})", R"(, "add": ["hole"])"), "scene");
   EXPECT_TRUE(model.blocks[5].initial_stress.isZero(0));
   EXPECT_EQ(model.blocks[0].initial_stress, Vec3(-1e3, 0, 0));
 }

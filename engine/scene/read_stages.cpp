@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/scene/places.h"
+#include "engine/scene/read_withdrawal.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -121,20 +122,11 @@ void read_limits(const Field& field, Stage& stage) {
 
 std::optional<TimeFunction> read_relaxation(const Field& field, const Stage& stage) {
   if (!field.is_object()) return std::nullopt;
-  const auto over = field.find("over");
-  const auto table = field.find("table");
-  if (over) refuse(field, {"table"}, "beside over");
-  if (!over && !table) return std::nullopt;
+  const char* given = field.has("over") ? "over" : "table";
   // A static stage that finds its own steps has what is left at the end of its duration from its first step on.
-  if (stage.paces_itself() && stage.duration == 0)
-    (over ? *over : *table).fail("left out in a static stage without dt and duration, whose steps take no time");
-  if (over) return PiecewiseLinear{{0, over->positive(Dimension::time)}, {1, 0}};
-  PiecewiseLinear rows = read_table(*table);
-  if (evaluate(rows, 0) != 1) table->fail("1 at time 0, when the blocks are removed");
-  for (std::size_t i = 0; i < rows.values.size(); ++i)
-    if (!(rows.values[i] >= 0 && rows.values[i] <= 1))
-      table->items()[i].fail("[time, factor] with a factor from 0 to 1, of what the blocks exerted");
-  return rows;
+  if (field.has(given) && stage.paces_itself() && stage.duration == 0)
+    field.at(given).fail("left out in a static stage without dt and duration, whose steps take no time");
+  return read_fading(field);
 }
 
 void refuse_names_given_twice(const Field& names) {

@@ -38,9 +38,14 @@ JointMaterial projected(JointMaterial joint) {
 }
 
 std::vector<JointMaterial> joints() {
-  return {bond(InterfaceLaw::consistent),   bond(InterfaceLaw::classical), bond(InterfaceLaw::cubic),
-          strong(InterfaceLaw::consistent), with_strength(),               dry(0.6),
-          projected(dry(0.6)),              projected(with_strength())};
+  return {bond(InterfaceLaw::consistent),
+          bond(InterfaceLaw::classical),
+          bond(InterfaceLaw::cubic),
+          strong(InterfaceLaw::consistent),
+          with_strength(),
+          dry(0.6),
+          projected(dry(0.6)),
+          projected(with_strength())};
 }
 
 // A wall on a held floor, pressed by loads on its top, whose two middle blocks come in at the second stage.
@@ -87,8 +92,8 @@ double largest_difference(const State& a, const State& b) {
   return most;
 }
 
-// Contacts that are followed are looked for anew when something comes in, and a wall then moves by the square of what its
-// geometry had changed since. Blocks that come in far off make it do so first, and once more by the square of that.
+// Contacts that are followed are looked for anew when something comes in, and a wall then moves by the square of what
+// its geometry had changed since. Blocks that come in far off make it do so first, and once more by the square of that.
 TEST(AddedBlocks, ThatNobodyLoadsStayStill) {
   in_all_walls([](const JointMaterial& joint, Kinematics kinematics) {
     Model model = built_wall(joint, kinematics, static_integrator(), 1);
@@ -175,9 +180,9 @@ TEST(AddedBlocks, AreMissingBefore) {
     run(without, settled - 1);
     for (std::size_t i = 0; i < place.size(); ++i)
       if (place[i] >= 0) {
-        EXPECT_LT((with.state().displacement[i] - without.state().displacement[static_cast<std::size_t>(place[i])])
-                      .norm(),
-                  1e-9 * largest_motion(without.state()));
+        EXPECT_LT(
+            (with.state().displacement[i] - without.state().displacement[static_cast<std::size_t>(place[i])]).norm(),
+            1e-9 * largest_motion(without.state()));
       }
   });
 }
@@ -204,9 +209,9 @@ Model column(bool at_once, Kinematics kinematics) {
 }
 
 // Elastic column of uniform weight w = rho g h a lift and compliance c = h/E for lifts as high as wide, in which stress
-// is constant within a lift. A lift that comes in presses those below with w and itself with w/2 on the average, so that
-// lift k comes down by c w ((k - 1) + 1/4) under its own weight and by c w ((k - 1) + 1/2) for each lift above it. At
-// once, lift j has the stress of n - j + 1/2 lifts from the start.
+// is constant within a lift. A lift that comes in presses those below with w and itself with w/2 on the average, so
+// that lift k comes down by c w ((k - 1) + 1/4) under its own weight and by c w ((k - 1) + 1/2) for each lift above it.
+// At once, lift j has the stress of n - j + 1/2 lifts from the start.
 double in_lifts(int k) { return (k - 1 + 0.25) + (lifts - k) * (k - 0.5); }
 double at_once(int k) {
   double sum = (lifts - k + 0.5) / 2;
@@ -242,7 +247,8 @@ TEST(AddedBlocks, MakeADryColumnThatForgetsItsOrder) {
       run(simulation, lifts * 30);
       ends.push_back(simulation.state());
     }
-    EXPECT_LT(largest_difference(ends[0], ends[1]), (kinematics == Kinematics::small ? 1e-9 : 1e-4) * largest_motion(ends[1]));
+    EXPECT_LT(largest_difference(ends[0], ends[1]),
+              (kinematics == Kinematics::small ? 1e-9 : 1e-4) * largest_motion(ends[1]));
   }
 }
 

@@ -37,7 +37,7 @@ void keep_as_loads(const Eigen::VectorXd& internal_before, BlockSystem& s) {
   Eigen::VectorXd exerted = s.forces.internal_old - internal_before;
   s.held.clear(exerted);
   const State geometry = s.geometry_moves() ? s.state : initial_state(s.model);
-  s.excavated.released.keep(s.clock.stage, s.clock.start, exerted, geometry.deformation);
+  s.excavated.released.keep(Released::blocks, s.clock.stage, s.clock.start, exerted, geometry.deformation);
   s.loads_at(s.state.time, s.forces.load_old);
 }
 

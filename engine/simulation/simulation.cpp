@@ -58,6 +58,30 @@ void append(std::vector<Item> more, std::vector<Item>& list) {
   std::ranges::move(more, std::back_inserter(list));
 }
 
+// Gives up what it exerted, at once or as a load that fades. What it had stored goes with who takes it out.
+template <typename Set, typename Item>
+void take_out_those_over(const std::vector<Item>& items, Released what, Set& set, BlockSystem& s) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!items[i].withdrawal.is_at_start_of(s.clock.stage)) continue;
+    Eigen::VectorXd exerted = Eigen::VectorXd::Zero(s.forces.internal_old.size());
+    set.take_out(i, s.model, exerted);
+    s.forces.internal_old -= exerted;
+    if (!items[i].withdrawal.relaxation) continue;
+    s.held.clear(exerted);
+    const State geometry = s.geometry_moves() ? s.state : initial_state(s.model);
+    s.excavated.released.keep(what, i, s.clock.start, -exerted, geometry.deformation);
+    s.loads_at(s.state.time, s.forces.load_old);
+  }
+}
+
+void take_out_reinforcement(BlockSystem& s) {
+  const double bolts = s.reinforcement.bolts.stored_energy(), linings = s.reinforcement.linings.stored_energy();
+  take_out_those_over(s.model.bolts, Released::bolt, s.reinforcement.bolts, s);
+  take_out_those_over(s.model.linings, Released::lining, s.reinforcement.linings, s);
+  s.audit.supports_exchanged(0, s.reinforcement.bolts.stored_energy() - bolts,
+                             s.reinforcement.linings.stored_energy() - linings);
+}
+
 // Bolts of the stage that begins. Who tensions them does work.
 void put_in_bolts(const GeneralStep& general, BlockSystem& s) {
   const int stage = static_cast<int>(s.clock.stage);
@@ -155,6 +179,7 @@ void Simulation::begin_stage() {
   s.clock.begun = true;
   s.clock.step = 0;
   s.clock.start = s.state.time;
+  take_out_reinforcement(s);
   excavate(s, *general_);
   change_rock(general_->follows_contacts(), s);
   bring_in(s, *general_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace dda {
@@ -85,6 +86,25 @@ ContactSet joined_contacts(const Model& model, const State& state, const ComingB
     join(model, state, blocks, interface, joined.elements.back(), joined.states.back());
   }
   return joined;
+}
+
+ContactSet holding_contacts(const Model& model, const State& state, const ComingBlocks& blocks,
+                            const std::function<double(int, int)>& reach) {
+  const ContactSet joined = joined_contacts(model, state, blocks);
+  std::set<std::pair<int, int>> holding, apart;
+  const auto pair_of = [](const Interface& each) -> std::pair<int, int> {
+    return std::minmax(each.block_a, each.block_b);
+  };
+  for (const Interface& each : joined.interfaces) {
+    if (each.length > 0 && !is_dry(model.joints[at(each.joint)])) holding.insert(pair_of(each));
+    const EndsApart ends = ends_apart(model, state, each);
+    if (std::max(ends.from.norm(), ends.to.norm()) > reach(each.block_a, each.block_b)) apart.insert(pair_of(each));
+  }
+  ContactSet kept;
+  for (std::size_t i = 0; i < joined.interfaces.size(); ++i)
+    if (const auto pair = pair_of(joined.interfaces[i]); holding.contains(pair) && !apart.contains(pair))
+      append(joined, i, kept);
+  return kept;
 }
 
 void bring_in(const Model& model, const State& state, const ComingBlocks& blocks, bool at_rest, ContactSet& contacts) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -26,6 +27,10 @@ struct ComingBlocks {
 
 // Contacts of the drawing that blocks which come in have with those that are there, without force where blocks are.
 ContactSet joined_contacts(const Model& model, const State& state, const ComingBlocks& blocks);
+
+// Those between blocks that a joint with strength holds together whose ends have all parted by less than `reach`, m.
+ContactSet holding_contacts(const Model& model, const State& state, const ComingBlocks& blocks,
+                            const std::function<double(int, int)>& reach);
 
 // Puts them among those that there are, in the order of the drawing. Those that there were keep stiffness and force.
 // `at_rest`: gaps are those at zero displacement (linear_states.h).

@@ -50,18 +50,6 @@ bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
 }
 
-// Drops the contacts that `out` says so of.
-void keep_those(const std::vector<bool>& out, ContactSet& contacts) {
-  const auto drop = [&out](auto& entries) {
-    std::size_t i = 0;
-    std::erase_if(entries, [&](const auto&) -> bool { return out[i++]; });
-  };
-  drop(contacts.interfaces);
-  drop(contacts.elements);
-  drop(contacts.strengths);
-  drop(contacts.states);
-}
-
 // Of one corner of the vertex' block with one face of the other: under its name, or with the roles of two corners above
 // each other exchanged.
 bool is_same(const VertexContact& a, const VertexContact& b) {
@@ -206,23 +194,10 @@ void MovingContacts::leave_out(const std::vector<bool>& absent, ContactSet& cont
   search_.leave_out(absent);
 }
 
-// Pairs of blocks whose joint has strength, and has stayed what was drawn.
 void MovingContacts::bring_in(const Model& model, const State& state, const ComingBlocks& blocks,
                               ContactSet& contacts) {
-  ContactSet joined = joined_contacts(model, state, blocks);
-  PairsOfBlocks holding, apart;
-  for (const Interface& interface : joined.interfaces) {
-    if (interface.length > 0 && !is_dry(joint_of(model, interface))) holding.add(pair_of(interface));
-    const EndsApart ends = ends_apart(model, state, interface);
-    const double smaller = std::min(size_of(interface.block_a), size_of(interface.block_b));
-    if (std::max(ends.from.norm(), ends.to.norm()) > ContactSearch::reach * smaller) apart.add(pair_of(interface));
-  }
-  holding.sort();
-  apart.sort();
-  std::vector<bool> loose;
-  for (const Interface& interface : joined.interfaces)
-    loose.push_back(!holding.has(pair_of(interface)) || apart.has(pair_of(interface)));
-  keep_those(loose, joined);
+  const auto reach = [this](int a, int b) { return ContactSearch::reach * std::min(size_of(a), size_of(b)); };
+  const ContactSet joined = holding_contacts(model, state, blocks, reach);
   insert_contacts(model, joined, stretches_, contacts);
   stretches_ += joined.interfaces.size();
   search_.bring_in(blocks.absent);

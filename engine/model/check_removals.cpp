@@ -27,7 +27,7 @@ class ComingAndGoing {
   // In the order of the stages.
   void follow(std::size_t stage) {
     for (const int block : model_.stages[stage].removal.blocks) go(stage, block);
-    for (const int block : model_.stages[stage].added) come(stage, block);
+    for (const int block : model_.stages[stage].rock.added) come(stage, block);
   }
 
   // `what`, as in "with a load", is on the block when it is removed, or comes later.
@@ -153,7 +153,7 @@ void check_removals(const Model& model) {
     const Item item = blocks.item(i);
     if (i == 0 && !stage.removal.blocks.empty())
       item.fail("remove", "in the first stage", "a later one, or a scene without these blocks");
-    if (i == 0 && !stage.added.empty())
+    if (i == 0 && !stage.rock.added.empty())
       item.fail("add", "in the first stage", "a later one: what no stage adds is there");
     check_relaxation(item, stage);
     blocks.follow(i);

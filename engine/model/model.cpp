@@ -51,7 +51,7 @@ bool Model::removes_blocks() const {
 }
 
 bool Model::adds_blocks() const {
-  return std::ranges::any_of(stages, [](const Stage& stage) { return !stage.added.empty(); });
+  return std::ranges::any_of(stages, [](const Stage& stage) { return !stage.rock.added.empty(); });
 }
 
 std::vector<bool> Model::absent_in(std::size_t stage) const {
@@ -61,11 +61,11 @@ std::vector<bool> Model::absent_in(std::size_t stage) const {
   };
   for (std::size_t i = stages.size(); i > stage + 1; --i) {  // what comes next tells what is now
     mark(stages[i - 1].removal.blocks, false);
-    mark(stages[i - 1].added, true);
+    mark(stages[i - 1].rock.added, true);
   }
   for (std::size_t i = 0; i <= stage && i < stages.size(); ++i) {
     mark(stages[i].removal.blocks, true);
-    mark(stages[i].added, false);
+    mark(stages[i].rock.added, false);
   }
   if (std::ranges::count(absent, true) == 0) absent.clear();
   return absent;

@@ -129,7 +129,6 @@ struct Stage {
   bool unlimited_strength = false;
 
   Removal removal;
-  std::vector<int> added;  // blocks that come in at the start of the stage, as drawn and free of stress
   RockOfStage rock;
 
   StepEffort limits;

@@ -122,7 +122,7 @@ Model built(const std::string& addition) { return parse_scene(scene_with("", R"(
 
 TEST(AdditionInScenes, NamesBlocksAndGroups) {
   const Model model = built(R"(["hole", "a"])");
-  EXPECT_EQ(model.stages[1].added, (std::vector<int>{5, 6}));
+  EXPECT_EQ(model.stages[1].rock.added, (std::vector<int>{5, 6}));
   const std::vector<bool> absent = model.absent_in(0);
   EXPECT_EQ(std::ranges::count(absent, true), 2);
   EXPECT_TRUE(absent[5] && absent[6]);

@@ -165,7 +165,8 @@ std::vector<bool> absent_so_far(const Model& model) {
 // No stage before adds or removes it.
 bool is_first_told_of(int block, const Model& model) {
   return std::ranges::none_of(model.stages, [block](const Stage& stage) {
-    return std::ranges::binary_search(stage.removal.blocks, block) || std::ranges::binary_search(stage.added, block);
+    return std::ranges::binary_search(stage.removal.blocks, block) ||
+           std::ranges::binary_search(stage.rock.added, block);
   });
 }
 
@@ -188,7 +189,7 @@ void read_addition(const Field& names, const std::vector<std::string>& groups, M
     names.fail("given in the first stage", "a later one: blocks that no stage adds are there from the start");
   refuse_names_given_twice(names);
   const std::vector<bool> absent = absent_so_far(model);
-  stage.added = blocks_called_by(names, groups, model, [&](const Field& name, int block) {
+  stage.rock.added = blocks_called_by(names, groups, model, [&](const Field& name, int block) {
     const std::string& called = block_name(block, model);
     if (std::ranges::find(stage.removal.blocks, block) != stage.removal.blocks.end())
       name.fail("blocks that the stage does not remove, as \"" + called + "\" is");
@@ -227,8 +228,8 @@ void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std
   const auto append = [&](const Field& step, std::string name) {
     Stage stage = read_stage(step, std::move(name), scheme, all_bonded);
     if (const auto removed = step.find("remove")) read_removal(*removed, groups, model, stage);
-    if (const auto added = step.find("add")) read_addition(*added, groups, model, stage);
     stage.rock = read_rock_changes(step, model);
+    if (const auto added = step.find("add")) read_addition(*added, groups, model, stage);
     model.stages.push_back(std::move(stage));
   };
   if (!steps.is_array()) {

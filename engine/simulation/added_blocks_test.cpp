@@ -66,7 +66,7 @@ Model built_wall(const JointMaterial& joint, Kinematics kinematics, const Integr
   }
   model.gravity = {0, -10};
   model.stages = {stage_of(static_integrator(), 1, settled, kinematics), stage_of(later, dt, moving, kinematics)};
-  model.stages[1].added = middle;
+  model.stages[1].rock.added = middle;
   return model;
 }
 
@@ -100,7 +100,7 @@ TEST(AddedBlocks, ThatNobodyLoadsStayStill) {
     model.gravity.setZero();
     for (const double left : {50.0, 60.0}) {
       model.stages.insert(model.stages.begin() + 1, model.stages[1]);
-      model.stages[1].added = {static_cast<int>(model.blocks.size())};
+      model.stages[1].rock.added = {static_cast<int>(model.blocks.size())};
       model.blocks.push_back(rectangle("far off " + std::to_string(model.blocks.size()), left, 0, 1, 1));
     }
     Simulation simulation = simulation_of(std::move(model));
@@ -110,7 +110,7 @@ TEST(AddedBlocks, ThatNobodyLoadsStayStill) {
     ASSERT_GT(moved, 1e-6);
     run(simulation, moving);
     EXPECT_LT(largest_difference(simulation.state(), before), 1e-10 * moved);
-    for (const int block : simulation.model().stages[3].added)
+    for (const int block : simulation.model().stages[3].rock.added)
       EXPECT_LT(simulation.state().stress[static_cast<std::size_t>(block)].norm(), 1e-10 * 4e5);
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
   });
@@ -131,11 +131,11 @@ TEST(AddedBlocks, GoOnFromASnapshotToTheBit) {
   in_all_walls([](const JointMaterial& joint, Kinematics kinematics) {
     Model model = built_wall(joint, kinematics, generalized_alpha_integrator(0.8), 1e-4);
     model.stages.push_back(model.stages[1]);
-    model.stages[2].added.clear();
-    model.stages[2].removal.blocks = {model.stages[1].added.front()};
+    model.stages[2].rock.added.clear();
+    model.stages[2].removal.blocks = {model.stages[1].rock.added.front()};
     model.stages.push_back(model.stages[2]);  // and it is filled again
     model.stages[3].removal.blocks.clear();
-    model.stages[3].added = {model.stages[1].added.front()};
+    model.stages[3].rock.added = {model.stages[1].rock.added.front()};
     finish_model(model);
     Simulation whole(model);
     constexpr int total = settled + 3 * moving;
@@ -165,7 +165,7 @@ TEST(AddedBlocks, AreMissingBefore) {
     rest.edge_loads.clear();
     rest.held_blocks.clear();
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-      if (std::ranges::count(model.stages[1].added, static_cast<int>(i)) > 0) continue;
+      if (std::ranges::count(model.stages[1].rock.added, static_cast<int>(i)) > 0) continue;
       place[i] = static_cast<int>(rest.blocks.size());
       rest.blocks.push_back(model.blocks[i]);
     }
@@ -203,7 +203,7 @@ Model column(bool at_once, Kinematics kinematics) {
   for (int i = 0; i < lifts; ++i) {
     model.stages.push_back(stage_of(static_integrator(), 100, 30, kinematics));
     model.stages.back().name = std::to_string(i);
-    if (i > 0 && !at_once) model.stages.back().added = {i + 1};
+    if (i > 0 && !at_once) model.stages.back().rock.added = {i + 1};
   }
   return model;
 }
@@ -261,7 +261,7 @@ TEST(AddedBlocks, PressTheFloorWithTheirWeight) {
     model.stages.resize(2);
     model.stages[1] = stage_of(static_integrator(), 100, 30, kinematics);
     model.stages[1].name = "set";
-    model.stages[1].added = {2};
+    model.stages[1].rock.added = {2};
     Simulation simulation = simulation_of(std::move(model));
     const auto pressing = [&](int upper) {
       double sum = 0;
@@ -292,23 +292,23 @@ void expect_refused(Model model, const std::string& value) {
 
 TEST(AddedBlocks, ThatCannotComeInAreRefused) {
   const Model good = built_wall(dry(0.6), Kinematics::finite, static_integrator(), 1);
-  const int block = good.stages[1].added.front();
+  const int block = good.stages[1].rock.added.front();
   const Ring ring = good.blocks[static_cast<std::size_t>(block)].shape.outer;
   Model model = good;
-  model.stages[0].added = {block};
-  model.stages[1].added.clear();
+  model.stages[0].rock.added = {block};
+  model.stages[1].rock.added.clear();
   expect_refused(model, "in the first stage");
   model = good;
-  model.stages[1].added.push_back(block);
+  model.stages[1].rock.added.push_back(block);
   expect_refused(model, "a second time");
   model = good;
   model.stages[1].removal.blocks = {block};
   expect_refused(model, "which the stage removes as well");
   model = good;
-  model.stages[1].added = {model.held_blocks[0].block};
+  model.stages[1].rock.added = {model.held_blocks[0].block};
   expect_refused(model, "which is held");
   model = good;
-  model.stages[1].added = {1000};
+  model.stages[1].rock.added = {1000};
   expect_refused(model, "added block");
   model = good;
   model.blocks[static_cast<std::size_t>(block)].initial_stress = {1, 0, 0};

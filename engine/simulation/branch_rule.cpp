@@ -89,7 +89,7 @@ bool are_same(const std::optional<TimeFunction>& a, const std::optional<TimeFunc
 void check(const Stage& then, const Stage& now, const std::string& field) {
   const auto& [name, dt, duration, chosen_dt, integrator, kinematics, solver, velocity_factor, damping_rate,
                material_damping, strain_inertia, correct_block_dispersion, correct_time_dispersion, lateral_inertia,
-               equilibrium, on_unbalanced, unlimited_strength, removal, added, rock, limits] = now;
+               equilibrium, on_unbalanced, unlimited_strength, removal, rock, limits] = now;
   expect_equal(then.name, name, field + ".name");
   expect_equal(then.dt, dt, field + ".dt");
   expect_equal(then.duration, duration, field + ".duration");
@@ -107,7 +107,7 @@ void check(const Stage& then, const Stage& now, const std::string& field) {
   expect_equal(then.equilibrium, equilibrium, field + ".equilibrium");
   expect(then.unlimited_strength == unlimited_strength, field + ".strength", "kind");
   expect(then.removal.blocks == removal.blocks, field + ".remove", "list of blocks");
-  expect(then.added == added, field + ".add", "list of blocks");
+  expect(then.rock.added == rock.added, field + ".add", "list of blocks");
   expect(are_same(then.removal.relaxation, removal.relaxation), field + ".remove", "course");
   expect_equal(then.limits.open_close_iterations, limits.open_close_iterations, field + ".max_open_close_iterations");
   expect_equal(then.limits.step_reductions, limits.step_reductions, field + ".max_step_reductions");

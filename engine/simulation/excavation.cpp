@@ -59,11 +59,11 @@ void leave_out_absent(BlockSystem& s, GeneralStep& general) {
   s.external.leave_out(s.model, absent);
   for (std::size_t i = 0; i < absent.size(); ++i)
     if (absent[i]) s.terms.inertia[i].mass = 0;
-  general.leave_out(absent);
+  general.set_blocks(absent);
 }
 
 void bring_in(BlockSystem& s, GeneralStep& general) {
-  const std::vector<int>& added = s.stage().added;
+  const std::vector<int>& added = s.stage().rock.added;
   if (added.empty()) return;
   s.excavated.absent = s.model.absent_in(s.clock.stage);
   std::vector<bool> absent = s.excavated.absent;
@@ -71,7 +71,7 @@ void bring_in(BlockSystem& s, GeneralStep& general) {
   s.held = make_held_unknowns(s.model, absent);
   s.external.leave_out(s.model, absent);
   for (const int block : added) place_as_drawn(block, s);
-  general.bring_in(absent, added, s.plan.linear);
+  general.set_blocks(absent, added, s.plan.linear);
   s.loads_at(s.state.time, s.forces.load_old);
   if (s.plan.linear) return;  // new contacts exert nothing, and the others are as they were
   s.sum_internal_forces(s.forces.internal_old);

@@ -67,37 +67,6 @@ BlockMatrix GeneralStep::pattern() const {
   return make_system_matrix(blocks, std::move(pairs));
 }
 
-void GeneralStep::leave_out(const std::vector<bool>& absent) {
-  ContactSet& contacts = system_.contacts;
-  if (moving_) {
-    moving_->leave_out(absent, contacts);
-  } else {
-    dda::leave_out(absent, contacts);
-    range_.leave_out(absent, system_.model, contacts.interfaces);
-  }
-  fit_to_neighbours(system_.model, contacts);
-  moved_ = std::numeric_limits<double>::infinity();
-}
-
-void GeneralStep::bring_in(const std::vector<bool>& absent, const std::vector<int>& added, bool at_rest) {
-  BlockSystem& s = system_;
-  std::vector<bool> comes_in(absent.size(), false);
-  for (const int block : added) {
-    const auto i = static_cast<std::size_t>(block);
-    comes_in[i] = true;
-    acting_.displacement[i] = s.state.displacement[i];
-    acting_.deformation[i] = s.state.deformation[i];
-  }
-  const State acting = s.geometry_moves() ? s.state : initial_state(s.model);
-  const ComingBlocks blocks{absent, comes_in, acting};
-  if (moving_) {
-    moving_->bring_in(s.model, s.state, blocks, s.contacts);
-  } else {
-    dda::bring_in(s.model, s.state, blocks, at_rest, s.contacts);
-    range_.leave_out(absent, s.model, s.contacts.interfaces);
-  }
-}
-
 void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);

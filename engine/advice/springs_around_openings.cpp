@@ -141,7 +141,7 @@ class Outline {
 };
 
 bool lays_walls_free(const Model& model) {
-  if (model.removes_blocks()) return true;
+  if (model.removes_blocks() || model.adds_blocks()) return true;
   const auto is_stressed = [](const Block& block) { return !block.initial_stress.isZero(0); };
   if (std::ranges::none_of(model.blocks, is_stressed)) return false;
   const Outline outline(model);

@@ -259,6 +259,12 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   for (const Lining& lining : model.linings)
     if (index > 0 && static_cast<std::size_t>(lining.first_stage) == index)
       text.plain(fmt::format("  sprays \"{}\"", lining.name));
+  const auto taken_out =
+      std::ranges::count_if(model.bolts, [index](const Bolt& bolt) { return bolt.withdrawal.is_at_start_of(index); });
+  if (taken_out > 0) text.plain(fmt::format("  takes out {}", count(static_cast<std::size_t>(taken_out), "bolt")));
+  for (const Lining& lining : model.linings)
+    if (lining.withdrawal.is_at_start_of(index)) text.plain(fmt::format("  takes out \"{}\"", lining.name));
+  if (!stage.rock.added.empty()) text.plain(fmt::format("  adds {}", count(stage.rock.added.size(), "block")));
   for (const std::string& line : plan.describe()) text.plain("  " + line);
   if (const double limit = simulation.stability_limit(index); limit > 0)
     text.plain(fmt::format("  stable: up to dt = {:.6g} s, of which this is {:.3g} %", limit, 100 * stage.dt / limit));

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "engine/app/output_file.h"
 #include "engine/app/scene_picture.h"
 #include "engine/core/error.h"
 #include "engine/drawing/read_drawing.h"
@@ -74,8 +75,7 @@ void check_output(const std::filesystem::path& file, const std::vector<std::stri
   if (!extension.empty() && std::ranges::find(extensions, extension) == extensions.end())
     throw InputError("", "--out", file.string(),
                      fmt::format("a name that ends in {}, which is what is written", fmt::join(extensions, " or ")));
-  if (const std::string kind = why_unwritable(file); !kind.empty())
-    throw InputError("", "--out", file.string() + ", which is " + kind, "a file, or a name that is free");
+  expect_output(file);
 }
 
 bool is_given(const ViewOptions& options, std::string_view name) {

@@ -94,6 +94,9 @@ TEST_F(CommandLine, ViewRefusesInOneSentence) {
   expect_refusal({"view", run, "--svg", "3", "--out", path("a.svg")}, "--svg is \"3\", expected a frame from 0 to 2");
   expect_refusal({"view", run, "--svg", "-1", "--out", path("a.svg")}, "--svg is \"-1\", expected a frame");
   expect_refusal({"view", run, "--svg", "1"}, "--out is missing");
+  expect_refusal({"view", run, "--svg", "1", "--out", path("no/a.svg")}, "a name in a folder that exists");
+  expect_refusal({"view", run, "--out", path("no/a.html")}, "a name in a folder that exists");
+  expect_refusal({"report", run, "--out", path("no/a.html")}, "a name in a folder that exists");
   expect_refusal({"view", run, "--svg", "1", "--out", path("a.svg"), "--forces", "all"}, "joints, contacts or none");
   expect_refusal({"view", run, "--svg", "1", "--out", path("a.svg"), "--window", "1,1,0,2"}, "LEFT,BOTTOM,RIGHT,TOP");
   expect_refusal({"view", run, "--crosses"}, "--svg");

@@ -34,6 +34,11 @@ class ContactSearch {
 
   // Blocks that are absent touch nothing from now on; `absent` says so of each.
   void leave_out(const std::vector<bool>& absent);
+  // Some are no longer: they are looked for from the next update on.
+  void bring_in(const std::vector<bool>& absent) {
+    absent_ = absent;
+    must_list_ = true;
+  }
 
   // Contacts now, sorted by edge and vertex. `bonded` (sorted pairs) are left out.
   [[nodiscard]] std::vector<VertexContact> find(const std::vector<std::pair<int, int>>& bonded) const;

@@ -99,6 +99,7 @@ void measure_gap(const Model& model, const State& state, const Interface& interf
   const EndsApart ends = ends_apart(model, state, interface);
   if (element.law == InterfaceLaw::projected) return measure_projected(model, state, interface, element, ends, own);
   own.gap << (ends.from + ends.to) / 2, (ends.to - ends.from) / 2;
+  own.gap -= element.gap_at_start;
 }
 
 Vec4 in_situ_force(const Model& model, const Interface& interface) {
@@ -120,7 +121,8 @@ ContactSet make_contacts(const Model& model) {
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
   const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
-  const bool cubic_allowed = model.stays_linear() && !model.removes_blocks() && !changes_materials(model);
+  const bool cubic_allowed =
+      model.stays_linear() && !model.removes_blocks() && !model.adds_blocks() && !changes_materials(model);
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];

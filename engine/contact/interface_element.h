@@ -9,7 +9,7 @@
 //   projected:  as classical, at two points nearer the middle, and each gap with what the stresses of both blocks
 //               make of it                                                                    (see projected_law.h)
 // and four conjugate forces (N per m of thickness, tension positive)
-//   f = stiffness * g + stress_rows_a sigma_a + stress_rows_b sigma_b
+//   f = stiffness * g + stress_rows_a sigma_a + stress_rows_b sigma_b - force_at_start
 // where stress rows are none in the classical and projected law, and give length * {sigma} n, the mean of tractions,
 // on rows 0 and 1 of the others. All follow from the potential 1/2 g K g + g . (stress rows), which makes them
 // symmetric: the blocks' strains carry the extra forces strain_rows^T g, strain_rows = stress_rows * elasticity.
@@ -50,6 +50,9 @@ struct InterfaceElement : InterfaceSprings {
   Mat46 rows_a, rows_b;
   Mat43 stress_rows_a, stress_rows_b;  // m; not set where there are none
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set where there are none
+  // What gap and force would have been when blocks that had moved, and bore stress, were joined: both count from there.
+  // Forces do with stress rows alone, gaps where they are measured (measure_gap).
+  Vec4 gap_at_start = Vec4::Zero(), force_at_start = Vec4::Zero();
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive);
@@ -75,12 +78,13 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
     Vec2 softness;
     std::array<Mat46, 2> rows;
     std::array<Mat43, 4> stress_rows;
+    std::array<Vec4, 2> at_start;
   };
   static_assert(sizeof(InterfaceElement) == sizeof(Members));
   using OwnSprings = std::conditional_t<std::is_const_v<Self>, const InterfaceSprings, InterfaceSprings>;
   InterfaceSprings::visit_springs(static_cast<OwnSprings&>(self), archive);
   archive.blocks(self.block_a, self.block_b);
-  archive(self.softness, self.rows_a, self.rows_b);
+  archive(self.softness, self.rows_a, self.rows_b, self.gap_at_start, self.force_at_start);
   if (has_stress_rows(self)) archive(self.stress_rows_a, self.stress_rows_b, self.strain_rows_a, self.strain_rows_b);
 }
 

@@ -194,6 +194,16 @@ void MovingContacts::leave_out(const std::vector<bool>& absent, ContactSet& cont
   search_.leave_out(absent);
 }
 
+void MovingContacts::bring_in(const Model& model, const State& state, const ComingBlocks& blocks,
+                              ContactSet& contacts) {
+  const auto reach = [this](int a, int b) { return ContactSearch::reach * std::min(size_of(a), size_of(b)); };
+  const ContactSet joined = holding_contacts(model, state, blocks, reach);
+  insert_contacts(model, joined, stretches_, contacts);
+  stretches_ += joined.interfaces.size();
+  search_.bring_in(blocks.absent);
+  follow(model, state, blocks.acting, 0, contacts);
+}
+
 // Stretches that vertex contacts take the place of: dry ones and lone vertices at the start, later those broken at both
 // ends; projected ones when they have parted. The stretches of a pair end together, since no vertex contacts are looked
 // for between blocks that have one.

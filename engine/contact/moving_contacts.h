@@ -10,6 +10,7 @@
 
 #include "engine/contact/contact_search.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/join_blocks.h"
 #include "engine/contact/lost_ends.h"
 #include "engine/contact/surface_joints.h"
 #include "engine/contact/vertex_contact.h"
@@ -39,6 +40,10 @@ class MovingContacts {
 
   // Takes out the contacts of blocks that are absent, which touch nothing from now on.
   void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
+
+  // Blocks come in, whose contacts begin without force. Joints with strength hold them where their neighbours are still
+  // near what was drawn, by no more than contacts are looked for; elsewhere they count as broken.
+  void bring_in(const Model& model, const State& state, const ComingBlocks& blocks, ContactSet& contacts);
 
   // True when increments `d` from `state` move blocks further against each other than contacts were looked for, or into
   // each other at corners that a third block covered: the next `follow` looks far enough and has those.

@@ -97,7 +97,8 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     const bool both_held = is_held(interface.block_a) && is_held(interface.block_b);
     if (both_held || !is_in_row(interface.block_a) || !is_in_row(interface.block_b)) continue;
     contacts.elements[i].stiffness(2) = bending_stiffness(model, interface, held);
-    contacts.states[i].force(2) = contacts.elements[i].stiffness(2) * contacts.states[i].gap(2);
+    contacts.states[i].force(2) =
+        contacts.elements[i].stiffness(2) * contacts.states[i].gap(2) - contacts.elements[i].force_at_start(2);
   }
 }
 

@@ -38,6 +38,7 @@ void check_bolt(const Model& model, const Item& item, const Bolt& bolt) {
   item.within("direction length", bolt.direction.norm(), 1 - 1e-9, 1 + 1e-9);
   check_limits(item, bolt);
   if (bolt.first_stage != 0) item.index("first stage", bolt.first_stage, model.stages.size());
+  check_withdrawal(item, bolt.withdrawal, bolt.first_stage, model);
   if (bolt.links.empty()) item.fail("links", "none", "two blocks that it joins");
   if (!bolt.grouted && bolt.links.size() > 1) item.fail("links", "several", "one, as it is anchored at its ends");
   for (const BoltLink& link : bolt.links) {
@@ -50,6 +51,14 @@ void check_bolt(const Model& model, const Item& item, const Bolt& bolt) {
 }
 
 }  // namespace
+
+void check_withdrawal(const Item& item, const Withdrawal& withdrawal, int first_stage, const Model& model) {
+  if (withdrawal.last_stage < 0) return;
+  item.index("last stage", withdrawal.last_stage, model.stages.size());
+  if (withdrawal.last_stage < first_stage)
+    item.fail("last stage", fmt::format("{}", withdrawal.last_stage), fmt::format("{} or later", first_stage));
+  if (withdrawal.relaxation) check_history(item, *withdrawal.relaxation);
+}
 
 void check_bolts(const Model& model) {
   std::set<std::string_view> names;

@@ -37,6 +37,7 @@ void check_lining(const Model& model, const Item& item, const Lining& lining) {
     if (chord_of(lining, i).norm() <= model.length_tolerance)
       item.fail("nodes", fmt::format("{} and {} in one place", i, i + 1), "faces one behind the other");
   if (lining.first_stage != 0) item.index("first stage", lining.first_stage, model.stages.size());
+  check_withdrawal(item, lining.withdrawal, lining.first_stage, model);
 }
 
 }  // namespace

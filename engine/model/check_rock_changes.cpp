@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/model/check_parts.h"
@@ -16,6 +19,10 @@ namespace {
 // Joints hold by a penalty of so many moduli of the rock at the start, which must stay above one modulus: half of it is
 // what every block's neighbours leave it.
 constexpr double share_of_penalty = 0.5;
+
+// Joints keep the stiffness of the start: softer blocks beside them leave less than seven of the sixteen digits that
+// numbers have.
+constexpr double least_growth = 1e-9;
 
 void expect_same(bool same, const Item& item, std::string_view member) {
   if (!same) item.fail(member, "changed by a stage", "what it was: stages change the strength of joints alone");
@@ -50,17 +57,9 @@ void check_change(const Item& item, const Material& before, const Material& now)
               "name, density or plane");
 }
 
-// `start` belongs to the model before any stage.
-void check_penalty(const Item& item, const Model& model, const Material& start, const Material& now) {
-  double least = 0;
-  for (const JointMaterial& joint : joints_in(model, 0))
-    if (joint.law != InterfaceLaw::classical) least = least == 0 ? joint.penalty : std::min(least, joint.penalty);
-  if (least == 0) return;
-  const double limit = share_of_penalty * least;
-  const double grows = elasticity_matrix(now)(0, 0) / elasticity_matrix(start)(0, 0);
-  if (grows > limit)
-    item.fail("Young's modulus", fmt::format("{:.3g} times as stiff as at the start", grows),
-              fmt::format("at most {:g} times: joints hold by a penalty of {:g} moduli of the start", limit, least));
+void check_growth(const Item& item, const ModulusLimits& limits, const Material& start, const Material& now) {
+  if (const auto problem = problem_of_growth(limits, modulus_growth(start, now)))
+    item.fail("Young's modulus", problem->first, problem->second);
 }
 
 void check_sizes(const Item& item, std::size_t now, std::size_t before) {
@@ -82,7 +81,7 @@ void check_materials_of(const Model& model, std::size_t stage) {
   check_sizes(Item("stages", stage, model.stages[stage].name), now.size(), before.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
     check_change(Item("materials", i, now[i].name), before[i], now[i]);
-    check_penalty(Item("materials", i, now[i].name), model, materials_in(model, 0)[i], now[i]);
+    check_growth(Item("materials", i, now[i].name), modulus_limits(model), materials_in(model, 0)[i], now[i]);
   }
 }
 
@@ -100,6 +99,28 @@ void refuse_beside(const Model& model, std::size_t stage) {
 }
 
 }  // namespace
+
+ModulusLimits modulus_limits(const Model& model) {
+  ModulusLimits limits{least_growth, std::numeric_limits<double>::infinity()};
+  for (const JointMaterial& joint : joints_in(model, 0))
+    if (joint.law != InterfaceLaw::classical && (limits.penalty == 0 || joint.penalty < limits.penalty))
+      limits.penalty = joint.penalty;
+  if (limits.penalty > 0) limits.most = share_of_penalty * limits.penalty;
+  return limits;
+}
+
+double modulus_growth(const Material& start, const Material& now) {
+  return elasticity_matrix(now)(0, 0) / elasticity_matrix(start)(0, 0);
+}
+
+std::optional<std::pair<std::string, std::string>> problem_of_growth(const ModulusLimits& limits, double growth) {
+  if (growth >= limits.least && growth <= limits.most) return std::nullopt;
+  const std::string found = fmt::format("{:.3g} times as stiff as at the start", growth);
+  if (growth > limits.most)
+    return std::pair{found, fmt::format("at most {:g} times: joints hold by a penalty of {:g} moduli of the start",
+                                        limits.most, limits.penalty)};
+  return std::pair{found, fmt::format("at least {:g} times, as joints keep the stiffness of the start", limits.least)};
+}
 
 void check_rock_changes(const Model& model) {
   for (std::size_t i = 1; i < model.stages.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/types.h"
+#include "engine/model/withdrawal.h"
 
 namespace dda {
 
@@ -29,6 +30,7 @@ struct Lining {
   double compressive_strength = std::numeric_limits<double>::infinity();  // Pa, of the section, a positive number
   double tensile_strength = std::numeric_limits<double>::infinity();      // Pa
   int first_stage = 0;  // sprayed at the start of this stage, free of stress
+  Withdrawal withdrawal = {};
 
   [[nodiscard]] std::size_t elements() const { return closed ? nodes.size() : nodes.size() - 1; }
   [[nodiscard]] const LiningNode& start_of(std::size_t element) const { return nodes[element]; }

@@ -36,7 +36,7 @@ bool Model::stays_linear() const {
 
 Stage Model::with_acting_corrections(const Stage& stage) const {
   Stage acting = stage;
-  if (stays_linear() && !stage.integrator.is_static && !changes_materials(*this)) return acting;
+  if (stays_linear() && !stage.integrator.is_static && !changes_materials(*this) && !adds_blocks()) return acting;
   acting.correct_block_dispersion = acting.correct_time_dispersion = false;
   return acting;
 }
@@ -50,14 +50,24 @@ bool Model::removes_blocks() const {
   return std::ranges::any_of(stages, [](const Stage& stage) { return !stage.removal.blocks.empty(); });
 }
 
+bool Model::adds_blocks() const {
+  return std::ranges::any_of(stages, [](const Stage& stage) { return !stage.rock.added.empty(); });
+}
+
 std::vector<bool> Model::absent_in(std::size_t stage) const {
-  std::vector<bool> absent;
-  for (std::size_t i = 0; i <= stage && i < stages.size(); ++i) {
-    for (const int block : stages[i].removal.blocks) {
-      absent.resize(blocks.size(), false);
-      absent[at(block)] = true;
-    }
+  std::vector<bool> absent(removes_blocks() || adds_blocks() ? blocks.size() : 0, false);
+  const auto mark = [&absent](const std::vector<int>& some, bool as_absent) {
+    for (const int block : some) absent[at(block)] = as_absent;
+  };
+  for (std::size_t i = stages.size(); i > stage + 1; --i) {  // what comes next tells what is now
+    mark(stages[i - 1].removal.blocks, false);
+    mark(stages[i - 1].rock.added, true);
   }
+  for (std::size_t i = 0; i <= stage && i < stages.size(); ++i) {
+    mark(stages[i].removal.blocks, true);
+    mark(stages[i].rock.added, false);
+  }
+  if (std::ranges::count(absent, true) == 0) absent.clear();
   return absent;
 }
 

@@ -19,6 +19,7 @@
 #include "engine/model/peaks.h"
 #include "engine/model/settings.h"
 #include "engine/model/time_function.h"
+#include "engine/model/withdrawal.h"
 
 namespace dda {
 
@@ -112,6 +113,7 @@ struct Bolt {
   bool tension_only = true;                                             // goes slack instead of pushing
   double spacing = 1;   // m of thickness a bolt: what is measured is the force in one bolt, spacing times that here
   int first_stage = 0;  // put in at the start of this stage
+  Withdrawal withdrawal = {};
 };
 
 // Absorbing (Lysmer-Kuhlemeyer) edge: traction = -impedance * velocity, integrated exactly along the edge.
@@ -168,13 +170,14 @@ struct Model {
   // Nothing can change in any stage: all joints bonded, small kinematics, no bolts, linings that do not yield.
   [[nodiscard]] bool stays_linear() const;
   // The stage with those of its corrections for waves that act: in dynamic stages of runs that stay linear and whose
-  // materials stay the same. Static stages carry no waves, and forces that only such stages know of would be missing
-  // when joints open or blocks move.
+  // materials stay the same, without blocks that come in later. Static stages carry no waves, and forces that only such
+  // stages know of would be missing when joints open or blocks move.
   [[nodiscard]] Stage with_acting_corrections(const Stage& stage) const;
   [[nodiscard]] bool is_held(int block) const;    // as a whole: one of held_blocks
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
   [[nodiscard]] bool removes_blocks() const;      // in some stage
-  // For every block whether it was removed by the time that `stage` begins; empty where none was.
+  [[nodiscard]] bool adds_blocks() const;         // the same
+  // For every block whether it is not there in `stage`: removed by then, or not added yet; empty where none is.
   [[nodiscard]] std::vector<bool> absent_in(std::size_t stage) const;
 };
 

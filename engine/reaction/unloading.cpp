@@ -90,6 +90,12 @@ void keep_if_let_go_later(int kept, PointSupport& support) {
   support.takes_force_along = false;
 }
 
+template <typename Support>
+void keep_if_taken_out_later(int kept, std::vector<Support>& supports) {
+  for (Support& support : supports)
+    if (support.withdrawal.last_stage >= kept) support.withdrawal = {};
+}
+
 }  // namespace
 
 TimeFunction fading_to(double share) { return PiecewiseLinear{{0, fade / 2}, {1, share}}; }
@@ -99,6 +105,8 @@ Unloading unloading_of(Model model, const std::vector<int>& opening) {
   const int kept = keep_stages_in_situ(opening, model);
   leave_out_support(kept, model.bolts, unloading.left_out);
   leave_out_support(kept, model.linings, unloading.left_out);
+  keep_if_taken_out_later(kept, model.bolts);
+  keep_if_taken_out_later(kept, model.linings);
   for (PointSupport& support : model.supports) keep_if_let_go_later(kept, support);
   if (model.free_field_sides.empty())  // else such a scene is refused
     std::erase_if(model.viscous_edges, [kept](const ViscousEdge& edge) { return edge.first_stage > kept; });

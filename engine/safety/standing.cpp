@@ -90,6 +90,8 @@ Standing standing_of(Model model, double time, const std::stop_token& stop) {
   model.joints = last.joints;
   model.stages = {static_stage("load", time, true), stand};
   for (Bolt& bolt : model.bolts) bolt.first_stage = 0;
+  for (Bolt& bolt : model.bolts) bolt.withdrawal = {};
+  for (Lining& lining : model.linings) lining.withdrawal = {};
   for (Lining& lining : model.linings) lining.first_stage = std::min(lining.first_stage, 1);  // on walls that are there
   model.peaks.reset();
   finish_model(model);

@@ -1,6 +1,7 @@
 // Stages that remove blocks, and the stress that the ground has before.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,55 @@ TEST(RemovalInScenes, OfWhatIsActedOnIsRefused) {
   refused(R"(, "measurements": [{"quantity": "stress_xx", "block": "a", "name": "there"}])", "\"there\" is measured");
   refused(R"(, "supports": [{"point": [3, 2]}])", "a support holds");
   refused(R"(, "viscous_boundaries": [{"edge": {"from": [2.5, 2], "to": [3, 2]}}])", "viscous");
+}
+
+Model built(const std::string& addition) { return parse_scene(scene_with("", R"(, "add": )" + addition), "scene"); }
+
+TEST(AdditionInScenes, NamesBlocksAndGroups) {
+  const Model model = built(R"(["hole", "a"])");
+  EXPECT_EQ(model.stages[1].rock.added, (std::vector<int>{5, 6}));
+  const std::vector<bool> absent = model.absent_in(0);
+  EXPECT_EQ(std::ranges::count(absent, true), 2);
+  EXPECT_TRUE(absent[5] && absent[6]);
+  EXPECT_TRUE(model.absent_in(1).empty());
+}
+
+TEST(AdditionInScenes, BringsNoStressAlong) {
+  const Model model = parse_scene(scene_with(R"(, "stress_field": {"xx": "-1 kPa"})", R"(, "add": ["hole"])"), "scene");
+  EXPECT_TRUE(model.blocks[5].initial_stress.isZero(0));
+  EXPECT_EQ(model.blocks[0].initial_stress, Vec3(-1e3, 0, 0));
+}
+
+TEST(AdditionInScenes, FillsWhatWasRemoved) {
+  const Model model = parse_scene(
+      scene_with("", R"(, "remove": ["hole"]}, {"name": "fill", "dt": 1e-4, "duration": 1e-2, "add": ["a"])"), "scene");
+  EXPECT_EQ(std::ranges::count(model.absent_in(1), true), 2);
+  EXPECT_EQ(std::ranges::count(model.absent_in(2), true), 1);
+}
+
+TEST(AdditionInScenes, ThatCannotBeIsRefused) {
+  const auto refused = [](const std::string& addition, const std::vector<std::string>& parts) {
+    expect_sentence_for(scene_with("", addition), parts);
+  };
+  refused(R"(, "add": ["hale"])", {"steps[1].add[0] is \"hale\"", "hole"});
+  refused(R"(, "add": [])", {"steps[1].add"});
+  refused(R"(, "add": ["a", "a"])", {"steps[1].add[1] is \"a\" a second time"});
+  refused(R"(, "add": ["floor"])", {"\"motion\" add", "which is held"});
+  refused(R"(, "add": ["left"])", {"\"motion\" add", "a stress or a motion at the start"});
+  refused(R"(, "add": ["a"], "remove": ["hole"])", {"steps[1].add[0]", "the stage does not remove"});
+  refused(R"(, "add": ["a"]}, {"dt": 1e-4, "duration": 1e-2, "add": ["hole"])",
+          {"steps[2].add[0]", "no stage before adds"});
+  std::string first = scene_with("", "");
+  first.replace(first.find(R"("integrator": "static")"), 22, R"("integrator": "static", "add": ["hole"])");
+  expect_sentence_for(first, {"steps[0].add is given in the first stage"});
+}
+
+TEST(RockOfStages, BeyondWhatJointsCanHoldIsRefused) {
+  const auto refused = [](const std::string& young, const std::vector<std::string>& parts) {
+    expect_sentence_for(scene_with("", R"(, "materials": {"rock": {"young": )" + young + "}}"), parts);
+  };
+  refused("1e-300", {"steps[1].materials.rock.young", "at least 1e-09 times"});
+  refused("\"100 GPa\"", {"steps[1].materials.rock.young", "5 times as stiff as at the start", "penalty"});
 }
 
 TEST(StressField, FillsBlocksThatStateNoStress) {

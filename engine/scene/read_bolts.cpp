@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/places.h"
+#include "engine/scene/read_withdrawal.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -55,6 +56,7 @@ Bolt read_properties(const Field& field, const Model& model) {
     field.at("name").fail("a name that no other bolt has");
   bolt.grouted = value_or(field, "grouted", false, [](const Field& f) { return f.truth(); });
   bolt.first_stage = value_or(field, "from_stage", 0, [&](const Field& f) { return read_stage_reference(f, model); });
+  bolt.withdrawal = read_withdrawal(field, bolt.first_stage, model);
   bolt.spacing = positive(field, "spacing", Dimension::length, 1);
   bolt.yield_force = positive(field, "yield_force", Dimension::force, bolt.yield_force) / bolt.spacing;
   bolt.shear_yield_force =

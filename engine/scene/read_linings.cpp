@@ -7,6 +7,7 @@
 #include "engine/model/tolerance.h"
 #include "engine/scene/lined_wall.h"
 #include "engine/scene/places.h"
+#include "engine/scene/read_withdrawal.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -51,6 +52,7 @@ void read_lining(const Field& field, const Walls& walls, Model& model) {
   lining.young = field.at("young").positive(Dimension::stress);
   lining.poisson = value_or(field, "poisson", default_poisson, [](const Field& f) { return f.within(0, 0.4999); });
   lining.first_stage = value_or(field, "from_stage", 0, [&](const Field& f) { return read_stage_reference(f, model); });
+  lining.withdrawal = read_withdrawal(field, lining.first_stage, model);
   read_strength(field, lining);
   add_nodes(field, walls.of(field, static_cast<std::size_t>(lining.first_stage)), model, lining);
   model.linings.push_back(std::move(lining));

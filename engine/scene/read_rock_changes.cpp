@@ -1,8 +1,10 @@
 // Stages that change the rock: `"joints"` and `"materials"` of a stage, by the names of the scene.
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "engine/model/check_parts.h"
 #include "engine/scene/rock_values.h"
 #include "engine/scene/sections.h"
 
@@ -36,6 +38,19 @@ void read_change(const Field& field, Material& material) {
   if (const auto poisson = field.find("poisson")) material.poisson = read_poisson(*poisson, material.plane);
 }
 
+// Here, where the entry can be named.
+void check_growth(const Field& changes, const std::vector<Material>& now, const Model& model) {
+  const model_checks::ModulusLimits limits = model_checks::modulus_limits(model);
+  for (const auto& [name, change] : changes.members()) {
+    const auto place = std::ranges::find(now, name, &Material::name);
+    const Material& start = materials_in(model, 0)[static_cast<std::size_t>(place - now.begin())];
+    const auto problem = model_checks::problem_of_growth(limits, model_checks::modulus_growth(start, *place));
+    const Field& field = change;
+    const Field culprit = field.has("young") ? field.at("young") : field;
+    if (problem) culprit.fail(problem->first, problem->second);
+  }
+}
+
 template <typename Item>
 std::vector<Item> changed(const Field& field, std::vector<Item> items) {
   for (const auto& [name, change] : field.members()) read_change(change, item_called(name, field, items));
@@ -52,7 +67,9 @@ RockOfStage read_rock_changes(const Field& step, const Model& model) {
     if (each && model.stages.empty())
       each->fail("given in the first stage", "a later one: the scene says what is first");
   if (joints) rock.joints = changed(*joints, joints_in(model, model.stages.size()));
-  if (materials) rock.materials = changed(*materials, materials_in(model, model.stages.size()));
+  if (!materials) return rock;
+  rock.materials = changed(*materials, materials_in(model, model.stages.size()));
+  check_growth(*materials, rock.materials, model);
   return rock;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/scene/places.h"
+#include "engine/scene/read_withdrawal.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -121,20 +122,11 @@ void read_limits(const Field& field, Stage& stage) {
 
 std::optional<TimeFunction> read_relaxation(const Field& field, const Stage& stage) {
   if (!field.is_object()) return std::nullopt;
-  const auto over = field.find("over");
-  const auto table = field.find("table");
-  if (over) refuse(field, {"table"}, "beside over");
-  if (!over && !table) return std::nullopt;
+  const char* given = field.has("over") ? "over" : "table";
   // A static stage that finds its own steps has what is left at the end of its duration from its first step on.
-  if (stage.paces_itself() && stage.duration == 0)
-    (over ? *over : *table).fail("left out in a static stage without dt and duration, whose steps take no time");
-  if (over) return PiecewiseLinear{{0, over->positive(Dimension::time)}, {1, 0}};
-  PiecewiseLinear rows = read_table(*table);
-  if (evaluate(rows, 0) != 1) table->fail("1 at time 0, when the blocks are removed");
-  for (std::size_t i = 0; i < rows.values.size(); ++i)
-    if (!(rows.values[i] >= 0 && rows.values[i] <= 1))
-      table->items()[i].fail("[time, factor] with a factor from 0 to 1, of what the blocks exerted");
-  return rows;
+  if (field.has(given) && stage.paces_itself() && stage.duration == 0)
+    field.at(given).fail("left out in a static stage without dt and duration, whose steps take no time");
+  return read_fading(field);
 }
 
 void refuse_names_given_twice(const Field& names) {
@@ -144,24 +136,66 @@ void refuse_names_given_twice(const Field& names) {
       name.fail(fmt::format("\"{}\" a second time", name.text()), "each name once");
 }
 
+const std::string& block_name(int block, const Model& model) {
+  return model.blocks[static_cast<std::size_t>(block)].name;
+}
+
 // Names of blocks and groups; a block that is in two of them is meant once.
+template <typename Check>
+std::vector<int> blocks_called_by(const Field& names, const std::vector<std::string>& groups, const Model& model,
+                                  const Check& check) {
+  std::vector<int> blocks;
+  for (const Field& name : names.items()) {
+    for (const int block : blocks_called(name, groups, model)) {
+      check(name, block);
+      if (std::ranges::find(blocks, block) == blocks.end()) blocks.push_back(block);
+    }
+  }
+  std::ranges::sort(blocks);
+  return blocks;
+}
+
+// Of every block whether it is away after the stages so far.
+std::vector<bool> absent_so_far(const Model& model) {
+  std::vector<bool> absent = model.absent_in(model.stages.size());
+  absent.resize(model.blocks.size(), false);
+  return absent;
+}
+
+// No stage before adds or removes it.
+bool is_first_told_of(int block, const Model& model) {
+  return std::ranges::none_of(model.stages, [block](const Stage& stage) {
+    return std::ranges::binary_search(stage.removal.blocks, block) ||
+           std::ranges::binary_search(stage.rock.added, block);
+  });
+}
+
 void read_removal(const Field& field, const std::vector<std::string>& groups, const Model& model, Stage& stage) {
   const Field names = field.is_object() ? field.at("blocks") : field;
   if (model.stages.empty())
     field.fail("given in the first stage", "a later one: leave the blocks out of the scene, or let them settle first");
   refuse_names_given_twice(names);
-  std::vector<bool> absent = model.absent_in(model.stages.size());
-  absent.resize(model.blocks.size(), false);
-  std::vector<int>& removed = stage.removal.blocks;
-  for (const Field& name : names.items()) {
-    for (const int block : blocks_called(name, groups, model)) {
-      const auto i = static_cast<std::size_t>(block);
-      if (absent[i]) name.fail("blocks that no stage before removes, as \"" + model.blocks[i].name + "\" is");
-      if (std::ranges::find(removed, block) == removed.end()) removed.push_back(block);
-    }
-  }
-  std::ranges::sort(removed);
+  const std::vector<bool> absent = absent_so_far(model);
+  stage.removal.blocks = blocks_called_by(names, groups, model, [&](const Field& name, int block) {
+    if (absent[static_cast<std::size_t>(block)])
+      name.fail("blocks that no stage before removes, as \"" + block_name(block, model) + "\" is");
+  });
   stage.removal.relaxation = read_relaxation(field, stage);
+}
+
+// They bring no stress along, whatever the stress in the ground is.
+void read_addition(const Field& names, const std::vector<std::string>& groups, Model& model, Stage& stage) {
+  if (model.stages.empty())
+    names.fail("given in the first stage", "a later one: blocks that no stage adds are there from the start");
+  refuse_names_given_twice(names);
+  const std::vector<bool> absent = absent_so_far(model);
+  stage.rock.added = blocks_called_by(names, groups, model, [&](const Field& name, int block) {
+    const std::string& called = block_name(block, model);
+    if (std::ranges::find(stage.removal.blocks, block) != stage.removal.blocks.end())
+      name.fail("blocks that the stage does not remove, as \"" + called + "\" is");
+    if (!is_first_told_of(block, model) && !absent[static_cast<std::size_t>(block)])
+      name.fail("blocks that no stage before adds, as \"" + called + "\" is");
+  });
 }
 
 Stage read_stage(const Field& field, std::string name, const Scheme& scheme, bool all_bonded) {
@@ -195,6 +229,7 @@ void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std
     Stage stage = read_stage(step, std::move(name), scheme, all_bonded);
     if (const auto removed = step.find("remove")) read_removal(*removed, groups, model, stage);
     stage.rock = read_rock_changes(step, model);
+    if (const auto added = step.find("add")) read_addition(*added, groups, model, stage);
     model.stages.push_back(std::move(stage));
   };
   if (!steps.is_array()) {

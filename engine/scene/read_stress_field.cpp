@@ -100,8 +100,10 @@ Vec3 StressField::of_depth(double y) const {
 Vec3 StressField::at(const Vec2& point) const { return constant_ + of_depth(point.y()); }
 
 void StressField::fill(Model& model) const {
+  const std::vector<bool> absent = model.absent_in(0);  // what comes in later brings no stress along
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (!own_stress_[i]) model.blocks[i].initial_stress = at(model.blocks[i].moments.centroid);
+    if (!own_stress_[i] && (absent.empty() || !absent[i]))
+      model.blocks[i].initial_stress = at(model.blocks[i].moments.centroid);
 }
 
 void StressField::leave_to_themselves(const std::vector<int>& blocks) {

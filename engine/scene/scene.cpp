@@ -76,8 +76,8 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   parts.openings = openings_of(scene, model);
   finish_blocks(model);  // what follows needs the moments, and blocks that do not overlap
   StressField stresses(scene, std::move(facts.own_stress), model);
-  stresses.fill(model);
   read_stages(scene, scheme, parts.groups, model);
+  stresses.fill(model);
   read_what_acts(scene, parts, stresses, folder, model);
   read_peaks(scene, parts.groups, parts.openings, model);
   finish_around_blocks(model);

@@ -15,7 +15,7 @@ class StressField {
   // `own_stress`: of each block whether it states its initial stress itself, which goes before the field.
   StressField(const Field& scene, std::vector<bool> own_stress, const Model& model);
 
-  // Gives every block that states none the stress of the field at its centroid.
+  // Gives every block that states none, and is there in the first stage, the stress of the field at its centroid.
   void fill(Model& model) const;
 
   // These blocks got a stress in another way since: what lies beyond them exerts that one.

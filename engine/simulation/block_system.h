@@ -141,7 +141,8 @@ struct BlockSystem {
     auto& [model, state, contacts, waves, supports, reinforcement, held, terms, damping, external, excavated,
            free_field, audit, costs, clock, plan, coefficients, forces, increment, drag] = self;
     const bool moves = self.geometry_moves();
-    if (!model.stays_linear()) archive(contacts);  // elsewhere their gaps follow from the state (linear_state)
+    // Elsewhere their gaps follow from the state (linear_state).
+    if (!model.stays_linear() || model.adds_blocks()) archive(contacts);
     if (moves) archive(terms);
     archive.each(supports);
     archive(reinforcement, external, excavated, audit, forces, drag, plan.chi, plan.solver);

@@ -76,7 +76,7 @@ void add(const LinkElement& link, Eigen::VectorXd& force) {
   force.segment<6>(6 * link.block_b).noalias() += link.rows.b.transpose() * link.state.force;
 }
 
-void take_out(LinkElement& link) {
+void leave_waiting(LinkElement& link) {
   link.state = {};
   link.state.waits = true;
 }
@@ -153,12 +153,21 @@ void BoltSet::put_in_those_of(std::size_t stage, const Model& model, const State
   }
 }
 
+void BoltSet::take_out(std::size_t bolt, const Model& model, Eigen::VectorXd& exerted) {
+  for (std::size_t j = 0; j < model.bolts[bolt].links.size(); ++j) {
+    LinkElement& link = links_[first_link_[bolt] + j];
+    if (link.state.waits) continue;
+    add(link, exerted);
+    leave_waiting(link);
+  }
+}
+
 void BoltSet::go_on_from(const Model& before_model, const BoltSet& before, const Model& model, std::size_t next,
                          const State& state, const State& acting) {
   for (std::size_t i = 0; i < model.bolts.size(); ++i) {
     const Bolt& bolt = model.bolts[i];
     const auto same = std::ranges::find_if(before_model.bolts, [&](const Bolt& b) { return is_same_bolt(b, bolt); });
-    const bool waits = static_cast<std::size_t>(bolt.first_stage) >= next;
+    const bool waits = static_cast<std::size_t>(bolt.first_stage) >= next || bolt.withdrawal.is_over_in(next - 1);
     const std::size_t first = same == before_model.bolts.end()
                                   ? 0
                                   : before.first_link_[static_cast<std::size_t>(same - before_model.bolts.begin())];
@@ -166,7 +175,7 @@ void BoltSet::go_on_from(const Model& before_model, const BoltSet& before, const
     for (std::size_t j = 0; j < bolt.links.size(); ++j) {
       LinkElement& link = links_[first_link_[i] + j];
       if (waits) {
-        take_out(link);
+        leave_waiting(link);
       } else if (is_new) {
         put_in(model, state, acting, bolt, bolt.links[j], link);
       } else {

@@ -42,6 +42,9 @@ class BoltSet {
   void put_in_those_of(std::size_t stage, const Model& model, const State& state, const State& acting,
                        Eigen::VectorXd& force);
 
+  // Takes out a bolt and adds what it exerted until now, as internal forces, to `exerted`.
+  void take_out(std::size_t bolt, const Model& model, Eigen::VectorXd& exerted);
+
   // Bolts that the model `before_model` has as well go on as they are in `before`, with the strengths they have now;
   // the others are put in where the blocks are. What is put in from the stage `next` on waits, whatever it did before.
   void go_on_from(const Model& before_model, const BoltSet& before, const Model& model, std::size_t next,

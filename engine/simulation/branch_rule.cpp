@@ -107,6 +107,7 @@ void check(const Stage& then, const Stage& now, const std::string& field) {
   expect_equal(then.equilibrium, equilibrium, field + ".equilibrium");
   expect(then.unlimited_strength == unlimited_strength, field + ".strength", "kind");
   expect(then.removal.blocks == removal.blocks, field + ".remove", "list of blocks");
+  expect(then.rock.added == rock.added, field + ".add", "list of blocks");
   expect(are_same(then.removal.relaxation, removal.relaxation), field + ".remove", "course");
   expect_equal(then.limits.open_close_iterations, limits.open_close_iterations, field + ".max_open_close_iterations");
   expect_equal(then.limits.step_reductions, limits.step_reductions, field + ".max_step_reductions");
@@ -117,6 +118,7 @@ void check_stages(const Model& then, const Model& now, std::size_t stages) {
     const std::string field = fmt::format("steps[{}]", i);
     if (i >= now.stages.size()) refuse(field, "missing", fmt::format("stage \"{}\"", then.stages[i].name));
     check(then.stages[i], now.stages[i], field);
+    expect(then.absent_in(i) == now.absent_in(i), field + ".add", "list of blocks that are yet to come in");
   }
   if (now.stages.size() == stages)
     throw InputError("", fmt::format("steps[{}]", stages), "missing", "a stage to go on with");
@@ -178,6 +180,27 @@ bool have_same_viscous_edges(const Model& a, const Model& b) {
                             [](const ViscousEdge& one, const ViscousEdge& other) { return are_same(one, other); });
 }
 
+namespace {
+
+// What is taken out slowly leaves loads behind that are told by its number.
+template <typename Support>
+void check_withdrawals(const std::vector<Support>& then, const std::vector<Support>& now, std::size_t stages,
+                       const char* field) {
+  const auto fades = [stages](const Support& each) {
+    return each.withdrawal.relaxation && each.withdrawal.is_over_in(stages - 1);
+  };
+  for (std::size_t i = 0; i < std::max(then.size(), now.size()); ++i) {
+    const bool faded = i < then.size() && fades(then[i]);
+    if (!faded && !(i < now.size() && fades(now[i]))) continue;
+    expect(i < then.size() && i < now.size() && then[i].name == now[i].name &&
+               then[i].withdrawal.last_stage == now[i].withdrawal.last_stage &&
+               are_same(then[i].withdrawal.relaxation, now[i].withdrawal.relaxation),
+           field, "list up to what has been taken out over a time");
+  }
+}
+
+}  // namespace
+
 void expect_same_past(const Model& run, const Model& scene, std::size_t stages) {
   const Model settled = with_rock_at_start(run), branch = with_rock_at_start(scene);
   check_all(settled.blocks, branch.blocks, "blocks");
@@ -196,6 +219,8 @@ void expect_same_past(const Model& run, const Model& scene, std::size_t stages) 
     check_all(materials_in(settled, i), materials_in(branch, i), "materials");
     check_all(joints_in(settled, i), joints_in(branch, i), "joints");
   }
+  check_withdrawals(settled.bolts, branch.bolts, stages, "bolts");
+  check_withdrawals(settled.linings, branch.linings, stages, "linings");
   check_free_field(settled, branch);
   check_contacts(settled, branch);
 }

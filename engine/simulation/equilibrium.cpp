@@ -62,7 +62,8 @@ bool acts_without_load(const BlockSystem& system) {
   };
   const auto is_displaced = [](const SupportElement& support) { return !support.prescribed.isZero(0); };
   const auto is_tensioned = [&](const Bolt& bolt) {
-    return bolt.pretension != 0 && bolt.first_stage <= static_cast<int>(system.clock.stage);
+    return bolt.pretension != 0 && bolt.first_stage <= static_cast<int>(system.clock.stage) &&
+           !bolt.withdrawal.is_over_in(system.clock.stage);
   };
   return std::ranges::any_of(system.model.held_blocks, has_moved) ||
          std::ranges::any_of(system.supports, is_displaced) || std::ranges::any_of(system.model.bolts, is_tensioned);

@@ -19,12 +19,25 @@ void lay_to_rest(int block, State& state) {
   state.stress[i].setZero();
 }
 
+// One that comes in, with all that steps keep of it.
+void place_as_drawn(int block, BlockSystem& s) {
+  const auto i = static_cast<std::size_t>(block);
+  s.state.displacement[i].setZero();
+  s.state.deformation[i].setIdentity();
+  lay_to_rest(block, s.state);
+  const AreaMoments& moments = s.model.blocks[i].moments;
+  s.terms.inertia[i] = {s.model.mass_of(block), mean_squares(moments), s.terms.inertia[i].strain_inertia};
+  s.terms.area[i] = moments.area;
+  s.terms.directions[i] = 0;
+  s.terms.centrifugal[i].setZero();
+}
+
 // What the removed blocks exerted on the others is what internal forces lack without them.
 void keep_as_loads(const Eigen::VectorXd& internal_before, BlockSystem& s) {
   Eigen::VectorXd exerted = s.forces.internal_old - internal_before;
   s.held.clear(exerted);
   const State geometry = s.geometry_moves() ? s.state : initial_state(s.model);
-  s.excavated.released.keep(s.clock.stage, s.clock.start, exerted, geometry.deformation);
+  s.excavated.released.keep(Released::blocks, s.clock.stage, s.clock.start, exerted, geometry.deformation);
   s.loads_at(s.state.time, s.forces.load_old);
 }
 
@@ -43,10 +56,26 @@ void leave_out_absent(BlockSystem& s, GeneralStep& general) {
   const std::vector<bool>& absent = s.excavated.absent = s.model.absent_in(s.clock.in_force());
   if (absent.empty()) return;
   s.held = make_held_unknowns(s.model, absent);
-  s.external.leave_out(absent);
+  s.external.leave_out(s.model, absent);
   for (std::size_t i = 0; i < absent.size(); ++i)
     if (absent[i]) s.terms.inertia[i].mass = 0;
-  general.leave_out(absent);
+  general.set_blocks(absent);
+}
+
+void bring_in(BlockSystem& s, GeneralStep& general) {
+  const std::vector<int>& added = s.stage().rock.added;
+  if (added.empty()) return;
+  s.excavated.absent = s.model.absent_in(s.clock.stage);
+  std::vector<bool> absent = s.excavated.absent;
+  absent.resize(s.model.blocks.size(), false);
+  s.held = make_held_unknowns(s.model, absent);
+  s.external.leave_out(s.model, absent);
+  for (const int block : added) place_as_drawn(block, s);
+  general.set_blocks(absent, added, s.plan.linear);
+  s.loads_at(s.state.time, s.forces.load_old);
+  if (s.plan.linear) return;  // new contacts exert nothing, and the others are as they were
+  s.sum_internal_forces(s.forces.internal_old);
+  s.audit.geometry_followed(s.stored_energy_now());
 }
 
 void excavate(BlockSystem& s, GeneralStep& general) {

@@ -1,8 +1,9 @@
-// Blocks that a stage takes away.
+// Blocks that a stage takes away, and blocks that it brings.
 //
 // An absent block is held where it was, without mass, weight, stress and contacts, so that steps know of nothing new:
 // the present blocks are what is left of the system. What it had stored, alone and in its contacts, leaves the ledger
-// as `removed`.
+// as `removed`. A block that comes in brings nothing into the ledger: it is at rest, free of stress, and its contacts
+// begin without force (join_blocks.h).
 #pragma once
 
 namespace dda {
@@ -20,5 +21,8 @@ void leave_out_absent(BlockSystem& system, GeneralStep& general);
 // At the start of a stage: removes the blocks that it takes away. Where they are to let go slowly, what they exerted
 // on the others goes on as a load that fades.
 void excavate(BlockSystem& system, GeneralStep& general);
+
+// At the start of a stage: what it adds comes in, as drawn.
+void bring_in(BlockSystem& system, GeneralStep& general);
 
 }  // namespace dda

@@ -25,6 +25,10 @@ ExternalForces::ExternalForces(const Model& model, const State& state, const Wav
   }
   update_geometry(model, state);
   correct_levers(model, waves);
+  weigh(model);
+}
+
+void ExternalForces::weigh(const Model& model) {
   if (model.gravity.isZero()) return;
   weight_.setZero(static_cast<Eigen::Index>(6 * model.blocks.size()));
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
@@ -73,7 +77,9 @@ Vec2 ExternalForces::reaction(std::size_t support) const {
   return Vec2::Zero();
 }
 
-void ExternalForces::leave_out(const std::vector<bool>& absent) {
+void ExternalForces::leave_out(const Model& model, const std::vector<bool>& absent) {
+  for (Load& load : loads_) load.acts = !absent[static_cast<std::size_t>(load.block)];
+  weigh(model);
   if (weight_.size() == 0) return;
   for (std::size_t i = 0; i < absent.size(); ++i)
     if (absent[i]) weight_.segment<6>(static_cast<Eigen::Index>(6 * i)).setZero();
@@ -89,6 +95,7 @@ void ExternalForces::filter(const WaveCorrections& waves) {
 void ExternalForces::loads_at(double time, Eigen::VectorXd& force) const {
   force.setZero();
   for (const Load& load : loads_) {
+    if (!load.acts) continue;
     const auto history = [&](double t) { return evaluate(*load.history, t); };
     force.segment<6>(6 * load.block) += load.filter(history, time) * load.force;
   }

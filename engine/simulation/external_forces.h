@@ -25,8 +25,8 @@ class ExternalForces {
   // The force that it has left behind, zero where it has not.
   [[nodiscard]] Vec2 reaction(std::size_t support) const;
 
-  // Blocks that are absent, `absent` saying so of each, weigh nothing from now on. (No load acts on them.)
-  void leave_out(const std::vector<bool>& absent);
+  // Blocks that are absent, `absent` saying so of each, weigh nothing and no load acts on them from now on.
+  void leave_out(const Model& model, const std::vector<bool>& absent);
 
   // From now on loads are filtered as the corrections of this stage say.
   void filter(const WaveCorrections& waves);
@@ -55,6 +55,7 @@ class ExternalForces {
     Vec6 force;
     const TimeFunction* history;  // lives in the model
     LoadFilter filter = {};
+    bool acts = true;  // its block is there
   };
 
   // Of a support that is let go some day; zero until then.
@@ -63,6 +64,7 @@ class ExternalForces {
     Vec2 force;
   };
 
+  void weigh(const Model& model);
   void correct_levers(const Model& model, const WaveCorrections& waves);
 
   std::vector<Load> loads_;  // point loads, edge loads, reactions

@@ -67,18 +67,6 @@ BlockMatrix GeneralStep::pattern() const {
   return make_system_matrix(blocks, std::move(pairs));
 }
 
-void GeneralStep::leave_out(const std::vector<bool>& absent) {
-  ContactSet& contacts = system_.contacts;
-  if (moving_) {
-    moving_->leave_out(absent, contacts);
-  } else {
-    dda::leave_out(absent, contacts);
-    range_.leave_out(absent, system_.model, contacts.interfaces);
-  }
-  fit_to_neighbours(system_.model, contacts);
-  moved_ = std::numeric_limits<double>::infinity();
-}
-
 void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);

@@ -40,8 +40,8 @@ class GeneralStep : public Step {
   [[nodiscard]] BlockMatrix pattern() const;
 
   // Blocks that are absent, `absent` saying so of each, touch nothing from now on. What they were in the way of is
-  // looked for in the next step.
-  void leave_out(const std::vector<bool>& absent);
+  // looked for in the next step. Those of `added` come in, as drawn; `at_rest`: see join_blocks.h.
+  void set_blocks(const std::vector<bool>& absent, const std::vector<int>& added = {}, bool at_rest = false);
   // Brings all to the geometry of the state, or where blocks are `coming` to move (in their sizes) within the step, to
   // what is foreseen.
   void place_geometry(double coming);

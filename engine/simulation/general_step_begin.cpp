@@ -1,4 +1,10 @@
 // How a step that follows contacts begins a stage.
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/contact/join_blocks.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/simulation/force_balance.h"
 #include "engine/simulation/general_step.h"
@@ -18,7 +24,42 @@ void change_kinematics(BlockSystem& s, GeneralStep& step) {
   step.place_geometry(0);
 }
 
+void leave_out(const std::vector<bool>& absent, BlockSystem& s, std::optional<MovingContacts>& moving,
+               ContactRange& range) {
+  if (moving) {
+    moving->leave_out(absent, s.contacts);
+  } else {
+    leave_out(absent, s.contacts);
+    range.leave_out(absent, s.model, s.contacts.interfaces);
+  }
+  fit_to_neighbours(s.model, s.contacts);
+}
+
 }  // namespace
+
+void GeneralStep::set_blocks(const std::vector<bool>& absent, const std::vector<int>& added, bool at_rest) {
+  BlockSystem& s = system_;
+  if (added.empty()) {
+    leave_out(absent, s, moving_, range_);
+    moved_ = std::numeric_limits<double>::infinity();
+    return;
+  }
+  std::vector<bool> comes_in(absent.size(), false);
+  for (const int block : added) {
+    const auto i = static_cast<std::size_t>(block);
+    comes_in[i] = true;
+    acting_.displacement[i] = s.state.displacement[i];
+    acting_.deformation[i] = s.state.deformation[i];
+  }
+  const State acting = s.geometry_moves() ? s.state : initial_state(s.model);
+  const ComingBlocks blocks{absent, comes_in, acting};
+  if (moving_) {
+    moving_->bring_in(s.model, s.state, blocks, s.contacts);
+  } else {
+    bring_in(s.model, s.state, blocks, at_rest, s.contacts);
+    range_.leave_out(absent, s.model, s.contacts.interfaces);
+  }
+}
 
 void GeneralStep::begin() {
   cushion_ = {};

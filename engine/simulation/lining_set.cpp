@@ -84,6 +84,18 @@ double size_of(const LiningElement& element, const Vec3& force) {
   return comparable.cwiseAbs().maxCoeff();
 }
 
+// The forces that the element exerts, as internal forces.
+void add(const LiningElement& element, Eigen::VectorXd& force) {
+  force.segment<6>(6 * element.block_a).noalias() += element.rows.a.transpose() * element.force();
+  force.segment<6>(6 * element.block_b).noalias() += element.rows.b.transpose() * element.force();
+}
+
+void leave_waiting(LiningElement& element) {
+  element.waits = true;
+  element.gap.setZero();
+  element.plastic.setZero();
+}
+
 bool is_same_node(const LiningNode& a, const LiningNode& b) {
   return a.block == b.block && a.point == b.point && a.tangent == b.tangent;
 }
@@ -156,10 +168,16 @@ void LiningSet::add_stiffness(double factor, BlockMatrix& matrix) const {
 }
 
 void LiningSet::add_force(Eigen::VectorXd& force) const {
-  for (const LiningElement& element : elements_) {
+  for (const LiningElement& element : elements_)
+    if (!element.waits) add(element, force);
+}
+
+void LiningSet::take_out(std::size_t lining, const Model& model, Eigen::VectorXd& exerted) {
+  for (std::size_t j = 0; j < model.linings[lining].elements(); ++j) {
+    LiningElement& element = elements_[first_element_[lining] + j];
     if (element.waits) continue;
-    force.segment<6>(6 * element.block_a).noalias() += element.rows.a.transpose() * element.force();
-    force.segment<6>(6 * element.block_b).noalias() += element.rows.b.transpose() * element.force();
+    add(element, exerted);
+    leave_waiting(element);
   }
 }
 
@@ -187,15 +205,13 @@ void LiningSet::go_on_from(const Model& before_model, const LiningSet& before, c
     const auto same =
         std::ranges::find_if(before_model.linings, [&](const Lining& each) { return is_same_lining(each, lining); });
     const auto place_before = static_cast<std::size_t>(same - before_model.linings.begin());
-    const bool waits = static_cast<std::size_t>(lining.first_stage) >= next;
+    const bool waits = static_cast<std::size_t>(lining.first_stage) >= next || lining.withdrawal.is_over_in(next - 1);
     const bool is_new = same == before_model.linings.end() || before.element(place_before, 0).waits;
     if (!waits && is_new) put_in(i, model, state, acting);
     for (std::size_t j = 0; j < lining.elements(); ++j) {
       LiningElement& element = elements_[first_element_[i] + j];
       if (waits) {
-        element.waits = true;
-        element.gap.setZero();
-        element.plastic.setZero();
+        leave_waiting(element);
       } else if (!is_new) {
         const LiningElement now = element;
         element = before.element(place_before, j);

@@ -88,6 +88,9 @@ class LiningSet {
   // act; in small kinematics the drawing.
   void put_in_those_of(std::size_t stage, const Model& model, const State& state, const State& acting);
 
+  // Takes out a lining and adds what it exerted until now, as internal forces, to `exerted`.
+  void take_out(std::size_t lining, const Model& model, Eigen::VectorXd& exerted);
+
   // Linings that the model `before_model` has as well go on as they are in `before`; the others are sprayed where the
   // blocks are. What is sprayed from the stage `next` on waits.
   void go_on_from(const Model& before_model, const LiningSet& before, const Model& model, std::size_t next,

@@ -213,7 +213,8 @@ ForceAndMoment reaction(const Simulation& simulation, const Measurement& measure
 }
 
 Cut make_cut(const Simulation& simulation, const Measurement& measurement) {
-  if (simulation.follows_contacts() || simulation.model().removes_blocks()) return {};
+  const Model& model = simulation.model();
+  if (simulation.follows_contacts() || model.removes_blocks() || model.adds_blocks()) return {};
   Cut cut{std::vector<std::size_t>()};
   const std::vector<Interface>& interfaces = simulation.contacts().interfaces;
   for (std::size_t i = 0; i < interfaces.size(); ++i)

@@ -1,6 +1,7 @@
 #include "engine/simulation/released_forces.h"
 
 #include <Eigen/LU>
+#include <optional>
 
 namespace dda {
 namespace {
@@ -18,15 +19,25 @@ Vec6 on_unknowns(const Vec2& force, const Mat2& lever) {
   return forces;
 }
 
+// A snapshot that names what the model has not is noticed here.
+const std::optional<TimeFunction>& relaxation_of(const Model& model, Released what, std::size_t number) {
+  switch (what) {
+    case Released::blocks: return model.stages.at(number).removal.relaxation;
+    case Released::bolt: return model.bolts.at(number).withdrawal.relaxation;
+    case Released::lining: break;
+  }
+  return model.linings.at(number).withdrawal.relaxation;
+}
+
 }  // namespace
 
-void ReleasedForces::keep(std::size_t stage, double start, const Eigen::VectorXd& forces,
+void ReleasedForces::keep(Released what, std::size_t number, double start, const Eigen::VectorXd& forces,
                           const std::vector<Mat2>& deformation) {
   for (std::size_t i = 0; i < deformation.size(); ++i) {
     const Vec6 own = forces.segment<6>(static_cast<Eigen::Index>(6 * i));
     if (own.isZero(0)) continue;
     const Mat2 drawn_lever = lever_of(own) * deformation[i].inverse().transpose();
-    loads_.push_back({stage, start, static_cast<int>(i), own.head<2>(), drawn_lever, own});
+    loads_.push_back({what, number, start, static_cast<int>(i), own.head<2>(), drawn_lever, own});
   }
 }
 
@@ -39,7 +50,7 @@ void ReleasedForces::update_geometry(const std::vector<Mat2>& deformation) {
 void ReleasedForces::add_loads_at(const Model& model, double time, Eigen::VectorXd& force) const {
   for (const Load& load : loads_)
     force.segment<6>(6 * load.block) +=
-        evaluate(*model.stages[load.stage].removal.relaxation, time - load.start) * load.now;
+        evaluate(*relaxation_of(model, load.what, load.number), time - load.start) * load.now;
 }
 
 }  // namespace dda

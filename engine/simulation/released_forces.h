@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "engine/core/types.h"
@@ -14,11 +15,15 @@
 
 namespace dda {
 
+// What exerted them: blocks that a stage removed, a bolt, a lining. It says how they fade.
+enum class Released : std::uint8_t { blocks, bolt, lining };
+
 class ReleasedForces {
  public:
-  // From `start` (s), the start of `stage`, on `forces` (6 entries a block) act times the stage's relaxation; the
-  // deformation of each block is what it is then.
-  void keep(std::size_t stage, double start, const Eigen::VectorXd& forces, const std::vector<Mat2>& deformation);
+  // From `start` (s) on `forces` (6 entries a block) act times the relaxation of what exerted them, a stage, bolt or
+  // lining of that number; the deformation of each block is what it is then.
+  void keep(Released what, std::size_t number, double start, const Eigen::VectorXd& forces,
+            const std::vector<Mat2>& deformation);
 
   // Moves the points of attack with their blocks (finite kinematics).
   void update_geometry(const std::vector<Mat2>& deformation);
@@ -33,7 +38,8 @@ class ReleasedForces {
 
  private:
   struct Load {
-    std::size_t stage = 0;
+    Released what = Released::blocks;
+    std::size_t number = 0;
     double start = 0;  // s
     int block = 0;
     Vec2 force = Vec2::Zero();        // N
@@ -42,8 +48,8 @@ class ReleasedForces {
 
     template <typename Self, typename Archive>
     static void visit(Self& self, Archive& archive) {
-      auto& [stage, start, block, force, drawn_lever, now] = self;
-      archive.stages(stage);
+      auto& [what, number, start, block, force, drawn_lever, now] = self;
+      archive(what, number);
       archive.blocks(block);
       archive(start, force, drawn_lever, now);
     }

@@ -58,6 +58,30 @@ void append(std::vector<Item> more, std::vector<Item>& list) {
   std::ranges::move(more, std::back_inserter(list));
 }
 
+// Gives up what it exerted, at once or as a load that fades. What it had stored goes with who takes it out.
+template <typename Set, typename Item>
+void take_out_those_over(const std::vector<Item>& items, Released what, Set& set, BlockSystem& s) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!items[i].withdrawal.is_at_start_of(s.clock.stage)) continue;
+    Eigen::VectorXd exerted = Eigen::VectorXd::Zero(s.forces.internal_old.size());
+    set.take_out(i, s.model, exerted);
+    s.forces.internal_old -= exerted;
+    if (!items[i].withdrawal.relaxation) continue;
+    s.held.clear(exerted);
+    const State geometry = s.geometry_moves() ? s.state : initial_state(s.model);
+    s.excavated.released.keep(what, i, s.clock.start, -exerted, geometry.deformation);
+    s.loads_at(s.state.time, s.forces.load_old);
+  }
+}
+
+void take_out_reinforcement(BlockSystem& s) {
+  const double bolts = s.reinforcement.bolts.stored_energy(), linings = s.reinforcement.linings.stored_energy();
+  take_out_those_over(s.model.bolts, Released::bolt, s.reinforcement.bolts, s);
+  take_out_those_over(s.model.linings, Released::lining, s.reinforcement.linings, s);
+  s.audit.supports_exchanged(0, s.reinforcement.bolts.stored_energy() - bolts,
+                             s.reinforcement.linings.stored_energy() - linings);
+}
+
 // Bolts of the stage that begins. Who tensions them does work.
 void put_in_bolts(const GeneralStep& general, BlockSystem& s) {
   const int stage = static_cast<int>(s.clock.stage);
@@ -96,6 +120,7 @@ Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std:
   explicit_ = std::make_unique<ExplicitStep>(s);
   if (s.contacts.can_change)
     for (Stage& each : s.model.stages) each.integrator = with_contacts(each.integrator);
+  leave_out_absent(s, *general_);
   s.sum_internal_forces(s.forces.internal_old);
   if (!s.model.free_field_sides.empty()) s.free_field = std::make_unique<FreeField>(s.model, s.contacts, s.state);
   s.loads_at(s.state.time, s.forces.load_old);
@@ -154,8 +179,10 @@ void Simulation::begin_stage() {
   s.clock.begun = true;
   s.clock.step = 0;
   s.clock.start = s.state.time;
+  take_out_reinforcement(s);
   excavate(s, *general_);
   change_rock(general_->follows_contacts(), s);
+  bring_in(s, *general_);
   put_in_bolts(*general_, s);
   spray_linings(*general_, s);
   set_strain_inertia(s.stage(), s.terms);

@@ -31,10 +31,13 @@ bool has_law(const ContactSet& contacts, InterfaceLaw law) {
 StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings, double chi) {
   const Stage& stage = model.stages[stage_index];
   StepPlan plan;
+  const auto fades = [](const auto& each) { return each.withdrawal.relaxation.has_value(); };
   plan.free_field = !model.free_field_sides.empty();
-  plan.loads = plan.free_field || !model.point_loads.empty() || !model.edge_loads.empty() ||
-               std::any_of(model.supports.begin(), model.supports.end(), leaves_force) ||
-               std::ranges::any_of(model.stages, [](const Stage& each) { return each.removal.relaxation.has_value(); });
+  plan.loads =
+      plan.free_field || !model.point_loads.empty() || !model.edge_loads.empty() ||
+      std::any_of(model.supports.begin(), model.supports.end(), leaves_force) ||
+      std::ranges::any_of(model.stages, [](const Stage& each) { return each.removal.relaxation.has_value(); }) ||
+      std::ranges::any_of(model.bolts, fades) || std::ranges::any_of(model.linings, fades);
   plan.gravity = !model.gravity.isZero();
   plan.supports = !model.supports.empty();
   plan.moving_supports = std::any_of(model.supports.begin(), model.supports.end(),
@@ -42,11 +45,10 @@ StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet
   plan.held_blocks = !model.held_blocks.empty();
   plan.viscous_edges = !model.viscous_edges.empty();
   plan.contacts = !contacts.interfaces.empty();
-  plan.reinforcement.bolts = std::ranges::any_of(
-      model.bolts, [&](const Bolt& bolt) { return static_cast<std::size_t>(bolt.first_stage) <= stage_index; });
-  const auto is_there = [&](const Lining& lining) {
-    return static_cast<std::size_t>(lining.first_stage) <= stage_index;
+  const auto is_there = [stage_index](const auto& each) {
+    return static_cast<std::size_t>(each.first_stage) <= stage_index && !each.withdrawal.is_over_in(stage_index);
   };
+  plan.reinforcement.bolts = std::ranges::any_of(model.bolts, is_there);
   plan.reinforcement.linings = std::ranges::any_of(model.linings, is_there);
   plan.reinforcement.linings_yield =
       std::ranges::any_of(model.linings, [&](const Lining& lining) { return is_there(lining) && lining.yields(); });

@@ -1,0 +1,142 @@
+#include "engine/contact/join_blocks.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+namespace dda {
+namespace {
+
+std::size_t at(int block) { return static_cast<std::size_t>(block); }
+
+constexpr std::array<Eigen::Index, 2> normal_rows = {0, 2};
+
+// Of consistent and cubic joints.
+void join_passing_stress(const Model& model, const State& state, const Interface& interface, InterfaceElement& element,
+                         InterfaceState& own) {
+  const Vec3 &stress_a = state.stress[at(interface.block_a)], &stress_b = state.stress[at(interface.block_b)];
+  element.gap_at_start.setZero();
+  element.force_at_start.setZero();
+  measure_gap(model, state, interface, element, own);
+  element.gap_at_start = own.gap;
+  own.gap.setZero();
+  element.force_at_start = elastic_force(element, own.gap, stress_a, stress_b);
+}
+
+// Of what closes and opens, the normal gaps where blocks are less what keeps the springs free of force.
+void leave_open(const std::array<double, 2>& apart, InterfaceState& own) {
+  for (const std::size_t end : {0U, 1U}) {
+    own.gap(normal_rows[end]) = std::max(apart[end], 0.0);
+    own.status[end] = apart[end] > 0 ? ContactStatus::open : ContactStatus::locked;
+  }
+}
+
+// What is not cast against its neighbours cannot pass on their stress, nor take it off them: it has springs, as where a
+// joint broke.
+bool has_springs(const JointMaterial& joint, const InterfaceElement& element) {
+  return element.law == InterfaceLaw::projected || (is_dry(joint) && !joint.bonded);
+}
+
+void join(const Model& model, const State& state, const ComingBlocks& blocks, const Interface& interface,
+          InterfaceElement& element, InterfaceState& own) {
+  const JointMaterial& joint = model.joints[at(interface.joint)];
+  if (has_springs(joint, element)) element = make_element(model, interface, InterfaceLaw::classical);
+  set_geometry(model, acting_frame(model, blocks.acting, interface, element.law), element);
+  own = {};
+  if (has_stress_rows(element)) return join_passing_stress(model, state, interface, element, own);
+  if (joint.bonded || !is_dry(joint)) return;
+  const EndsApart ends = ends_apart(model, state, interface);
+  leave_open({ends.from.x(), ends.to.x()}, own);
+}
+
+void append(const ContactSet& from, std::size_t i, ContactSet& to) {
+  to.interfaces.push_back(from.interfaces[i]);
+  to.elements.push_back(from.elements[i]);
+  to.strengths.push_back(from.strengths[i]);
+  to.states.push_back(from.states[i]);
+}
+
+void rest(const State& state, const InterfaceElement& element, InterfaceState& own) {
+  own.gap -= element.rows_a * state.displacement[at(element.block_a)] +
+             element.rows_b * state.displacement[at(element.block_b)];
+}
+
+// Rows that have become longer bend as before where they were one.
+void fit_new(const Model& model, const std::vector<bool>& is_new, ContactSet& contacts) {
+  const ContactSet before = contacts;
+  fit_to_neighbours(model, contacts);
+  for (std::size_t i = 0; i < is_new.size(); ++i) {
+    if (is_new[i]) continue;
+    contacts.elements[i].stiffness = before.elements[i].stiffness;
+    contacts.states[i].force = before.states[i].force;
+  }
+}
+
+}  // namespace
+
+ContactSet joined_contacts(const Model& model, const State& state, const ComingBlocks& blocks) {
+  ContactSet drawn = make_contacts(model);
+  leave_out(blocks.absent, drawn);
+  ContactSet joined;
+  for (std::size_t i = 0; i < drawn.interfaces.size(); ++i) {
+    const Interface& interface = drawn.interfaces[i];
+    if (!blocks.comes_in[at(interface.block_a)] && !blocks.comes_in[at(interface.block_b)]) continue;
+    append(drawn, i, joined);
+    join(model, state, blocks, interface, joined.elements.back(), joined.states.back());
+  }
+  return joined;
+}
+
+ContactSet holding_contacts(const Model& model, const State& state, const ComingBlocks& blocks,
+                            const std::function<double(int, int)>& reach) {
+  const ContactSet joined = joined_contacts(model, state, blocks);
+  std::set<std::pair<int, int>> holding, apart;
+  const auto pair_of = [](const Interface& each) -> std::pair<int, int> {
+    return std::minmax(each.block_a, each.block_b);
+  };
+  for (const Interface& each : joined.interfaces) {
+    if (each.length > 0 && !is_dry(model.joints[at(each.joint)])) holding.insert(pair_of(each));
+    const EndsApart ends = ends_apart(model, state, each);
+    if (std::max(ends.from.norm(), ends.to.norm()) > reach(each.block_a, each.block_b)) apart.insert(pair_of(each));
+  }
+  ContactSet kept;
+  for (std::size_t i = 0; i < joined.interfaces.size(); ++i)
+    if (const auto pair = pair_of(joined.interfaces[i]); holding.contains(pair) && !apart.contains(pair))
+      append(joined, i, kept);
+  return kept;
+}
+
+void bring_in(const Model& model, const State& state, const ComingBlocks& blocks, bool at_rest, ContactSet& contacts) {
+  ContactSet joined = joined_contacts(model, state, blocks);
+  if (at_rest)
+    for (std::size_t i = 0; i < joined.states.size(); ++i) rest(state, joined.elements[i], joined.states[i]);
+  std::vector<Interface> drawn = find_interfaces(model);
+  ContactSet all;
+  all.can_change = contacts.can_change;
+  std::vector<bool> is_new;
+  std::size_t old_ones = 0, new_ones = 0;
+  for (const Interface& interface : drawn) {
+    const int a = interface.block_a, b = interface.block_b;
+    if (blocks.absent[at(a)] || blocks.absent[at(b)]) continue;
+    is_new.push_back(blocks.comes_in[at(a)] || blocks.comes_in[at(b)]);
+    append(is_new.back() ? joined : contacts, is_new.back() ? new_ones++ : old_ones++, all);
+  }
+  contacts = std::move(all);
+  fit_new(model, is_new, contacts);
+}
+
+void insert_contacts(const Model& model, const ContactSet& more, std::size_t place, ContactSet& contacts) {
+  const auto insert = [place](const auto& from, auto& to) {
+    to.insert(to.begin() + static_cast<std::ptrdiff_t>(place), from.begin(), from.end());
+  };
+  insert(more.interfaces, contacts.interfaces);
+  insert(more.elements, contacts.elements);
+  insert(more.strengths, contacts.strengths);
+  insert(more.states, contacts.states);
+  std::vector<bool> is_new(contacts.interfaces.size(), false);
+  std::fill_n(is_new.begin() + static_cast<std::ptrdiff_t>(place), more.interfaces.size(), true);
+  fit_new(model, is_new, contacts);
+}
+
+}  // namespace dda

@@ -177,13 +177,11 @@ TEST_P(FilledRock, CanBeABranch) {
     Simulation settled(settled_model);
     std::vector<std::byte> snapshot;
     State state;
-    call_between_stages(
-        [&] {
-          if (stages_done(settled) != 1) return;
-          snapshot = save(settled);
-          state = settled.state();
-        },
-        settled);
+    settled.watch().between = [&] {
+      if (stages_done(settled) != 1) return;
+      snapshot = save(settled);
+      state = settled.state();
+    };
     run_to_stage(settled, 1);
     Simulation between(settled_model);
     restore(between, state, snapshot);

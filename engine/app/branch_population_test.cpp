@@ -174,7 +174,7 @@ TEST_P(Branches, BeginAtTheEndOfAnyStage) {
       kept = save(run);
       state = run.state();
     };
-    call_between_stages(keep, run);
+    run.watch().between = keep;
     run_to_end_of_stage(run, 2);
     Simulation settled(model_of(first));
     restore(settled, state, kept);

@@ -78,11 +78,9 @@ void expect_run_alone(int seed, const ReactionPoint& point, const OpeningWall& w
   const json removal = {{"remove", {{"blocks", {"tunnel"}}, {"table", {{0, 1}, {0.5, point.share}}}}}, {"duration", 1}};
   Simulation run(parts_of(scene_of(seed, removal), seed).model);
   State settled;
-  call_between_stages(
-      [&] {
-        if (stages_done(run) == 1) settled = run.state();
-      },
-      run);
+  run.watch().between = [&] {
+    if (stages_done(run) == 1) settled = run.state();
+  };
   Status status = Status::ok;
   while (status == Status::ok && !run.finished()) status = run.step();
   ASSERT_EQ(status, point.status) << "seed " << seed << ", share " << point.share << ": " << run.message();
@@ -125,7 +123,7 @@ std::vector<double> stage_after_stage(const Model& model, const OpeningWall& wal
     if (stages_done(run) == 1) settled = run.state();
     if (stages_done(run) > 1) means.push_back(motion_of(wall, run.model(), settled, run.state()).mean);
   };
-  call_between_stages(note, run);
+  run.watch().between = note;
   status = Status::ok;
   while (status == Status::ok && !run.finished()) status = run.step();
   return means;

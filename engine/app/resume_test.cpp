@@ -66,7 +66,7 @@ class Resume : public testing::TestWithParam<fs::path> {};
 TEST_P(Resume, GivesTheSameBits) {
   const Model model = read_scene(GetParam());
   Simulation whole(model);
-  const std::int64_t stop = drawn_step(GetParam().stem(), whole.steps_in_all_stages());
+  const std::int64_t stop = drawn_step(GetParam().stem(), steps_in_all_stages(whole));
   while (whole.state().step < stop && !whole.finished()) step(whole);
   Simulation resumed(model);
   restore(resumed, whole.state(), save(whole));

@@ -135,13 +135,11 @@ TEST_P(ChangedRock, MovesAsABranchOfThatStrength) {
     Simulation to_settle(model_of(scene));
     std::vector<std::byte> kept;
     State state;
-    call_between_stages(
-        [&] {
-          if (!kept.empty()) return;
-          kept = save(to_settle);
-          state = to_settle.state();
-        },
-        to_settle);
+    to_settle.watch().between = [&] {
+      if (!kept.empty()) return;
+      kept = save(to_settle);
+      state = to_settle.state();
+    };
     run_to_end_of_stage(to_settle, 1);
     restore(settled, state, kept);
     json other = scene;

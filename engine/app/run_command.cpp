@@ -79,8 +79,8 @@ class Run {
     const StopSignal stop_signal;
     prepare_folder();
     RunFiles files(simulation_, probes_, file_options(), resumed_);
-    call_at_ends_of_stages([&] { files.at_end_of_stage(); }, simulation_);
-    call_between_stages([&] { files.after_stage(); }, simulation_);
+    simulation_.watch().at_end = [&] { files.at_end_of_stage(); };
+    simulation_.watch().between = [&] { files.after_stage(); };
     if (!options_.quiet) announce(out);
     Status status = step_to_the_end(files);
     const RunVerdict verdict = judge_run(simulation_);
@@ -191,7 +191,7 @@ class Run {
     const bool paces_itself = std::ranges::any_of(model.stages, &Stage::paces_itself);
     out << fmt::format("{}: {} blocks, {} contacts, {} steps{}{}\n",
                        model.title.empty() ? options_.scene.string() : model.title, model.blocks.size(),
-                       simulation_.contacts().interfaces.size(), simulation_.steps_in_all_stages(),
+                       simulation_.contacts().interfaces.size(), steps_in_all_stages(simulation_),
                        paces_itself ? " and those of static stages that find their own" : "",
                        resumed_ ? fmt::format(", resumed after {}", simulation_.state().step) : "");
     if (options_.from && !resumed_)
@@ -278,8 +278,8 @@ class Run {
     summary.blocks =
         static_cast<std::int64_t>(simulation_.model().blocks.size()) - std::ranges::count(simulation_.absent(), true);
     summary.contacts = static_cast<std::int64_t>(simulation_.contacts().interfaces.size());
-    summary.loose_blocks = unbalanced_json(simulation_.loose_blocks(), simulation_.model());
-    summary.blocks_out_of_balance = unbalanced_json(blocks_out_of_balance(simulation_), simulation_.model());
+    summary.loose_blocks = unbalanced_json(simulation_.results().loose, simulation_.model());
+    summary.blocks_out_of_balance = unbalanced_json(simulation_.results().unbalanced, simulation_.model());
     summary.energy_release_rates = energy_release_rates_json(simulation_);
     summary.excess_shear = excess_shear_json(simulation_);
     summary.penetration = penetration();
@@ -300,7 +300,7 @@ class Run {
   [[nodiscard]] std::vector<std::pair<std::string, double>> static_stages() const {
     std::vector<std::pair<std::string, double>> stages;
     for (std::size_t i = 0; i < simulation_.model().stages.size(); ++i)
-      if (const double share = simulation_.static_out_of_balance()[i]; !std::isnan(share))
+      if (const double share = simulation_.results().out_of_balance[i]; !std::isnan(share))
         stages.emplace_back(simulation_.model().stages[i].name, share);
     return stages;
   }

@@ -91,7 +91,7 @@ RunFiles::RunFiles(const Simulation& simulation, const Probes& probes, FileOptio
       options_(std::move(options)),
       columns_(columns_of(simulation.model())),
       values_(columns_.size()),
-      energies_every_(std::max(options_.rows_every, simulation.steps_in_all_stages() / most_energy_rows)),
+      energies_every_(std::max(options_.rows_every, steps_in_all_stages(simulation) / most_energy_rows)),
       settles_(simulation.is_settling()) {
   std::filesystem::create_directories(options_.folder);
   const auto rows = [&](std::int64_t RunPosition::*count) {

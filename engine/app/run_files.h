@@ -45,7 +45,7 @@ class RunFiles {
   // To be called after every step: writes the row, frame and checkpoint that are due.
   void after_step();
 
-  // To be called at the end of every stage (call_at_ends_of_stages), within its last step: writes its row, and the
+  // To be called at the end of every stage (StageWatch), within its last step: writes its row, and the
   // frame that is due of that step, while all is there that they show.
   void at_end_of_stage();
 

@@ -19,7 +19,7 @@ std::string penetration_warning(const Simulation& simulation) {
 }
 
 std::string loose_warning(const Simulation& simulation) {
-  const auto& loose = simulation.loose_blocks();
+  const auto& loose = simulation.results().loose;
   if (loose.empty()) return "";
   return fmt::format(
       "warning: nothing holds {}; in static stages they were held where half of their size of sinking and sliding "
@@ -29,7 +29,7 @@ std::string loose_warning(const Simulation& simulation) {
 
 // Only runs that were told to go on come to say this.
 std::string balance_warning(const Simulation& simulation) {
-  const auto& unbalanced = blocks_out_of_balance(simulation);
+  const auto& unbalanced = simulation.results().unbalanced;
   if (unbalanced.empty()) return "";
   const int first = unbalanced.front().stage;
   return fmt::format("warning: static stage \"{}\" left forces out of balance on {}, and the run went on",

@@ -74,7 +74,7 @@ class SettledRock : public testing::TestWithParam<int> {};
 TEST_P(SettledRock, ObeysFrictionAndGoesOn) {
   Simulation simulation(parse_scene(tunnel_in_three_sets(GetParam()).dump(), fmt::format("seed {}", GetParam())));
   while (stages_done(simulation) == 0) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-  EXPECT_LT(simulation.static_out_of_balance()[0], 1e-9);
+  EXPECT_LT(simulation.results().out_of_balance[0], 1e-9);
   EXPECT_LT(beyond_friction(simulation), 1e-9);  // ten times what the balance of a step leaves
   while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
   EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
@@ -105,7 +105,7 @@ constexpr auto loose_rock = R"({"dda": 1, "gravity": 9.81,
 TEST(SettledRockOfLooseBlocks, TakesNoHundredsOfShortSteps) {
   Simulation simulation(parse_scene(loose_rock, "loose rock"));
   while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-  EXPECT_EQ(simulation.loose_blocks().size(), 2U);
+  EXPECT_EQ(simulation.results().loose.size(), 2U);
   EXPECT_LT(simulation.counters().open_close_iterations, 4000);
 }
 

@@ -59,15 +59,15 @@ Json unbalanced_json(const std::vector<UnbalancedBlock>& blocks, const Model& mo
 
 std::string unbalanced_lines(const Simulation& simulation) {
   std::string text;
-  append_lines(simulation.loose_blocks(), "loose", simulation.model(), text);
-  append_lines(blocks_out_of_balance(simulation), "out of balance", simulation.model(), text);
+  append_lines(simulation.results().loose, "loose", simulation.model(), text);
+  append_lines(simulation.results().unbalanced, "out of balance", simulation.model(), text);
   return text;
 }
 
 Json excess_shear_json(const Simulation& simulation) {
   const Model& model = simulation.model();
   Json list = Json::array();
-  for (const ExcessShear& each : excess_at_ends_of_stages(simulation))
+  for (const ExcessShear& each : simulation.results().excess)
     list.push_back({{"stage", stage_name(each.stage, model)},
                     {"joint", model.joints[static_cast<std::size_t>(each.joint)].name},
                     {"largest_Pa", each.largest},

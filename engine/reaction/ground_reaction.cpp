@@ -47,10 +47,10 @@ Settled settle(const Model& model, const std::vector<int>& opening, const Openin
     settled.snapshot = save(simulation);
     settled.pressure = mean_pressure(simulation, opening, wall);
   };
-  call_between_stages(keep, simulation);
+  simulation.watch().between = keep;
   while (settled.status == Status::ok && stages_done(simulation) < before) settled.status = simulation.step();
   settled.message = simulation.message();
-  settled.loose = simulation.loose_blocks();
+  settled.loose = simulation.results().loose;
   return settled;
 }
 
@@ -61,14 +61,14 @@ bool has(const std::vector<UnbalancedBlock>& blocks, int block) {
 // Of the last stage, without those that nothing held before.
 std::vector<UnbalancedBlock> newly_loose(const Simulation& simulation, const Settled& settled) {
   const int last = static_cast<int>(simulation.model().stages.size()) - 1;
-  std::vector<UnbalancedBlock> loose = simulation.loose_blocks();
+  std::vector<UnbalancedBlock> loose = simulation.results().loose;
   std::erase_if(loose, [&](const auto& each) { return each.stage != last || has(settled.loose, each.block); });
   return loose;
 }
 
 // All that the end of the run lacks are holds of blocks that are loose there.
 bool is_balanced_but_for_loose_blocks(const Simulation& simulation) {
-  return simulation.static_out_of_balance().back() <= simulation.model().stages.back().equilibrium;
+  return simulation.results().out_of_balance.back() <= simulation.model().stages.back().equilibrium;
 }
 
 // All that the end of the run lacks are holds of blocks that had none in situ.

@@ -62,10 +62,10 @@ class Watch {
   }
 
  private:
-  [[nodiscard]] bool is_loaded() const { return !std::isnan(simulation_.static_out_of_balance().front()); }
+  [[nodiscard]] bool is_loaded() const { return !std::isnan(simulation_.results().out_of_balance.front()); }
 
   [[nodiscard]] std::vector<UnbalancedBlock> loose_while_stuck() const {
-    std::vector<UnbalancedBlock> loose = simulation_.loose_blocks();
+    std::vector<UnbalancedBlock> loose = simulation_.results().loose;
     std::erase_if(loose, [](const UnbalancedBlock& block) { return block.stage > 0; });
     return loose;
   }

@@ -164,41 +164,33 @@ void take_over_blocks(const BlockSystem& before, BlockSystem& s) {
   s.plan.explicit_steps = before.plan.explicit_steps;
 }
 
-// Results of the stages that are over are those of the run before.
-template <typename Value>
-void take_over_results(const std::vector<Value>& before, std::size_t stages, std::vector<Value>& results) {
-  std::copy_n(before.begin(), stages, results.begin());
-}
-
 }  // namespace
 
-void go_on_from(const Simulation& settled, Simulation& fresh) {
-  BlockSystem& s = *fresh.system_;
+void Simulation::go_on_from(const Simulation& settled) {
+  BlockSystem& s = *system_;
   const BlockSystem& before = settled.system();
-  GeneralStep& general = *fresh.general_;
+  GeneralStep& general = *general_;
   s.clock = before.clock;
   leave_out_absent(s, general);
   take_over_blocks(before, s);
   take_rock_in_force(s);
   s.costs.counters = settled.counters();
   carry(*settled.general_, general);
-  carry(*settled.linear_, *fresh.linear_);
-  carry(*settled.explicit_, *fresh.explicit_);
+  carry(*settled.linear_, *linear_);
+  carry(*settled.explicit_, *explicit_);
   renew_strengths(general.follows_contacts(), s);
   if (s.free_field) s.free_field->go_on_from(*before.free_field);
   const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
   take_over_what_holds(before, geometry, s);
   take_over_loads(before, geometry, s);
   take_over_viscous_edges(before, geometry, s);
-  fresh.pace_ = settled.pace_;
-  fresh.loose_blocks_ = settled.loose_blocks_;
-  fresh.blocks_out_of_balance_ = settled.blocks_out_of_balance_;
-  fresh.excess_at_end_ = settled.excess_at_end_;
-  take_over_results(settled.static_out_of_balance_, s.clock.stage, fresh.static_out_of_balance_);
-  take_over_results(settled.energy_at_end_, s.clock.stage, fresh.energy_at_end_);
-  fresh.stage_step().set_up(general.pattern());
-  fresh.begin_stage();
+  pace_ = settled.pace_;
+  results_.go_on_from(settled.results_, s.clock.stage);
+  stage_step().set_up(general.pattern());
+  begin_stage();
 }
+
+void go_on_from(const Simulation& settled, Simulation& fresh) { fresh.go_on_from(settled); }
 
 void begin_from(const Simulation& settled, Simulation& fresh) {
   if (settled.system().clock.begun)

@@ -118,8 +118,8 @@ void expect_excess(const Field& field, const JointMaterial& joint, Kinematics ki
   run(simulation, 1);
   const double allowed = tolerance * field.stress.norm();
   const double expected = field.excess(joint.cohesion, joint.friction_angle);
-  ASSERT_EQ(excess_at_ends_of_stages(simulation).size(), 1U);
-  const ExcessShear& kept = excess_at_ends_of_stages(simulation)[0];
+  ASSERT_EQ(simulation.results().excess.size(), 1U);
+  const ExcessShear& kept = simulation.results().excess[0];
   EXPECT_NEAR(kept.largest, expected, allowed);
   EXPECT_NEAR(kept.normal, field.normal(), allowed);
   EXPECT_NEAR(std::abs(kept.shear), std::abs(field.shear()), allowed);
@@ -168,7 +168,7 @@ TEST(ExcessShear, IsNoneWhereJointsSlideAtTheirStrength) {
     model.stages = {stage_of(generalized_alpha_integrator(0), 1e-5, 20)};
     Simulation simulation = simulation_of(std::move(model));
     run(simulation, 20);
-    EXPECT_LT(excess_at_ends_of_stages(simulation).at(0).largest, 1e-9 * field.stress.norm());
+    EXPECT_LT(simulation.results().excess.at(0).largest, 1e-9 * field.stress.norm());
     slid += field.excess(0, 0.2) > 0 ? 1 : 0;
   }
   EXPECT_GT(slid, 3);
@@ -186,7 +186,7 @@ TEST(ExcessShear, OfBondedJointsNeedsAStrength) {
   Simulation simulation = simulation_of(model);
   EXPECT_NEAR(sampled(simulation)[0], field.excess(1e5, 0.3), 1e-9 * field.stress.norm());
   run(simulation, 4);
-  EXPECT_TRUE(excess_at_ends_of_stages(simulation).empty());
+  EXPECT_TRUE(simulation.results().excess.empty());
 }
 
 TEST(ExcessShear, IsRememberedByRunsThatGoOn) {
@@ -200,7 +200,7 @@ TEST(ExcessShear, IsRememberedByRunsThatGoOn) {
   restore(resumed, whole.state(), save(whole));
   for (Simulation* each : {&whole, &resumed}) run(*each, 4);
   EXPECT_EQ(memory_of(resumed), memory_of(whole));
-  EXPECT_EQ(excess_at_ends_of_stages(resumed).size(), 2U);
+  EXPECT_EQ(resumed.results().excess.size(), 2U);
 }
 
 }  // namespace

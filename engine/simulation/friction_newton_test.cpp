@@ -116,7 +116,7 @@ TEST(FrictionNewton, SettlesBedsThatSlideOnEachOther) {
     model.stages = {thrust, stand};
     Simulation simulation = simulation_of(std::move(model));
     while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << degrees << ": " << simulation.message();
-    EXPECT_LT(simulation.static_out_of_balance()[1], 1e-9);
+    EXPECT_LT(simulation.results().out_of_balance[1], 1e-9);
     // It stands: 7.3e-3 m, of which thrust up without friction at ends that only touch makes half.
     for (const Vec6& u : simulation.state().displacement) EXPECT_LT(u.norm(), 1e-2);
   }

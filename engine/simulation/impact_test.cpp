@@ -105,7 +105,7 @@ TEST(StaticGravity, ABlockSlidesAsCoulombSays) {
   for (const double angle : {0.0, 5.0, 10.0, 15.0, 20.0, 25.0}) {
     Simulation simulation = simulation_of(incline(angle * degree));
     while (simulation.state().time < 50) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-    EXPECT_LT(simulation.static_out_of_balance()[0], 1e-9);
+    EXPECT_LT(simulation.results().out_of_balance[0], 1e-9);
     const double start = simulation.state().displacement[1](0);
     run(simulation, 2000);
     const double exact =

@@ -38,12 +38,12 @@ Model thrown_blocks(const std::vector<Vec2>& velocities) {
 
 PeakMotion follow(Simulation& simulation) {
   PeakMotion peaks(simulation);
-  call_between_stages([&] { peaks.after_stage(simulation, stages_done(simulation) - 1); }, simulation);
+  simulation.watch().between = [&] { peaks.after_stage(simulation, stages_done(simulation) - 1); };
   while (!simulation.finished()) {
     EXPECT_EQ(simulation.step(), Status::ok) << simulation.message();
     peaks.after_step(simulation);
   }
-  call_between_stages({}, simulation);
+  simulation.watch().between = {};
   return peaks;
 }
 

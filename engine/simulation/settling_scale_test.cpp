@@ -104,7 +104,7 @@ TEST(SettlingScale, ShareOutOfBalanceHasNoSizeOfItsOwn) {
   for (std::size_t i = 0; i < all_models.size(); ++i) {
     std::vector<double> shares;
     for (const Scale& scale : scales)
-      shares.push_back(ended(all_models[i](scale, bond(InterfaceLaw::classical), 2)).static_out_of_balance()[0]);
+      shares.push_back(ended(all_models[i](scale, bond(InterfaceLaw::classical), 2)).results().out_of_balance[0]);
     EXPECT_GT(shares[0], 1e-9) << i;
     EXPECT_LT(shares[0], 1) << i;
     // Round-off of a solve, in forces that are this share of the largest.
@@ -118,7 +118,7 @@ TEST(SettlingScale, StagesFindTheirEquilibriumOnEveryScale) {
       for (const Scale& scale : scales) {
         const Simulation simulation = ended(all_models[i](scale, joint, 0));
         EXPECT_EQ(simulation.message(), "") << i << ", " << scale.length << " m";
-        EXPECT_LE(simulation.static_out_of_balance()[0], 1e-9) << i;
+        EXPECT_LE(simulation.results().out_of_balance[0], 1e-9) << i;
         EXPECT_LE(simulation.state().step, 40) << i << ", " << scale.length << " m";
       }
 }
@@ -162,7 +162,7 @@ TEST(SettlingScale, WhatOnlyHoldsDoesNotCount) {
     largest = std::max({largest, unbalanced.segment<2>(6 * block).cwiseAbs().maxCoeff(),
                         unbalanced.segment<4>(6 * block + 2).cwiseAbs().maxCoeff() /
                             std::sqrt(system.terms.area[static_cast<std::size_t>(block)])});
-  EXPECT_DOUBLE_EQ(simulation.static_out_of_balance()[0], largest / (6 * 2048 * 10));  // the lid's weight
+  EXPECT_DOUBLE_EQ(simulation.results().out_of_balance[0], largest / (6 * 2048 * 10));  // the lid's weight
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(Settling, LooseStoneComesToLieOnTheFloor) {
   model.stages[0].equilibrium = 1e-9;
   Simulation simulation = simulation_of(std::move(model));
   while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-  EXPECT_LT(simulation.static_out_of_balance()[0], 1e-9);
+  EXPECT_LT(simulation.results().out_of_balance[0], 1e-9);
   // On the floor but for what springs of the automatic stiffness give way under rho g h = 1.3 kPa.
   EXPECT_NEAR(simulation.state().displacement[1](1), -0.002, 1e-7);
   EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
@@ -197,7 +197,7 @@ TEST(Settling, WallFindsItsOwnStepsToEquilibrium) {
     Simulation simulation = simulation_of(std::move(model));
     while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
     EXPECT_EQ(simulation.state().time, 0);
-    EXPECT_LE(simulation.static_out_of_balance()[0], 1e-9) << unlimited;
+    EXPECT_LE(simulation.results().out_of_balance[0], 1e-9) << unlimited;
     // Each brick may be out of balance by 1e-9 of the heaviest weight, which is that of the held floor as far as it
     // carries something.
     const double heaviest = 0.5 * 0.25 * 1900 * standard_gravity;
@@ -219,7 +219,7 @@ TEST(Settling, WhatItTakesOutIsDamping) {
     constexpr int steps = 20;
     model.stages = {first, stage_of(generalized_alpha_integrator(0), 1e-3, steps, Kinematics::finite)};
     Simulation simulation = simulation_of(std::move(model));
-    while (!std::isfinite(simulation.static_out_of_balance()[0])) ASSERT_EQ(simulation.step(), Status::ok);
+    while (!std::isfinite(simulation.results().out_of_balance[0])) ASSERT_EQ(simulation.step(), Status::ok);
     EXPECT_EQ(simulation.energy().numerical, 0);
     EXPECT_GT(simulation.energy().damping, 0.1 * simulation.energy().gravity_work);
     const double settled = simulation.energy().damping;
@@ -285,7 +285,7 @@ TEST(Settling, LinearSceneFindsItsOwnStepsToEquilibrium) {
   model.stages[0].kinematics = Kinematics::small;
   Simulation simulation = simulation_of(std::move(model));
   while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-  EXPECT_LE(simulation.static_out_of_balance()[0], 1e-9);
+  EXPECT_LE(simulation.results().out_of_balance[0], 1e-9);
   EXPECT_LE(simulation.state().step, 4);
   for (std::size_t i = 2; i < 10; ++i) EXPECT_NEAR(simulation.state().stress[i](0), 1e6, 1e3) << i;
 }
@@ -300,12 +300,12 @@ TEST(Settling, LooseStoneIsNamedAndStopsNothing) {
   model.stages = {settling(), stage_of(generalized_alpha_integrator(0), 1e-3, steps, Kinematics::finite)};
   Simulation simulation = simulation_of(std::move(model));
   while (simulation.is_settling()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-  EXPECT_LE(simulation.static_out_of_balance()[0], 1e-9);
-  ASSERT_EQ(simulation.loose_blocks().size(), 1U);
-  EXPECT_EQ(simulation.loose_blocks()[0].block, static_cast<int>(stone));
-  EXPECT_EQ(simulation.loose_blocks()[0].stage, 0);
+  EXPECT_LE(simulation.results().out_of_balance[0], 1e-9);
+  ASSERT_EQ(simulation.results().loose.size(), 1U);
+  EXPECT_EQ(simulation.results().loose[0].block, static_cast<int>(stone));
+  EXPECT_EQ(simulation.results().loose[0].stage, 0);
   const double height = simulation.state().displacement[stone](1);
-  EXPECT_NEAR(simulation.loose_blocks()[0].place.y(), 1.05 + height, 1e-15);
+  EXPECT_NEAR(simulation.results().loose[0].place.y(), 1.05 + height, 1e-15);
   EXPECT_GT(height, -0.06) << "held once it has gone half of its size";
   run(simulation, steps);
   // The first step of generalized-alpha 0 is exact for a constant acceleration.
@@ -334,7 +334,7 @@ TEST(Settling, BlockThatSlidesDownASlopeIsNamed) {
     Status status = Status::ok;
     while (!simulation.finished() && status == Status::ok) status = simulation.step();
     EXPECT_EQ(status, friction_angle < 0.4 ? Status::not_in_equilibrium : Status::ok) << simulation.message();
-    EXPECT_EQ(simulation.loose_blocks().size(), friction_angle < 0.4 ? 1U : 0U);
+    EXPECT_EQ(simulation.results().loose.size(), friction_angle < 0.4 ? 1U : 0U);
   }
 }
 
@@ -357,7 +357,7 @@ TEST(Settling, GoesOnFromASnapshotToTheLastBit) {
     EXPECT_EQ(whole.state().step, resumed.state().step);
     for (std::size_t i = 0; i < whole.state().displacement.size(); ++i)
       EXPECT_EQ(whole.state().displacement[i], resumed.state().displacement[i]) << stop << ", block " << i;
-    EXPECT_EQ(whole.loose_blocks().size(), resumed.loose_blocks().size());
+    EXPECT_EQ(whole.results().loose.size(), resumed.results().loose.size());
   }
 }
 

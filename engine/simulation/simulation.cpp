@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/equilibrium.h"
 #include "engine/simulation/excavation.h"
 #include "engine/simulation/explicit_step.h"
 #include "engine/simulation/free_field.h"
@@ -18,6 +18,7 @@
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/reinforcement_of_stage.h"
 #include "engine/simulation/rock_of_stage.h"
 #include "engine/simulation/stability_limit.h"
 #include "engine/simulation/step_coefficients.h"
@@ -58,52 +59,10 @@ void append(std::vector<Item> more, std::vector<Item>& list) {
   std::ranges::move(more, std::back_inserter(list));
 }
 
-// Gives up what it exerted, at once or as a load that fades. What it had stored goes with who takes it out.
-template <typename Set, typename Item>
-void take_out_those_over(const std::vector<Item>& items, Released what, Set& set, BlockSystem& s) {
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (!items[i].withdrawal.is_at_start_of(s.clock.stage)) continue;
-    Eigen::VectorXd exerted = Eigen::VectorXd::Zero(s.forces.internal_old.size());
-    set.take_out(i, s.model, exerted);
-    s.forces.internal_old -= exerted;
-    if (!items[i].withdrawal.relaxation) continue;
-    s.held.clear(exerted);
-    const State geometry = s.geometry_moves() ? s.state : initial_state(s.model);
-    s.excavated.released.keep(what, i, s.clock.start, -exerted, geometry.deformation);
-    s.loads_at(s.state.time, s.forces.load_old);
-  }
-}
-
-void take_out_reinforcement(BlockSystem& s) {
-  const double bolts = s.reinforcement.bolts.stored_energy(), linings = s.reinforcement.linings.stored_energy();
-  take_out_those_over(s.model.bolts, Released::bolt, s.reinforcement.bolts, s);
-  take_out_those_over(s.model.linings, Released::lining, s.reinforcement.linings, s);
-  s.audit.supports_exchanged(0, s.reinforcement.bolts.stored_energy() - bolts,
-                             s.reinforcement.linings.stored_energy() - linings);
-}
-
-// Bolts of the stage that begins. Who tensions them does work.
-void put_in_bolts(const GeneralStep& general, BlockSystem& s) {
-  const int stage = static_cast<int>(s.clock.stage);
-  if (stage == 0 || std::ranges::count(s.model.bolts, stage, &Bolt::first_stage) == 0) return;
-  const double stored = s.reinforcement.bolts.stored_energy();
-  const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
-  s.reinforcement.bolts.put_in_those_of(s.clock.stage, s.model, s.state, geometry, s.forces.internal_old);
-  s.audit.supports_exchanged(0, s.reinforcement.bolts.stored_energy() - stored);
-}
-
-// Linings of the stage that begins: they carry nothing yet.
-void spray_linings(const GeneralStep& general, BlockSystem& s) {
-  const int stage = static_cast<int>(s.clock.stage);
-  if (stage == 0 || std::ranges::count(s.model.linings, stage, &Lining::first_stage) == 0) return;
-  const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
-  s.reinforcement.linings.put_in_those_of(s.clock.stage, s.model, s.state, geometry);
-}
-
 std::string problem_at_end_of(std::size_t stage, const Simulation& simulation) {
-  return equilibrium_problem(
-      simulation.model(), {stage, simulation.static_out_of_balance()[stage], of_stage(stage, simulation.loose_blocks()),
-                           of_stage(stage, blocks_out_of_balance(simulation))});
+  const StageResults& ends = simulation.results();
+  return equilibrium_problem(simulation.model(), {stage, ends.out_of_balance[stage], of_stage(stage, ends.loose),
+                                                  of_stage(stage, ends.unbalanced)});
 }
 
 }  // namespace
@@ -111,8 +70,7 @@ std::string problem_at_end_of(std::size_t stage, const Simulation& simulation) {
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
   BlockSystem& s = *system_;
   stability_limits_ = kept_stability_limits(s.model);
-  static_out_of_balance_.assign(s.model.stages.size(), std::numeric_limits<double>::quiet_NaN());
-  energy_at_end_.resize(s.model.stages.size());
+  results_ = StageResults(s.model.stages.size());
   for (const InterfaceState& state : s.contacts.states)
     in_situ_force_ = std::max(in_situ_force_, state.force.cwiseAbs().maxCoeff());
   general_ = std::make_unique<GeneralStep>(s);
@@ -159,12 +117,6 @@ Counters Simulation::counters() const {
   return counters;
 }
 
-std::int64_t Simulation::steps_in_all_stages() const {
-  std::int64_t steps = 0;
-  for (const Stage& each : model().stages) steps += each.steps();
-  return steps;
-}
-
 Step& Simulation::stage_step() {
   if (system_->plan.explicit_steps) return *explicit_;
   if (system_->plan.linear) return *linear_;
@@ -183,8 +135,7 @@ void Simulation::begin_stage() {
   excavate(s, *general_);
   change_rock(general_->follows_contacts(), s);
   bring_in(s, *general_);
-  put_in_bolts(*general_, s);
-  spray_linings(*general_, s);
+  put_in_reinforcement(*general_, s);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();
   if (s.stage().paces_itself()) pace_.begin(s.model, s.stage(), s.contacts.can_change);
@@ -273,21 +224,21 @@ Status Simulation::end_stage() {
   BlockSystem& s = *system_;
   const Stage& ended = s.stage();
   if (stage_step().is_provisional()) release_shear_of_contacts(s);
-  if (s.plan.is_static) static_out_of_balance_[s.clock.stage] = out_of_balance();
-  append(placed(s, s.drag.loose()), loose_blocks_);
-  append(find_blocks_out_of_balance(s, in_situ_force_), blocks_out_of_balance_);
+  if (s.plan.is_static) results_.out_of_balance[s.clock.stage] = out_of_balance();
+  append(placed(s, s.drag.loose()), results_.loose);
+  append(find_blocks_out_of_balance(s, in_situ_force_), results_.unbalanced);
   const std::string problem = problem_at_end_of(s.clock.stage, *this);
-  append(excess_by_joint(s), excess_at_end_);
+  append(excess_by_joint(s), results_.excess);
   let_go_of_loose_blocks(s);
   if (ended.unlimited_strength) release_shear_of_contacts(s);
   s.audit.small_motion.end_stage(s);
   if (s.plan.is_static) s.audit.has_settled();
-  if (at_ends_of_stages_) at_ends_of_stages_();
+  if (watch_.at_end) watch_.at_end();
   let_go_of_supports(s);
-  energy_at_end_[s.clock.stage] = s.audit.ledger();
+  results_.energy[s.clock.stage] = s.audit.ledger();
   ++s.clock.stage;
   s.clock.begun = false;
-  if (between_stages_ && problem.empty()) between_stages_();
+  if (watch_.between && problem.empty()) watch_.between();
   if (!finished() && problem.empty()) begin_stage();
   if (problem.empty()) return Status::ok;
   message_ = problem;
@@ -300,29 +251,19 @@ std::size_t stages_done(const Simulation& simulation) { return simulation.system
 
 const LiningSet& linings_of(const Simulation& simulation) { return simulation.system().reinforcement.linings; }
 
+std::int64_t steps_in_all_stages(const Simulation& simulation) {
+  std::int64_t steps = 0;
+  for (const Stage& each : simulation.model().stages) steps += each.steps();
+  return steps;
+}
+
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation) {
-  return std::span(simulation.energy_at_end_).first(stages_done(simulation));
-}
-
-const std::vector<UnbalancedBlock>& blocks_out_of_balance(const Simulation& simulation) {
-  return simulation.blocks_out_of_balance_;
-}
-
-const std::vector<ExcessShear>& excess_at_ends_of_stages(const Simulation& simulation) {
-  return simulation.excess_at_end_;
+  return std::span(simulation.results().energy).first(stages_done(simulation));
 }
 
 std::string unbalanced_end(const Simulation& simulation) {
   const StageClock& clock = simulation.system().clock;
   return clock.begun || clock.stage == 0 ? "" : problem_at_end_of(clock.stage - 1, simulation);
-}
-
-void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation) {
-  simulation.at_ends_of_stages_ = std::move(act);
-}
-
-void call_between_stages(std::function<void()> act, Simulation& simulation) {
-  simulation.between_stages_ = std::move(act);
 }
 
 }  // namespace dda

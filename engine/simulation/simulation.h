@@ -9,11 +9,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -24,11 +22,10 @@
 #include "engine/model/state.h"
 #include "engine/simulation/acceleration_memory.h"
 #include "engine/simulation/bolt_set.h"
-#include "engine/simulation/equilibrium.h"
-#include "engine/simulation/excess_shear.h"
 #include "engine/simulation/lining_set.h"
 #include "engine/simulation/penetration.h"
 #include "engine/simulation/settling_pace.h"
+#include "engine/simulation/stage_results.h"
 #include "engine/simulation/step_plan.h"
 #include "engine/simulation/support_set.h"
 
@@ -82,18 +79,14 @@ class Simulation {
   // largest load, weight or in-situ force on an interface: what is left on the way to static equilibrium.
   [[nodiscard]] double out_of_balance() const;
 
-  // out_of_balance() at the end of every stage; NaN for stages that are not static or not over.
-  [[nodiscard]] const std::vector<double>& static_out_of_balance() const { return static_out_of_balance_; }
+  // Of the stages that are over.
+  [[nodiscard]] const StageResults& results() const { return results_; }
 
-  // Blocks that had no equilibrium in static stages that asked for it, because nothing holds them. They were held where
-  // they were for the rest of the stage, so that the others could settle, and are free again after it.
-  [[nodiscard]] const std::vector<UnbalancedBlock>& loose_blocks() const { return loose_blocks_; }
+  // Whom to call at the end of stages.
+  [[nodiscard]] StageWatch& watch() { return watch_; }
 
   // True within a static stage that paces itself: its steps take no time, and its state means nothing before its end.
   [[nodiscard]] bool is_settling() const;
-
-  // Without those of stages that pace themselves.
-  [[nodiscard]] std::int64_t steps_in_all_stages() const;
 
   // All of it, for what reads forces from it.
   [[nodiscard]] const BlockSystem& system() const { return *system_; }
@@ -102,12 +95,8 @@ class Simulation {
   [[nodiscard]] std::vector<std::byte> save() const;
   void restore(State state, std::span<const std::byte> snapshot);
 
-  friend void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation);
-  friend void call_between_stages(std::function<void()> act, Simulation& simulation);
-  friend std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
-  friend const std::vector<UnbalancedBlock>& blocks_out_of_balance(const Simulation& simulation);
-  friend const std::vector<ExcessShear>& excess_at_ends_of_stages(const Simulation& simulation);
-  friend void go_on_from(const Simulation& settled, Simulation& fresh);  // see branch.h
+  // See branch.h, whose functions call this.
+  void go_on_from(const Simulation& settled);
 
  private:
   template <typename Self, typename Archive>
@@ -124,16 +113,12 @@ class Simulation {
   std::unique_ptr<LinearStep> linear_;
   std::unique_ptr<ExplicitStep> explicit_;
   std::string message_;
-  SettlingPace pace_;                          // of a stage that paces itself
-  std::vector<double> static_out_of_balance_;  // one a stage
-  std::vector<EnergyLedger> energy_at_end_;    // one a stage
-  std::vector<UnbalancedBlock> loose_blocks_;
-  std::vector<UnbalancedBlock> blocks_out_of_balance_;
-  std::vector<ExcessShear> excess_at_end_;
+  SettlingPace pace_;  // of a stage that paces itself
+  StageResults results_;
   std::vector<double> stability_limits_;  // s, one a stage, 0 where steps are implicit
   double in_situ_force_ = 0;              // N per m of thickness, the largest on an interface
   AccelerationMemory memory_;             // within a step that is cut
-  std::function<void()> at_ends_of_stages_, between_stages_;
+  StageWatch watch_;
 };
 
 // How many stages are over.
@@ -145,22 +130,11 @@ const LiningSet& linings_of(const Simulation& simulation);
 // What energy() was at the end of each of them.
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
 
-// Blocks that were out of balance at the end of static stages by more than these ask for, the worst of each first.
-const std::vector<UnbalancedBlock>& blocks_out_of_balance(const Simulation& simulation);
-
 // Between two stages and after the last one: why a run is to end with the stage that is over, which is no equilibrium;
 // empty where it may go on. A run that ended so and is restored is told once more.
 std::string unbalanced_end(const Simulation& simulation);
 
-// Excess shear stress at the ends of stages, by joint; of a stage of unlimited strength before what is too much slides.
-const std::vector<ExcessShear>& excess_at_ends_of_stages(const Simulation& simulation);
-
-// Acts at the end of every stage, whatever came of it: supports that end with it are still there, and the next stage
-// has not taken velocities or removed blocks.
-void call_at_ends_of_stages(std::function<void()> act, Simulation& simulation);
-
-// Acts between two stages, and after the last one: what ends with the stage has ended, and nothing of the next has
-// begun. After a stage that should have come to equilibrium and has not it does not.
-void call_between_stages(std::function<void()> act, Simulation& simulation);
+// In all stages but those that pace themselves.
+std::int64_t steps_in_all_stages(const Simulation& simulation);
 
 }  // namespace dda

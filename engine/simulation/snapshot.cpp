@@ -74,12 +74,10 @@ void check_place_in_run(const BlockSystem& s, double saved_dt) {
 
 template <typename Self, typename Archive>
 void Simulation::visit(Self& self, Archive& archive) {
-  auto& [system, general, linear, explicit_steps, message, pace, static_out_of_balance, energy_at_end, loose_blocks,
-         blocks_out_of_balance, excess_at_end, stability_limits, in_situ_force, memory, at_ends_of_stages,
-         between_stages] = self;
-  archive(*system, *general, *linear, *explicit_steps, pace, loose_blocks, blocks_out_of_balance, excess_at_end);
-  archive.each(static_out_of_balance);
-  archive.each(energy_at_end);  // the message is of the last step; in-situ forces are the drawing's
+  auto& [system, general, linear, explicit_steps, message, pace, results, stability_limits, in_situ_force, memory,
+         watch] = self;
+  // The message is of the last step, and in-situ forces are the drawing's.
+  archive(*system, *general, *linear, *explicit_steps, pace, results);
 }
 
 std::vector<std::byte> Simulation::save() const {

@@ -74,8 +74,8 @@ TEST(UnbalancedBlocks, LooseOnesEndARunWhereNoStageFollowsUnlessItIsToldToGoOn) 
   EXPECT_TRUE(told.finished());
   EXPECT_EQ(unbalanced_end(told), "");
   for (const Simulation* each : {&automatic, &told}) {
-    ASSERT_EQ(each->loose_blocks().size(), 1U);
-    EXPECT_EQ(each->loose_blocks()[0].block, stone);
+    ASSERT_EQ(each->results().loose.size(), 1U);
+    EXPECT_EQ(each->results().loose[0].block, stone);
   }
 }
 
@@ -97,7 +97,7 @@ TEST(UnbalancedBlocks, ThatAreNotThereChangeNothing) {
   for (const OnUnbalanced what : {OnUnbalanced::automatic, OnUnbalanced::carry_on, OnUnbalanced::stop}) {
     Simulation simulation = with_stages(model, {settling(what), moving()});
     EXPECT_EQ(status_at_end(simulation), Status::ok) << simulation.message();
-    EXPECT_TRUE(simulation.loose_blocks().empty());
+    EXPECT_TRUE(simulation.results().loose.empty());
     memories.push_back(memory_of(simulation));
   }
   EXPECT_EQ(memories[1], memories[0]);
@@ -115,12 +115,12 @@ TEST(UnbalancedBlocks, OutOfBalanceEndARunUnlessItIsToldToGoOn) {
     const bool goes_on = what == OnUnbalanced::carry_on;
     EXPECT_EQ(status_at_end(simulation), goes_on ? Status::ok : Status::not_in_equilibrium) << simulation.message();
     EXPECT_EQ(stages_done(simulation), goes_on ? 2U : 1U);
-    ASSERT_FALSE(blocks_out_of_balance(simulation).empty());
-    for (const UnbalancedBlock& each : blocks_out_of_balance(simulation)) {
+    ASSERT_FALSE(simulation.results().unbalanced.empty());
+    for (const UnbalancedBlock& each : simulation.results().unbalanced) {
       EXPECT_EQ(each.stage, 0);
       EXPECT_NE(each.block, 0);  // which is held
     }
-    EXPECT_TRUE(simulation.loose_blocks().empty());
+    EXPECT_TRUE(simulation.results().loose.empty());
   }
 }
 
@@ -129,12 +129,12 @@ TEST(UnbalancedBlocks, OutOfBalanceEndARunUnlessItIsToldToGoOn) {
 TEST(UnbalancedBlocks, AreListedWithTheFacesThatHoldThem) {
   Simulation hanging = with_stages(boxes_and_a_stone(), {settling(OnUnbalanced::carry_on)});
   ASSERT_EQ(status_at_end(hanging), Status::ok);
-  EXPECT_TRUE(hanging.loose_blocks().at(0).faces.empty());
-  EXPECT_NE(described(hanging.model(), hanging.loose_blocks()[0]).find("26 kg/m, held by no face"), std::string::npos);
+  EXPECT_TRUE(hanging.results().loose.at(0).faces.empty());
+  EXPECT_NE(described(hanging.model(), hanging.results().loose[0]).find("26 kg/m, held by no face"), std::string::npos);
   Simulation sliding = with_stages(sliding_box(), {settling(OnUnbalanced::carry_on)});
   ASSERT_EQ(status_at_end(sliding), Status::ok);
-  ASSERT_EQ(sliding.loose_blocks().size(), 1U);
-  const UnbalancedBlock& box = sliding.loose_blocks()[0];
+  ASSERT_EQ(sliding.results().loose.size(), 1U);
+  const UnbalancedBlock& box = sliding.results().loose[0];
   ASSERT_EQ(box.faces.size(), 1U);
   EXPECT_EQ(box.faces[0].neighbour, 0);
   const double across = 2600 * gravity * std::cos(0.4);
@@ -153,19 +153,17 @@ TEST(UnbalancedBlocks, AreRememberedByRunsThatGoOn) {
     Simulation whole = with_stages(drawn, stages);
     std::vector<State> states;
     std::vector<std::vector<std::byte>> snapshots;
-    call_between_stages(
-        [&] {
-          states.push_back(whole.state());
-          snapshots.push_back(save(whole));
-        },
-        whole);
+    whole.watch().between = [&] {
+      states.push_back(whole.state());
+      snapshots.push_back(save(whole));
+    };
     while (!whole.finished()) {
       ASSERT_EQ(whole.step(), Status::ok) << whole.message();
       if (whole.state().step % 7 != 0) continue;
       states.push_back(whole.state());
       snapshots.push_back(save(whole));
     }
-    EXPECT_EQ(whole.loose_blocks().size(), 2U);  // in either stage
+    EXPECT_EQ(whole.results().loose.size(), 2U);  // in either stage
     ASSERT_GT(snapshots.size(), 4U);
     for (std::size_t i = 0; i < snapshots.size(); ++i) {
       Simulation resumed = with_stages(drawn, stages);

@@ -47,7 +47,7 @@ RecordedRun record_run(const dda::Model& model) {
   std::vector<double> sample(probes.size());
   run.histories.resize(probes.size());
   for (std::vector<double>& history : run.histories)
-    history.reserve(static_cast<std::size_t>(simulation.steps_in_all_stages()) + 1);
+    history.reserve(static_cast<std::size_t>(steps_in_all_stages(simulation)) + 1);
 
   keep(probes, simulation, sample, run.histories);
   const double first_step = cpu_seconds();

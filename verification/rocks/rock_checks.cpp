@@ -68,7 +68,7 @@ Check weight_carried(const Simulation& simulation) {
   const dda::Model& model = simulation.model();
   std::vector<bool> holds(model.blocks.size());
   for (std::size_t i = 0; i < holds.size(); ++i) holds[i] = model.is_held(static_cast<int>(i));
-  for (const dda::UnbalancedBlock& loose : simulation.loose_blocks())
+  for (const dda::UnbalancedBlock& loose : simulation.results().loose)
     holds[static_cast<std::size_t>(loose.block)] = true;
   Vec2 carried = Vec2::Zero(), weight = Vec2::Zero();
   for (std::size_t i = 0; i < holds.size(); ++i)

@@ -56,7 +56,7 @@ void take_picture(const Simulation& simulation, RockPicture* picture) {
   const dda::Model& model = simulation.model();
   picture->moved = dda::current_outlines(model, simulation.state());
   picture->is_loose.assign(model.blocks.size(), false);
-  for (const dda::UnbalancedBlock& loose : simulation.loose_blocks())
+  for (const dda::UnbalancedBlock& loose : simulation.results().loose)
     picture->is_loose[static_cast<std::size_t>(loose.block)] = true;
   picture->drawn.clear();
   picture->is_held.clear();
@@ -70,7 +70,7 @@ void take_picture(const Simulation& simulation, RockPicture* picture) {
 
 void note(const Simulation& simulation, RockResult& result) {
   result.blocks = simulation.model().blocks.size();
-  result.loose = simulation.loose_blocks().size();
+  result.loose = simulation.results().loose.size();
   result.steps = simulation.state().step;
   result.passes = simulation.counters().open_close_iterations;
 }
@@ -92,13 +92,11 @@ bool go_through(const Stopwatch& watch, double seconds, Simulation& simulation, 
 
 void run(const RandomRock& rock, double seconds, const Stopwatch& watch, RockPicture* picture, RockResult& result) {
   Simulation simulation(dda::parse_scene(rock.scene, "scene.json"));
-  dda::call_between_stages(
-      [&] {
-        if (dda::stages_done(simulation) != 1) return;
-        result.settling_s = watch.seconds();
-        add_checks("settled", settled_checks(simulation), result);
-      },
-      simulation);
+  simulation.watch().between = [&] {
+    if (dda::stages_done(simulation) != 1) return;
+    result.settling_s = watch.seconds();
+    add_checks("settled", settled_checks(simulation), result);
+  };
   if (go_through(watch, seconds, simulation, result)) judge(simulation, rock.motion, result);
   note(simulation, result);
   take_picture(simulation, picture);

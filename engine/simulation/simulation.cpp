@@ -87,7 +87,7 @@ std::string problem_at_end_of(std::size_t stage, const Simulation& simulation) {
 
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
   BlockSystem& s = *system_;
-  stability_limits_ = kept_stability_limits(s.model, choose_integrators(s.contacts, s.model));
+  stability_limits_ = kept_stability_limits(s.contacts, s.model, choose_integrators(s.contacts, s.model));
   static_out_of_balance_.assign(s.model.stages.size(), std::numeric_limits<double>::quiet_NaN());
   energy_at_end_.resize(s.model.stages.size());
   for (const InterfaceState& state : s.contacts.states)

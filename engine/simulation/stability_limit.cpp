@@ -160,8 +160,7 @@ LinearOperators operators_at(const Model& model, std::size_t index, const Contac
 }
 
 // Of the operators of steps of dt.
-double limit_at(const Model& model, std::size_t index, double dt) {
-  const ContactSet contacts = contacts_in(model, index, make_contacts(model));
+double limit_at(const Model& model, std::size_t index, const ContactSet& contacts, double dt) {
   const HeldUnknowns held = make_held_unknowns(model, model.absent_in(index));
   const LinearOperators operators = operators_at(model, index, contacts, dt);
   if (operators.inertia.couplings() > 0 && held.move)
@@ -208,16 +207,29 @@ double stable_step(const Model& model, std::size_t stage, const ContactSet& cont
   return model.absent_in(stage).empty() ? ask(contacts) : ask(contacts_in(model, stage, contacts));
 }
 
-double stability_limit(const Model& model, std::size_t stage) {
+namespace {
+
+double limit_with(const Model& model, std::size_t stage, const ContactSet& contacts) {
   constexpr double close = 1e-5;  // of the limit, to where it is found
   const double dt = model.stages[stage].dt;
-  double limit = limit_at(model, stage, dt);
+  double limit = limit_at(model, stage, contacts, dt);
   if (dt <= limit) return limit;
   for (double tried = dt; std::abs(limit - tried) > close * limit;) {
     tried = limit;
-    limit = limit_at(model, stage, tried);
+    limit = limit_at(model, stage, contacts, tried);
   }
   return (1 - 10 * close) * limit;
+}
+
+}  // namespace
+
+double stability_limit(const Model& model, std::size_t stage, const ContactSet& drawn) {
+  if (model.absent_in(stage).empty()) return limit_with(model, stage, drawn);
+  return limit_with(model, stage, contacts_in(model, stage, drawn));
+}
+
+double stability_limit(const Model& model, std::size_t stage) {
+  return stability_limit(model, stage, make_contacts(model));
 }
 
 namespace {
@@ -281,23 +293,24 @@ void shorten_below(double limit, Stage& stage) {
   stage.chosen_dt.reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
 }
 
-double limit_of_stage(const Model& model, const std::vector<double>& known, std::size_t stage) {
+double limit_of_stage(const Model& model, const ContactSet& drawn, const std::vector<double>& known,
+                      std::size_t stage) {
   const std::size_t like = first_stage_like(model, stage);
-  return like < stage ? known[like] : stability_limit(model, stage);
+  return like < stage && known[like] > 0 ? known[like] : stability_limit(model, stage, drawn);
 }
 
 }  // namespace
 
-std::vector<double> kept_stability_limits(Model& model, std::vector<double> known) {
+std::vector<double> kept_stability_limits(const ContactSet& drawn, Model& model, std::vector<double> known) {
   std::vector<double> limits = std::move(known);
   limits.resize(model.stages.size(), 0);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     Stage& stage = model.stages[i];
     if (!stage.integrator.is_explicit() || limits[i] > 0) continue;
-    limits[i] = limit_of_stage(model, limits, i);
+    limits[i] = limit_of_stage(model, drawn, limits, i);
     if (stage.chosen_dt.automatic && stage.dt > limits[i]) {
       shorten_below(limits[i], stage);
-      limits[i] = limit_of_stage(model, limits, i);
+      limits[i] = limit_of_stage(model, drawn, limits, i);
     }
     if (stage.dt <= limits[i]) continue;
     throw InputError("", named(model, i, "dt"), fmt::format("{:.6g} s", stage.dt),

@@ -36,6 +36,7 @@ double stable_step(const LinearOperators& operators, const HeldUnknowns& held, c
 // dt, and a longer one softens them (ADR 49): they are those of the stage's dt, or of the limit where that is less.
 // Throws InputError where the stage cannot be stepped so.
 double stability_limit(const Model& model, std::size_t stage);
+double stability_limit(const Model& model, std::size_t stage, const ContactSet& drawn);  // the model's contacts
 
 // The same of a stage with central differences whose contacts are known (those of the model as drawn): a stable step by
 // matrices that time steps have not softened, whose limit is below that of all others. 0 where there is none.
@@ -48,6 +49,6 @@ void shorten_to(double limit, Stage& stage);
 // Of every stage of the model, 0 for those with implicit steps; `known`: those that are above 0 are taken as they are. A stage that leaves dt to the engine keeps what waves
 // and records ask for (step_choice.h) where that is stable, and else gets 95 % of its limit in two digits. Throws
 // InputError for a given dt that is above its limit.
-std::vector<double> kept_stability_limits(Model& model, std::vector<double> known = {});
+std::vector<double> kept_stability_limits(const ContactSet& drawn, Model& model, std::vector<double> known = {});
 
 }  // namespace dda

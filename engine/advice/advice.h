@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/advice/cost.h"
+#include "engine/simulation/stage_cost.h"
 #include "engine/advice/explicit_offer.h"
 #include "engine/advice/limits.h"
 #include "engine/advice/wave_errors.h"
@@ -45,7 +45,8 @@ struct WaveAdvice {
 
 struct StageAdvice {
   std::string name, integrator;
-  double dt = 0;  // s
+  std::string why_integrator;  // a phrase, where the engine chose between implicit and explicit steps
+  double dt = 0;               // s
   double chi = 0;
   std::string solver;
   StageCost cost;

@@ -157,6 +157,7 @@ void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
               stage.integrator, stage.chi, stage.solver);
     add_cost(stage.cost, text);
   }
+  if (!stage.why_integrator.empty()) text.line("  chosen: {}", stage.why_integrator);
   if (stage.explicit_instead)
     text.line(
         "  would help: \"integrator\": \"central_difference\" with dt up to {:.2g} s, roughly {:.2g} s of CPU time",

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "engine/advice/cost.h"
+#include "engine/simulation/stage_cost.h"
 #include "engine/model/model.h"
 
 namespace dda {

@@ -198,6 +198,9 @@ class Run {
       out << fmt::format("goes on from {} at {:.6g} s\n", *options_.from, simulation_.state().time);
     if (simulation_.finished()) out << "the run is over, there is nothing left to step\n";
     out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; "));
+    for (const Stage& stage : model.stages)
+      if (stage.integrator.is_explicit() && stage.chosen_integrator.automatic)
+        out << fmt::format("stage \"{}\" has {}\n", stage.name, stage.chosen_integrator.reason);
     for (const std::string& remark : remarks_) out << fmt::format("remark: {}\n", remark);
     out << std::flush;
   }

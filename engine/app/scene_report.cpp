@@ -251,6 +251,7 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   text.gap();
   text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
+  if (const std::string& reason = stage.chosen_integrator.reason; !reason.empty()) text.plain("  chosen: " + reason);
   if (!stage.removal.blocks.empty()) text.plain("  " + removal_of(model, stage));
   if (const std::string ramp = ramp_of_removal(model, contacts, index); !ramp.empty()) text.plain("  " + ramp);
   add_rock_of(model, index, text);

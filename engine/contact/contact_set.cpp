@@ -120,6 +120,8 @@ ContactSet make_contacts(const Model& model) {
   ContactSet contacts;
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
+  contacts.elements.reserve(contacts.interfaces.size());  // a kilobyte each
+  contacts.strengths.reserve(contacts.interfaces.size());
   const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
   const bool cubic_allowed =
       model.stays_linear() && !model.removes_blocks() && !model.adds_blocks() && !changes_materials(model);

@@ -83,6 +83,12 @@ struct ChosenDt {
   std::string reason;  // why it chose that, one phrase
 };
 
+// Whether the engine chooses between the integrator of a stage and explicit steps, see simulation/integrator_choice.h.
+struct ChosenIntegrator {
+  bool automatic = false;
+  std::string reason;  // why it chose that, one phrase; empty where explicit steps are out of the question
+};
+
 // How much is tried before a step is given up.
 struct StepEffort {
   int open_close_iterations = 200;
@@ -95,6 +101,7 @@ struct Stage {
   double duration = 0;  // s; may be 0 where the stage paces itself
   ChosenDt chosen_dt;
   Integrator integrator;
+  ChosenIntegrator chosen_integrator;
   Kinematics kinematics = Kinematics::finite;
   SolverRequest solver = SolverRequest::automatic;
 

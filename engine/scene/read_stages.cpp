@@ -24,10 +24,18 @@ Integrator read_integrator(const Field& field) {
     constexpr std::array integrators = {thesis_integrator, trapezoidal_integrator, energy_conserving_integrator,
                                         central_difference_integrator, static_integrator};
     return integrators.at(
-        field.choice({"thesis", "trapezoidal", "energy_conserving", "central_difference", "static"}))();
+        field.choice({"thesis", "trapezoidal", "energy_conserving", "central_difference", "static", "auto"}))();
   }
   if (const auto alpha = field.find("hht")) return hht_integrator(alpha->within(0, 1.0 / 3));
   return generalized_alpha_integrator(field.at("generalized_alpha").within(0, 1));
+}
+
+// Left out, or "auto": that of the scheme, in place of which the accurate one may have explicit steps.
+void read_integrator(const Field& field, const Scheme& scheme, Stage& stage) {
+  const auto given = field.find("integrator");
+  const bool is_left_open = !given || (given->is_text() && given->text() == "auto");
+  stage.chosen_integrator.automatic = is_left_open && scheme.name == SchemeName::accurate;
+  if (!is_left_open) stage.integrator = read_integrator(*given);
 }
 
 Kinematics read_kinematics(const Field& field) {
@@ -202,7 +210,7 @@ Stage read_stage(const Field& field, std::string name, const Scheme& scheme, boo
   const Kinematics kinematics = value_or(field, "kinematics", Kinematics::finite, read_kinematics);
   Stage stage = preset_stage(scheme, kinematics, all_bonded);
   stage.name = value_or(field, "name", std::move(name), [](const Field& f) { return f.name(); });
-  stage.integrator = value_or(field, "integrator", stage.integrator, read_integrator);
+  read_integrator(field, scheme, stage);
   stage.solver = value_or(field, "solver", stage.solver, read_solver);
   read_duration(field, stage);
   read_damping(field, stage);

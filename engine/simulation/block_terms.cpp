@@ -17,6 +17,9 @@ BlockDamping::iterator find_block(int block, BlockDamping& damping) {
 
 BlockTerms make_block_terms(const Model& model) {
   BlockTerms terms;
+  const std::size_t blocks = model.blocks.size();
+  terms.inertia.reserve(blocks), terms.area.reserve(blocks), terms.directions.reserve(blocks);
+  terms.centrifugal.reserve(blocks), terms.elasticity.reserve(blocks), terms.compliance.reserve(blocks);
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
     terms.inertia.push_back({model.mass_of(static_cast<int>(i)), mean_squares(block.moments), 1});

@@ -16,6 +16,7 @@
 #include "engine/simulation/gain_at_start.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
+#include "engine/simulation/integrator_choice.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/reinforcement_of_stage.h"
@@ -69,7 +70,7 @@ std::string problem_at_end_of(std::size_t stage, const Simulation& simulation) {
 
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
   BlockSystem& s = *system_;
-  stability_limits_ = kept_stability_limits(s.model);
+  stability_limits_ = kept_stability_limits(s.contacts, s.model, choose_integrators(s.contacts, s.model));
   results_ = StageResults(s.model.stages.size());
   for (const InterfaceState& state : s.contacts.states)
     in_situ_force_ = std::max(in_situ_force_, state.force.cwiseAbs().maxCoeff());

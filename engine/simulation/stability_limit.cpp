@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <numbers>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -28,6 +29,11 @@ constexpr double doubt = 1e-6;
 int products_for(double unknowns) {
   const double wanted = std::log(1.648 * std::sqrt(unknowns) / doubt) / std::sqrt(tolerance);
   return static_cast<int>(std::ceil((wanted + 1) / 2));
+}
+
+// The share that k of them may miss.
+double share_missed(double unknowns, int products) {
+  return std::pow(std::log(1.648 * std::sqrt(unknowns) / doubt) / (2.0 * products - 1), 2);
 }
 
 // Numbers between 0 and 1, always the same (Knuth's linear congruential generator, the upper bits).
@@ -138,19 +144,25 @@ std::vector<SupportElement> supports_in(const Model& model, std::size_t stage) {
   return supports;
 }
 
-// The limit as the operators of steps of dt have it.
-double limit_at(const Model& model, std::size_t index, double dt) {
+ContactSet contacts_in(const Model& model, std::size_t stage, ContactSet drawn) {
+  const std::vector<bool> absent = model.absent_in(stage);
+  if (absent.empty()) return drawn;
+  leave_out(absent, drawn);
+  fit_to_neighbours(model, drawn);
+  return drawn;
+}
+
+LinearOperators operators_at(const Model& model, std::size_t index, const ContactSet& contacts, double dt) {
   Stage stage = model.stages[index];
   stage.dt = dt;
-  const std::vector<bool> absent = model.absent_in(index);
-  ContactSet contacts = make_contacts(model);
-  if (!absent.empty()) {
-    leave_out(absent, contacts);
-    fit_to_neighbours(model, contacts);
-  }
-  const HeldUnknowns held = make_held_unknowns(model, absent);
-  const LinearOperators operators(model, make_block_terms(model, stage), contacts, supports_in(model, index),
-                                  WaveCorrections(model, stage, contacts));
+  return {model, make_block_terms(model, stage), contacts, supports_in(model, index),
+          WaveCorrections(model, stage, contacts)};
+}
+
+// Of the operators of steps of dt.
+double limit_at(const Model& model, std::size_t index, const ContactSet& contacts, double dt) {
+  const HeldUnknowns held = make_held_unknowns(model, model.absent_in(index));
+  const LinearOperators operators = operators_at(model, index, contacts, dt);
   if (operators.inertia.couplings() > 0 && held.move)
     throw InputError("", named(model, index, "integrator"),
                      "\"central_difference\" where blocks of a cubic chain are moved",
@@ -168,16 +180,56 @@ LargestFrequency largest_frequency(const LinearOperators& operators, const HeldU
   return lanczos.largest();
 }
 
-double stability_limit(const Model& model, std::size_t stage) {
+double stable_step(const LinearOperators& operators, const HeldUnknowns& held, const StepsInQuestion& steps) {
+  Lanczos lanczos(operators, held);
+  const int unknowns = operators.stiffness.unknowns();
+  const int most = products_for(unknowns);
+  double stable = 0;
+  bool is_going_on = true;
+  for (int k = 1; k <= most && is_going_on; ++k) {
+    const bool is_exhausted = !lanczos.step();
+    const double found = lanczos.largest().squared;
+    if (!(found > 0)) return 0;
+    const double missed = is_exhausted || k == most ? tolerance : std::min(1.0, share_missed(unknowns, k));
+    const double limit = 2 / std::sqrt(found);
+    stable = std::sqrt(1 - missed) * limit;
+    is_going_on = !is_exhausted && limit >= steps.least && stable < steps.wanted && stable < steps.close * limit;
+  }
+  return stable >= steps.least ? stable : 0;
+}
+
+double stable_step(const Model& model, std::size_t stage, const ContactSet& contacts, const StepsInQuestion& steps) {
+  const HeldUnknowns held = make_held_unknowns(model, model.absent_in(stage));
+  const auto ask = [&](const ContactSet& there) {
+    const LinearOperators operators = operators_at(model, stage, there, 0);
+    return operators.inertia.couplings() > 0 ? 0 : stable_step(operators, held, steps);
+  };
+  return model.absent_in(stage).empty() ? ask(contacts) : ask(contacts_in(model, stage, contacts));
+}
+
+namespace {
+
+double limit_with(const Model& model, std::size_t stage, const ContactSet& contacts) {
   constexpr double close = 1e-5;  // of the limit, to where it is found
   const double dt = model.stages[stage].dt;
-  double limit = limit_at(model, stage, dt);
+  double limit = limit_at(model, stage, contacts, dt);
   if (dt <= limit) return limit;
   for (double tried = dt; std::abs(limit - tried) > close * limit;) {
     tried = limit;
-    limit = limit_at(model, stage, tried);
+    limit = limit_at(model, stage, contacts, tried);
   }
   return (1 - 10 * close) * limit;
+}
+
+}  // namespace
+
+double stability_limit(const Model& model, std::size_t stage, const ContactSet& drawn) {
+  if (model.absent_in(stage).empty()) return limit_with(model, stage, drawn);
+  return limit_with(model, stage, contacts_in(model, stage, drawn));
+}
+
+double stability_limit(const Model& model, std::size_t stage) {
+  return stability_limit(model, stage, make_contacts(model));
 }
 
 namespace {
@@ -224,31 +276,41 @@ double rounded_down_to_two_digits(double value) {
   return std::floor(value / unit) * unit;
 }
 
+}  // namespace
+
+void shorten_to(double limit, Stage& stage) {
+  const double longest = rounded_down_to_two_digits(limit);
+  stage.dt = stage.duration > longest ? stage.duration / std::ceil(stage.duration / longest) : longest;
+}
+
+namespace {
+
 // Shorter steps are softened less (ADR 49), so that their own limit is a little shorter, too: by at most half of what
 // the margin leaves, and the caller asks for it.
-void shorten_to(double limit, Stage& stage) {
+void shorten_below(double limit, Stage& stage) {
   constexpr double margin = 0.95;
-  const double longest = rounded_down_to_two_digits(margin * limit);
-  stage.dt = stage.duration > longest ? stage.duration / std::ceil(stage.duration / longest) : longest;
+  shorten_to(margin * limit, stage);
   stage.chosen_dt.reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
 }
 
-double limit_of_stage(const Model& model, const std::vector<double>& known, std::size_t stage) {
+double limit_of_stage(const Model& model, const ContactSet& drawn, const std::vector<double>& known,
+                      std::size_t stage) {
   const std::size_t like = first_stage_like(model, stage);
-  return like < stage ? known[like] : stability_limit(model, stage);
+  return like < stage && known[like] > 0 ? known[like] : stability_limit(model, stage, drawn);
 }
 
 }  // namespace
 
-std::vector<double> kept_stability_limits(Model& model) {
-  std::vector<double> limits(model.stages.size(), 0);
+std::vector<double> kept_stability_limits(const ContactSet& drawn, Model& model, std::vector<double> known) {
+  std::vector<double> limits = std::move(known);
+  limits.resize(model.stages.size(), 0);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     Stage& stage = model.stages[i];
-    if (!stage.integrator.is_explicit()) continue;
-    limits[i] = limit_of_stage(model, limits, i);
+    if (!stage.integrator.is_explicit() || limits[i] > 0) continue;
+    limits[i] = limit_of_stage(model, drawn, limits, i);
     if (stage.chosen_dt.automatic && stage.dt > limits[i]) {
-      shorten_to(limits[i], stage);
-      limits[i] = limit_of_stage(model, limits, i);
+      shorten_below(limits[i], stage);
+      limits[i] = limit_of_stage(model, drawn, limits, i);
     }
     if (stage.dt <= limits[i]) continue;
     throw InputError("", named(model, i, "dt"), fmt::format("{:.6g} s", stage.dt),

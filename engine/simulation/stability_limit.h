@@ -20,14 +20,35 @@ struct LargestFrequency {
 };
 LargestFrequency largest_frequency(const LinearOperators& operators, const HeldUnknowns& held);
 
+// What is asked of a limit that need not be known to the last percent, s: whether steps of `wanted` are below it, else
+// the limit to the share `close` of it, else whether it is above `least`.
+struct StepsInQuestion {
+  double wanted = 0, least = 0;
+  double close = 0.995;
+};
+
+// A step that is stable, no longer than the limit, with as many products as tell, and the same doubt: after k products
+// it is known how much of omega^2 may be missing, and the frequency found bounds the limit from the other side. 0 where
+// steps of `least` are not stable.
+double stable_step(const LinearOperators& operators, const HeldUnknowns& held, const StepsInQuestion& steps);
+
 // The limit of a stage of the model, s: 2/omega, and half a percent less for what may be missing. The operators know
 // dt, and a longer one softens them (ADR 49): they are those of the stage's dt, or of the limit where that is less.
 // Throws InputError where the stage cannot be stepped so.
 double stability_limit(const Model& model, std::size_t stage);
+double stability_limit(const Model& model, std::size_t stage, const ContactSet& drawn);  // the model's contacts
 
-// Of every stage of the model, 0 for those with implicit steps. A stage that leaves dt to the engine keeps what waves
+// The same of a stage with central differences whose contacts are known (those of the model as drawn): a stable step by
+// matrices that time steps have not softened, whose limit is below that of all others. 0 where there is none.
+double stable_step(const Model& model, std::size_t stage, const ContactSet& contacts, const StepsInQuestion& steps);
+
+// Gives a stage that leaves dt to the engine the longest even division of its duration below a limit (s), in two
+// digits.
+void shorten_to(double limit, Stage& stage);
+
+// Of every stage of the model, 0 for those with implicit steps; `known`: those that are above 0 are taken as they are. A stage that leaves dt to the engine keeps what waves
 // and records ask for (step_choice.h) where that is stable, and else gets 95 % of its limit in two digits. Throws
 // InputError for a given dt that is above its limit.
-std::vector<double> kept_stability_limits(Model& model);
+std::vector<double> kept_stability_limits(const ContactSet& drawn, Model& model, std::vector<double> known = {});
 
 }  // namespace dda

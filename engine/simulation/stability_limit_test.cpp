@@ -42,7 +42,7 @@ TEST(StabilityLimit, IsThatOfEachStage) {
     model.stages[3].strain_inertia = 2;
     model.stages[4].dt = model.stages[4].duration = 0.7 * model.stages[0].dt;
     finish_model(model);
-    const std::vector<double> limits = kept_stability_limits(model);
+    const std::vector<double> limits = kept_stability_limits(make_contacts(model), model);
     for (std::size_t i = 0; i < limits.size(); ++i) EXPECT_EQ(limits[i], stability_limit(model, i)) << i;
     EXPECT_EQ(limits[0], limits[1]);
     EXPECT_LT(limits[0], limits[2]);  // without the support

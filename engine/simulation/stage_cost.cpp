@@ -1,4 +1,4 @@
-#include "engine/advice/cost.h"
+#include "engine/simulation/stage_cost.h"
 
 #include <algorithm>
 #include <cmath>

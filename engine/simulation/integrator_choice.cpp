@@ -1,0 +1,136 @@
+#include "engine/simulation/integrator_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/model/explicit_conditions.h"
+#include "engine/model/held_flags.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/stability_limit.h"
+#include "engine/simulation/stage_cost.h"
+#include "engine/simulation/system_matrix.h"
+#include "engine/waves/mesh_correction.h"
+
+namespace dda {
+namespace {
+
+constexpr double least_share_saved = 1.0 / 3;
+constexpr double least_saved = 0.1;         // s of CPU time
+constexpr double set_up_per_block = 5e-6;   // s: matrices for the limit of stability, and products with them
+constexpr double least_softened = 0.9;      // share of the interfaces
+constexpr double close_to_limit = 0.95;     // a dt that is left to the engine
+
+std::string seconds_in_words(double implicit, double explicit_steps) {
+  return fmt::format("roughly {:.2g} s of CPU time in place of {:.2g} s", explicit_steps, implicit);
+}
+
+// Joints of consistent law between blocks of one convex kind: those that make up for blocks and explicit steps.
+bool is_softened(const Model& model, const ContactSet& contacts, const std::vector<bool>& held, std::size_t i,
+                 const JumpSoftening& softening) {
+  return is_in_mesh(held, contacts.elements[i]) && jump_share(model, contacts.interfaces[i], softening) > 0;
+}
+
+// Why errors might be larger with explicit steps; empty where they are not.
+std::string doubt_about_errors(const Model& model, const Stage& stage, const ContactSet& contacts) {
+  const Stage acting = model.with_acting_corrections(stage);
+  if (!acting.correct_block_dispersion || !acting.correct_time_dispersion || stage.strain_inertia != 1)
+    return "its waves are not corrected for blocks and time steps";
+  if (std::ranges::any_of(contacts.elements, [](const auto& each) { return each.law == InterfaceLaw::cubic; }))
+    return "along chains of cubic joints they gain nothing";
+  const std::vector<bool> held = held_flags(model);
+  const JumpSoftening softening{true, stage.dt * stage.dt / 12};
+  std::size_t softened = 0;
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    if (is_softened(model, contacts, held, i, softening)) ++softened;
+  if (static_cast<double>(softened) >= least_softened * static_cast<double>(contacts.elements.size())) return "";
+  return "too many joints lie between unlike or concave blocks";
+}
+
+class StageChoice {
+ public:
+  StageChoice(std::size_t index, const ContactSet& contacts, Model& model)
+      : model_(model), index_(index), contacts_(contacts) {}
+
+  // Decides, and writes it into the stage. Returns a stable dt, 0 where steps stay implicit.
+  double make() {
+    Stage& stage = model_.stages[index_];
+    const std::string doubt = doubt_about_errors(model_, stage, contacts_);
+    if (!doubt.empty()) return stay_implicit("as " + doubt, stage);
+    find_costs(stage);
+    StepsInQuestion steps{stage.dt, dt_that_pays(stage)};
+    if (steps.least > stage.dt) return stay_implicit("as explicit ones would save too little", stage);
+    if (stage.chosen_dt.automatic) {
+      steps.close = close_to_limit;
+    } else {
+      steps.least = stage.dt;
+    }
+    const Integrator implicit = std::exchange(stage.integrator, central_difference_integrator());
+    const double stable = stable_step(model_, index_, contacts_, steps);
+    if (stable > 0) return become_explicit(stable, stage);
+    stage.integrator = implicit;
+    return stay_implicit("as explicit ones would not be stable at a length that pays", stage);
+  }
+
+ private:
+  static double stay_implicit(const std::string& why, Stage& stage) {
+    stage.chosen_integrator.reason = "implicit steps, " + why;
+    return 0;
+  }
+
+  double become_explicit(double stable, Stage& stage) const {
+    if (stage.dt > stable) {
+      shorten_to(stable, stage);
+      stage.chosen_dt.reason = fmt::format("explicit steps, which are stable up to {:.3g} s here", stable);
+    }
+    stage.chosen_integrator.reason =
+        "explicit steps, " + seconds_in_words(implicit_, set_up_ + stage.duration / stage.dt * explicit_step_);
+    return stable;
+  }
+
+  void find_costs(const Stage& stage) {
+    SceneSize size;
+    size.blocks = static_cast<std::int64_t>(model_.blocks.size());
+    size.interfaces = static_cast<std::int64_t>(contacts_.interfaces.size());
+    size.coupled_pairs = size.interfaces;
+    const double chi = stiffness_number(contacts_, make_block_terms(model_, stage), stage.dt);
+    StepPlan plan = make_plan(model_, index_, contacts_, static_cast<int>(size.coupled_pairs), chi);
+    if (plan.solver != SolverKind::pcg) size = size_of(contacts_, make_system_matrix(static_cast<int>(size.blocks), contacts_));
+    implicit_ = cost_of(size, plan, stage.steps()).seconds;
+    plan.explicit_steps = true;
+    explicit_step_ = cost_of(size, plan, 1).seconds;
+    set_up_ = set_up_per_block * static_cast<double>(size.blocks);
+  }
+
+  // The shortest; infinite where none does.
+  [[nodiscard]] double dt_that_pays(const Stage& stage) const {
+    const double most = std::min((1 - least_share_saved) * implicit_, implicit_ - least_saved) - set_up_;
+    if (most <= 0) return std::numeric_limits<double>::infinity();
+    return stage.duration * explicit_step_ / most;
+  }
+
+  Model& model_;
+  std::size_t index_;
+  const ContactSet& contacts_;
+  double implicit_ = 0, explicit_step_ = 0, set_up_ = 0;  // s: of the stage, of a step, before the first one
+};
+
+}  // namespace
+
+std::vector<double> choose_integrators(const ContactSet& contacts, Model& model) {
+  std::vector<double> stable(model.stages.size(), 0);
+  for (std::size_t i = 0; i < stable.size(); ++i) {
+    const Stage& stage = model.stages[i];
+    if (!stage.chosen_integrator.automatic || stage.integrator.is_static || explicit_obstacle(model, stage)) continue;
+    stable[i] = StageChoice(i, contacts, model).make();
+  }
+  return stable;
+}
+
+}  // namespace dda

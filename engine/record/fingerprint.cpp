@@ -94,11 +94,12 @@ void add_rock(FnvHash& hash, const Model& model) {
   add_all(hash, materials_in(model, 0));
   add_all(hash, joints_in(model, 0));
   for (std::size_t i = 1; i < model.stages.size(); ++i) {
-    const auto& [materials, joints] = model.stages[i].rock;
-    if (materials.empty() && joints.empty()) continue;
+    const auto& [materials, joints, added] = model.stages[i].rock;
+    if (materials.empty() && joints.empty() && added.empty()) continue;
     hash.add_number(i);
     add_all(hash, materials);
     add_all(hash, joints);
+    for (const int block : added) hash.add_number(block);
   }
 }
 

@@ -128,7 +128,7 @@ class RandomPlate {
       const int left = row * count, right = left + count - 1;
       const double shift = row / parts % 2 == 1 ? shift_ * width_ : 0;
       if (!in_the_rock_) add_edge_load(left, {shift, (row + 1) * h}, {shift, row * h}, model);
-      if (!absorbing_) continue;
+      if (!absorbing_ || (held_ && row < parts)) continue;
       const double rho = rock_.density;
       model.viscous_edges.push_back(
           {right, {end + shift, row * h}, {end + shift, (row + 1) * h}, rho * p_speed(), rho * speed(), 0});
@@ -325,7 +325,6 @@ TEST(IntegratorChoice, StepsAreBelowTheLimit) {
     };
     if (asked(1e-9, 0, 0.995) == 0) continue;  // inertia couples blocks
     const double roughly = asked(1, 0, 0.95);
-    if (roughly < 0.94 * limit) std::cout << "dense " << 2 / std::sqrt(dense_modes(model).squares.maxCoeff()) << " limit " << limit << " held " << model.held_blocks.size() << std::endl;
     EXPECT_LE(roughly, 1.005 * limit);
     EXPECT_GE(roughly, 0.94 * limit);
     EXPECT_GE(asked(0.3 * limit, 0.3 * limit, 0.995), 0.3 * limit);

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/stage_cost.h"
 #include "engine/advice/explicit_offer.h"
 #include "engine/advice/limits.h"
 #include "engine/advice/wave_errors.h"
 #include "engine/simulation/simulation.h"
+#include "engine/simulation/stage_cost.h"
 
 namespace dda {
 

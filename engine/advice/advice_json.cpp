@@ -72,6 +72,7 @@ Json to_json(const StageAdvice& stage) {
   for (const WaveAdvice& wave : stage.waves) waves.push_back(to_json(wave));
   return {{"name", stage.name},
           {"integrator", stage.integrator},
+          {"why_integrator", stage.why_integrator},
           {"dt_s", stage.dt},
           {"chi", stage.chi},
           {"solver", stage.solver},

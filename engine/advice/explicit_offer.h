@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "engine/simulation/stage_cost.h"
 #include "engine/model/model.h"
+#include "engine/simulation/stage_cost.h"
 
 namespace dda {
 

@@ -22,10 +22,10 @@ namespace dda {
 namespace {
 
 constexpr double least_share_saved = 1.0 / 3;
-constexpr double least_saved = 0.1;         // s of CPU time
-constexpr double set_up_per_block = 5e-6;   // s: matrices for the limit of stability, and products with them
-constexpr double least_softened = 0.9;      // share of the interfaces
-constexpr double close_to_limit = 0.95;     // a dt that is left to the engine
+constexpr double least_saved = 0.1;        // s of CPU time
+constexpr double set_up_per_block = 5e-6;  // s: matrices for the limit of stability, and products with them
+constexpr double least_softened = 0.9;     // share of the interfaces
+constexpr double close_to_limit = 0.95;    // a dt that is left to the engine
 
 std::string seconds_in_words(double implicit, double explicit_steps) {
   return fmt::format("roughly {:.2g} s of CPU time in place of {:.2g} s", explicit_steps, implicit);
@@ -101,7 +101,8 @@ class StageChoice {
     size.coupled_pairs = size.interfaces;
     const double chi = stiffness_number(contacts_, make_block_terms(model_, stage), stage.dt);
     StepPlan plan = make_plan(model_, index_, contacts_, static_cast<int>(size.coupled_pairs), chi);
-    if (plan.solver != SolverKind::pcg) size = size_of(contacts_, make_system_matrix(static_cast<int>(size.blocks), contacts_));
+    if (plan.solver != SolverKind::pcg)
+      size = size_of(contacts_, make_system_matrix(static_cast<int>(size.blocks), contacts_));
     implicit_ = cost_of(size, plan, stage.steps()).seconds;
     plan.explicit_steps = true;
     explicit_step_ = cost_of(size, plan, 1).seconds;

@@ -94,7 +94,9 @@ class RandomPlate {
   bool chance(double share) { return std::bernoulli_distribution(share)(random_); }
 
   [[nodiscard]] double speed() const { return std::sqrt(rock_.young / (2 * (1 + rock_.poisson)) / rock_.density); }
-  [[nodiscard]] double p_speed() const { return speed() * std::sqrt(2.5 / (1 - rock_.poisson)) * (two_rocks_ ? 1.4 : 1); }
+  [[nodiscard]] double p_speed() const {
+    return speed() * std::sqrt(2.5 / (1 - rock_.poisson)) * (two_rocks_ ? 1.4 : 1);
+  }
 
   // Running bonds shift whole blocks, so their parts shift with them.
   void add_block(int row, int i, int parts, Model& model) const {
@@ -128,12 +130,13 @@ class RandomPlate {
       const int left = row * count, right = left + count - 1;
       const double shift = row / parts % 2 == 1 ? shift_ * width_ : 0;
       if (!in_the_rock_) add_edge_load(left, {shift, (row + 1) * h}, {shift, row * h}, model);
-      if (!absorbing_) continue;
+      if (!absorbing_ || (held_ && row < parts)) continue;
       const double rho = rock_.density;
       model.viscous_edges.push_back(
           {right, {end + shift, row * h}, {end + shift, (row + 1) * h}, rho * p_speed(), rho * speed(), 0});
     }
-    for (int i = 0; held_ && i < count * parts; ++i) model.held_blocks.push_back({i, Vec2::Zero(), 0, Vec2::Zero(), {}});
+    for (int i = 0; held_ && i < count * parts; ++i)
+      model.held_blocks.push_back({i, Vec2::Zero(), 0, Vec2::Zero(), {}});
   }
 
   [[nodiscard]] std::vector<std::pair<double, TimeFunction>> pulse() const {
@@ -231,7 +234,8 @@ Compared compare(unsigned seed) {
   model.stages[0].chosen_integrator.automatic = true;
   double dt = 0;
   const Histories chosen = run(model, middles, reason, &dt);
-  std::cout << seed << (plate.is_kinked() ? " kinked " : " smooth ") << (plate.is_skewed() ? "skewed " : "") << (plate.leaves_dt() ? "auto " : "given ") << reason;
+  std::cout << seed << (plate.is_kinked() ? " kinked " : " smooth ") << (plate.is_skewed() ? "skewed " : "")
+            << (plate.leaves_dt() ? "auto " : "given ") << reason;
   Compared compared;
   compared.is_chosen = reason.starts_with("explicit");
   if (compared.is_chosen) {
@@ -303,8 +307,8 @@ TEST(IntegratorChoice, KeepsImplicitStepsWhereTheyAreWanted) {
 
 // Above its limit a given dt is no reason to refuse a scene that runs with implicit steps.
 TEST(IntegratorChoice, RefusesNothing) {
-  const double limit = stability_limit(
-      left_open([](Model& m) { m.stages[0].integrator = central_difference_integrator(); }), 0);
+  const double limit =
+      stability_limit(left_open([](Model& m) { m.stages[0].integrator = central_difference_integrator(); }), 0);
   EXPECT_FALSE(gets_explicit_steps([&](Model& m) { m.stages[0].dt = 2 * limit, m.stages[0].duration = 4000 * limit; }));
   const auto stiff_support = [](Model& m) {
     m.supports = {{RandomPlate::side, m.blocks[RandomPlate::side].shape.outer[0], true, true, 1e15, Vec2::Zero(), {}}};
@@ -325,7 +329,6 @@ TEST(IntegratorChoice, StepsAreBelowTheLimit) {
     };
     if (asked(1e-9, 0, 0.995) == 0) continue;  // inertia couples blocks
     const double roughly = asked(1, 0, 0.95);
-    if (roughly < 0.94 * limit) std::cout << "dense " << 2 / std::sqrt(dense_modes(model).squares.maxCoeff()) << " limit " << limit << " held " << model.held_blocks.size() << std::endl;
     EXPECT_LE(roughly, 1.005 * limit);
     EXPECT_GE(roughly, 0.94 * limit);
     EXPECT_GE(asked(0.3 * limit, 0.3 * limit, 0.995), 0.3 * limit);

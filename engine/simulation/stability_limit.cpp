@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -69,6 +68,31 @@ Eigen::VectorXd random_momentum(const BlockMatrix& inertia, const HeldUnknowns& 
   return momentum;
 }
 
+// Whether x lies above all eigenvalues of a symmetric tridiagonal matrix: all pivots of x - T are positive (Sturm).
+bool is_above_all(const std::vector<double>& diagonal, const std::vector<double>& beside, double x) {
+  double pivot = x - diagonal[0];
+  for (std::size_t i = 1; i < diagonal.size() && pivot > 0; ++i)
+    pivot = x - diagonal[i] - beside[i] * beside[i] / pivot;
+  return pivot > 0;
+}
+
+// The largest, by bisection; beside[i] couples i - 1 and i. The QR algorithm may end without it where many eigenvalues
+// have copies, as those of Lanczos' method have.
+double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
+  double low = *std::ranges::max_element(diagonal), high = low;
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const double around = (i > 0 ? beside[i] : 0) + (i + 1 < diagonal.size() ? beside[i + 1] : 0);
+    high = std::max(high, diagonal[i] + around);  // Gershgorin
+  }
+  constexpr double close = 1e-14;
+  while (high - low > close * std::abs(high)) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) break;
+    (is_above_all(diagonal, beside, middle) ? high : low) = middle;
+  }
+  return high;
+}
+
 // Lanczos' recurrence for M^-1 K in the inner product of M, without reorthogonalization: copies of eigenvalues that
 // this brings are copies of the same, and the largest is what is asked for.
 class Lanczos {
@@ -99,12 +123,8 @@ class Lanczos {
   }
 
   [[nodiscard]] LargestFrequency largest() const {
-    const auto count = static_cast<Eigen::Index>(own_.size());
-    if (count == 0) return {};
-    const Eigen::Map<const Eigen::VectorXd> own(own_.data(), count), beside(norms_.data() + 1, count - 1);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(own, beside, Eigen::EigenvaluesOnly);
-    return {solver.eigenvalues().maxCoeff(), static_cast<int>(count)};
+    if (own_.empty()) return {};
+    return {largest_eigenvalue(own_, norms_), static_cast<int>(own_.size())};
   }
 
  private:

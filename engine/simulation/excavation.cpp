@@ -73,7 +73,8 @@ void bring_in(BlockSystem& s, GeneralStep& general) {
   for (const int block : added) place_as_drawn(block, s);
   general.set_blocks(absent, added, s.plan.linear);
   s.loads_at(s.state.time, s.forces.load_old);
-  if (s.plan.linear) return;  // new contacts exert nothing, and the others are as they were
+  if (s.plan.linear) return;               // new contacts exert nothing, and the others are as they were
+  refresh_tractions(s.state, s.contacts);  // their gaps were measured anew
   s.sum_internal_forces(s.forces.internal_old);
   s.audit.geometry_followed(s.stored_energy_now());
 }

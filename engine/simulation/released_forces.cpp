@@ -1,6 +1,7 @@
 #include "engine/simulation/released_forces.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <optional>
 
 namespace dda {
@@ -19,14 +20,17 @@ Vec6 on_unknowns(const Vec2& force, const Mat2& lever) {
   return forces;
 }
 
-// A snapshot that names what the model has not is noticed here.
-const std::optional<TimeFunction>& relaxation_of(const Model& model, Released what, std::size_t number) {
-  switch (what) {
-    case Released::blocks: return model.stages.at(number).removal.relaxation;
-    case Released::bolt: return model.bolts.at(number).withdrawal.relaxation;
-    case Released::lining: break;
-  }
-  return model.linings.at(number).withdrawal.relaxation;
+// What exerted forces, by its kind and number; nothing where the model has none of that number, or it does not fade.
+const TimeFunction* relaxation_of(const Model& model, Released what, std::size_t number) {
+  const auto of = [number](const auto& list, const auto& relaxation) -> const TimeFunction* {
+    if (number >= list.size()) return nullptr;
+    const std::optional<TimeFunction>& fading = relaxation(list[number]);
+    return fading ? &*fading : nullptr;
+  };
+  const auto of_withdrawal = [](const auto& item) -> const auto& { return item.withdrawal.relaxation; };
+  if (what == Released::bolt) return of(model.bolts, of_withdrawal);
+  if (what == Released::lining) return of(model.linings, of_withdrawal);
+  return of(model.stages, [](const Stage& stage) -> const auto& { return stage.removal.relaxation; });
 }
 
 }  // namespace
@@ -51,6 +55,11 @@ void ReleasedForces::add_loads_at(const Model& model, double time, Eigen::Vector
   for (const Load& load : loads_)
     force.segment<6>(6 * load.block) +=
         evaluate(*relaxation_of(model, load.what, load.number), time - load.start) * load.now;
+}
+
+bool ReleasedForces::fit(const Model& model) const {
+  return std::ranges::all_of(
+      loads_, [&](const Load& load) { return relaxation_of(model, load.what, load.number) != nullptr; });
 }
 
 }  // namespace dda

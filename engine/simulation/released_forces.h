@@ -30,6 +30,9 @@ class ReleasedForces {
 
   void add_loads_at(const Model& model, double time, Eigen::VectorXd& force) const;
 
+  // Whether the model has what exerted each of them: what a snapshot says may be damaged.
+  [[nodiscard]] bool fit(const Model& model) const;
+
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [loads] = self;

@@ -119,6 +119,7 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   visit(*this, reader);
   const auto pairs = touching_blocks(s.contacts.interfaces);
   reader.expect(touching_blocks(s.contacts.elements) == pairs && (follows_contacts() || pairs == drawn_pairs));
+  reader.expect(s.excavated.released.fit(s.model));
   for (const CounterField& field : counter_fields) reader(s.costs.counters.*field.value);
   reader.expect_end();
   stage_step().set_up(general_->pattern());

@@ -112,7 +112,7 @@ class Adviser {
     StageAdvice advice;
     advice.name = stage.name;
     advice.integrator = stage.integrator.name;
-    advice.why_integrator = stage.chosen_integrator.reason;
+    advice.why_integrator = stage.chosen.integrator.reason;
     advice.dt = stage.dt;
     advice.chi = plan.chi;
     advice.solver = plan.explicit_steps ? "explicit" : to_string(plan.solver);

@@ -21,7 +21,7 @@ std::vector<StageSpan> stage_spans(const Model& model) {
   double begin = 0;
   for (const Stage& stage : model.stages) {
     spans.push_back(
-        {stage.name, begin, begin + stage.duration, stands_still(model, stage), stage.dt, stage.chosen_dt.reason});
+        {stage.name, begin, begin + stage.duration, stands_still(model, stage), stage.dt, stage.chosen.dt.reason});
     begin = spans.back().end_s;
   }
   return spans;

@@ -206,7 +206,7 @@ std::string steps_of(const Stage& stage) {
   if (stage.paces_itself())
     return fmt::format("finds its own steps to equilibrium within {:.2g} of the largest force", stage.equilibrium);
   return fmt::format("{} steps of {:.6g} s{}, {:.6g} s in all", stage.steps(), stage.dt,
-                     stage.chosen_dt.automatic ? fmt::format(" (chosen: {})", stage.chosen_dt.reason) : "",
+                     stage.chosen.dt.automatic ? fmt::format(" (chosen: {})", stage.chosen.dt.reason) : "",
                      stage.duration);
 }
 
@@ -251,7 +251,7 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   text.gap();
   text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));
-  if (const std::string& reason = stage.chosen_integrator.reason; !reason.empty()) text.plain("  chosen: " + reason);
+  if (const std::string& reason = stage.chosen.integrator.reason; !reason.empty()) text.plain("  chosen: " + reason);
   if (!stage.removal.blocks.empty()) text.plain("  " + removal_of(model, stage));
   if (const std::string ramp = ramp_of_removal(model, contacts, index); !ramp.empty()) text.plain("  " + ramp);
   add_rock_of(model, index, text);

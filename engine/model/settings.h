@@ -89,6 +89,11 @@ struct ChosenIntegrator {
   std::string reason;  // why it chose that, one phrase; empty where explicit steps are out of the question
 };
 
+struct ChosenByEngine {
+  ChosenDt dt;
+  ChosenIntegrator integrator;
+};
+
 // How much is tried before a step is given up.
 struct StepEffort {
   int open_close_iterations = 200;
@@ -99,9 +104,8 @@ struct Stage {
   std::string name = "run";
   double dt = 0;        // s; 0: a static stage that finds its own steps, see paces_itself()
   double duration = 0;  // s; may be 0 where the stage paces itself
-  ChosenDt chosen_dt;
   Integrator integrator;
-  ChosenIntegrator chosen_integrator;
+  ChosenByEngine chosen;
   Kinematics kinematics = Kinematics::finite;
   SolverRequest solver = SolverRequest::automatic;
 

@@ -189,7 +189,7 @@ void choose(const Model& model, std::size_t index, Stage& stage) {
     limit = {least_transits * transit, "a twentieth of the time of a wave through a block, the least"};
   tighten(limit, stage.duration / fewest_steps, fmt::format("{} steps in the stage, the fewest", fewest_steps));
   stage.dt = rounded_down(limit.dt);
-  stage.chosen_dt.reason = limit.reason;
+  stage.chosen.dt.reason = limit.reason;
 }
 
 }  // namespace
@@ -221,7 +221,7 @@ std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, 
 void choose_time_steps(Model& model) {
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
     Stage& stage = model.stages[i];
-    if (stage.chosen_dt.automatic && stage.dt == 0) choose(model, i, stage);
+    if (stage.chosen.dt.automatic && stage.dt == 0) choose(model, i, stage);
   }
 }
 

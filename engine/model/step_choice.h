@@ -41,7 +41,7 @@ struct FastestWave {
 };
 std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt);
 
-// Sets dt and its reason in stages whose dt is chosen (chosen_dt.automatic).
+// Sets dt and its reason in stages whose dt is chosen (chosen.dt.automatic).
 void choose_time_steps(Model& model);
 
 }  // namespace dda

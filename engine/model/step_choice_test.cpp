@@ -63,14 +63,14 @@ Model row_of_squares(bool bonded) {
   Stage stage;
   stage.duration = 1;
   stage.integrator = generalized_alpha_integrator(bonded ? 0.85 : 0);
-  stage.chosen_dt.automatic = true;
+  stage.chosen.dt.automatic = true;
   model.stages = {stage};
   return model;
 }
 
 double chosen(Model model) {
   finish_model(model);
-  EXPECT_FALSE(model.stages[0].chosen_dt.reason.empty());
+  EXPECT_FALSE(model.stages[0].chosen.dt.reason.empty());
   return model.stages[0].dt;
 }
 
@@ -136,8 +136,8 @@ TEST(StepChoice, OfSupportsThatLetGoAtOnceIsThatOfTheBlocks) {
     model.stages[0].integrator = static_integrator();
     model.stages[0].equilibrium = 1e-9;
     finish_model(model);
-    const bool is_release = model.stages[1].chosen_dt.reason.find("supports let go at once") != std::string::npos;
-    EXPECT_EQ(is_release, takes_force_along) << model.stages[1].chosen_dt.reason;
+    const bool is_release = model.stages[1].chosen.dt.reason.find("supports let go at once") != std::string::npos;
+    EXPECT_EQ(is_release, takes_force_along) << model.stages[1].chosen.dt.reason;
   }
 }
 
@@ -146,8 +146,8 @@ TEST(StepChoice, OfStressThatNothingHasSettledIsThatOfTheBlocks) {
   model.gravity = {0, -10};
   model.blocks[0].initial_stress = {-1e6, -1e6, 0};
   finish_model(model);
-  EXPECT_NE(model.stages[0].chosen_dt.reason.find("stress begins to act at once"), std::string::npos)
-      << model.stages[0].chosen_dt.reason;
+  EXPECT_NE(model.stages[0].chosen.dt.reason.find("stress begins to act at once"), std::string::npos)
+      << model.stages[0].chosen.dt.reason;
 }
 
 TEST(StepChoice, OfWavesFollowsTheFrequencyAndTheIntegrator) {
@@ -176,11 +176,11 @@ TEST(StepChoice, StaysWithinItsBounds) {
 
 TEST(StepChoice, LeavesStatedStepsAlone) {
   Model model = row_of_squares(true);
-  model.stages[0].chosen_dt.automatic = false;
+  model.stages[0].chosen.dt.automatic = false;
   model.stages[0].dt = 0.123;
   finish_model(model);
   EXPECT_EQ(model.stages[0].dt, 0.123);
-  EXPECT_EQ(model.stages[0].chosen_dt.reason, "");
+  EXPECT_EQ(model.stages[0].chosen.dt.reason, "");
 }
 
 }  // namespace

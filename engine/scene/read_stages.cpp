@@ -30,12 +30,15 @@ Integrator read_integrator(const Field& field) {
   return generalized_alpha_integrator(field.at("generalized_alpha").within(0, 1));
 }
 
-// Left out, or "auto": that of the scheme, in place of which the accurate one may have explicit steps.
+// Left out: that of the scheme. "auto": the same, in place of which the accurate scheme may have explicit steps.
 void read_integrator(const Field& field, const Scheme& scheme, Stage& stage) {
   const auto given = field.find("integrator");
-  const bool is_left_open = !given || (given->is_text() && given->text() == "auto");
-  stage.chosen_integrator.automatic = is_left_open && scheme.name == SchemeName::accurate;
-  if (!is_left_open) stage.integrator = read_integrator(*given);
+  if (!given) return;
+  if (!given->is_text() || given->text() != "auto") {
+    stage.integrator = read_integrator(*given);
+  } else {
+    stage.chosen.integrator.automatic = scheme.name == SchemeName::accurate;
+  }
 }
 
 Kinematics read_kinematics(const Field& field) {
@@ -55,11 +58,11 @@ void read_duration(const Field& field, Stage& stage) {
     stage.equilibrium = default_equilibrium;
     return;
   }
-  stage.chosen_dt.automatic = is_left_open;
+  stage.chosen.dt.automatic = is_left_open;
   if (!is_left_open) stage.dt = dt->positive(Dimension::time);
   const Field duration = field.at("duration");
   stage.duration = duration.positive(Dimension::time);
-  if (stage.chosen_dt.automatic) return;
+  if (stage.chosen.dt.automatic) return;
   if (stage.duration < 0.5 * stage.dt) duration.fail(fmt::format("at least one step of {} s", stage.dt));
   if (stage.duration > 1e12 * stage.dt) duration.fail(fmt::format("at most 1e12 steps of {} s", stage.dt));
 }

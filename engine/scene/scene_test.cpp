@@ -105,10 +105,10 @@ TEST(Scene, DynamicStagesWithoutDtHaveItChosen) {
   for (const int i : {0, 1}) {
     const Stage& stage = model.stages[static_cast<std::size_t>(i)];
     EXPECT_GT(stage.dt, 0);
-    EXPECT_FALSE(stage.chosen_dt.reason.empty());
+    EXPECT_FALSE(stage.chosen.dt.reason.empty());
   }
   EXPECT_EQ(model.stages[0].dt, model.stages[1].dt);
-  EXPECT_EQ(model.stages[2].chosen_dt.reason, "");
+  EXPECT_EQ(model.stages[2].chosen.dt.reason, "");
 }
 
 // b = ratio/(pi f); and a/(2 w) + b w/2 = ratio at both.

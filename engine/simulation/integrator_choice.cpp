@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "engine/model/explicit_conditions.h"
-#include "engine/model/held_flags.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/stability_limit.h"
 #include "engine/simulation/stage_cost.h"
 #include "engine/simulation/system_matrix.h"
-#include "engine/waves/mesh_correction.h"
+#include "engine/waves/wave_corrections.h"
 
 namespace dda {
 namespace {
@@ -31,12 +30,6 @@ std::string seconds_in_words(double implicit, double explicit_steps) {
   return fmt::format("roughly {:.2g} s of CPU time in place of {:.2g} s", explicit_steps, implicit);
 }
 
-// Joints of consistent law between blocks of one convex kind: those that make up for blocks and explicit steps.
-bool is_softened(const Model& model, const ContactSet& contacts, const std::vector<bool>& held, std::size_t i,
-                 const JumpSoftening& softening) {
-  return is_in_mesh(held, contacts.elements[i]) && jump_share(model, contacts.interfaces[i], softening) > 0;
-}
-
 // Why errors might be larger with explicit steps; empty where they are not.
 std::string doubt_about_errors(const Model& model, const Stage& stage, const ContactSet& contacts) {
   const Stage acting = model.with_acting_corrections(stage);
@@ -44,12 +37,7 @@ std::string doubt_about_errors(const Model& model, const Stage& stage, const Con
     return "its waves are not corrected for blocks and time steps";
   if (std::ranges::any_of(contacts.elements, [](const auto& each) { return each.law == InterfaceLaw::cubic; }))
     return "along chains of cubic joints they gain nothing";
-  const std::vector<bool> held = held_flags(model);
-  const JumpSoftening softening{true, stage.dt * stage.dt / 12};
-  std::size_t softened = 0;
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    if (is_softened(model, contacts, held, i, softening)) ++softened;
-  if (static_cast<double>(softened) >= least_softened * static_cast<double>(contacts.elements.size())) return "";
+  if (share_softened_for_steps(model, stage, contacts) >= least_softened) return "";
   return "too many joints lie between unlike or concave blocks";
 }
 
@@ -66,7 +54,7 @@ class StageChoice {
     find_costs(stage);
     StepsInQuestion steps{stage.dt, dt_that_pays(stage)};
     if (steps.least > stage.dt) return stay_implicit("as explicit ones would save too little", stage);
-    if (stage.chosen_dt.automatic) {
+    if (stage.chosen.dt.automatic) {
       steps.close = close_to_limit;
     } else {
       steps.least = stage.dt;
@@ -80,16 +68,16 @@ class StageChoice {
 
  private:
   static double stay_implicit(const std::string& why, Stage& stage) {
-    stage.chosen_integrator.reason = "implicit steps, " + why;
+    stage.chosen.integrator.reason = "implicit steps, " + why;
     return 0;
   }
 
   double become_explicit(double stable, Stage& stage) const {
     if (stage.dt > stable) {
       shorten_to(stable, stage);
-      stage.chosen_dt.reason = fmt::format("explicit steps, which are stable up to {:.3g} s here", stable);
+      stage.chosen.dt.reason = fmt::format("explicit steps, which are stable up to {:.3g} s here", stable);
     }
-    stage.chosen_integrator.reason =
+    stage.chosen.integrator.reason =
         "explicit steps, " + seconds_in_words(implicit_, set_up_ + stage.duration / stage.dt * explicit_step_);
     return stable;
   }
@@ -128,7 +116,7 @@ std::vector<double> choose_integrators(const ContactSet& contacts, Model& model)
   std::vector<double> stable(model.stages.size(), 0);
   for (std::size_t i = 0; i < stable.size(); ++i) {
     const Stage& stage = model.stages[i];
-    if (!stage.chosen_integrator.automatic || stage.integrator.is_static || explicit_obstacle(model, stage)) continue;
+    if (!stage.chosen.integrator.automatic || stage.integrator.is_static || explicit_obstacle(model, stage)) continue;
     stable[i] = StageChoice(i, contacts, model).make();
   }
   return stable;

@@ -18,7 +18,7 @@
 
 namespace dda {
 
-// Sets integrator, dt and the reason in such stages (Stage::chosen_integrator). Returns for every stage that got
+// Sets integrator, dt and the reason in such stages (Stage::chosen). Returns for every stage that got
 // explicit steps a dt up to which they are stable, s; 0 for all others. `contacts`: of the model as drawn.
 std::vector<double> choose_integrators(const ContactSet& contacts, Model& model);
 

@@ -77,7 +77,7 @@ class RandomPlate {
     Stage stage = stage_of(generalized_alpha_integrator(0.85), 1, 1);
     stage.correct_block_dispersion = stage.correct_time_dispersion = true;
     stage.duration = duration_;
-    stage.chosen_dt.automatic = leaves_dt_;
+    stage.chosen.dt.automatic = leaves_dt_;
     stage.dt = leaves_dt_ ? 0 : dt_of(share_of_limit_);
     return stage;
   }
@@ -176,9 +176,10 @@ std::vector<double> readings(const Simulation& simulation, const std::vector<Vec
   const int count = RandomPlate::side * parts;
   for (int row = 4; row < RandomPlate::side; row += 9)
     for (int i = 4; i < RandomPlate::side; i += 9) {
-      const auto block = static_cast<std::size_t>((row * parts + parts / 2) * count + i * parts + parts / 2);
-      const Vec2 middle = middles[static_cast<std::size_t>(row * RandomPlate::side + i)];
-      const Vec2 moved = point_displacement(simulation.model(), simulation.state(), static_cast<int>(block), middle);
+      const int block = (row * parts + parts / 2) * count + i * parts + parts / 2;
+      const int own = row * RandomPlate::side + i;
+      const Vec2& middle = middles[static_cast<std::size_t>(own)];
+      const Vec2 moved = point_displacement(simulation.model(), simulation.state(), block, middle);
       values.insert(values.end(), {moved.x(), moved.y()});
     }
   return values;
@@ -189,7 +190,7 @@ Histories run(Model model, const std::vector<Vec2>& middles, std::string& reason
   const int parts = model.blocks.size() == middles.size() ? 1 : finer;
   const std::clock_t begun = std::clock();
   Simulation simulation(std::move(model));
-  reason = simulation.model().stages[0].chosen_integrator.reason;
+  reason = simulation.model().stages[0].chosen.integrator.reason;
   if (dt != nullptr) *dt = simulation.model().stages[0].dt;
   Histories histories;
   while (!simulation.finished() && simulation.step() == Status::ok) {
@@ -231,7 +232,7 @@ Compared compare(unsigned seed) {
   std::vector<Vec2> middles;
   for (const Block& block : model.blocks) middles.push_back(area_moments(block.shape).centroid);
   const Histories implicit = run(model, middles, none);
-  model.stages[0].chosen_integrator.automatic = true;
+  model.stages[0].chosen.integrator.automatic = true;
   double dt = 0;
   const Histories chosen = run(model, middles, reason, &dt);
   std::cout << seed << (plate.is_kinked() ? " kinked " : " smooth ") << (plate.is_skewed() ? "skewed " : "")
@@ -242,7 +243,7 @@ Compared compare(unsigned seed) {
     Model fine = plate.model(finer);
     fine.stages = {plate.stage()};
     fine.stages[0].integrator = central_difference_integrator();
-    fine.stages[0].chosen_dt.automatic = false;
+    fine.stages[0].chosen.dt.automatic = false;
     fine.stages[0].dt = fine.stages[0].duration / std::ceil(fine.stages[0].duration / (dt / finer));
     const Histories reference = run(fine, middles, none);
     compared.implicit_error = error_of(implicit, reference);
@@ -277,8 +278,8 @@ Model left_open(const std::function<void(Model&)>& change) {
   const RandomPlate plate(1);
   Model model = plate.model(1);
   model.stages = {plate.stage()};
-  model.stages[0].chosen_integrator.automatic = true;
-  model.stages[0].chosen_dt.automatic = false;
+  model.stages[0].chosen.integrator.automatic = true;
+  model.stages[0].chosen.dt.automatic = false;
   model.stages[0].dt = plate.dt_of(0.5);
   change(model);
   finish_model(model);
@@ -295,7 +296,7 @@ bool gets_explicit_steps(const std::function<void(Model&)>& change) {
 
 TEST(IntegratorChoice, KeepsImplicitStepsWhereTheyAreWanted) {
   EXPECT_TRUE(gets_explicit_steps([](Model&) {}));
-  EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.stages[0].chosen_integrator.automatic = false; }));
+  EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.stages[0].chosen.integrator.automatic = false; }));
   EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.stages[0].correct_time_dispersion = false; }));
   EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.stages[0].correct_block_dispersion = false; }));
   EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.stages[0].strain_inertia = 1.5; }));

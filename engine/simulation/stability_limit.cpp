@@ -310,7 +310,7 @@ namespace {
 void shorten_below(double limit, Stage& stage) {
   constexpr double margin = 0.95;
   shorten_to(margin * limit, stage);
-  stage.chosen_dt.reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
+  stage.chosen.dt.reason = fmt::format("central differences, which are stable up to {:.3g} s here", limit);
 }
 
 double limit_of_stage(const Model& model, const ContactSet& drawn, const std::vector<double>& known,
@@ -328,7 +328,7 @@ std::vector<double> kept_stability_limits(const ContactSet& drawn, Model& model,
     Stage& stage = model.stages[i];
     if (!stage.integrator.is_explicit() || limits[i] > 0) continue;
     limits[i] = limit_of_stage(model, drawn, limits, i);
-    if (stage.chosen_dt.automatic && stage.dt > limits[i]) {
+    if (stage.chosen.dt.automatic && stage.dt > limits[i]) {
       shorten_below(limits[i], stage);
       limits[i] = limit_of_stage(model, drawn, limits, i);
     }

@@ -95,7 +95,7 @@ TEST(StabilityLimit, IsKeptWhereDtIsLeftToTheEngine) {
   for (int scene = 0; scene < 40; ++scene) {
     const RandomBondedScene drawn(random, true);
     Stage stage = RandomBondedScene::random_stage(random, 0, 0);
-    stage.chosen_dt.automatic = true;
+    stage.chosen.dt.automatic = true;
     stage.duration = 0.5;
     const Model left_open = drawn.with(stage);
     const double asked = left_open.stages[0].dt;
@@ -107,7 +107,7 @@ TEST(StabilityLimit, IsKeptWhereDtIsLeftToTheEngine) {
     ++shortened;
     EXPECT_GT(asked, limit);
     EXPECT_GT(chosen.dt, 0.84 * limit) << "scene " << scene;  // 0.95, two digits (10 % at 0.10) and a softer rock
-    EXPECT_NE(chosen.chosen_dt.reason.find("stable"), std::string::npos);
+    EXPECT_NE(chosen.chosen.dt.reason.find("stable"), std::string::npos);
   }
   EXPECT_GT(shortened, 10);
   EXPECT_LT(shortened, 40);

@@ -191,4 +191,13 @@ double WaveCorrections::end_energy(const Model& model, const std::vector<Vec3>& 
   return energy;
 }
 
+double share_softened_for_steps(const Model& model, const Stage& stage, const ContactSet& contacts) {
+  const std::vector<bool> held = held_flags(model);
+  const JumpSoftening softening{true, -period_error(central_difference_integrator()) * stage.dt * stage.dt};
+  std::size_t softened = 0;
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    if (is_in_mesh(held, contacts.elements[i]) && jump_share(model, contacts.interfaces[i], softening) > 0) ++softened;
+  return contacts.elements.empty() ? 0 : static_cast<double>(softened) / static_cast<double>(contacts.elements.size());
+}
+
 }  // namespace dda

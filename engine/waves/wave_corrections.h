@@ -94,4 +94,8 @@ class WaveCorrections {
   std::vector<double> sharpening_;  // of the loads on each block
 };
 
+// The share of the interfaces that make up for what explicit steps of the stage's dt do to waves: those of consistent
+// law between convex blocks of one material.
+double share_softened_for_steps(const Model& model, const Stage& stage, const ContactSet& contacts);
+
 }  // namespace dda

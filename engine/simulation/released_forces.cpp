@@ -30,7 +30,8 @@ const TimeFunction* relaxation_of(const Model& model, Released what, std::size_t
   const auto of_withdrawal = [](const auto& item) -> const auto& { return item.withdrawal.relaxation; };
   if (what == Released::bolt) return of(model.bolts, of_withdrawal);
   if (what == Released::lining) return of(model.linings, of_withdrawal);
-  return of(model.stages, [](const Stage& stage) -> const auto& { return stage.removal.relaxation; });
+  return of(
+      model.stages, [](const Stage& stage) -> const auto& { return stage.removal.relaxation; });
 }
 
 }  // namespace
@@ -58,8 +59,8 @@ void ReleasedForces::add_loads_at(const Model& model, double time, Eigen::Vector
 }
 
 bool ReleasedForces::fit(const Model& model) const {
-  return std::ranges::all_of(
-      loads_, [&](const Load& load) { return relaxation_of(model, load.what, load.number) != nullptr; });
+  return std::ranges::all_of(loads_,
+                             [&](const Load& load) { return relaxation_of(model, load.what, load.number) != nullptr; });
 }
 
 }  // namespace dda

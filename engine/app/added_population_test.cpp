@@ -32,9 +32,8 @@ struct Kind {
   const char* kinematics;
 };
 
-void PrintTo(const Kind& kind, std::ostream* out) {
-  *out << kind.name;
-}  // NOLINT(readability-identifier-naming): gtest's
+// NOLINTNEXTLINE(readability-identifier-naming): gtest's
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
 const Kind kinds[] = {
     {"bonded", {{"bonded", true}}, "small"},
@@ -128,9 +127,9 @@ double difference(const Simulation& filled, const Simulation& never) {
   return most / largest;
 }
 
-class FilledRock : public testing::TestWithParam<Kind> {};
+class RefilledRock : public testing::TestWithParam<Kind> {};
 
-TEST_P(FilledRock, IsRockWithAnOpeningBefore) {
+TEST_P(RefilledRock, IsRockWithAnOpeningBefore) {
   int differ = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
@@ -145,7 +144,7 @@ TEST_P(FilledRock, IsRockWithAnOpeningBefore) {
   EXPECT_LE(differ, 0);
 }
 
-TEST_P(FilledRock, BalancesItsEnergyAndGoesOnToTheBit) {
+TEST_P(RefilledRock, BalancesItsEnergyAndGoesOnToTheBit) {
   for (int seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
     const Model model = model_of(scene_of(seed, GetParam(), false), seed);
@@ -164,7 +163,7 @@ TEST_P(FilledRock, BalancesItsEnergyAndGoesOnToTheBit) {
 }
 
 // The fill of the other run waits for a stage that it does not come to.
-TEST_P(FilledRock, CanBeABranch) {
+TEST_P(RefilledRock, CanBeABranch) {
   for (int seed = 1; seed <= seeds; seed += 3) {
     SCOPED_TRACE(seed);
     json other = scene_of(seed, GetParam(), false);
@@ -193,7 +192,7 @@ TEST_P(FilledRock, CanBeABranch) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Joints, FilledRock, testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(Joints, RefilledRock, testing::ValuesIn(kinds),
                          [](const auto& kind) { return fmt::format("{}", kind.index); });
 
 }  // namespace

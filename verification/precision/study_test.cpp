@@ -21,7 +21,7 @@ namespace {
 class Study : public testing::Test {
  protected:
   [[nodiscard]] std::vector<Measured> run(int rounds, bool resume) const {
-    return run_study(jobs_, folder_, {rounds, resume, false});
+    return run_study(jobs_, folder_, {rounds, resume, nullptr});
   }
   [[nodiscard]] std::vector<std::string> lines() const {
     std::vector<std::string> all;

@@ -18,7 +18,7 @@ void report_run(const ReportOptions& options, std::ostream& out) {
   if (file.extension() != ".html" && file.extension() != ".htm")
     throw InputError("", "--out", file.string(), "a name that ends in .html or .htm, which is what is written");
   expect_folder(options.folder);
-  expect_output(file);
+  expect_output(file, options.folder);
   const std::string page = report_page(options.folder);
   write_file(file, page);
   out << fmt::format("{}: {:.2g} MB\n", file.string(), static_cast<double>(page.size()) / 1e6);

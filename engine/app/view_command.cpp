@@ -70,12 +70,13 @@ std::optional<Window> window_of(const std::vector<double>& sides) {
 }
 
 // Whether `file` can take what is written, and has a name that says so.
-void check_output(const std::filesystem::path& file, const std::vector<std::string>& extensions) {
+void check_output(const std::filesystem::path& file, const std::filesystem::path& folder_of_run,
+                  const std::vector<std::string>& extensions) {
   const std::string extension = file.extension().string();
   if (!extension.empty() && std::ranges::find(extensions, extension) == extensions.end())
     throw InputError("", "--out", file.string(),
                      fmt::format("a name that ends in {}, which is what is written", fmt::join(extensions, " or ")));
-  expect_output(file);
+  expect_output(file, folder_of_run);
 }
 
 bool is_given(const ViewOptions& options, std::string_view name) {
@@ -140,7 +141,7 @@ void draw_scene(const ViewOptions& options, std::ostream& out) {
   const std::optional<Box> part = part_of(options.window);
   const std::filesystem::path file =
       options.file.empty() ? std::filesystem::path(scene).replace_extension(".view.svg") : options.file;
-  check_output(file, {".svg"});
+  check_output(file, {}, {".svg"});
   const SceneParts parts = is_drawing(scene) ? parts_of_drawing(scene, words) : read_scene_parts(scene);
   expect_runnable(parts.model, scene.string());
   write_file(file, scene_picture(parts, part));
@@ -151,7 +152,7 @@ void draw_scene(const ViewOptions& options, std::ostream& out) {
 
 void draw_picture(const ViewOptions& options, std::ostream& out) {
   if (options.file.empty()) throw InputError("", "--out", "missing", "the file of the picture, which --svg needs");
-  check_output(options.file, {".svg"});
+  check_output(options.file, options.folder, {".svg"});
   PictureOptions picture;
   picture.quantity = options.quantity;
   picture.forces = forces_of(options.forces);
@@ -188,7 +189,7 @@ void view_run(const ViewOptions& options, std::ostream& out) {
   PageOptions page;
   page.folder = options.folder;
   page.file = options.file.empty() ? options.folder / "view.html" : options.file;
-  check_output(page.file, {".html", ".htm"});
+  check_output(page.file, page.folder, {".html", ".htm"});
   page.quantity = options.quantity;
   page.most_bytes = static_cast<std::size_t>(options.most_megabytes * 1e6);
   write_page(page, out);

@@ -8,10 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <ostream>
-#include <random>
 #include <string>
 
+#include "engine/app/random_rock_test_support.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
 #include "engine/simulation/memory_test_support.h"
@@ -26,16 +25,7 @@ using nlohmann::json;
 constexpr int seeds = 16;  // of each kind
 constexpr int settling = 20, moving = 30;
 
-struct Kind {
-  const char* name;
-  json joint;
-  const char* kinematics;
-};
-
-// NOLINTNEXTLINE(readability-identifier-naming): gtest's
-void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
-
-const Kind kinds[] = {
+const RockKind kinds[] = {
     {"bonded", {{"bonded", true}}, "small"},
     {"bonded moving", {{"bonded", true}}, "finite"},
     {"dry", {{"friction_angle", "40 deg"}}, "finite"},
@@ -45,65 +35,18 @@ const Kind kinds[] = {
     {"dry as drawn", {{"friction_angle", "40 deg"}}, "small"},
     {"projected", {{"friction_angle", "40 deg"}, {"law", "projected"}}, "finite"}};
 
-json wall(double left, double bottom, double right, double top) {
-  return {{"polygon",
-           {{"name", fmt::format("wall {} {}", left, bottom)},
-            {"group", "walls"},
-            {"vertices", {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}}}};
-}
-
-json rock_of(int seed, bool left_out) {
-  std::mt19937_64 random(static_cast<unsigned>(seed));
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(random() >> 11U) * 0x1p-53;
-  };
-  const auto set = [&](double low, double high) {
-    return json{{"dip", {{"mean", fmt::format("{:.3f} deg", between(low, high))}, {"deviation", "4 deg"}}},
-                {"spacing", {{"mean", between(0.9, 1.4)}, {"deviation", 0.2}}},
-                {"joint", "default"}};
-  };
-  const json opening = {
-      {"name", "opening"},
-      {"left_out", left_out},
-      {"circle", {{"centre", {between(2.6, 3.4), between(2.6, 3.4)}}, {"radius", between(0.8, 1.3)}}}};
-  return {{"boundary", {{0, 0}, {6, 0}, {6, 6}, {0, 6}}},
-          {"joint_sets", {set(20, 80), set(-60, 10)}},
-          {"openings", {opening}},
-          {"seed", seed},
-          {"merge", {{"area", 0.02}, {"angle", "8 deg"}}}};
-}
-
-json settle(const Kind& kind) {
+json settle(const RockKind& kind) {
   return {
       {"name", "settle"},        {"integrator", "static"},        {"dt", 1e-3},          {"duration", settling * 1e-3},
       {"strength", "unlimited"}, {"kinematics", kind.kinematics}, {"solver", "cholesky"}};
 }
 
-json motion(const Kind& kind, const char* name) {
-  return {{"name", name},
-          {"integrator", {{"generalized_alpha", 0.5}}},
-          {"dt", 1e-4},
-          {"duration", moving * 1e-4},
-          {"kinematics", kind.kinematics},
-          {"solver", "cholesky"}};
-}
-
-json scene_of(int seed, const Kind& kind, bool left_out) {
-  json fill = motion(kind, "fill");
+json scene_of(int seed, const RockKind& kind, bool left_out) {
+  json fill = motion_of(kind, "fill", moving);
   if (!left_out) fill["add"] = json::array({"opening"});
-  return {{"dda", 1},
-          {"gravity", 10},
-          {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.2}}}}},
-          {"joints", {{"default", kind.joint}}},
-          {"blocks",
-           {{{"rock", rock_of(seed, left_out)}},
-            wall(-1, -1, 7, 0),
-            wall(-1, 6, 7, 7),
-            wall(-1, 0, 0, 6),
-            wall(6, 0, 7, 6)}},
-          {"stress_field", {{"xx", "-3 MPa"}, {"yy", "-4 MPa"}, {"xy", "0.2 MPa"}}},
-          {"fixed", json::array({"walls"})},
-          {"steps", {settle(kind), fill, motion(kind, "after")}}};
+  json scene = scene_with_opening(seed, kind, left_out, {settle(kind), fill, motion_of(kind, "after", moving)});
+  scene["gravity"] = 10;
+  return scene;
 }
 
 Model model_of(const json& scene, int seed) { return parse_scene(scene.dump(), fmt::format("seed {}", seed)); }
@@ -127,7 +70,7 @@ double difference(const Simulation& filled, const Simulation& never) {
   return most / largest;
 }
 
-class RefilledRock : public testing::TestWithParam<Kind> {};
+class RefilledRock : public testing::TestWithParam<RockKind> {};
 
 TEST_P(RefilledRock, IsRockWithAnOpeningBefore) {
   int differ = 0;

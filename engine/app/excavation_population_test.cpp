@@ -8,10 +8,9 @@
 #include <cstddef>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <ostream>
-#include <random>
 #include <string>
 
+#include "engine/app/random_rock_test_support.h"
 #include "engine/contact/contact_set.h"
 #include "engine/model/energy_release.h"
 #include "engine/scene/scene.h"
@@ -28,17 +27,7 @@ constexpr int moving = 40;
 
 enum class Removed { never, at_once, kept, slowly };
 
-struct Kind {
-  const char* name;
-  json joint;
-  const char* kinematics;
-};
-
-void PrintTo(const Kind& kind, std::ostream* out) {
-  *out << kind.name;
-}  // NOLINT(readability-identifier-naming): gtest's
-
-const Kind kinds[] = {
+const RockKind kinds[] = {
     {"bonded", {{"bonded", true}}, "small"},
     {"dry", {{"friction_angle", "40 deg"}}, "finite"},
     // Springs that are chosen look at dt and pressure, which differ between scenes with and without an opening.
@@ -47,66 +36,17 @@ const Kind kinds[] = {
      "finite"},
     {"dry as drawn", {{"friction_angle", "40 deg"}}, "small"}};
 
-const json uniform_field = {{"xx", "-3 MPa"}, {"yy", "-4 MPa"}, {"xy", "0.2 MPa"}};
-
-json wall(double left, double bottom, double right, double top) {
-  return {{"polygon",
-           {{"name", fmt::format("wall {} {}", left, bottom)},
-            {"group", "walls"},
-            {"vertices", {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}}}};
-}
-
-json rock_of(int seed, bool left_out) {
-  std::mt19937_64 random(static_cast<unsigned>(seed));
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(random() >> 11U) * 0x1p-53;
-  };
-  const auto set = [&](double low, double high) {
-    return json{{"dip", {{"mean", fmt::format("{:.3f} deg", between(low, high))}, {"deviation", "4 deg"}}},
-                {"spacing", {{"mean", between(0.9, 1.4)}, {"deviation", 0.2}}},
-                {"joint", "default"}};
-  };
-  json opening = {{"name", "opening"},
-                  {"left_out", left_out},
-                  {"circle", {{"centre", {between(2.6, 3.4), between(2.6, 3.4)}}, {"radius", between(0.8, 1.3)}}}};
-  return {{"boundary", {{0, 0}, {6, 0}, {6, 6}, {0, 6}}},
-          {"joint_sets", {set(20, 80), set(-60, 10)}},
-          {"openings", {opening}},
-          {"seed", seed},
-          {"merge", {{"area", 0.02}, {"angle", "8 deg"}}}};
-}
-
-json motion_of(const Kind& kind) {
-  return {{"name", "motion"},
-          {"integrator", {{"generalized_alpha", 0.5}}},
-          {"dt", 1e-4},
-          {"duration", moving * 1e-4},
-          {"kinematics", kind.kinematics},
-          {"solver", "cholesky"}};
-}
-
-Model model_of(int seed, const Kind& kind, Removed removed) {
+Model model_of(int seed, const RockKind& kind, Removed removed) {
   json settle = {
       {"name", "settle"}, {"integrator", "static"}, {"dt", 1}, {"duration", 1}, {"kinematics", kind.kinematics}};
-  const json motion = motion_of(kind);
+  const json motion = motion_of(kind, "motion", moving);
   json steps = {settle, motion};
   if (removed == Removed::never) steps = {motion};
   if (removed == Removed::at_once) steps[1]["remove"] = json::array({"opening"});
   if (removed == Removed::kept)
     steps[1]["remove"] = {{"blocks", json::array({"opening"})}, {"table", {{0, 1}, {1, 1}}}};
   if (removed == Removed::slowly) steps[1]["remove"] = {{"blocks", json::array({"opening"})}, {"over", "2 ms"}};
-  const json scene = {{"dda", 1},
-                      {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.2}}}}},
-                      {"joints", {{"default", kind.joint}}},
-                      {"blocks",
-                       {{{"rock", rock_of(seed, removed == Removed::never)}},
-                        wall(-1, -1, 7, 0),
-                        wall(-1, 6, 7, 7),
-                        wall(-1, 0, 0, 6),
-                        wall(6, 0, 7, 6)}},
-                      {"stress_field", uniform_field},
-                      {"fixed", json::array({"walls"})},
-                      {"steps", steps}};
+  const json scene = scene_with_opening(seed, kind, removed == Removed::never, steps);
   return parse_scene(scene.dump(), fmt::format("seed {}", seed));
 }
 
@@ -144,13 +84,13 @@ double largest_difference(const Simulation& removed, const Simulation& never) {
 }
 
 // Nobody touches the rock: its surroundings push on the outside with the stress there is, absorbing or not.
-Model left_alone(int seed, const Kind& kind, const json& blocks, const json& field, bool absorbing) {
+Model left_alone(int seed, const RockKind& kind, const json& blocks, const json& field, bool absorbing) {
   json scene = {{"dda", 1},
                 {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.2}}}}},
                 {"joints", {{"default", kind.joint}}},
                 {"blocks", blocks},
                 {"stress_field", field},
-                {"steps", motion_of(kind)}};
+                {"steps", motion_of(kind, "motion", moving)}};
   if (field.contains("surface")) scene["gravity"] = 10;
   if (absorbing) {
     scene["viscous_boundaries"] = {{{"edge", "outside"}, {"carries_initial_stress", true}}};
@@ -162,9 +102,9 @@ Model left_alone(int seed, const Kind& kind, const json& blocks, const json& fie
 
 // Where faces are much shorter than their blocks, vertices on edges of blocks that move can be too near to each other
 // to be two contacts; rock that leans on such a face does not start in balance.
-bool starts_in_balance(int seed, const Kind& kind) {
-  return Simulation(left_alone(seed, kind, {{"rock", rock_of(seed, false)}}, uniform_field, false)).out_of_balance() <
-         1e-9;
+bool starts_in_balance(int seed, const RockKind& kind) {
+  return Simulation(left_alone(seed, kind, {{"rock", rock_with_opening(seed, false)}}, uniform_field, false))
+             .out_of_balance() < 1e-9;
 }
 
 // Salamon's two forms agree over the run and in every stage, and those of the stages add up.
@@ -188,7 +128,7 @@ void expect_both_forms_of_release(const Simulation& simulation) {
   EXPECT_NEAR(by_fate, whole.by_fate(), 1e-12 * scale);
 }
 
-class ExcavatedRock : public testing::TestWithParam<Kind> {
+class ExcavatedRock : public testing::TestWithParam<RockKind> {
  protected:
   template <typename Body>
   static void with_each_rock(Body body) {
@@ -208,7 +148,7 @@ class ExcavatedRock : public testing::TestWithParam<Kind> {
 // How much motions may differ, as a share of the largest. The balance holds to 1e-10 of the largest contact force, and
 // joints without strength make more of that in forty steps, as much as round-off has it: 1e-10, 7e-9, 4e-9, 2e-7 and
 // 2e-8 with five kernels of a BLAS library (SkylakeX, Haswell, Sandybridge, Nehalem, Prescott).
-double likeness(const Kind& kind) { return std::string(kind.name) == "dry" ? 1e-5 : 1e-8; }
+double likeness(const RockKind& kind) { return std::string(kind.name) == "dry" ? 1e-5 : 1e-8; }
 
 // Both take a step as long as they have as many contacts. Returns how many steps that was: round-off decides of a
 // corner that just comes near enough to an edge whether it is a contact now or a step later. In the second half of the
@@ -231,7 +171,7 @@ int step_together(Simulation& removed, Simulation& never, double likeness) {
 
 TEST_P(ExcavatedRock, MovesAsIfTheOpeningHadAlwaysBeenThere) {
   int parted = 0;
-  with_each_rock([&parted](int seed, const Kind& kind) {
+  with_each_rock([&parted](int seed, const RockKind& kind) {
     Simulation never(model_of(seed, kind, Removed::never));
     Simulation removed(model_of(seed, kind, Removed::at_once));
     const int steps = step_together(removed, never, likeness(kind));
@@ -246,7 +186,7 @@ TEST_P(ExcavatedRock, MovesAsIfTheOpeningHadAlwaysBeenThere) {
 }
 
 TEST_P(ExcavatedRock, StaysWhileTheTractionsStay) {
-  with_each_rock([](int seed, const Kind& kind) {
+  with_each_rock([](int seed, const RockKind& kind) {
     Simulation at_once(model_of(seed, kind, Removed::at_once));
     Simulation kept(model_of(seed, kind, Removed::kept));
     run_to_end(at_once);
@@ -257,7 +197,7 @@ TEST_P(ExcavatedRock, StaysWhileTheTractionsStay) {
 }
 
 TEST_P(ExcavatedRock, BalancesItsEnergyAndGoesOnToTheBitWhenItLetsGoSlowly) {
-  with_each_rock([](int seed, const Kind& kind) {
+  with_each_rock([](int seed, const RockKind& kind) {
     const Model model = model_of(seed, kind, Removed::slowly);
     Simulation whole(model);
     Simulation first(model);
@@ -284,9 +224,10 @@ double largest_change_of_stress(const Simulation& simulation) {
 }
 
 TEST_P(ExcavatedRock, ThatNobodyTouchesKeepsAUniformStress) {
-  with_each_rock([](int seed, const Kind& kind) {
+  with_each_rock([](int seed, const RockKind& kind) {
     for (const bool absorbing : {false, true}) {
-      Simulation simulation(left_alone(seed, kind, {{"rock", rock_of(seed, false)}}, uniform_field, absorbing));
+      Simulation simulation(
+          left_alone(seed, kind, {{"rock", rock_with_opening(seed, false)}}, uniform_field, absorbing));
       run_to_end(simulation);
       EXPECT_LT(largest_change_of_stress(simulation), 1e-10 * 5e6);
     }
@@ -310,8 +251,8 @@ TEST_P(ExcavatedRock, OfRectanglesThatNobodyTouchesKeepsAStressThatGrowsWithDept
 TEST_P(ExcavatedRock, OfOtherShapesIsOutOfBalanceByAPartOfItsWeight) {
   for (const double depth : {10.0, 100.0}) {
     const json field = {{"surface", depth}, {"density", 2600}, {"k0", 0.8}};
-    with_each_rock([&](int seed, const Kind& kind) {
-      const Model model = left_alone(seed, kind, {{"rock", rock_of(seed, false)}}, field, false);
+    with_each_rock([&](int seed, const RockKind& kind) {
+      const Model model = left_alone(seed, kind, {{"rock", rock_with_opening(seed, false)}}, field, false);
       double weight = 0;  // N, of the largest block
       for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i) weight = std::max(weight, 10 * model.mass_of(i));
       double scale = weight;

@@ -5,9 +5,9 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <string>
 
+#include "engine/app/random_rock_test_support.h"
 #include "engine/reaction/ground_reaction.h"
 #include "engine/scene/scene_parts.h"
 #include "engine/simulation/simulation.h"
@@ -20,27 +20,12 @@ using nlohmann::json;
 constexpr int seeds = 10;
 const std::vector<double> shares{1, 0.7, 0.4, 0.1, 0};
 
-json wall(const char* name, double left, double bottom, double right, double top) {
-  return {{"polygon",
-           {{"name", name},
-            {"group", "walls"},
-            {"vertices", {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}}}};
-}
-
 json rock_of(int seed) {
-  std::mt19937_64 random(static_cast<unsigned>(seed));
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(random() >> 11U) * 0x1p-53;
-  };
-  const auto set = [&](double low, double high) {
-    return json{{"dip", {{"mean", fmt::format("{:.3f} deg", between(low, high))}, {"deviation", "4 deg"}}},
-                {"spacing", {{"mean", between(0.9, 1.4)}, {"deviation", 0.2}}},
-                {"joint", "default"}};
-  };
+  RockByLot lot(seed);
   const json opening = {{"name", "tunnel"},
-                        {"circle", {{"centre", {between(3.6, 4.4), 4}}, {"radius", between(0.8, 1.3)}}}};
+                        {"circle", {{"centre", {lot.between(3.6, 4.4), 4}}, {"radius", lot.between(0.8, 1.3)}}}};
   return {{"boundary", {{0, 0}, {8, 0}, {8, 8}, {0, 8}}},
-          {"joint_sets", {set(20, 80), set(-60, 10)}},
+          {"joint_sets", {lot.joint_set(20, 80), lot.joint_set(-60, 10)}},
           {"openings", {opening}},
           {"seed", seed},
           {"merge", {{"area", 0.02}, {"angle", "8 deg"}}}};
@@ -49,17 +34,19 @@ json rock_of(int seed) {
 // Under 1 MPa on top; `removal` is the second stage.
 json scene_of(int seed, json removal) {
   removal.update({{"name", "open"}, {"integrator", "static"}});
-  return {
-      {"dda", 1},
-      {"gravity", 9.81},
-      {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.2}}}}},
-      {"joints", {{"default", {{"friction_angle", "30 deg"}}}}},
-      {"blocks",
-       {{{"rock", rock_of(seed)}}, wall("left", -1, -1, 0, 8), wall("right", 8, -1, 9, 8), wall("floor", 0, -1, 8, 0)}},
-      {"stress_field", {{"yy", -1e6}, {"xx", -1e6}, {"surface", 8}, {"density", 2600}}},
-      {"loads", {{{"edge", {{"from", {0, 8}}, {"to", {8, 8}}}}, {"traction", {0, -1e6}}}}},
-      {"fixed", json::array({"walls"})},
-      {"steps", {{{"name", "in situ"}, {"integrator", "static"}}, removal}}};
+  return {{"dda", 1},
+          {"gravity", 9.81},
+          {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.2}}}}},
+          {"joints", {{"default", {{"friction_angle", "30 deg"}}}}},
+          {"blocks",
+           {{{"rock", rock_of(seed)}},
+            held_wall("left", -1, -1, 0, 8),
+            held_wall("right", 8, -1, 9, 8),
+            held_wall("floor", 0, -1, 8, 0)}},
+          {"stress_field", {{"yy", -1e6}, {"xx", -1e6}, {"surface", 8}, {"density", 2600}}},
+          {"loads", {{{"edge", {{"from", {0, 8}}, {"to", {8, 8}}}}, {"traction", {0, -1e6}}}}},
+          {"fixed", json::array({"walls"})},
+          {"steps", {{{"name", "in situ"}, {"integrator", "static"}}, removal}}};
 }
 
 SceneParts parts_of(const json& scene, int seed) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/simulation/joint_kinds.h"
 #include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/snapshot.h"
@@ -17,36 +18,6 @@ namespace {
 
 constexpr int settled = 30;
 constexpr int moving = 40;
-
-JointMaterial dry(double friction_angle) {
-  JointMaterial joint;
-  joint.friction_angle = friction_angle;
-  return joint;
-}
-
-JointMaterial with_strength() {
-  JointMaterial joint;
-  joint.law = InterfaceLaw::consistent;
-  joint.friction_angle = 0.6;
-  joint.cohesion = joint.tensile_strength = 2e4;
-  return joint;
-}
-
-JointMaterial projected(JointMaterial joint) {
-  joint.law = InterfaceLaw::projected;
-  return joint;
-}
-
-std::vector<JointMaterial> joints() {
-  return {bond(InterfaceLaw::consistent),
-          bond(InterfaceLaw::classical),
-          bond(InterfaceLaw::cubic),
-          strong(InterfaceLaw::consistent),
-          with_strength(),
-          dry(0.6),
-          projected(dry(0.6)),
-          projected(with_strength())};
-}
 
 // A wall on a held floor, pressed by loads on its top, whose two middle blocks come in at the second stage.
 Model built_wall(const JointMaterial& joint, Kinematics kinematics, const Integrator& later, double dt) {
@@ -73,9 +44,9 @@ Model built_wall(const JointMaterial& joint, Kinematics kinematics, const Integr
 template <typename Body>
 void in_all_walls(Body body) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite})
-    for (std::size_t i = 0; i < joints().size(); ++i) {
+    for (std::size_t i = 0; i < joints_of_every_kind().size(); ++i) {
       SCOPED_TRACE(testing::Message() << "joint " << i << (kinematics == Kinematics::small ? " small" : " finite"));
-      body(joints()[i], kinematics);
+      body(joints_of_every_kind()[i], kinematics);
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/core/allocation_counter.h"
 #include "engine/core/error.h"
+#include "engine/simulation/joint_kinds.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/snapshot.h"
 
@@ -19,25 +20,6 @@ constexpr int settled = 3;
 constexpr int moving = 60;
 
 const Vec3 in_situ(-3e5, -5e5, 6e4);  // shear on the joints is a fifth of the pressure
-
-JointMaterial dry(double friction_angle) {
-  JointMaterial joint;
-  joint.friction_angle = friction_angle;
-  return joint;
-}
-
-JointMaterial with_strength() {
-  JointMaterial joint;
-  joint.law = InterfaceLaw::consistent;
-  joint.friction_angle = 0.6;
-  joint.cohesion = joint.tensile_strength = 2e4;  // some break
-  return joint;
-}
-
-JointMaterial projected(JointMaterial joint) {
-  joint.law = InterfaceLaw::projected;
-  return joint;
-}
 
 // A stressed wall in held walls, all named after their places; the middle has not been removed.
 Model stressed_wall(const JointMaterial& joint, Kinematics kinematics, Pattern pattern = Pattern::running_bond) {
@@ -99,24 +81,14 @@ double largest_motion(const Simulation& simulation) {
   return most;
 }
 
-std::vector<JointMaterial> joints() {
-  return {bond(InterfaceLaw::consistent),
-          bond(InterfaceLaw::classical),
-          bond(InterfaceLaw::cubic),
-          strong(InterfaceLaw::consistent),
-          with_strength(),
-          dry(0.6),
-          projected(dry(0.6)),
-          projected(with_strength())};
-}
-
 template <typename Body>
 void in_all_walls(Body body) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite})
-    for (std::size_t i = 0; i < joints().size(); ++i) {
-      if (joints()[i].law == InterfaceLaw::projected && kinematics == Kinematics::finite) continue;  // refused
+    for (std::size_t i = 0; i < joints_of_every_kind().size(); ++i) {
+      if (joints_of_every_kind()[i].law == InterfaceLaw::projected && kinematics == Kinematics::finite)
+        continue;  // refused
       SCOPED_TRACE(testing::Message() << "joint " << i << (kinematics == Kinematics::small ? " small" : " finite"));
-      body(joints()[i], kinematics);
+      body(joints_of_every_kind()[i], kinematics);
     }
 }
 

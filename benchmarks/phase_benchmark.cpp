@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/contact/open_close.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation.h"

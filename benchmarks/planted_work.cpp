@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/support_set.h"

@@ -9,7 +9,6 @@
 #include "engine/advice/explicit_offer.h"
 #include "engine/advice/limits.h"
 #include "engine/advice/wave_errors.h"
-#include "engine/simulation/simulation.h"
 #include "engine/simulation/stage_cost.h"
 
 namespace dda {
@@ -68,8 +67,6 @@ struct Advice {
   std::string springs;              // a sentence on springs in the way of waves, or empty
   std::vector<StageAdvice> stages;
 };
-
-Advice advise(const Simulation& simulation, const AdviceQuestion& question);
 
 // For people: all of it, and the lines that `dda check` prints.
 std::string to_text(const Advice& advice);

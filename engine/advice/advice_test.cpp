@@ -1,4 +1,5 @@
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 
 namespace dda {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 #include "engine/advice/lattice_test_support.h"
 #include "engine/advice/wave_errors.h"
 #include "engine/simulation/simulation.h"

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "engine/contact/joint_stiffness.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/support_set.h"
 #include "engine/terms/load.h"
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/model/rock_change.h"
+
 namespace dda {
 namespace {
 

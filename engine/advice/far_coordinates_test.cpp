@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {

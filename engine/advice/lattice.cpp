@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "engine/contact/joint_stiffness.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/model/moving_stages.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/terms/load.h"

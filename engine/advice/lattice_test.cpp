@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/advice/lattice_test_support.h"
+#include "engine/contact/make_contacts.h"
 
 namespace dda {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "engine/advice/lattice.h"
 #include "engine/contact/contact_models.h"
+#include "engine/contact/make_contacts.h"
 
 namespace dda {
 

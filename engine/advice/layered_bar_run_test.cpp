@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 #include "engine/advice/chain_run_test_support.h"
 #include "engine/scene/scene.h"
 

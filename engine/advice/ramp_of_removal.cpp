@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "engine/model/rock_change.h"
+
 namespace dda {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/model/settings.h"
 
 namespace dda {

@@ -1,4 +1,5 @@
 #include "engine/advice/remarks.h"
+#include "engine/contact/make_contacts.h"
 
 #include <gtest/gtest.h>
 

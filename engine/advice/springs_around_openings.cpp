@@ -12,6 +12,7 @@
 #include "engine/advice/projected_offer.h"
 #include "engine/contact/contact_set.h"
 #include "engine/contact/joint_stiffness.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/moving_stages.h"
 

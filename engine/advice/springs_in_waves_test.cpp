@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/advice/advise.h"
 #include "engine/advice/lattice_test_support.h"
 #include "engine/simulation/simulation.h"
 

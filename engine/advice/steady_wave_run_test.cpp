@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/simulation.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 #include "engine/advice/lattice_test_support.h"
 #include "engine/advice/load_history.h"
 

@@ -1,5 +1,7 @@
 #include "engine/app/advise_command.h"
 
+#include "engine/advice/advise.h"
+
 #include <ostream>
 
 #include "engine/core/error.h"

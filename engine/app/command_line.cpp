@@ -21,6 +21,7 @@
 #include "engine/app/reaction_command.h"
 #include "engine/app/report_command.h"
 #include "engine/app/run_command.h"
+#include "engine/app/run_options.h"
 #include "engine/app/scene_report.h"
 #include "engine/app/spectrum_command.h"
 #include "engine/app/view_command.h"
@@ -29,6 +30,7 @@
 #include "engine/core/quantity.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
+#include "engine/scene/scene_schema.h"
 
 namespace dda {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "engine/app/command_line_test_support.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_schema.h"
 
 namespace dda {
 namespace {

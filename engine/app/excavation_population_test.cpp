@@ -12,6 +12,7 @@
 
 #include "engine/app/random_rock_test_support.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/model/energy_release.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/simulation.h"

@@ -20,6 +20,7 @@
 #include "engine/app/frame_clock.h"
 #include "engine/app/lining_report.h"
 #include "engine/app/run_files.h"
+#include "engine/app/run_options.h"
 #include "engine/app/run_position.h"
 #include "engine/app/run_request.h"
 #include "engine/app/run_verdict.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/app/run_command.h"
+#include "engine/app/run_options.h"
 
 namespace dda {
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 #include "engine/advice/ramp_of_removal.h"
 #include "engine/advice/remarks.h"
 #include "engine/advice/ringing_weight.h"
@@ -23,6 +24,7 @@
 #include "engine/geometry/box.h"
 #include "engine/linear/cholesky_solver.h"
 #include "engine/model/free_field_side.h"
+#include "engine/model/rock_change.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/settling_pace.h"

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/contact/projected_law.h"
 #include "engine/model/moving_stages.h"
 

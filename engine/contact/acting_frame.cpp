@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/interface_frame.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {

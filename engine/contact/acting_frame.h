@@ -3,6 +3,7 @@
 
 #include "engine/contact/interface.h"
 #include "engine/contact/interface_element.h"
+#include "engine/contact/interface_frame.h"
 #include "engine/contact/outlines.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/model/model.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/open_close.h"
 #include "engine/contact/projected_law.h"
 
 namespace dda {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/contact_pieces.h"
+#include "engine/contact/open_close.h"
 #include "engine/contact/open_close_models.h"
 
 namespace dda {

@@ -4,6 +4,7 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
 
 namespace dda {
 namespace {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/contact/contact_models.h"
+#include "engine/contact/narrow_phase.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/geometry/cut_pieces.h"
 #include "engine/geometry/random_polygon.h"

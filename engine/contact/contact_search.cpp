@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/narrow_phase.h"
 #include "engine/contact/pair_motion.h"
 #include "engine/geometry/box_pairs.h"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/contact/contact_models.h"
+#include "engine/contact/narrow_phase.h"
 
 namespace dda {
 namespace {

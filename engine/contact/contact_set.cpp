@@ -5,17 +5,11 @@
 
 #include "engine/contact/cubic_law.h"
 #include "engine/contact/projected_law.h"
-#include "engine/contact/projected_stretch.h"
-#include "engine/contact/row_bending.h"
 
 namespace dda {
 namespace {
 
 using Segment6 = Eigen::VectorBlock<Eigen::VectorXd, 6>;
-
-Vec2 moved(const Model& model, const State& state, int block, const Vec2& reference) {
-  return current_position(model, state, block, reference);
-}
 
 // Adds the stiffness of either of the coupled forces by the gap of the other.
 void couple_rows(const InterfaceElement& element, double coupling, InterfaceMatrices& k) {
@@ -26,14 +20,6 @@ void couple_rows(const InterfaceElement& element, double coupling, InterfaceMatr
   k.aa += mixed(element.rows_a, element.rows_a);
   k.bb += mixed(element.rows_b, element.rows_b);
   k.ba += mixed(element.rows_b, element.rows_a);
-}
-
-InterfaceLaw usable_law(const Model& model, const Interface& interface, bool can_be_cubic) {
-  const InterfaceLaw wanted = model.joints[static_cast<std::size_t>(interface.joint)].law;
-  if (interface.length == 0) return InterfaceLaw::classical;
-  const bool both_held = model.is_held(interface.block_a) && model.is_held(interface.block_b);
-  if (wanted == InterfaceLaw::projected && both_held) return InterfaceLaw::classical;
-  return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
 }
 
 template <int rows>
@@ -50,109 +36,7 @@ InterfaceMatrices stiffness_of_rows(const InterfaceElement& element, const Vec4&
   return k;
 }
 
-Vec2 current_normal(const State& state, const Interface& interface) {
-  const auto a = static_cast<std::size_t>(interface.block_a);
-  const auto b = static_cast<std::size_t>(interface.block_b);
-  // Cofactors of the deformation turn and stretch normals; their sum gives the mean of the two edges.
-  const auto turned = [&](std::size_t i) {
-    const Mat2& f = state.deformation[i];
-    return Vec2(f(1, 1) * interface.normal.x() - f(1, 0) * interface.normal.y(),
-                f(0, 0) * interface.normal.y() - f(0, 1) * interface.normal.x());
-  };
-  // A lone vertex presses on block a's edge: that edge alone has a direction.
-  const Vec2 normal = interface.length > 0 ? turned(a) + turned(b) : turned(a);
-  return normal.normalized();
-}
-
 }  // namespace
-
-InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface) {
-  return {moved(model, state, interface.block_a, interface.from),
-          moved(model, state, interface.block_a, interface.to),
-          moved(model, state, interface.block_b, interface.from),
-          moved(model, state, interface.block_b, interface.to),
-          current_normal(state, interface),
-          current_centroid(model, state, interface.block_a),
-          current_centroid(model, state, interface.block_b)};
-}
-
-InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface, InterfaceLaw law) {
-  InterfaceFrame frame = current_frame(model, state, interface);
-  if (law != InterfaceLaw::consistent && law != InterfaceLaw::projected) return frame;
-  frame.from_a = frame.from_b = (frame.from_a + frame.from_b) / 2;
-  frame.to_a = frame.to_b = (frame.to_a + frame.to_b) / 2;
-  return frame;
-}
-
-EndsApart ends_apart(const Model& model, const State& state, const Interface& interface) {
-  const auto apart = [&](const Vec2& end) -> Vec2 {  // places would lose digits that displacements have
-    return point_displacement(model, state, interface.block_b, end) -
-           point_displacement(model, state, interface.block_a, end);
-  };
-  const Mat2 axes = local_axes(current_normal(state, interface));
-  return {axes * apart(interface.from), axes * apart(interface.to)};
-}
-
-void measure_gap(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
-                 InterfaceState& own) {
-  if (element.law != InterfaceLaw::consistent && element.law != InterfaceLaw::projected) return;
-  const EndsApart ends = ends_apart(model, state, interface);
-  if (element.law == InterfaceLaw::projected) return measure_projected(model, state, interface, element, ends, own);
-  own.gap << (ends.from + ends.to) / 2, (ends.to - ends.from) / 2;
-  own.gap -= element.gap_at_start;
-}
-
-Vec4 in_situ_force(const Model& model, const Interface& interface) {
-  const auto stress = [&](int block) { return model.blocks[static_cast<std::size_t>(block)].initial_stress; };
-  const Vec3 mean = (stress(interface.block_a) + stress(interface.block_b)) / 2;
-  const Vec2& n = interface.normal;
-  const Vec2 global = interface.length / 2 * traction_on(mean, n);
-  Vec2 force(n.dot(global), n.x() * global.y() - n.y() * global.x());
-  const EndStrength strength = end_strength(model.joints[static_cast<std::size_t>(interface.joint)], interface.length);
-  if (strength.is_dry()) {
-    const double capacity = strength.capacity(force(0), false);
-    force = {std::min(force(0), 0.0), std::clamp(force(1), -capacity, capacity)};
-  }
-  return {force(0), force(1), force(0), force(1)};
-}
-
-ContactSet make_contacts(const Model& model) {
-  ContactSet contacts;
-  contacts.interfaces = find_interfaces(model);
-  contacts.states.resize(contacts.interfaces.size());
-  contacts.elements.reserve(contacts.interfaces.size());  // a kilobyte each
-  contacts.strengths.reserve(contacts.interfaces.size());
-  const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
-  const bool cubic_allowed =
-      model.stays_linear() && !model.removes_blocks() && !model.adds_blocks() && !changes_materials(model);
-  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    const Interface& interface = contacts.interfaces[i];
-    const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
-    InterfaceElement element = make_element(model, interface, usable_law(model, interface, cubic_allowed && cubic[i]));
-    set_geometry(model, reference_frame(model, interface), element);
-    const Vec3& stress_a = model.blocks[static_cast<std::size_t>(interface.block_a)].initial_stress;
-    const Vec3& stress_b = model.blocks[static_cast<std::size_t>(interface.block_b)].initial_stress;
-    contacts.elements.push_back(element);
-    contacts.strengths.push_back(end_strength(joint, interface.length));
-    if (has_stress_rows(element)) {
-      contacts.states[i].force = elastic_force(element, contacts.states[i].gap, stress_a, stress_b);
-    } else {
-      contacts.states[i].force = in_situ_force(model, interface);
-      for (Eigen::Index row = 0; row < 4; ++row)
-        contacts.states[i].gap(row) = elastic_gap(contacts.states[i].force(row), element.stiffness(row), 0);
-    }
-    if (element.law == InterfaceLaw::projected && !joint.bonded && is_dry(joint))
-      contacts.states[i].broken = {true, true};
-    contacts.can_change = contacts.can_change || !joint.bonded;
-  }
-  fit_to_neighbours(model, contacts);
-  return contacts;
-}
-
-void fit_to_neighbours(const Model& model, ContactSet& contacts) {
-  stiffen_rows(model, contacts);
-  take_off_blocks(model.blocks.size(), contacts);
-}
 
 void take_off_blocks(std::size_t blocks, ContactSet& contacts) {
   std::vector<Mat3>& sums = contacts.outline_compliance;
@@ -216,15 +100,6 @@ Vec2 mean_traction(const Model& model, const Interface& interface, const Interfa
     force(0) += (cubic::gap_at_interface - cubic::gap_stiffness) * unit * state.gap(0);
   }
   return force / element.length;
-}
-
-void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
-  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    InterfaceElement& element = contacts.elements[i];
-    set_geometry(model, acting_frame(model, acting, contacts.interfaces[i], element.law), element);
-    measure_gap(model, state, contacts.interfaces[i], element, contacts.states[i]);
-  }
-  if (!contacts.outline_compliance.empty()) take_off_blocks(model.blocks.size(), contacts);
 }
 
 void refresh_tractions(const State& state, ContactSet& contacts) {

@@ -32,14 +32,6 @@ struct ContactSet {
   }
 };
 
-// Cubic joints become consistent ones unless all joints are bonded, all stages have small kinematics, no block is ever
-// removed, no material changes and there are no bolts: only then is the inertia between blocks constant.
-ContactSet make_contacts(const Model& model);
-
-// Normal and shear force at either end of an interface under the mean of its blocks' initial stresses, as far as a dry
-// joint carries them. Springs carry these from the start.
-Vec4 in_situ_force(const Model& model, const Interface& interface);
-
 // The state of a bonded interface whose geometry stays, from the blocks' total displacements and current stresses
 // instead of step by step; `gap_at_rest` is its gap at zero displacement.
 InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_rest, const Vec6& displacement_a,
@@ -50,41 +42,12 @@ InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_
 Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,
                    const InterfaceState& state);
 
-// What follows from all interfaces of a block together: rows of blocks that bend, and what projected stretches take off
-// their blocks. Anew whenever interfaces have been left out.
-void fit_to_neighbours(const Model& model, ContactSet& contacts);
-
-// The latter alone: what projected stretches, with the normals that they have now, take off each of so many blocks.
+// What projected stretches, with the normals that they have now, take off each of so many blocks.
 void take_off_blocks(std::size_t blocks, ContactSet& contacts);
 
 // Takes out the interfaces of blocks that are absent, `absent` saying so of each block. fit_to_neighbours() is to
 // follow.
 void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
-
-// Where an interface is now: its ends follow their blocks, its normal turns with the mean of the two edges.
-InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface);
-
-// How far block b has gone from block a at the ends of a stretch: along its normal and its tangent, m.
-struct EndsApart {
-  Vec2 from, to;
-};
-EndsApart ends_apart(const Model& model, const State& state, const Interface& interface);
-
-// The gap of a consistent interface follows from where its blocks are and not from the way there, or rock that was
-// deformed and is left alone would keep stresses. Increments along rows that turn would miss a share of it, the strain
-// of the blocks times the gap. So does that of a projected one (projected_stretch.h). For an element whose rows are
-// those of now.
-void measure_gap(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
-                 InterfaceState& own);
-
-// The same for the forces of a stretch. Those of consistent and projected joints act on both blocks halfway between
-// them, so that they have no moment together, and a rotation of both blocks that leaves their gap as it is changes no
-// row of it. Springs act on each block where they are tied to it.
-InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface, InterfaceLaw law);
-
-// Finite kinematics: moves the elements to where forces act, the geometry of `acting`, and measures the gaps of
-// consistent and projected interfaces in `state`.
-void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts);
 
 // Forces of interfaces that carry their blocks' stresses, anew after stresses or normals have turned.
 void refresh_tractions(const State& state, ContactSet& contacts);

@@ -1,4 +1,8 @@
 #include "engine/contact/contact_set.h"
+#include "engine/contact/contact_geometry.h"
+#include "engine/contact/in_situ_force.h"
+#include "engine/contact/interface_frame.h"
+#include "engine/contact/make_contacts.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/contact/open_close.h"
+#include "engine/contact/interface_trial.h"
 
 namespace dda::end_answer {
 
@@ -21,7 +21,7 @@ struct Answer {
 
 inline double pressed(double gap) { return std::min(0.0, gap); }
 
-// The spring's part of the balance that makes its work the change of its energy; see open_close.h.
+// The spring's part of the balance that makes its work the change of its energy; see interface_trial.h.
 inline Answer conserving_spring(double stiffness, double start, double gap) {
   if (start < 0 && gap < 0) return {stiffness * gap, 1};
   if (start >= 0 && gap >= 0) return {0, 0};

@@ -9,6 +9,7 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/scene/generators.h"
 #include "engine/terms/elasticity.h"
 #include "engine/terms/support.h"

@@ -8,6 +8,7 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/terms/potential_check.h"
 
 namespace dda {

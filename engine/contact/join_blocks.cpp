@@ -5,6 +5,11 @@
 #include <set>
 #include <utility>
 
+#include "engine/contact/contact_geometry.h"
+#include "engine/contact/interface_frame.h"
+#include "engine/contact/make_contacts.h"
+#include "engine/contact/make_element.h"
+
 namespace dda {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/interface_element.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/contact/moving_contacts.h"
 
 namespace dda {

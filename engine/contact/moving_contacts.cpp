@@ -7,7 +7,11 @@
 #include <utility>
 
 #include "engine/contact/acting_frame.h"
+#include "engine/contact/contact_geometry.h"
 #include "engine/contact/covered_corners.h"
+#include "engine/contact/in_situ_force.h"
+#include "engine/contact/interface_frame.h"
+#include "engine/contact/make_element.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/contact/shared_face.h"
 #include "engine/contact/succession.h"

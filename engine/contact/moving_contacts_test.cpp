@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/contact/contact_models.h"
+#include "engine/contact/make_contacts.h"
 
 namespace dda {
 namespace {

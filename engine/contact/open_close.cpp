@@ -231,6 +231,15 @@ void respond_as_stuck(const InterfaceSprings& springs, int end, InterfaceTrial& 
   trial.active(t) = stuck_slope(row);
 }
 
+// Where the joint dilates: ends that ride up as rising_end.h has it, the others as they answer without.
+static void respond_with_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  trial.coupling = 0;
+  respond(springs, trial);
+  update_capacity(springs, strength, trial);
+  for (int end = 0; end < ends_of(springs); ++end)
+    if (rides_up(springs, strength, trial, end)) respond_riding(springs, strength, end, trial);
+}
+
 void respond_with_friction(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) let_go_of_opening(springs, trial);
   if (trial.rule.capacity_is_given) return respond(springs, trial);

@@ -10,6 +10,8 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
+#include "engine/contact/make_element.h"
 #include "engine/contact/open_close_models.h"
 
 namespace dda {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_element.h"
 
 namespace dda {
 namespace {

@@ -5,6 +5,8 @@
 #include <cstddef>
 
 #include "engine/contact/block_across.h"
+#include "engine/contact/in_situ_force.h"
+#include "engine/contact/interface_frame.h"
 #include "engine/contact/no_tension_bed.h"
 #include "engine/contact/projected_law.h"
 #include "engine/geometry/segment.h"
@@ -129,24 +131,6 @@ void measure_projected(const Model& model, const State& state, const Interface& 
   own.force(2) = bed.force(1);
   if (bed.force.isZero(0)) return open_whole(own);
   press_in_part(element, own);
-}
-
-void keep_gaps(const Model& model, const State& state, ContactSet& contacts) {
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    InterfaceElement& element = contacts.elements[i];
-    InterfaceState& own = contacts.states[i];
-    if (element.law != InterfaceLaw::projected) continue;
-    set_geometry(model, acting_frame(model, state, contacts.interfaces[i], element.law), element);
-    InterfaceState measured = own;
-    measured.status = {ContactStatus::locked, ContactStatus::locked};
-    measured.broken = {false, false};  // gaps as they are, whatever they answer
-    measure_gap(model, state, contacts.interfaces[i], element, measured);
-    const Vec4 more = measured.gap - own.gap;
-    for (const std::size_t end : {0U, 1U}) {
-      own.seat[end] += more(static_cast<Eigen::Index>(2 * end));
-      own.slip[end] += more(static_cast<Eigen::Index>(2 * end) + 1);
-    }
-  }
 }
 
 void count_free_slip(const InterfaceElement& element, const Vec4& gap, InterfaceState& own) {

@@ -16,6 +16,7 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/contact/interface.h"
+#include "engine/contact/interface_frame.h"
 #include "engine/contact/interface_state.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
@@ -44,10 +45,6 @@ bool touch_there_alone(const Model& model, const Interface& interface);
 // before is their seat.
 void measure_projected(const Model& model, const State& state, const Interface& interface,
                        const InterfaceElement& element, const EndsApart& ends, InterfaceState& own);
-
-// Before the first measurement after small kinematics, whose gaps are of first order in the turns of blocks: forces go
-// on as they are.
-void keep_gaps(const Model& model, const State& state, ContactSet& contacts);
 
 // At the end of a step that moved the gaps to `gap`: what an open stretch has gone along its tangent.
 void count_free_slip(const InterfaceElement& element, const Vec4& gap, InterfaceState& own);

@@ -6,7 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "engine/contact/contact_geometry.h"
 #include "engine/contact/contact_models.h"
+#include "engine/contact/interface_frame.h"
+#include "engine/contact/make_contacts.h"
+#include "engine/contact/make_element.h"
 #include "engine/contact/projected_law.h"
 #include "engine/geometry/rotation.h"
 

@@ -112,14 +112,6 @@ bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, cons
   return trial.broken[e] && !trial.closes[e] && springs.law == InterfaceLaw::classical && springs.dashpot.isZero(0);
 }
 
-void respond_with_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
-  trial.coupling = 0;
-  respond(springs, trial);
-  update_capacity(springs, strength, trial);
-  for (int end = 0; end < ends_of(springs); ++end)
-    if (rides_up(springs, strength, trial, end)) respond_riding(springs, strength, end, trial);
-}
-
 void respond_riding(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial) {
   const auto e = static_cast<std::size_t>(end);
   const double side = std::copysign(1, trial.gap(2 * end + 1));

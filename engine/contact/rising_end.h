@@ -16,7 +16,7 @@
 
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
-#include "engine/contact/open_close.h"
+#include "engine/contact/interface_trial.h"
 #include "engine/core/types.h"
 
 namespace dda {
@@ -25,9 +25,6 @@ namespace dda {
 // under integrators that conserve energy, nor beside dashpots, nor where capacities are given.
 [[nodiscard]] bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                             int end);
-
-// respond_with_friction() where the joint dilates: such ends as below, the others as they answer without.
-void respond_with_dilation(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // Forces, dilation, capacity and active rows of such an end at the trial's gap. The rows are those of a joint that
 // slips as steeply as it rises (associated flow), which is symmetric and leaves the way up its slope free. Of a lone

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/contact/contact_pieces.h"
+#include "engine/contact/open_close.h"
 #include "engine/contact/open_close_models.h"
 #include "engine/contact/rising_end.h"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/contact/contact_models.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/contact/moving_contacts.h"
 #include "engine/geometry/rotation.h"
 

@@ -4,23 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/contact/cover_corners.h"
-#include "engine/contact/entrance_cover.h"
-#include "engine/contact/real_overlap.h"
-
 namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// Appends those of the covers that are contacts.
-void choose(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers,
-            std::vector<VertexContact>& found) {
-  if (covers.empty()) return;
-  drop_unreal(outlines, round_off, covers);
-  choose_at_corners(outlines, reach, round_off, covers);
-  for (const Cover& cover : covers) found.push_back(cover.contact);
-}
 
 }  // namespace
 
@@ -55,19 +42,6 @@ double common_length(const Outlines& outlines, const VertexContact& contact) {
   };
   const auto [low, high] = std::minmax({place(facing), place(outlines.next[at(facing)])});
   return std::max(0.0, std::min(high, length) - std::max(low, 0.0));
-}
-
-void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double round_off,
-                          std::vector<VertexContact>& found) {
-  std::vector<Cover> covers = find_covers(outlines, a, b, reach, depth, round_off);
-  choose(outlines, reach, round_off, covers, found);
-}
-
-void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double round_off,
-                          const std::function<bool(const VertexContact&)>& is_out, std::vector<VertexContact>& found) {
-  std::vector<Cover> covers = find_covers(outlines, a, b, reach, depth, round_off);
-  std::erase_if(covers, [&](const Cover& cover) { return is_out(cover.contact); });
-  choose(outlines, reach, round_off, covers, found);
 }
 
 }  // namespace dda

@@ -1,4 +1,5 @@
 #include "engine/contact/vertex_contact.h"
+#include "engine/contact/narrow_phase.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

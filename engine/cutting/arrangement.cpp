@@ -85,7 +85,7 @@ void Arrangement::find_faces() {
   }
   std::sort(around.begin(), around.end(),
             [&](int a, int b) { return origin(walks[at(a)].leftmost) < origin(walks[at(b)].leftmost); });
-  const EdgeLeftOf left(*this);
+  const EdgeLeftOf left(pixels_, origin_);
   for (const int walk : around) {
     const int half_edge = left.of(origin(walks[at(walk)].leftmost));
     if (half_edge >= 0) face_of_walk[at(walk)] = face_of_walk[at(walk_of[at(half_edge)])];

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/cutting/cut_rock.h"
+#include "engine/cutting/rock_in_blocks.h"
 
 namespace dda {
 

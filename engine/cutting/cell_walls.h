@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/cutting/cell_sites.h"
-#include "engine/cutting/cut_rock.h"
+#include "engine/cutting/rock_plan.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {

@@ -71,7 +71,11 @@ std::string unfinished_remark(const PlanPieces& pieces) {
 }
 
 CutRock cut_filled(const RockPlan& plan, const CutOptions& options) {
-  FilledPlan filled = with_cells(plan, options);
+  CutOptions without_merging = options;
+  without_merging.least_area = without_merging.least_angle = 0;
+  const CutRock unfilled = cut_rock(without_fills(plan), without_merging);
+  if (options.progress) options.progress("filling blocks with cells");
+  FilledPlan filled = with_cells(plan, unfilled.blocks);
   CutRock rock = cut_rock(filled.plan, options);
   rock.fills = std::move(filled.fills);
   append(rock.cleaned, std::move(filled.cleaned));

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-
-#include "engine/cutting/arrangement.h"
+#include <utility>
 
 namespace dda {
 namespace {
@@ -19,30 +17,31 @@ double x_at(const Pixel& low, const Pixel& high, std::int64_t y) {
 
 }  // namespace
 
-EdgeLeftOf::EdgeLeftOf(const Arrangement& arrangement) : arrangement_(arrangement) {
-  if (arrangement.edges() == 0) return;
-  lower_ = arrangement.pixel(0);
+EdgeLeftOf::EdgeLeftOf(std::span<const Pixel> pixels, std::span<const int> origins)
+    : pixels_(pixels), origins_(origins) {
+  if (edges() == 0) return;
+  lower_ = pixels.front();
   Pixel upper = lower_;
-  for (int node = 0; node < arrangement.nodes(); ++node) {
-    const Pixel& pixel = arrangement.pixel(node);
+  for (const Pixel& pixel : pixels) {
     lower_ = {std::min(lower_.x, pixel.x), std::min(lower_.y, pixel.y)};
     upper = {std::max(upper.x, pixel.x), std::max(upper.y, pixel.y)};
   }
   const double wide = static_cast<double>(upper.x - lower_.x) + 1;
   const double high = static_cast<double>(upper.y - lower_.y) + 1;
-  const double count = arrangement.edges();
+  const double count = edges();
   cell_ = static_cast<std::int64_t>(std::ceil(std::max(std::sqrt(wide * high / count), std::max(wide, high) / count)));
   columns_ = column_of(upper.x) + 1;
   rows_ = row_of(upper.y) + 1;
   starts_.assign(at(columns_ * rows_) + 1, 0);
-  for (int edge = 0; edge < arrangement.edges(); ++edge)
-    visit_cells(edge, [&](std::size_t cell) { ++starts_[cell + 1]; });
+  for (int edge = 0; edge < edges(); ++edge) visit_cells(edge, [&](std::size_t cell) { ++starts_[cell + 1]; });
   for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
   edges_.resize(at(starts_.back()));
   std::vector<int> fill(starts_.begin(), starts_.end() - 1);
-  for (int edge = 0; edge < arrangement.edges(); ++edge)
+  for (int edge = 0; edge < edges(); ++edge)
     visit_cells(edge, [&](std::size_t cell) { edges_[at(fill[cell]++)] = edge; });
 }
+
+const Pixel& EdgeLeftOf::start(int half_edge) const { return pixels_[at(origins_[at(half_edge)])]; }
 
 std::int64_t EdgeLeftOf::column_of(std::int64_t x) const { return (x - lower_.x) / cell_; }
 std::int64_t EdgeLeftOf::row_of(std::int64_t y) const { return (y - lower_.y) / cell_; }
@@ -50,8 +49,8 @@ std::int64_t EdgeLeftOf::row_of(std::int64_t y) const { return (y - lower_.y) / 
 // Row by row, the cells from where the edge comes into the row to where it leaves it. A level edge meets no ray.
 template <typename Visit>
 void EdgeLeftOf::visit_cells(int edge, Visit visit) const {
-  Pixel low = arrangement_.pixel(arrangement_.origin(2 * edge));
-  Pixel high = arrangement_.pixel(arrangement_.target(2 * edge));
+  Pixel low = start(2 * edge);
+  Pixel high = start(2 * edge + 1);
   if (low.y == high.y) return;
   if (low.y > high.y) std::swap(low, high);
   const auto [left, right] = std::minmax(low.x, high.x);
@@ -70,8 +69,8 @@ void EdgeLeftOf::visit_cells(int edge, Visit visit) const {
 void EdgeLeftOf::look(std::size_t cell, const Pixel& from, Hit& nearest) const {
   for (int i = starts_[cell]; i < starts_[cell + 1]; ++i) {
     const int edge = edges_[at(i)];
-    Pixel low = arrangement_.pixel(arrangement_.origin(2 * edge));
-    Pixel high = arrangement_.pixel(arrangement_.target(2 * edge));
+    Pixel low = start(2 * edge);
+    Pixel high = start(2 * edge + 1);
     if (low.y > high.y) std::swap(low, high);
     if (from.y < low.y || from.y >= high.y || turn(low, high, from) >= 0) continue;  // right of the ray
     const double slope = static_cast<double>(high.x - low.x) / static_cast<double>(high.y - low.y);
@@ -81,7 +80,7 @@ void EdgeLeftOf::look(std::size_t cell, const Pixel& from, Hit& nearest) const {
 }
 
 int EdgeLeftOf::of(int node) const {
-  const Pixel& from = arrangement_.pixel(node);
+  const Pixel& from = pixels_[at(node)];
   const std::int64_t row = row_of(from.y);
   Hit nearest;
   for (std::int64_t column = column_of(from.x); column >= 0; --column) {
@@ -90,9 +89,8 @@ int EdgeLeftOf::of(int node) const {
   }
   if (nearest.edge < 0) return -1;
   const int half_edge = 2 * nearest.edge;
-  const bool runs_down =
-      arrangement_.pixel(arrangement_.origin(half_edge)).y > arrangement_.pixel(arrangement_.target(half_edge)).y;
-  return runs_down ? half_edge : twin(half_edge);
+  const bool runs_down = start(half_edge).y > start(half_edge + 1).y;
+  return runs_down ? half_edge : half_edge + 1;
 }
 
 }  // namespace dda

@@ -13,19 +13,6 @@ namespace {
 // Streams of fills are beyond those of joint sets, which have the numbers of the sets.
 constexpr std::uint64_t first_stream = std::uint64_t{1} << 32U;
 
-// Regions of fills cut, as joints and openings do.
-RockPlan without_fills(const RockPlan& plan) {
-  RockPlan outlined = plan;
-  outlined.fills.clear();
-  for (const PlanFill& fill : plan.fills) {
-    if (fill.region.empty()) continue;
-    std::vector<Vec2> outline = fill.region;
-    outline.push_back(outline.front());
-    outlined.lines.push_back({std::move(outline), fill.joint, fill.origin + ".region", true});
-  }
-  return outlined;
-}
-
 // The later one counts.
 int fill_around(const std::vector<PlanFill>& fills, const Vec2& place) {
   int found = -1;
@@ -50,19 +37,27 @@ void fill_block(const Polygon& block, const PlanFill& fill, RandomStream& random
 
 }  // namespace
 
-FilledPlan with_cells(const RockPlan& plan, const CutOptions& options) {
+RockPlan without_fills(const RockPlan& plan) {
+  RockPlan outlined = plan;
+  outlined.fills.clear();
+  for (const PlanFill& fill : plan.fills) {
+    if (fill.region.empty()) continue;
+    std::vector<Vec2> outline = fill.region;
+    outline.push_back(outline.front());
+    outlined.lines.push_back({std::move(outline), fill.joint, fill.origin + ".region", true});
+  }
+  return outlined;
+}
+
+FilledPlan with_cells(const RockPlan& plan, const std::vector<CutBlock>& blocks) {
   FilledPlan filled;
   filled.plan = without_fills(plan);
-  CutOptions without_merging = options;
-  without_merging.least_area = without_merging.least_angle = 0;
-  const CutRock rock = cut_rock(filled.plan, without_merging);
-  if (options.progress) options.progress("filling blocks with cells");
   std::vector<RandomStream> streams;
   for (std::size_t i = 0; i < plan.fills.size(); ++i) {
     streams.emplace_back(plan.fills[i].seed, first_stream + i);
     filled.fills.push_back({plan.fills[i].origin, 0, 0, 0});
   }
-  for (const CutBlock& block : rock.blocks) {
+  for (const CutBlock& block : blocks) {
     const int number = fill_around(plan.fills, point_inside(block.shape));
     if (number < 0) continue;
     const auto fill = static_cast<std::size_t>(number);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/cutting/rock_in_blocks.h"
 #include "engine/cutting/trace.h"
 
 namespace dda {

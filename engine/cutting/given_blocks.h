@@ -1,7 +1,8 @@
 // Rock of blocks that are given as they are.
 #pragma once
 
-#include "engine/cutting/cut_rock.h"
+#include "engine/cutting/rock_in_blocks.h"
+#include "engine/cutting/rock_plan.h"
 
 namespace dda {
 

@@ -1,7 +1,8 @@
 // Which material blocks have.
 #pragma once
 
-#include "engine/cutting/cut_rock.h"
+#include "engine/cutting/rock_in_blocks.h"
+#include "engine/cutting/rock_plan.h"
 
 namespace dda {
 

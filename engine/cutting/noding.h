@@ -10,17 +10,10 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/cutting/pixel.h"
+#include "engine/cutting/piece.h"
 #include "engine/cutting/pixel_region.h"
 
 namespace dda {
-
-// A straight piece to be cut. Pieces of one straight line share their number, so that it is known later what a link
-// was.
-struct Piece {
-  PixelSegment segment;
-  int straight = 0;
-};
 
 // A straight line of the drawing, as given, in m; crossings are computed from these.
 struct Straight {

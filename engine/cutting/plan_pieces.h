@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/cutting/cut_rock.h"
 #include "engine/cutting/noding.h"
+#include "engine/cutting/rock_plan.h"
 
 namespace dda {
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/cutting/noding.h"
+#include "engine/cutting/piece.h"
 
 namespace dda {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "engine/cutting/cleaned.h"
 #include "engine/cutting/corner_places.h"
 #include "engine/cutting/corners.h"
-#include "engine/cutting/cut_rock.h"
 
 namespace dda {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/drawing/write_blocks.h"
+#include "engine/drawing/block_drawing.h"
 
 namespace dda {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/drawing/write_blocks.h"
+#include "engine/drawing/block_drawing.h"
 
 namespace dda {
 

@@ -6,25 +6,14 @@
 #include <vector>
 
 #include "engine/cutting/cleaned.h"
+#include "engine/drawing/open_line.h"
 #include "engine/geometry/polygon.h"
 
 namespace dda {
 
-struct OpenLine {
-  std::vector<Vec2> points;
-  std::string origin;
-};
-
 struct JoinedRing {
   Ring ring;           // the first vertex is not repeated
   std::string origin;  // of the first of its lines
-};
-
-// What keeps lines from closing, as the parts of a sentence.
-struct Gap {
-  std::string origin;  // of the line that ends there
-  std::string value;
-  std::string expected;
 };
 
 struct Joined {

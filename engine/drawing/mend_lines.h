@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/cutting/cleaned.h"
-#include "engine/drawing/join_lines.h"
+#include "engine/drawing/open_line.h"
 
 namespace dda {
 

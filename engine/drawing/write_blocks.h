@@ -3,28 +3,10 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "engine/geometry/polygon.h"
+#include "engine/drawing/block_drawing.h"
 
 namespace dda {
-
-struct ExportedBlock {
-  std::string group;
-  std::string name;
-  Polygon shape;  // outer ring counter-clockwise, holes clockwise
-  std::string material;
-};
-
-struct ExportedJoint {
-  std::string joint;
-  Vec2 from, to;
-};
-
-struct BlockDrawing {
-  std::vector<ExportedBlock> blocks;
-  std::vector<ExportedJoint> joints;
-};
 
 // Whether the name of the file says in which format to write: .dxf, .geojson or .dc.
 bool is_block_format(const std::filesystem::path& file);

@@ -12,6 +12,7 @@
 
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
+#include "engine/model/rock_change.h"
 
 namespace dda::model_checks {
 namespace {

@@ -8,6 +8,7 @@
 #include "engine/model/extent.h"
 #include "engine/model/model.h"
 #include "engine/model/moving_stages.h"
+#include "engine/model/rock_change.h"
 #include "engine/model/step_choice.h"
 
 namespace dda {

@@ -8,6 +8,13 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+template <typename Table>
+bool any_later_stage_has(const Model& model, Table RockOfStage::*table) {
+  for (std::size_t i = 1; i < model.stages.size(); ++i)
+    if (!(model.stages[i].rock.*table).empty()) return true;
+  return false;
+}
+
 }  // namespace
 
 const Material& Model::material_of(int block) const { return materials[at(blocks[at(block)].material)]; }
@@ -72,5 +79,8 @@ std::vector<bool> Model::absent_in(std::size_t stage) const {
 }
 
 double Model::mass_of(int block) const { return material_of(block).density * blocks[at(block)].moments.area; }
+
+bool changes_materials(const Model& model) { return any_later_stage_has(model, &RockOfStage::materials); }
+bool changes_joints(const Model& model) { return any_later_stage_has(model, &RockOfStage::joints); }
 
 }  // namespace dda

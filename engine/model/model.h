@@ -181,6 +181,10 @@ struct Model {
   [[nodiscard]] std::vector<bool> absent_in(std::size_t stage) const;
 };
 
+// Whether a later stage has other ones than the first.
+bool changes_materials(const Model& model);
+bool changes_joints(const Model& model);
+
 // Fills what follows from the rest (area moments, length tolerance = 1e-9 of the extent, expected pressure) and checks
 // the whole: throws InputError naming field, value and what was expected (indices in range, positive density, valid
 // polygons, ...).

@@ -15,13 +15,6 @@ const Table& latest(const Model& model, std::size_t stage, Table RockOfStage::*t
   return otherwise;
 }
 
-template <typename Table>
-bool any_later_stage_has(const Model& model, Table RockOfStage::*table) {
-  for (std::size_t i = 1; i < model.stages.size(); ++i)
-    if (!(model.stages[i].rock.*table).empty()) return true;
-  return false;
-}
-
 }  // namespace
 
 const std::vector<Material>& materials_in(const Model& model, std::size_t stage) {
@@ -38,9 +31,6 @@ bool have_same_strength(const JointMaterial& a, const JointMaterial& b) {
   return a.friction_angle == b.friction_angle && a.cohesion == b.cohesion && a.tensile_strength == b.tensile_strength &&
          a.residual_friction_angle == b.residual_friction_angle && a.residual_cohesion == b.residual_cohesion;
 }
-
-bool changes_materials(const Model& model) { return any_later_stage_has(model, &RockOfStage::materials); }
-bool changes_joints(const Model& model) { return any_later_stage_has(model, &RockOfStage::joints); }
 
 void keep_rock_at_start(Model& model) {
   if (model.stages.empty()) return;

@@ -1,25 +1,13 @@
-// What the rock is in each stage: the elasticity of its materials and the strength of its joints can change when a
-// stage begins (loosened or improved rock, concrete that hardens, joints that weather or get wet).
-// Blocks can come in.
-//
-// Materials and joints keep their names, places and everything that joints' springs and penalties go by; what may
-// change of them is said in check_rock_changes.cpp. A stage that changes nothing has empty tables.
+// Which tables of materials and joints are in force in a stage, and what differs between them.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "engine/model/material.h"
+#include "engine/model/model.h"
 
 namespace dda {
-
-struct Model;
-
-struct RockOfStage {
-  std::vector<Material> materials;    // all of the model's, from the start of the stage on; empty: as before
-  std::vector<JointMaterial> joints;  // the same
-  std::vector<int> added = {};        // blocks that come in at the start of the stage, as drawn and free of stress
-};
 
 // Those in force in a stage. Of a finished model, whose first stage then has what the model began with.
 const std::vector<Material>& materials_in(const Model& model, std::size_t stage);
@@ -27,9 +15,6 @@ const std::vector<JointMaterial>& joints_in(const Model& model, std::size_t stag
 
 bool have_same_moduli(const Material& a, const Material& b);
 bool have_same_strength(const JointMaterial& a, const JointMaterial& b);
-
-bool changes_materials(const Model& model);
-bool changes_joints(const Model& model);
 
 // Gives the first stage the tables of the model where a later one has others, so that a model whose rock has changed in
 // a run still knows what it was.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/rock_change.h"
+#include "engine/model/rock_of_stage.h"
 #include "engine/model/time_function.h"
 
 namespace dda {

@@ -1,3 +1,4 @@
+#include "engine/model/rock_change.h"
 #include "engine/record/checkpoint.h"
 #include "engine/record/fnv_hash.h"
 

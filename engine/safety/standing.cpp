@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/model/rock_change.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_schema.h"
 
 namespace dda {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/model/check_parts.h"
+#include "engine/model/rock_change.h"
 #include "engine/scene/rock_values.h"
 #include "engine/scene/sections.h"
 

@@ -1,4 +1,4 @@
-// Scene files: JSON to Model. The format is docs/scene.md; its schema is scene.schema.json.
+// Scene files: JSON to Model. The format is docs/scene.md; its schema is scene_schema.h.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +21,5 @@ Model parse_scene(std::string_view json_text, const std::string& name_for_errors
 // The text of a scene file. InputError for one that is missing, no regular file, larger than
 // any scene, or a drawing, a frame or the like: then it says which command reads that.
 std::string scene_text(const std::filesystem::path& file);
-
-// The published JSON Schema (draft 7) of scene files, as text.
-std::string_view scene_schema();
 
 }  // namespace dda

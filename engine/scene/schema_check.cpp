@@ -8,7 +8,7 @@
 #include <valijson/validator.hpp>
 #include <vector>
 
-#include "engine/scene/scene.h"
+#include "engine/scene/scene_schema.h"
 #include "engine/scene/schema_advice.h"
 
 namespace dda {

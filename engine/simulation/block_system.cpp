@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/contact/make_contacts.h"
+#include "engine/simulation/acting_damping.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
-#include "engine/simulation/rayleigh_damping.h"
 #include "engine/terms/elasticity.h"
 
 namespace dda {

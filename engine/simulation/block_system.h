@@ -21,6 +21,7 @@
 #include "engine/simulation/lining_set.h"
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/small_motion.h"
+#include "engine/simulation/stage_clock.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/step_plan.h"
 #include "engine/simulation/support_set.h"
@@ -31,24 +32,6 @@
 namespace dda {
 
 class FreeField;
-
-// Where a run is in its stages.
-struct StageClock {
-  std::size_t stage = 0;
-  bool begun = false;                   // else the run is between the stage before and this one, or over
-  std::int64_t step = 0;                // in the stage
-  double start = 0;                     // s, of the stage
-  std::int64_t passes_before_step = 0;  // of the open-close iteration in the whole run, when the last step began
-
-  template <typename Self, typename Archive>
-  static void visit(Self& self, Archive& archive) {
-    auto& [stage, begun, step, start, passes_before_step] = self;
-    archive(stage, begun, step, start, passes_before_step);
-  }
-
-  // The stage under way; between stages, and after the last, the one that ended.
-  [[nodiscard]] std::size_t in_force() const { return begun || stage == 0 ? stage : stage - 1; }
-};
 
 // Forces on the blocks' unknowns, 6 entries a block, without weight. `old`: at the state's time; `now`: at the end of
 // the step under way.

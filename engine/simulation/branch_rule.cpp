@@ -9,7 +9,9 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/contact/joint_stiffness.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/core/error.h"
+#include "engine/model/rock_change.h"
 
 namespace dda {
 namespace {

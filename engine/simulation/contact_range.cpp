@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "engine/contact/interface_frame.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"

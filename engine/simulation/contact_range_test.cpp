@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/simulation_models.h"
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/geometry/rotation.h"
 #include "engine/simulation/simulation_models.h"
 

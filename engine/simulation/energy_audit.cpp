@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/contact/open_close.h"
 #include "engine/linear/block_vectors.h"
 #include "engine/terms/elasticity.h"
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"

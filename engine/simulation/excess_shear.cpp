@@ -12,7 +12,6 @@
 #include "engine/model/tolerance.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/linear_states.h"
-#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {
@@ -132,9 +131,9 @@ std::optional<JudgedStrength> strength_of(const Measurement& measurement) {
   return JudgedStrength{std::tan(measurement.friction_angle.value_or(0)), measurement.cohesion.value_or(0)};
 }
 
-std::vector<LoadedFace> faces_of(const Simulation& simulation, const Measurement& measurement) {
-  std::vector<LoadedFace> faces = loaded_faces(simulation.system(), strength_of(measurement));
-  const double tolerance = point_tolerance(simulation.model());
+std::vector<LoadedFace> faces_of(const BlockSystem& system, const Measurement& measurement) {
+  std::vector<LoadedFace> faces = loaded_faces(system, strength_of(measurement));
+  const double tolerance = point_tolerance(system.model);
   std::erase_if(faces, [&](const LoadedFace& face) {
     const bool is_other = measurement.joint >= 0 && face.joint != measurement.joint;
     return is_other || (measurement.on_line && !is_on({measurement.from, measurement.to}, face, tolerance));
@@ -180,15 +179,15 @@ std::vector<ExcessShear> excess_by_joint(const BlockSystem& s) {
   return list;
 }
 
-Vec2 excess_shear(const Simulation& simulation, const Measurement& measurement) {
+Vec2 excess_shear(const BlockSystem& system, const Measurement& measurement) {
   ExcessShear sum;
   sum.largest = std::numeric_limits<double>::quiet_NaN();
-  for (const LoadedFace& face : faces_of(simulation, measurement)) add(face, sum);
+  for (const LoadedFace& face : faces_of(system, measurement)) add(face, sum);
   return {sum.largest, sum.positive};
 }
 
-bool has_faces(const Simulation& simulation, const Measurement& measurement) {
-  return !faces_of(simulation, measurement).empty();
+bool has_faces(const BlockSystem& system, const Measurement& measurement) {
+  return !faces_of(system, measurement).empty();
 }
 
 }  // namespace dda

@@ -16,7 +16,6 @@
 
 namespace dda {
 
-class Simulation;
 struct BlockSystem;
 struct Measurement;
 
@@ -68,9 +67,9 @@ std::vector<ExcessShear> excess_by_joint(const BlockSystem& system);
 
 // A measurement of it: the largest excess (Pa; not a number where there is no face) and the length on which it is above
 // zero (m).
-Vec2 excess_shear(const Simulation& simulation, const Measurement& measurement);
+Vec2 excess_shear(const BlockSystem& system, const Measurement& measurement);
 
 // True when there is a face to measure on now.
-bool has_faces(const Simulation& simulation, const Measurement& measurement);
+bool has_faces(const BlockSystem& system, const Measurement& measurement);
 
 }  // namespace dda

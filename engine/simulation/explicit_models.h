@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/stability_limit.h"

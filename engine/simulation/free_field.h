@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/contact/contact_geometry.h"
 #include "engine/contact/contact_set.h"
 #include "engine/core/status.h"
 #include "engine/core/types.h"

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/core/allocation_counter.h"
 #include "engine/core/error.h"
 #include "engine/geometry/rotation.h"

@@ -8,7 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include "engine/contact/contact_geometry.h"
 #include "engine/contact/foreseen_gap.h"
+#include "engine/contact/interface_frame.h"
+#include "engine/contact/make_element.h"
+#include "engine/contact/open_close.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/core/phase_clock.h"
 #include "engine/model/moving_stages.h"

@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "engine/contact/contact_geometry.h"
 #include "engine/contact/join_blocks.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/simulation/force_balance.h"
 #include "engine/simulation/general_step.h"

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/geometry/box.h"
 #include "engine/simulation/explicit_models.h"
 #include "engine/simulation/stability_limit.h"

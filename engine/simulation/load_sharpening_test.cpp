@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/external_forces.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"

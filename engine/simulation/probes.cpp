@@ -55,7 +55,7 @@ Cut cut_of(const Simulation& simulation, const Measurement& measurement) {
 
 // Where contacts are followed faces may come later.
 void expect_faces(const Simulation& simulation, const Measurement& measurement) {
-  if (simulation.follows_contacts() || has_faces(simulation, measurement)) return;
+  if (simulation.follows_contacts() || has_faces(simulation.system(), measurement)) return;
   throw InputError("", fmt::format("measurements \"{}\"", measurement.name), "where no joint with a strength is",
                    "blocks that touch along a joint that is not bonded, or a friction_angle or cohesion to judge by");
 }
@@ -183,7 +183,7 @@ void Probes::write(const Simulation& simulation, const Measurement& measurement,
     case Subject::reaction: copy(reaction(simulation, measurement), values); break;
     case Subject::contact_force: copy(contact_force(simulation, measurement, place.cut), values); break;
     case Subject::resultant: copy(resultant(simulation, measurement, place.cut), values); break;
-    case Subject::excess_shear: copy(excess_shear(simulation, measurement), values); break;
+    case Subject::excess_shear: copy(excess_shear(simulation.system(), measurement), values); break;
     case Subject::contacts: write_statistics(simulation, values); break;
   }
 }

@@ -1,5 +1,7 @@
 #include "engine/simulation/rayleigh_damping.h"
 
+#include "engine/simulation/acting_damping.h"
+
 namespace dda {
 namespace {
 
@@ -13,10 +15,6 @@ Vec2 foot_velocity(const BlockSystem& system, std::size_t support, double load_o
 }
 
 }  // namespace
-
-MaterialDamping acting_damping(const Stage& stage) {
-  return stage.integrator.is_static ? MaterialDamping() : stage.material_damping;
-}
 
 void RayleighDamping::begin(const Stage& stage) {
   mass_ = acting_damping(stage).mass;

@@ -21,9 +21,6 @@ struct MotionAtStart {
   const Eigen::VectorXd &momentum, &inertia_force;  // M v, M a
 };
 
-// That of a stage: none in static ones.
-[[nodiscard]] MaterialDamping acting_damping(const Stage& stage);
-
 class RayleighDamping {
  public:
   // From the start of a stage on; it acts in dynamic stages.

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/support_set.h"

@@ -4,6 +4,7 @@
 
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
+#include "engine/model/rock_change.h"
 
 namespace dda {
 namespace {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "engine/contact/contact_search.h"
+#include "engine/contact/interface_frame.h"
 
 namespace dda {
 namespace {

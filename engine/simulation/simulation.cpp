@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/contact/open_close.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/equilibrium.h"
@@ -53,6 +54,10 @@ void let_go_of_loose_blocks(BlockSystem& s) {
   const bool any = !s.drag.loose().empty();
   s.drag = {};
   if (any) s.held = make_held_unknowns(s.model, s.excavated.absent);
+}
+
+BlocksInMotion in_motion(const BlockSystem& s) {
+  return {s.model, s.state, s.contacts, s.plan, s.clock, s.excavated.absent};
 }
 
 template <typename Item>
@@ -158,7 +163,7 @@ void Simulation::begin_stage() {
     set_held_rates(s.model, s.state);
     s.audit.accelerations_begin(energy_of_a_free_step(s));
   }
-  s.audit.small_motion.begin_stage(s);
+  s.audit.small_motion.begin_stage(in_motion(s));
 }
 
 Status Simulation::step() {
@@ -181,7 +186,7 @@ Status Simulation::step() {
   ++s.clock.step;
   ++s.state.step;
   s.state.time = s.clock.start + static_cast<double>(s.clock.step) * s.stage().dt;
-  s.audit.small_motion.follow(s);
+  s.audit.small_motion.follow(in_motion(s));
   const bool in_range = general_->is_in_contact_range();
   if (!in_range) message_ = general_->message();
   const Status end = is_over() ? end_stage() : Status::ok;
@@ -232,7 +237,7 @@ Status Simulation::end_stage() {
   append(excess_by_joint(s), results_.excess);
   let_go_of_loose_blocks(s);
   if (ended.unlimited_strength) release_shear_of_contacts(s);
-  s.audit.small_motion.end_stage(s);
+  s.audit.small_motion.end_stage(in_motion(s));
   if (s.plan.is_static) s.audit.has_settled();
   if (watch_.at_end) watch_.at_end();
   let_go_of_supports(s);

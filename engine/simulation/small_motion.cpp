@@ -15,7 +15,6 @@
 #include "engine/model/current_outline.h"
 #include "engine/model/held_flags.h"
 #include "engine/simulation/block_extent.h"
-#include "engine/simulation/block_system.h"
 #include "engine/simulation/open_contact.h"
 
 namespace dda {
@@ -45,20 +44,20 @@ struct Stretch {
 
 class Judge {
  public:
-  Judge(const BlockSystem& system, const std::vector<double>& thickness, SmallMotionErrors& worst)
-      : system_(system),
-        model_(system.model),
-        state_(system.state),
+  Judge(const BlocksInMotion& blocks, const std::vector<double>& thickness, SmallMotionErrors& worst)
+      : blocks_(blocks),
+        model_(blocks.model),
+        state_(blocks.state),
         thickness_(thickness),
         worst_(worst),
-        held_(held_flags(system.model)) {}
+        held_(held_flags(blocks.model)) {}
 
   // Turns are counted from those `before`, with which the geometry is no longer that of the drawing.
   void look_at_end(const std::vector<double>& before) {
     for (int block = 0; block < static_cast<int>(model_.blocks.size()); ++block)
       look_at_turn(block, before.empty() ? 0 : before[at(block)]);
-    if (!system_.plan.linear && before.empty())
-      for (std::size_t i = 0; i < system_.contacts.interfaces.size(); ++i) look_at_contact(i);
+    if (!blocks_.plan.linear && before.empty())
+      for (std::size_t i = 0; i < blocks_.contacts.interfaces.size(); ++i) look_at_contact(i);
     if (model_.stays_linear()) look_at_straight_ways();
   }
 
@@ -80,9 +79,7 @@ class Judge {
     if (error > worst.error) worst = {fault, error, amount, block, other, current_centroid(model_, state_, block)};
   }
 
-  [[nodiscard]] bool is_absent(int block) const {
-    return !system_.excavated.absent.empty() && system_.excavated.absent[at(block)];
-  }
+  [[nodiscard]] bool is_absent(int block) const { return !blocks_.absent.empty() && blocks_.absent[at(block)]; }
   [[nodiscard]] double turn_of(int block) const { return std::abs(state_.displacement[at(block)](2)); }
   [[nodiscard]] double size_of(int block) const { return std::sqrt(model_.blocks[at(block)].moments.area); }
 
@@ -92,14 +89,14 @@ class Judge {
   }
 
   void look_at_contact(std::size_t index) {
-    const Interface& interface = system_.contacts.interfaces[index];
+    const Interface& interface = blocks_.contacts.interfaces[index];
     if (is_open(index)) return;
     for (const int block : {interface.block_a, interface.block_b}) look_at_lean(interface, block);
     look_at_slide(interface);
   }
 
   [[nodiscard]] bool is_open(std::size_t index) const {
-    return dda::is_open(system_.contacts.elements[index], system_.contacts.states[index]);
+    return dda::is_open(blocks_.contacts.elements[index], blocks_.contacts.states[index]);
   }
 
   void look_at_lean(const Interface& interface, int block) {
@@ -205,15 +202,15 @@ class Judge {
   // Overlap of these is that of a closed contact.
   [[nodiscard]] std::vector<std::pair<int, int>> pairs_in_contact() const {
     std::vector<std::pair<int, int>> pairs;
-    for (std::size_t i = 0; i < system_.contacts.interfaces.size(); ++i) {
-      const Interface& interface = system_.contacts.interfaces[i];
-      if (system_.plan.linear || !is_open(i)) pairs.emplace_back(std::minmax(interface.block_a, interface.block_b));
+    for (std::size_t i = 0; i < blocks_.contacts.interfaces.size(); ++i) {
+      const Interface& interface = blocks_.contacts.interfaces[i];
+      if (blocks_.plan.linear || !is_open(i)) pairs.emplace_back(std::minmax(interface.block_a, interface.block_b));
     }
     std::ranges::sort(pairs);
     return pairs;
   }
 
-  const BlockSystem& system_;
+  const BlocksInMotion& blocks_;
   const Model& model_;
   const State& state_;
   const std::vector<double>& thickness_;
@@ -228,50 +225,50 @@ double doubtful_error(SmallMotionFault fault) { return limits_of(fault).doubtful
 
 double ruinous_error(SmallMotionFault fault) { return limits_of(fault).ruinous; }
 
-void SmallMotionWatch::begin_stage(const BlockSystem& system) {
-  if (system.plan.finite_kinematics) return;
-  const std::size_t stage = system.clock.stage;
-  if (stage > 0 && system.model.stages[stage - 1].kinematics == Kinematics::finite) {
+void SmallMotionWatch::begin_stage(const BlocksInMotion& blocks) {
+  if (blocks.plan.finite_kinematics) return;
+  const std::size_t stage = blocks.clock.stage;
+  if (stage > 0 && blocks.model.stages[stage - 1].kinematics == Kinematics::finite) {
     turns_before_.clear();
-    for (const Vec6& each : system.state.displacement) turns_before_.push_back(each(2));
+    for (const Vec6& each : blocks.state.displacement) turns_before_.push_back(each(2));
   }
-  if (system.model.stays_linear()) return;
-  looked_at_ = system.state.displacement;
-  measure(system.model);  // not in the first step that asks, as steps take no memory
+  if (blocks.model.stays_linear()) return;
+  looked_at_ = blocks.state.displacement;
+  measure(blocks.model);  // not in the first step that asks, as steps take no memory
 }
 
 // Of its thickness, what some block has gone at most since it was looked at.
-double SmallMotionWatch::gone(const BlockSystem& system) const {
+double SmallMotionWatch::gone(const BlocksInMotion& blocks) const {
   double most = 0;
   for (std::size_t i = 0; i < looked_at_.size(); ++i) {
-    const Vec6 since = system.state.displacement[i] - looked_at_[i];
+    const Vec6 since = blocks.state.displacement[i] - looked_at_[i];
     const double gone = since.head<2>().norm() + radius_[i] * (std::abs(since(2)) + since.tail<3>().norm());
     most = std::max(most, gone / thickness_[i]);
   }
   return most;
 }
 
-void SmallMotionWatch::follow(const BlockSystem& system) {
+void SmallMotionWatch::follow(const BlocksInMotion& blocks) {
   constexpr std::int64_t steps_between = 8;  // asking all blocks after each step was 1.4 % of sliding blocks' time
-  if (system.plan.finite_kinematics || looked_at_.empty()) return;
-  if (!system.stage().paces_itself() && system.clock.step % steps_between != 0) return;
-  measure(system.model);
-  const double thicknesses = gone(system);
+  if (blocks.plan.finite_kinematics || looked_at_.empty()) return;
+  if (!blocks.model.stages[blocks.clock.stage].paces_itself() && blocks.clock.step % steps_between != 0) return;
+  measure(blocks.model);
+  const double thicknesses = gone(blocks);
   if (!(thicknesses > 0.25)) return;
-  Judge(system, thickness_, worst_).look_at_way(looked_at_, thicknesses);
-  looked_at_ = system.state.displacement;
+  Judge(blocks, thickness_, worst_).look_at_way(looked_at_, thicknesses);
+  looked_at_ = blocks.state.displacement;
 }
 
-void SmallMotionWatch::end_stage(const BlockSystem& system) {
-  if (system.plan.finite_kinematics) return;
-  measure(system.model);
-  Judge judge(system, thickness_, worst_);
+void SmallMotionWatch::end_stage(const BlocksInMotion& blocks) {
+  if (blocks.plan.finite_kinematics) return;
+  measure(blocks.model);
+  Judge judge(blocks, thickness_, worst_);
   judge.look_at_end(turns_before_);
   if (looked_at_.empty()) return;
-  const double thicknesses = gone(system);
+  const double thicknesses = gone(blocks);
   if (!(2 * thicknesses > doubtful_error(SmallMotionFault::passed))) return;
   judge.look_at_way(looked_at_, thicknesses);
-  looked_at_ = system.state.displacement;
+  looked_at_ = blocks.state.displacement;
 }
 
 void SmallMotionWatch::measure(const Model& model) {

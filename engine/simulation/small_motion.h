@@ -8,12 +8,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/contact/contact_set.h"
 #include "engine/core/types.h"
 #include "engine/model/model.h"
+#include "engine/model/state.h"
+#include "engine/simulation/stage_clock.h"
+#include "engine/simulation/step_plan.h"
 
 namespace dda {
-
-struct BlockSystem;
 
 enum class SmallMotionFault {
   turned,  // a block by an angle t: its lengths are wrong by the share t^2/2
@@ -49,16 +51,26 @@ double ruinous_error(SmallMotionFault fault);
 
 using SmallMotionErrors = std::array<SmallMotionError, small_motion_faults>;
 
+// What is looked at.
+struct BlocksInMotion {
+  const Model& model;
+  const State& state;
+  const ContactSet& contacts;
+  const StepPlan& plan;  // of the stage
+  const StageClock& clock;
+  const std::vector<bool>& absent;  // of each block; empty: none is
+};
+
 // Watches the stages of a run that are in small kinematics. Turns, leans and slides are those of a stage's end; whether
 // blocks pass through each other is looked at on their way too, wherever one has gone a quarter of its thickness, or in
 // a scene that stays linear on straight ways at the end of a stage.
 class SmallMotionWatch {
  public:
-  void begin_stage(const BlockSystem& system);
+  void begin_stage(const BlocksInMotion& blocks);
   // After every step. Asks in every step of stages that pace themselves, and in every eighth of others, between which
   // ways are taken for straight.
-  void follow(const BlockSystem& system);
-  void end_stage(const BlockSystem& system);
+  void follow(const BlocksInMotion& blocks);
+  void end_stage(const BlocksInMotion& blocks);
 
   // The largest of every fault that is doubtful.
   [[nodiscard]] std::vector<SmallMotionError> errors() const;
@@ -73,7 +85,7 @@ class SmallMotionWatch {
 
  private:
   void measure(const Model& model);
-  [[nodiscard]] double gone(const BlockSystem& system) const;
+  [[nodiscard]] double gone(const BlocksInMotion& blocks) const;
 
   SmallMotionErrors worst_{};
   // Of every block, from stages of finite kinematics, whose last geometry counts as drawn; empty where there was none.

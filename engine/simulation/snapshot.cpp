@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/model/rock_change.h"
 #include "engine/simulation/archive.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/excavation.h"

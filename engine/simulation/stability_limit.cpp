@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/core/error.h"
 #include "engine/linear/block_vectors.h"
 #include "engine/simulation/held_blocks.h"

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "engine/contact/make_contacts.h"
 #include "engine/core/error.h"
 #include "engine/simulation/explicit_models.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/open_close.h"
 #include "engine/solve/step_matrix.h"
 
 namespace dda {

@@ -13,6 +13,7 @@
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
 #include "engine/contact/cubic_law.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/model/held_flags.h"
 #include "engine/terms/inertia.h"
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/contact/contact_models.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/terms/inertia.h"
 #include "engine/waves/cubic_inertia.h"
 #include "engine/waves/mesh_correction.h"

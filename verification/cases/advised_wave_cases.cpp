@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "engine/advice/advice.h"
+#include "engine/advice/advise.h"
 #include "engine/advice/half_row.h"
 #include "engine/contact/contact_models.h"
 #include "engine/scene/scheme.h"

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/contact/interface_element.h"
+#include "engine/contact/make_element.h"
 #include "engine/scene/generators.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/sharpened_load.h"

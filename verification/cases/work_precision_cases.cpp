@@ -10,6 +10,7 @@
 #include "verification/precision/grid.h"
 #include "verification/precision/plane_run.h"
 #include "verification/precision/robust.h"
+#include "verification/precision/run_job.h"
 #include "verification/precision/summary.h"
 #include "verification/suite/expect.h"
 

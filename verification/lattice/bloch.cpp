@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/model/model.h"
 #include "engine/terms/elasticity.h"
 #include "engine/terms/inertia.h"

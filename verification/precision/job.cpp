@@ -8,9 +8,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "verification/precision/bar_run.h"
-#include "verification/precision/plane_run.h"
-
 namespace verify {
 namespace {
 
@@ -64,9 +61,5 @@ PrecisionScheme accurate_scheme(Problem problem) {
 PrecisionScheme explicit_scheme() { return {"consistent", "central_difference", 1, true}; }
 
 PrecisionScheme thesis_scheme() { return {"classical", "thesis", 1, false}; }
-
-PrecisionResult run_job(const PrecisionJob& job) {
-  return job.problem == Problem::plane ? run_plane(job) : run_bar(job);
-}
 
 }  // namespace verify

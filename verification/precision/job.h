@@ -1,4 +1,4 @@
-// One run of the study: a problem, a scheme, a block size and a time step; and what came out.
+// One run of the study: a problem, a scheme, a block size and a time step; and what comes out.
 #pragma once
 
 #include <string>
@@ -66,8 +66,5 @@ struct PrecisionResult {
 [[nodiscard]] PrecisionScheme thesis_scheme();
 // The accurate one of a plate in explicit steps, whose passes are shorter.
 [[nodiscard]] PrecisionScheme explicit_scheme();
-
-// Throws std::runtime_error if the run fails.
-[[nodiscard]] PrecisionResult run_job(const PrecisionJob& job);
 
 }  // namespace verify

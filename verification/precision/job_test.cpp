@@ -11,6 +11,7 @@
 #include "verification/precision/bar_run.h"
 #include "verification/precision/grid.h"
 #include "verification/precision/plane_run.h"
+#include "verification/precision/run_job.h"
 #include "verification/thesis/reference.h"
 
 namespace verify {

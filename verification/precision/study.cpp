@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
+#include "verification/precision/run_job.h"
 #include "verification/study/job_progress.h"
 
 namespace verify {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/simulation/simulation.h"
-#include "verification/rocks/rock_run.h"
+#include "verification/study/judged_run.h"
 
 namespace verify {
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engine/contact/interface_element.h"
+#include "engine/contact/make_element.h"
 #include "verification/exact/bar_stress.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"

@@ -1,0 +1,312 @@
+#include "engine/advice/advise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "engine/advice/chain_errors.h"
+#include "engine/advice/explicit_offer.h"
+#include "engine/advice/load_history.h"
+#include "engine/advice/springs_in_waves.h"
+#include "engine/advice/sudden_loads.h"
+#include "engine/advice/unseen_loads.h"
+#include "engine/contact/make_contacts.h"
+#include "engine/model/quantity_names.h"
+#include "engine/simulation/block_terms.h"
+#include "engine/simulation/settling_pace.h"
+#include "engine/simulation/system_matrix.h"
+
+namespace dda {
+namespace {
+
+struct Direction {
+  Vec2 unit;
+  std::string name;
+};
+
+// Across the joints, each kind once, and half-way between the first two of them.
+std::vector<Direction> directions_of(const Lattice& lattice) {
+  const std::vector<Vec2> normals = lattice.face_normals();
+  if (lattice.row) return {{normals.front(), "along the row"}};
+  std::vector<Direction> directions;
+  for (const Vec2& normal : normals) {
+    const bool known = std::any_of(directions.begin(), directions.end(), [&](const Direction& direction) {
+      return looks_the_same(lattice, direction.unit, normal);
+    });
+    if (!known) directions.push_back({normal, "across the joints"});
+  }
+  if (normals.size() >= 2) directions.push_back({(normals[0] + normals[1]).normalized(), "diagonal to the joints"});
+  return directions;
+}
+
+const char* to_text(WaveKind kind) {
+  switch (kind) {
+    case WaveKind::bar: return "bar";
+    case WaveKind::p: return "P";
+    case WaveKind::s: return "S";
+  }
+  return "";
+}
+
+double size_along(const Lattice& lattice, const Vec2& direction) { return extent_along(lattice.ring, direction); }
+
+// Four steps in a period, and no longer than is stable where steps are explicit.
+double coarsest_dt(double period, double stable_dt) {
+  return stable_dt > 0 ? std::min(period / 4, stable_dt) : period / 4;
+}
+
+// Steps in a period, and blocks in a wavelength, of a load's main frequency: with fewer, what comes is no wave like it.
+constexpr double least_in_period = 4;
+
+class Adviser {
+ public:
+  Adviser(const Simulation& simulation, const AdviceQuestion& question)
+      : simulation_(simulation),
+        model_(simulation.model()),
+        contacts_(simulation.contacts()),
+        drawn_(make_contacts(model_)),
+        question_(question),
+        unseen_(unseen_load_findings(model_)),
+        sudden_(sudden_loads(model_)) {
+    if (!question.frequency) load_ = scene_load(model_);
+    frequency_ = question.frequency ? question.frequency : default_frequency();
+    for (std::size_t i = 0; frequency_ && i < model_.materials.size(); ++i)
+      if (auto lattice = find_lattice(model_, drawn_, static_cast<int>(i))) lattices_.push_back(std::move(*lattice));
+    if (frequency_ && load_) search_way();
+  }
+
+  [[nodiscard]] Advice run(const BlockMatrix& matrix) const {
+    Advice advice;
+    advice.frequency = frequency_;
+    advice.load = load_ ? load_->description : "";
+    advice.wanted_error = question_.error;
+    advice.size = size_of(contacts_, matrix);
+    advice.joints_may_open = contacts_.can_change;
+    for (const LoadFinding& finding : unseen_) advice.unseen.push_back(finding.sentence);
+    for (const LoadFinding& finding : sudden_) advice.sudden.push_back(finding.sentence);
+    for (std::size_t i = 0; i < model_.stages.size(); ++i) {
+      const Stage& stage = model_.stages[i];
+      advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
+      advice.stages.push_back(of_stage(i, matrix, advice.size));
+    }
+    advice.springs = springs_in_waves(model_, advice);
+    return advice;
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> default_frequency() const {
+    if (model_.expected.frequency) return model_.expected.frequency;
+    if (const auto sine = highest_sine_frequency(model_)) return sine;
+    if (load_) return 1 / load_->history.period;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] StageAdvice of_stage(std::size_t index, const BlockMatrix& matrix, const SceneSize& size) const {
+    const Stage stage = model_.with_acting_corrections(model_.stages[index]);
+    const BlockTerms terms = make_block_terms(model_, stage);
+    const double dt = first_step(model_, stage, contacts_.can_change);
+    const StepPlan plan =
+        make_plan(model_, index, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, dt));
+    StageAdvice advice;
+    advice.name = stage.name;
+    advice.integrator = stage.integrator.name;
+    advice.why_integrator = stage.chosen.integrator.reason;
+    advice.dt = stage.dt;
+    advice.chi = plan.chi;
+    advice.solver = plan.explicit_steps ? "explicit" : to_string(plan.solver);
+    advice.cost = cost_of(size, plan, stage.steps());
+    advice.stable_dt = simulation_.stability_limit(index);
+    if (question_.limits) advice.explicit_instead = explicit_offer(model_, index, size, advice.cost);
+    if (stage.integrator.is_static || !frequency_) return advice;
+    if (stage.material_damping.acts()) advice.damping_ratio = stage.material_damping.ratio_at(*frequency_);
+    if (way_) advice.waves.push_back(along_way(stage, advice.stable_dt));
+    if (way_ && way_->kind == WaveKind::bar) return advice;
+    for (const Lattice& lattice : lattices_)
+      for (const WaveKind kind : lattice.row ? std::vector{WaveKind::bar} : std::vector{WaveKind::p, WaveKind::s})
+        for (const Direction& direction : directions_for(lattice))
+          advice.waves.push_back(of_wave(lattice, stage, kind, direction, advice.stable_dt));
+    return advice;
+  }
+
+  // Readings of a wave that jumps look good, as they are means over all of it, while its front is far off; those of one
+  // that steps or blocks pass over are readings of something else. Empty where figures say what comes.
+  [[nodiscard]] std::string why_no_figures(const Stage& stage, double wavelength, double block_size) const {
+    if (!load_) return "";
+    const auto concerns = [&](const LoadFinding& finding) {
+      return finding.history == load_->source &&
+             model_.stages[static_cast<std::size_t>(finding.stage)].name == stage.name;
+    };
+    if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return concerns(each) && !each.leaves_figures; }))
+      return "it jumps, which no mesh and dt carry without overshoot and ringing: no figures";
+    if (std::ranges::any_of(unseen_, concerns)) return "steps of this dt see too little of it: no figures";
+    if (stage.dt > load_->history.period / least_in_period)
+      return fmt::format("too short for steps of {:g} s, {:.2g} in a period of its main frequency: no figures",
+                         stage.dt, load_->history.period / stage.dt);
+    if (block_size > wavelength / least_in_period)
+      return fmt::format("too short for blocks of {:.4g} m, {:.2g} in a wavelength of its main frequency: no figures",
+                         block_size, wavelength / block_size);
+    return "";
+  }
+
+  // What is assumed of the mesh, or of a load on it, is no foretelling.
+  void foretell_history(const WaveQuestion& question, const Lattice& lattice, WaveAdvice& advice) const {
+    if (way_) {
+      advice.not_foretold = "the way from where it is driven is foretold for itself";
+    } else if (lattice.assumed || (lattice.row && !why_no_way_.empty())) {
+      advice.not_foretold =
+          fmt::format("cannot be foretold: {}", why_no_way_.empty() ? "blocks are not alike" : why_no_way_);
+    } else {
+      advice.history = history_errors(question, load_->history);
+      if (!advice.history)
+        advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
+    }
+  }
+
+  // The scene's own layers are asked where blocks that repeat themselves do not say it all.
+  void search_way() {
+    PathSearch search = find_chain_path(model_, drawn_, *load_);
+    if (!search.path) {
+      why_no_way_ = search.why_not;
+    } else if (search.path->is_moved || lattices_.size() != 1 || !search.path->repeats_itself(model_, drawn_)) {
+      way_ = std::move(search.path);
+    }
+  }
+
+  [[nodiscard]] WaveAdvice along_way(const Stage& stage, double stable_dt) const {
+    const ChainQuestion question(model_, *way_, stage, way_distance());
+    WaveAdvice advice;
+    for (const Material& material : model_.materials) {
+      const bool met = std::any_of(way_->layers.begin(), way_->layers.end(), [&](const ChainLayer& layer) {
+        return model_.material_of(layer.block).name == material.name;
+      });
+      if (met) advice.material += (advice.material.empty() ? "" : ", ") + material.name;
+    }
+    advice.kind = to_text(way_->kind);
+    advice.mesh = fmt::format("the scene's own {} layers, one behind the other", way_->layers.size());
+    advice.own_layers = true;
+    advice.direction = way_->direction + Vec2::Zero();  // and no negative zeros
+    advice.direction_name = "from where it is driven";
+    advice.speed = question.speed();
+    advice.wavelength = advice.speed / *frequency_;
+    for (const ChainLayer& layer : way_->layers) advice.block_size = std::max(advice.block_size, layer.thickness);
+    advice.distance = question.place();
+    advice.steady = question.steady_errors(*frequency_);
+    advice.asked_history = true;
+    const double wavelength = advice.speed * load_->history.period;
+    if (advice.not_foretold = why_no_figures(stage, wavelength, advice.block_size); !advice.not_foretold.empty())
+      return advice;
+    advice.history = question.history_errors(load_->history);
+    if (!advice.history)
+      advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
+    if (question_.limits) advice.limits = limits_of(question, stage, stable_dt);
+    return advice;
+  }
+
+  // And the way from where it is driven, where that is another and has no layers of its own.
+  [[nodiscard]] std::vector<Direction> directions_for(const Lattice& lattice) const {
+    std::vector<Direction> directions = directions_of(lattice);
+    if (lattice.row || !load_ || way_) return directions;
+    const Vec2 way = way_of(*load_) + Vec2::Zero();
+    const bool known = way.isZero(0) || std::any_of(directions.begin(), directions.end(), [&](const Direction& other) {
+                         return looks_the_same(lattice, other.unit, way);
+                       });
+    if (!known) directions.push_back({way, "from where it is driven"});
+    return directions;
+  }
+
+  [[nodiscard]] double way_distance() const {
+    if (question_.distance) return *question_.distance;
+    const double distance = way_->direction.dot(load_->looked_at - load_->place);
+    return distance > 0 ? distance : way_->layers.front().speed / *frequency_;
+  }
+
+  // Layers stay as they are: they belong to the scene.
+  [[nodiscard]] WaveLimits limits_of(const ChainQuestion& question, const Stage& stage, double stable_dt) const {
+    const auto error_of = [&](double dt, double scale) -> std::optional<double> {
+      if (scale != 1) return std::nullopt;
+      return largest(question.with_dt(dt).total_history_errors(load_->history));
+    };
+    return find_limits(error_of, stage.dt, {coarsest_dt(load_->history.period, stable_dt), 1}, question_.error);
+  }
+
+  [[nodiscard]] double distance_for(double wavelength) const {
+    if (question_.distance) return *question_.distance;
+    double farthest = 0;
+    if (load_)
+      for (const Measurement& measurement : model_.measurements)
+        if (is_at_point(measurement)) farthest = std::max(farthest, (measurement.point - load_->place).norm());
+    return farthest > 0 ? farthest : wavelength;
+  }
+
+  [[nodiscard]] WaveAdvice of_wave(const Lattice& lattice, const Stage& stage, WaveKind kind,
+                                   const Direction& direction, double stable_dt) const {
+    WaveAdvice advice;
+    advice.material = lattice.material.name;
+    advice.kind = to_text(kind);
+    advice.mesh = lattice.origin;
+    advice.direction = direction.unit;
+    advice.direction_name = direction.name;
+    advice.speed = continuum_speed(lattice.material, kind);
+    advice.wavelength = advice.speed / *frequency_;
+    advice.block_size = size_along(lattice, direction.unit);
+    advice.distance = distance_for(advice.wavelength);
+    const WaveQuestion question{lattice, stage, kind, direction.unit, advice.distance};
+    advice.steady = steady_errors(question, *frequency_);
+    advice.asked_history = load_.has_value();
+    if (load_) advice.not_foretold = why_no_figures(stage, advice.speed * load_->history.period, advice.block_size);
+    if (!advice.not_foretold.empty()) return advice;
+    if (load_) foretell_history(question, lattice, advice);
+    if (question_.limits) advice.limits = limits_of(question, advice, stable_dt);
+    return advice;
+  }
+
+  [[nodiscard]] WaveLimits limits_of(const WaveQuestion& question, const WaveAdvice& advice, double stable_dt) const {
+    const auto error_of = [&](double dt, double scale) -> std::optional<double> {
+      WaveQuestion changed = question;
+      changed.stage.dt = dt;
+      if (scale != 1) changed.lattice = scaled(question.lattice, scale);
+      return load_ ? history_error(changed) : steady_error(changed);
+    };
+    const double period = load_ ? load_->history.period : 1 / *frequency_;
+    const CoarseBounds coarse{coarsest_dt(period, stable_dt), advice.speed * period / 4 / advice.block_size};
+    return find_limits(error_of, question.stage.dt, coarse, question_.error);
+  }
+
+  [[nodiscard]] std::optional<double> steady_error(const WaveQuestion& question) const {
+    return largest(total_steady_errors(question, *frequency_));
+  }
+
+  [[nodiscard]] std::optional<double> history_error(const WaveQuestion& question) const {
+    return largest(total_history_errors(question, load_->history));
+  }
+
+  static std::optional<double> largest(const std::optional<TotalErrors>& errors) {
+    if (!errors) return std::nullopt;
+    return std::max(std::abs(errors->speed), std::abs(errors->amplitude));
+  }
+
+  const Simulation& simulation_;
+  const Model& model_;
+  const ContactSet& contacts_;  // as they are followed
+  const ContactSet drawn_;      // joints as drawn, along which waves are predicted
+  const AdviceQuestion& question_;
+  std::vector<LoadFinding> unseen_, sudden_;
+  std::optional<SceneLoad> load_;
+  std::optional<double> frequency_;
+  std::vector<Lattice> lattices_;
+  std::optional<ChainPath> way_;
+  std::string why_no_way_;
+};
+
+}  // namespace
+
+Advice advise(const Simulation& simulation, const AdviceQuestion& question) {
+  const BlockMatrix matrix = make_system_matrix(static_cast<int>(simulation.model().blocks.size()),
+                                                simulation.contacts(), simulation.bolts().pairs());
+  return Adviser(simulation, question).run(matrix);
+}
+
+}  // namespace dda

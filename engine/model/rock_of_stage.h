@@ -1,0 +1,21 @@
+// What the rock is in each stage: the elasticity of its materials and the strength of its joints can change when a
+// stage begins (loosened or improved rock, concrete that hardens, joints that weather or get wet).
+// Blocks can come in.
+//
+// Materials and joints keep their names, places and everything that joints' springs and penalties go by; what may
+// change of them is said in check_rock_changes.cpp. A stage that changes nothing has empty tables.
+#pragma once
+
+#include <vector>
+
+#include "engine/model/material.h"
+
+namespace dda {
+
+struct RockOfStage {
+  std::vector<Material> materials;    // all of the model's, from the start of the stage on; empty: as before
+  std::vector<JointMaterial> joints;  // the same
+  std::vector<int> added = {};        // blocks that come in at the start of the stage, as drawn and free of stress
+};
+
+}  // namespace dda

@@ -1,0 +1,26 @@
+// Where a run is in its stages.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace dda {
+
+struct StageClock {
+  std::size_t stage = 0;
+  bool begun = false;                   // else the run is between the stage before and this one, or over
+  std::int64_t step = 0;                // in the stage
+  double start = 0;                     // s, of the stage
+  std::int64_t passes_before_step = 0;  // of the open-close iteration in the whole run, when the last step began
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [stage, begun, step, start, passes_before_step] = self;
+    archive(stage, begun, step, start, passes_before_step);
+  }
+
+  // The stage under way; between stages, and after the last, the one that ended.
+  [[nodiscard]] std::size_t in_force() const { return begun || stage == 0 ? stage : stage - 1; }
+};
+
+}  // namespace dda

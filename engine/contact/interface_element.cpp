@@ -1,5 +1,7 @@
 #include "engine/contact/interface_element.h"
 
+#include "engine/contact/block_across.h"
+
 namespace dda {
 
 Mat2 local_axes(const Vec2& normal) { return (Mat2() << normal.x(), normal.y(), -normal.y(), normal.x()).finished(); }

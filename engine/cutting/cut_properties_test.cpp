@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/cutting/cut_rock.h"
 #include "engine/cutting/cutting_test_support.h"
 #include "engine/geometry/box_pairs.h"
 

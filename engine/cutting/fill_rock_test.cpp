@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/cutting/cell_size.h"
+#include "engine/cutting/cut_rock.h"
 #include "engine/cutting/cutting_test_support.h"
 #include "engine/cutting/opening_shapes.h"
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "engine/core/error.h"
+#include "engine/cutting/cut_rock.h"
 
 namespace dda {
 namespace {

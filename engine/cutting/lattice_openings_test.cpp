@@ -2,6 +2,7 @@
 // at all blocks, lines and joints anew, without anything that cutting uses.
 #include <gtest/gtest.h>
 
+#include "engine/cutting/cut_rock.h"
 #include "engine/cutting/lattice_plans_test_support.h"
 
 namespace dda {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/core/error.h"
+#include "engine/cutting/cut_rock.h"
 #include "engine/cutting/cutting_test_support.h"
 #include "engine/cutting/opening_shapes.h"
 

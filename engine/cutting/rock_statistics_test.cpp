@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/cutting/cut_rock.h"
 #include "engine/cutting/cutting_test_support.h"
 #include "engine/cutting/joint_sets.h"
 

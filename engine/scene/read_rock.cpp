@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/cutting/cut_rock.h"
 #include "engine/scene/block_group.h"
 #include "engine/scene/places.h"
 #include "engine/scene/read_drawn_plan.h"

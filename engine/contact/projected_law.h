@@ -16,9 +16,9 @@
 // gamma = penalty D/w: D the plane modulus, w the width of the block across the joint. The sum is convex when the
 // penalty of each block is above the largest eigenvalue of (sum over its outline of l w/(2 D) R^T R) x = lambda A D x,
 // R giving its traction by its strains: 1 + nu for rectangles in plane stress, 1.8 to 2 in nearly incompressible plane
-// strain, up to 3 for triangles. Lengths of stretches drop out, so blocks may meet along slivers. There gamma is larger:
-// rock gives way under a load on a small part of its side by about the length of that part and not by its whole width,
-// and a sliver would sink into a large block. So w is less in proportion where the stretch is shorter than
+// strain, up to 3 for triangles. Lengths of stretches drop out, so blocks may meet along slivers. There gamma is
+// larger: rock gives way under a load on a small part of its side by about the length of that part and not by its whole
+// width, and a sliver would sink into a large block. So w is less in proportion where the stretch is shorter than
 // `spreading_share` of the block's side, which leaves a stiffness that no longer falls with the length.
 //
 // Blocks of uniform strain do not bend. A closed stretch therefore acts at two points at -lever and +lever of half its

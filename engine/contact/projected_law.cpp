@@ -28,11 +28,19 @@ void add_ring(const Model& model, int block, const Ring& ring, Mat3& sum) {
   }
 }
 
+// Width of the block as the joint sees it, m: across, or less where the stretch is a small share of its side.
+double loaded_width(const Model& model, int block, const Interface& interface) {
+  const Vec2 along(-interface.normal.y(), interface.normal.x());
+  const double side = width_across(model, block, along);
+  const double share = std::min(1.0, interface.length / (spreading_share * side));
+  return share * width_across(model, block, interface.normal);
+}
+
 // 1/(2 gamma), m/Pa: the gap that a traction of the block makes.
-double gap_by_traction(const Model& model, int block, const Vec2& normal) {
+double gap_by_traction(const Model& model, int block, const Interface& interface) {
   if (model.is_held(block)) return 0;
   const double modulus = plane_modulus(model.material_of(block));
-  return width_across(model, block, normal) / (2 * projected_penalty(model, block) * modulus);
+  return loaded_width(model, block, interface) / (2 * projected_penalty(model, block) * modulus);
 }
 
 double gap_by_traction(const Model& model, const Interface& interface) {
@@ -40,9 +48,9 @@ double gap_by_traction(const Model& model, const Interface& interface) {
 }
 
 // m/Pa, of half of the block as a column.
-double column_compliance(const Model& model, int block, const Vec2& normal) {
+double column_compliance(const Model& model, int block, const Interface& interface) {
   if (model.is_held(block)) return 0;
-  return width_across(model, block, normal) / (2 * side_free_modulus(model.material_of(block)));
+  return loaded_width(model, block, interface) / (2 * side_free_modulus(model.material_of(block)));
 }
 
 // m/Pa, of the joint's own material: normal, shear.
@@ -92,8 +100,7 @@ double largest_traction_share(const Model& model, int block) {
 }
 
 Vec2 projected_softness(const Model& model, const Interface& interface) {
-  return {gap_by_traction(model, interface.block_a, interface.normal),
-          gap_by_traction(model, interface.block_b, interface.normal)};
+  return {gap_by_traction(model, interface.block_a, interface), gap_by_traction(model, interface.block_b, interface)};
 }
 
 double projected_penalty(const Model& model, int block) {
@@ -111,8 +118,8 @@ Vec4 projected_stiffness(const Model& model, const Interface& interface) {
 double projected_lever(const Model& model, const Interface& interface) {
   const double own = joint_compliance(model, interface)(0);
   const double gap = gap_by_traction(model, interface) + own;
-  const double bed = column_compliance(model, interface.block_a, interface.normal) +
-                     column_compliance(model, interface.block_b, interface.normal) + own;
+  const double bed = column_compliance(model, interface.block_a, interface) +
+                     column_compliance(model, interface.block_b, interface) + own;
   return std::sqrt(gap / bed / 3);
 }
 

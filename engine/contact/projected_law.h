@@ -16,7 +16,10 @@
 // gamma = penalty D/w: D the plane modulus, w the width of the block across the joint. The sum is convex when the
 // penalty of each block is above the largest eigenvalue of (sum over its outline of l w/(2 D) R^T R) x = lambda A D x,
 // R giving its traction by its strains: 1 + nu for rectangles in plane stress, 1.8 to 2 in nearly incompressible plane
-// strain, up to 3 for triangles. Lengths of stretches drop out, so blocks may meet along slivers.
+// strain, up to 3 for triangles. Lengths of stretches drop out, so blocks may meet along slivers. There gamma is
+// larger: rock gives way under a load on a small part of its side by about the length of that part and not by its whole
+// width, and a sliver would sink into a large block. So w is less in proportion where the stretch is shorter than
+// `spreading_share` of the block's side, which leaves a stiffness that no longer falls with the length.
 //
 // Blocks of uniform strain do not bend. A closed stretch therefore acts at two points at -lever and +lever of half its
 // length from the middle, where the stiffness of its turn is that of two half columns; opened in part it answers as a
@@ -36,6 +39,9 @@ inline constexpr double least_penalty = 3;
 
 // penalty = max(least_penalty, penalty_margin lambda)
 inline constexpr double penalty_margin = 2;
+
+// Of the block's extent along a stretch. Half a side, as in running bond, is one that blocks load as a whole.
+inline constexpr double spreading_share = 0.25;
 
 // The eigenvalue lambda above, over the whole outline: no stretch has more.
 double largest_traction_share(const Model& model, int block);

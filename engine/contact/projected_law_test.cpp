@@ -155,5 +155,23 @@ TEST(ProjectedLaw, PenaltyIsThreeForRectanglesAndTwiceTheShareElsewhere) {
   EXPECT_GT(projected_penalty(triangle, 0), 3);
 }
 
+// Of a small block that lies on a large one. Rock under a strip gives way by about the strip's length and not by its
+// own height, so the stiffness of a joint does not fall with its length for ever; under half a side it is the law's
+// own.
+TEST(ProjectedLaw, ShortStretchesGiveWayByTheirOwnLength) {
+  const auto softness_under = [](double length) {
+    const Polygon large{{{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {}};
+    const Polygon small{{{1, 2}, {1 + length, 2}, {1 + length, 2.5}, {1, 2.5}}, {}};
+    Model model = model_of({large, small}, {"rock", 2600, 3.0, 0.2, PlaneState::stress});
+    model.joints = {{.name = "joint", .law = InterfaceLaw::projected}};
+    model.stages = {Stage{}};
+    return projected_softness(model, find_interfaces(model).at(0));
+  };
+  const Vec2 of_half = softness_under(2);
+  EXPECT_EQ(softness_under(1.5)(0), of_half(0));
+  EXPECT_NEAR(softness_under(0.01)(0) / of_half(0), 0.01, 1e-12);
+  EXPECT_NEAR(softness_under(0.001)(0) / of_half(0), 0.001, 1e-12);
+}
+
 }  // namespace
 }  // namespace dda

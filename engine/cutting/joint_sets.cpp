@@ -57,6 +57,7 @@ class SetDrawer {
   }
 
   std::vector<Trace> draw() {
+    refuse_far_start();
     const Vec2 size = frame_.upper - frame_.lower;
     const double on_a_line = set_.length ? 1 + size.x() / (set_.length->mean + set_.bridge.mean) : 1;
     if (size.y() / set_.spacing.mean * on_a_line > static_cast<double>(most_traces)) refuse();
@@ -77,6 +78,16 @@ class SetDrawer {
   [[noreturn]] void refuse() const {
     throw InputError("", set_.origin, fmt::format("a set of more than {} traces", most_traces),
                      "a wider spacing or longer traces");
+  }
+
+  // Lines and traces are drawn from the start on, those outside the rock too.
+  void refuse_far_start() const {
+    const double lines = std::max(frame_.upper.y(), -frame_.lower.y()) / set_.spacing.mean;
+    const double traces =
+        set_.length ? std::max(frame_.upper.x(), -frame_.lower.x()) / (set_.length->mean + set_.bridge.mean) : 0;
+    if (set_.start && std::max(lines, traces) > static_cast<double>(most_traces))
+      throw InputError("", set_.origin + ".start", fmt::format("({:g}, {:g}) m", set_.start->x(), set_.start->y()),
+                       fmt::format("a place nearer to the rock: there are more than {} traces between", most_traces));
   }
 
   void add_line(double height) {

@@ -7,6 +7,11 @@
 // changed of the accelerations of the blocks that it hit shrinks as the steps grow: it gives what it would have given
 // in steps as short as its own. Blocks that nothing has hit keep theirs, whatever the steps were cut for: of a smooth
 // motion they would only lose what holds it back (ADR 66).
+//
+// What contacts have changed of the accelerations of blocks that hang together is in balance, sum M (a - a_start) = 0
+// over translations and over rotations. So it shrinks in all of them by the same share, and in all their unknowns: were
+// each to count for itself, there would be no longer as much one way as the other, and later steps would turn the
+// difference into momentum.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +20,14 @@
 #include "engine/contact/contact_set.h"
 #include "engine/core/status.h"
 #include "engine/core/types.h"
+#include "engine/terms/inertia.h"
 
 namespace dda {
 
 class AccelerationMemory {
  public:
-  // Before the first part of a step that is cut.
-  void begin(const ContactSet& contacts, const std::vector<Vec6>& acceleration);
+  // Before the first part of a step that is cut. Blocks without mass are held: what acts on them acts on nothing else.
+  void begin(const std::vector<Inertia>& inertia, const ContactSet& contacts, const std::vector<Vec6>& acceleration);
 
   // Before a part of length `dt` (s) is tried; and when it has failed.
   void begin_part(double dt, std::vector<Vec6>& acceleration);
@@ -42,20 +48,24 @@ class AccelerationMemory {
   }
 
   // All parts are done, and the next step has the length `dt`.
-  void end(double dt, std::vector<Vec6>& acceleration) const { shrink(dt, acceleration); }
+  void end(double dt, std::vector<Vec6>& acceleration) { shrink(dt, acceleration); }
 
  private:
-  void shrink(double dt, std::vector<Vec6>& acceleration) const;
-  void note_hits(const ContactSet& contacts);
+  void shrink(double dt, std::vector<Vec6>& acceleration);
+  void join(const ContactSet& contacts);
+  [[nodiscard]] std::size_t body_of(std::size_t block);
+  void note_hits();
 
+  std::vector<Inertia> inertia_;
   std::vector<int> closed_;          // ends of contacts of each block, after the last part
   std::vector<int> was_closed_;      // after the one before it
-  std::vector<std::size_t> bodies_;  // of each block another one that hangs together with it, or itself
+  std::vector<std::size_t> bodies_;  // of each block another one that it has touched in this step, or itself
   std::vector<char> is_hit_;         // in the last part, of each body
   std::vector<char> was_hit_;        // in this step, of each block
-  std::vector<Vec6> start_;          // of blocks that were hit, before the part in which they were hit first
-  std::vector<Vec6> before_;         // the part that is tried
-  double last_dt_ = 0;               // s, of the last part done; 0 before there was one
+  std::vector<double> gained_;  // of each body: what a M a, twice an energy over s^2, has grown by since it was hit
+  std::vector<Vec6> start_;     // of blocks that were hit, before the part in which they were hit first
+  std::vector<Vec6> before_;    // the part that is tried
+  double last_dt_ = 0;          // s, of the last part done; 0 before there was one
 };
 
 }  // namespace dda

@@ -89,7 +89,7 @@ TEST(AccelerationMemory, WhatAnImpactHasGainedShrinksAsStepsGrow) {
   std::vector<Vec6> now(3, before);
   const ContactSet apart = touching(ContactStatus::open), closed = touching(ContactStatus::locked);
   AccelerationMemory memory;
-  memory.begin(apart, now);
+  memory.begin(std::vector<Inertia>(3, {.mass = 1, .squares = Vec3(1, 1, 0)}), apart, now);
   memory.begin_part(1e-3, now);
   memory.end_part(1e-3, closed);
   for (Vec6& block : now) {

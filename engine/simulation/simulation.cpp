@@ -40,6 +40,12 @@ void release_shear_of_contacts(BlockSystem& s) {
   s.sum_internal_forces(s.forces.internal_old);
 }
 
+// What has settled under it is shown first: it is in equilibrium, and what is left of it is not.
+void give_up_unlimited_strength(BlockSystem& s) {
+  release_shear_of_contacts(s);
+  if (s.plan.is_static) s.audit.has_settled();
+}
+
 // The columns go first: what they do at the end of the step is then known.
 Status step_free_field(BlockSystem& s, std::string& message) {
   if (!s.free_field) return Status::ok;
@@ -203,7 +209,7 @@ Status Simulation::advance(double dt, int reductions_left) {
   const auto take = [&] { return stage_step().advance(dt, can_be_cut); };
   const Status status = cuts == 0 ? take() : memory_.part(dt, system_->contacts, system_->state.acceleration, take);
   if (status != Status::not_converged || reductions_left == 0) return status;
-  if (cuts == 0) memory_.begin(system_->contacts, system_->state.acceleration);
+  if (cuts == 0) memory_.begin(system_->terms.inertia, system_->contacts, system_->state.acceleration);
   for (int half = 0; half < 2; ++half)
     if (const Status part = advance(dt / 2, reductions_left - 1); part != Status::ok) return part;
   if (cuts > 0) return Status::ok;
@@ -236,10 +242,10 @@ Status Simulation::end_stage() {
   const std::string problem = problem_at_end_of(s.clock.stage, *this);
   append(excess_by_joint(s), results_.excess);
   let_go_of_loose_blocks(s);
-  if (ended.unlimited_strength) release_shear_of_contacts(s);
   s.audit.small_motion.end_stage(in_motion(s));
   if (s.plan.is_static) s.audit.has_settled();
   if (watch_.at_end) watch_.at_end();
+  if (ended.unlimited_strength) give_up_unlimited_strength(s);
   let_go_of_supports(s);
   results_.energy[s.clock.stage] = s.audit.ledger();
   ++s.clock.stage;

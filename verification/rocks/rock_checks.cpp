@@ -26,9 +26,13 @@ bool is_there(const Simulation& simulation, std::size_t block) {
   return simulation.absent().empty() || !simulation.absent()[block];
 }
 
-// How far the springs of a contact give way, m; those of a projected stretch within blocks that give way as well.
+// How far the springs of a contact give way, m; those of a projected stretch within blocks that give way as well. Its
+// bed gives way most at an end, beyond the points at which gaps are held.
 double pressed_in(const dda::InterfaceElement& element, const InterfaceState& state) {
-  if (element.law == dda::InterfaceLaw::projected) return -std::min(state.gap(0), state.gap(2));
+  if (element.law == dda::InterfaceLaw::projected) {
+    const double mean = (state.gap(0) + state.gap(2)) / 2;
+    return std::abs(state.gap(2) - state.gap(0)) / (2 * element.lever) - mean;
+  }
   return dda::penetration_depth(element, state.gap, {});
 }
 

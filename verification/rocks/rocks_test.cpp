@@ -50,12 +50,12 @@ TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
   }
 }
 
-// Faces that touch as cut carry their blocks' stresses until the blocks part. Seed 7 has a sliver of a thousandth of
-// its neighbours, which it lies in by more than is there of it, and says so.
+// Faces that touch as cut carry their blocks' stresses until the blocks part. Seeds 7, 9 and 22 have slivers of up to a
+// ten-thousandth of their neighbours, which sank into them while short stretches gave way by the width of a block.
 TEST(Rocks, SettleAndMoveUnderTheProjectedLaw) {
-  for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U}) {
+  for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U, 9U, 22U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
-    EXPECT_EQ(result.outcome, seed == 7 ? Outcome::warned : Outcome::right) << seed << ": " << result.reason();
+    EXPECT_EQ(result.outcome, Outcome::right) << seed << ": " << result.reason();
   }
 }
 

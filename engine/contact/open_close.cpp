@@ -9,11 +9,13 @@
 #include "engine/contact/no_tension_bed.h"
 #include "engine/contact/projected_law.h"
 #include "engine/contact/rising_end.h"
+#include "engine/contact/sticking.h"
 
 namespace dda {
 namespace {
 
 using namespace end_answer;
+using namespace sticking;
 
 Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::Index row) {
   return {springs.stiffness(row), springs.dashpot(row) * trial.rule.dashpot_rate, trial.start(row),
@@ -22,22 +24,7 @@ Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::
 
 Eigen::Index normal_row(int end) { return 2 * end; }
 
-// As a whole, though an end may gape.
-bool presses_together(const InterfaceSprings& springs, const InterfaceTrial& trial) {
-  return press_together(springs, trial.broken) && (trial.force(0) < 0 || trial.force(2) < 0);
-}
-
 Vec2 normal_gaps(const InterfaceTrial& trial) { return {trial.normal_gap(0), trial.normal_gap(1)}; }
-
-// Of contacts that stick, whether an end did so when the step began. A bed that is pressed beyond one of its points has
-// positive gaps at both.
-bool touched(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
-  const Eigen::Index n = normal_row(end);
-  if (trial.start(n) <= trial.rule.touching) return true;
-  if (!press_together(springs, trial.broken)) return false;
-  const Vec2 forces = press_bed(springs.stiffness(0), springs.lever, {trial.start(0), trial.start(2)}).force;
-  return forces(end) + std::max(0.0, forces(1 - end)) < 0;
-}
 
 double capacity_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end) {
   const Eigen::Index n = normal_row(end);
@@ -76,14 +63,6 @@ void respond_tangent(const InterfaceSprings& springs, int end, InterfaceTrial& t
   const Answer answer = shear(row_of(springs, trial, t), trial.gap(t), trial, static_cast<std::size_t>(end));
   trial.force(t) = answer.force;
   trial.active(t) = answer.slope;
-}
-
-// Contacts that just touch stick, unless the step turns out to open them: what they would carry then would be lost at
-// its end, and each step would find the same forces out of balance again.
-void let_go_of_opening(const InterfaceSprings& springs, InterfaceTrial& trial) {
-  if (presses_together(springs, trial)) return;
-  for (int end = 0; end < 2; ++end)
-    if (trial.start(normal_row(end)) > 0 && trial.normal_gap(end) > 0) trial.rule.touching = -1;
 }
 
 void set_capacity(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
@@ -208,6 +187,7 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   trial.force = start.force;
   trial.rule = rule;
   if (has_stress_rows(springs)) return trial;
+  if (rule.sticks) close_where_touching(springs, trial);
   for (int end = 0; end < ends_of(springs); ++end)
     if (rule.conserves_energy && trial.broken[static_cast<std::size_t>(end)])
       trial.before.segment<2>(normal_row(end)) = start.force.segment<2>(normal_row(end));
@@ -364,7 +344,7 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
   state.residual = trial.residual;
   if (has_stress_rows(springs)) return state;
   const bool on_bed = press_together(springs, trial.broken);
-  const bool presses = presses_together(springs, trial);
+  const bool presses = presses_together(springs, trial.broken, trial.force);
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);

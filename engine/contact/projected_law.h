@@ -73,6 +73,11 @@ inline bool press_together(const InterfaceSprings& springs, const std::array<boo
   return springs.law == InterfaceLaw::projected && broken[0] && broken[1];
 }
 
+// Whether one does, though an end may gape, with these forces of its four rows.
+inline bool presses_together(const InterfaceSprings& springs, const std::array<bool, 2>& broken, const Vec4& force) {
+  return press_together(springs, broken) && (force(0) < 0 || force(2) < 0);
+}
+
 // The normal force by which the friction of an end goes, by the forces of the four rows. Where a projected stretch is
 // open beyond one of its points, the other has more than all of the force and this one pulls: that one then has what
 // there is of both, this one nothing.

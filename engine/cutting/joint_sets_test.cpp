@@ -164,5 +164,20 @@ TEST(JointSets, AnUnknownEarlierSetIsRefused) {
   EXPECT_THROW(traces_of({set}, square, 1), InputError);
 }
 
+// All lines from the start to the rock would be drawn.
+TEST(JointSets, AStartOutOfReachIsRefused) {
+  JointSet set = level_set(1);
+  set.origin = "joint_sets[0]";
+  for (const double far : {1e9, 1e20}) {
+    set.start = Vec2(0, far);
+    try {
+      traces_of({set}, square, 1);
+      ADD_FAILURE() << far;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("joint_sets[0].start"), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dda

@@ -116,6 +116,7 @@ const std::vector<Spoiled> spoiled = {
     {"density", [](Model& m) { m.materials[0].density = -1; }, "materials \"rock\" density", "-1"},
     {"nan density", [](Model& m) { m.materials[0].density = nan_value; }, "density", "nan"},
     {"young", [](Model& m) { m.materials[0].young = 0; }, "Young", "0"},
+    {"light", [](Model& m) { m.materials[0].young = 1e308; }, "Young", "1e+308"},
     {"poisson in plane strain", [](Model& m) { m.materials[0].poisson = 0.5; }, "Poisson", "0.5"},
     {"poisson below -1", [](Model& m) { m.materials[0].poisson = -1; }, "Poisson", "-1"},
     {"friction", [](Model& m) { m.joints[1].friction_angle = 35; }, "joints[1] friction angle", "35"},

@@ -48,6 +48,15 @@ TEST(StepErrors, HaveTheLeadingOrdersOfTheory) {
   EXPECT_NEAR(step_errors(thesis_integrator(), theta).amplitude, std::numbers::pi * theta / 2, theta * theta * 2);
 }
 
+// Beside a load that changes in days a step is nothing: neither does its round-off count for an error.
+TEST(StepErrors, OfStepsThatAreNothingAreNothing) {
+  for (const Integrator& integrator : {thesis_integrator(), trapezoidal_integrator(), generalized_alpha_integrator(0)})
+    for (double theta = 1e-3; theta > 1e-20; theta /= 7) {
+      EXPECT_LE(std::abs(step_errors(integrator, theta).speed), theta) << integrator.name << ", " << theta;
+      EXPECT_LE(std::abs(step_errors(integrator, theta).amplitude), 2 * theta) << integrator.name << ", " << theta;
+    }
+}
+
 Block square(double left, double side) {
   Block block;
   block.shape.outer = {{left, 0}, {left + side, 0}, {left + side, side}, {left, side}};

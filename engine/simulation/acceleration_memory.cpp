@@ -33,6 +33,7 @@ void AccelerationMemory::begin(const std::vector<Inertia>& inertia, const Contac
   inertia_ = inertia;
   bodies_.resize(acceleration.size());
   std::iota(bodies_.begin(), bodies_.end(), std::size_t{0});
+  touched_held_.assign(acceleration.size(), 0);
   join(contacts);
   count_closed_ends(contacts, acceleration.size(), closed_);
   was_hit_.assign(acceleration.size(), 0);
@@ -65,7 +66,11 @@ void AccelerationMemory::join(const ContactSet& contacts) {
     if (is_open(contacts.elements[i], contacts.states[i])) continue;
     const auto a = static_cast<std::size_t>(contacts.elements[i].block_a);
     const auto b = static_cast<std::size_t>(contacts.elements[i].block_b);
-    if (inertia_[a].mass > 0 && inertia_[b].mass > 0) bodies_[body_of(a)] = body_of(b);
+    if (inertia_[a].mass > 0 && inertia_[b].mass > 0) {
+      bodies_[body_of(a)] = body_of(b);
+    } else {
+      touched_held_[a] = touched_held_[b] = 1;
+    }
   }
 }
 
@@ -82,13 +87,33 @@ void AccelerationMemory::note_hits() {
 
 void AccelerationMemory::shrink(double dt, std::vector<Vec6>& acceleration) {
   if (!(dt > last_dt_) || last_dt_ == 0) return;
-  const double share = last_dt_ / dt;
-  gained_.assign(acceleration.size(), 0);
-  for (std::size_t i = 0; i < acceleration.size(); ++i)
-    if (was_hit_[i] != 0) gained_[body_of(i)] += square(inertia_[i], acceleration[i]) - square(inertia_[i], start_[i]);
-  for (std::size_t i = 0; i < acceleration.size(); ++i)
-    if (was_hit_[i] != 0 && gained_[body_of(i)] > 0)
-      acceleration[i] = start_[i] + share * (acceleration[i] - start_[i]);
+  sum_gains(acceleration);
+  shrink_gains(last_dt_ / dt, acceleration);
+}
+
+void AccelerationMemory::sum_gains(const std::vector<Vec6>& acceleration) {
+  sums_.assign(acceleration.size(), {});
+  for (std::size_t i = 0; i < acceleration.size(); ++i) {
+    if (was_hit_[i] == 0) continue;
+    Body& body = sums_[body_of(i)];
+    body.mass += inertia_[i].mass;
+    body.gained += square(inertia_[i], acceleration[i]) - square(inertia_[i], start_[i]);
+    body.touches_held = body.touches_held || touched_held_[i] != 0;
+  }
+}
+
+void AccelerationMemory::shrink_gains(double share, std::vector<Vec6>& acceleration) {
+  for (std::size_t i = 0; i < acceleration.size(); ++i) {
+    if (was_hit_[i] == 0 || sums_[body_of(i)].gained <= 0) continue;
+    const Vec6 taken = (1 - share) * (acceleration[i] - start_[i]);
+    acceleration[i] -= taken;
+    sums_[body_of(i)].taken += inertia_[i].mass * taken.head<2>();
+  }
+  for (std::size_t i = 0; i < acceleration.size(); ++i) {
+    if (was_hit_[i] == 0) continue;
+    const Body& body = sums_[body_of(i)];
+    if (!body.touches_held && body.mass > 0) acceleration[i].head<2>() += body.taken / body.mass;
+  }
 }
 
 }  // namespace dda

@@ -8,9 +8,9 @@
 // in steps as short as its own. Blocks that nothing has hit keep theirs, whatever the steps were cut for: of a smooth
 // motion they would only lose what holds it back (ADR 66).
 //
-// What contacts have changed of the accelerations of blocks that hang together is in balance, sum M (a - a_start) = 0
-// over translations and over rotations. So it shrinks in all of them by the same share, and in all their unknowns: were
-// each to count for itself, there would be no longer as much one way as the other, and later steps would turn the
+// What contacts have changed of the accelerations of blocks that hang together is in balance. So it shrinks in all of
+// them by the same share and in all their unknowns, and where no held block is among them the mean of their
+// accelerations stays as it is, that of an earlier impact with others included: else later steps would turn the
 // difference into momentum.
 #pragma once
 
@@ -53,8 +53,18 @@ class AccelerationMemory {
  private:
   void shrink(double dt, std::vector<Vec6>& acceleration);
   void join(const ContactSet& contacts);
+  void sum_gains(const std::vector<Vec6>& acceleration);
+  void shrink_gains(double share, std::vector<Vec6>& acceleration);
   [[nodiscard]] std::size_t body_of(std::size_t block);
   void note_hits();
+
+  // What hangs together, as far as it was hit.
+  struct Body {
+    double mass = 0;            // kg per m of thickness
+    double gained = 0;          // what a M a, twice an energy over s^2, has grown by since it was hit
+    Vec2 taken = Vec2::Zero();  // N per m of thickness, of the inertia forces, by what shrinks
+    bool touches_held = false;
+  };
 
   std::vector<Inertia> inertia_;
   std::vector<int> closed_;          // ends of contacts of each block, after the last part
@@ -62,10 +72,11 @@ class AccelerationMemory {
   std::vector<std::size_t> bodies_;  // of each block another one that it has touched in this step, or itself
   std::vector<char> is_hit_;         // in the last part, of each body
   std::vector<char> was_hit_;        // in this step, of each block
-  std::vector<double> gained_;  // of each body: what a M a, twice an energy over s^2, has grown by since it was hit
-  std::vector<Vec6> start_;     // of blocks that were hit, before the part in which they were hit first
-  std::vector<Vec6> before_;    // the part that is tried
-  double last_dt_ = 0;          // s, of the last part done; 0 before there was one
+  std::vector<char> touched_held_;   // in this step, of each block
+  std::vector<Body> sums_;           // of each body
+  std::vector<Vec6> start_;          // of blocks that were hit, before the part in which they were hit first
+  std::vector<Vec6> before_;         // the part that is tried
+  double last_dt_ = 0;               // s, of the last part done; 0 before there was one
 };
 
 }  // namespace dda

@@ -250,6 +250,20 @@ const std::vector<OddScene> odd_scenes = {
        model.gravity = 9.81 * Vec2(std::sin(0.7), -std::cos(0.7));
      },
      ""},
+    {"slides_down_on_strong_friction",
+     [](Model& model) {
+       model.stages[0].integrator = generalized_alpha_integrator(0);
+       model.joints[0].friction_angle = 0.68;
+       model.gravity = 9.81 * Vec2(std::sin(0.7), -std::cos(0.7));
+     },
+     "stage \"run\": blocks slide down along joint \"default\", whose friction is strong: their vibrations feed on it, "
+     "and they may go too far, the more the shorter steps are; compare with a longer dt than 0.001 s"},
+    {"slides_down_on_weak_friction",
+     [](Model& model) {
+       model.stages[0].integrator = generalized_alpha_integrator(0);
+       model.gravity = 9.81 * Vec2(std::sin(0.7), -std::cos(0.7));
+     },
+     ""},
     {"pushed_steadily",
      [](Model& model) {
        model.point_loads.push_back({2, {0.5, 2.5}, {1e3, 0}, Constant{}});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "engine/core/error.h"
 #include "engine/cutting/cutting_test_support.h"

@@ -15,6 +15,7 @@
 #include "engine/contact/make_contacts.h"
 #include "engine/model/energy_release.h"
 #include "engine/scene/scene.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
 

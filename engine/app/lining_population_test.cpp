@@ -13,6 +13,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/model/lining_chord.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

@@ -5,6 +5,7 @@
 #include "engine/app/command_line_test_support.h"
 #include "engine/app/run_verdict.h"
 #include "engine/scene/scene.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/snapshot.h"
 
 namespace dda {

@@ -10,6 +10,7 @@
 #include "engine/app/random_rock_test_support.h"
 #include "engine/reaction/ground_reaction.h"
 #include "engine/scene/scene_parts.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {

@@ -13,6 +13,7 @@
 #include "engine/scene/scene.h"
 #include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/probes.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
 

@@ -38,6 +38,7 @@
 #include "engine/scene/scene_parts.h"
 #include "engine/simulation/branch.h"
 #include "engine/simulation/probes.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {

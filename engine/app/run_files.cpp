@@ -14,6 +14,7 @@
 #include "engine/record/peaks_file.h"
 #include "engine/record/run_folder.h"
 #include "engine/simulation/archive.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

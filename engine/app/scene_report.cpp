@@ -27,6 +27,7 @@
 #include "engine/model/rock_change.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/probes.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/settling_pace.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/step_plan.h"

@@ -12,6 +12,7 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/scene/scene.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {

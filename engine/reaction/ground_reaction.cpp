@@ -8,6 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/reaction/unloading.h"
 #include "engine/simulation/measured_forces.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
 

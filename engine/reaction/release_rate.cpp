@@ -4,6 +4,7 @@
 
 #include "engine/model/energy_release.h"
 #include "engine/reaction/opening_wall.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "engine/model/energy_release.h"
 #include "engine/reaction/ring_models.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

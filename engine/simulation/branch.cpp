@@ -20,6 +20,7 @@
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/rock_of_stage.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

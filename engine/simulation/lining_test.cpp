@@ -12,6 +12,7 @@
 #include "engine/simulation/branch.h"
 #include "engine/simulation/lining_models.h"
 #include "engine/simulation/memory_test_support.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/simulation/archive.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {

@@ -14,6 +14,7 @@
 #include "engine/simulation/block_values.h"
 #include "engine/simulation/contact_statistics.h"
 #include "engine/simulation/excess_shear.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/settling_cushion.h"
 #include "engine/simulation/settling_pace.h"
 #include "engine/simulation/simulation_models.h"

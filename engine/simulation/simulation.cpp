@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
-#include "engine/contact/open_close.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/equilibrium.h"
@@ -16,35 +14,18 @@
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/gain_at_start.h"
 #include "engine/simulation/general_step.h"
-#include "engine/simulation/held_blocks.h"
 #include "engine/simulation/integrator_choice.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/reinforcement_of_stage.h"
 #include "engine/simulation/rock_of_stage.h"
 #include "engine/simulation/stability_limit.h"
+#include "engine/simulation/stage_end.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/system_matrix.h"
 
 namespace dda {
 namespace {
-
-// Friction limits what contacts carry again; what they carried beyond it goes without a trace in the motion.
-void release_shear_of_contacts(BlockSystem& s) {
-  ContactSet& contacts = s.contacts;
-  bool released = false;
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    released = release_shear(contacts.elements[i], contacts.strengths[i], contacts.states[i]) || released;
-  if (!released) return;
-  s.audit.geometry_followed(s.stored_energy_now());
-  s.sum_internal_forces(s.forces.internal_old);
-}
-
-// What has settled under it is shown first: it is in equilibrium, and what is left of it is not.
-void give_up_unlimited_strength(BlockSystem& s) {
-  release_shear_of_contacts(s);
-  if (s.plan.is_static) s.audit.has_settled();
-}
 
 // The columns go first: what they do at the end of the step is then known.
 Status step_free_field(BlockSystem& s, std::string& message) {
@@ -55,26 +36,8 @@ Status step_free_field(BlockSystem& s, std::string& message) {
   return status;
 }
 
-// What nothing held is free again.
-void let_go_of_loose_blocks(BlockSystem& s) {
-  const bool any = !s.drag.loose().empty();
-  s.drag = {};
-  if (any) s.held = make_held_unknowns(s.model, s.excavated.absent);
-}
-
 BlocksInMotion in_motion(const BlockSystem& s) {
   return {s.model, s.state, s.contacts, s.plan, s.clock, s.excavated.absent};
-}
-
-template <typename Item>
-void append(std::vector<Item> more, std::vector<Item>& list) {
-  std::ranges::move(more, std::back_inserter(list));
-}
-
-std::string problem_at_end_of(std::size_t stage, const Simulation& simulation) {
-  const StageResults& ends = simulation.results();
-  return equilibrium_problem(simulation.model(), {stage, ends.out_of_balance[stage], of_stage(stage, ends.loose),
-                                                  of_stage(stage, ends.unbalanced)});
 }
 
 }  // namespace
@@ -234,18 +197,15 @@ bool Simulation::is_over() {
 
 Status Simulation::end_stage() {
   BlockSystem& s = *system_;
-  const Stage& ended = s.stage();
+  const bool unlimited_strength = s.stage().unlimited_strength;
   if (stage_step().is_provisional()) release_shear_of_contacts(s);
-  if (s.plan.is_static) results_.out_of_balance[s.clock.stage] = out_of_balance();
-  append(placed(s, s.drag.loose()), results_.loose);
-  append(find_blocks_out_of_balance(s, in_situ_force_), results_.unbalanced);
-  const std::string problem = problem_at_end_of(s.clock.stage, *this);
-  append(excess_by_joint(s), results_.excess);
+  note_results(s, in_situ_force_, results_);
+  const std::string problem = problem_at_end_of(s.clock.stage, s.model, results_);
   let_go_of_loose_blocks(s);
   s.audit.small_motion.end_stage(in_motion(s));
   if (s.plan.is_static) s.audit.has_settled();
   if (watch_.at_end) watch_.at_end();
-  if (ended.unlimited_strength) give_up_unlimited_strength(s);
+  if (unlimited_strength) give_up_unlimited_strength(s);
   let_go_of_supports(s);
   results_.energy[s.clock.stage] = s.audit.ledger();
   ++s.clock.stage;
@@ -258,24 +218,5 @@ Status Simulation::end_stage() {
 }
 
 double Simulation::out_of_balance() const { return dda::out_of_balance(*system_, in_situ_force_); }
-
-std::size_t stages_done(const Simulation& simulation) { return simulation.system().clock.stage; }
-
-const LiningSet& linings_of(const Simulation& simulation) { return simulation.system().reinforcement.linings; }
-
-std::int64_t steps_in_all_stages(const Simulation& simulation) {
-  std::int64_t steps = 0;
-  for (const Stage& each : simulation.model().stages) steps += each.steps();
-  return steps;
-}
-
-std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation) {
-  return std::span(simulation.results().energy).first(stages_done(simulation));
-}
-
-std::string unbalanced_end(const Simulation& simulation) {
-  const StageClock& clock = simulation.system().clock;
-  return clock.begun || clock.stage == 0 ? "" : problem_at_end_of(clock.stage - 1, simulation);
-}
 
 }  // namespace dda

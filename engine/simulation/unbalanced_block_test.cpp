@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/simulation/memory_test_support.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/snapshot.h"
 

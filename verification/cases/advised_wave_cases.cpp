@@ -18,6 +18,7 @@
 #include "engine/advice/advise.h"
 #include "engine/advice/half_row.h"
 #include "engine/contact/contact_models.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/scene/scheme.h"
 #include "verification/cases/open_field.h"
 #include "verification/exact/joint_waves.h"

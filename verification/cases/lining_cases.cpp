@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/scene/scene.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "verification/cases/bar_case.h"
 #include "verification/exact/lined_hole.h"

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/simulation/probes.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace verify {
 namespace {

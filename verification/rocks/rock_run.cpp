@@ -8,6 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/model/current_outline.h"
 #include "engine/scene/scene.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "verification/rocks/rock_checks.h"
 

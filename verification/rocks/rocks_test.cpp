@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/scene/scene.h"
+#include "engine/simulation/run_so_far.h"
 #include "verification/rocks/rock_checks.h"
 #include "verification/rocks/rock_run.h"
 #include "verification/rocks/rocks_report.h"

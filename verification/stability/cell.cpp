@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/probes.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 
 namespace verify {

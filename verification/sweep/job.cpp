@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/advice/wave_errors.h"
+#include "engine/contact/make_contacts.h"
 #include "verification/exact/chain_modes.h"
 #include "verification/exact/finite_chain.h"
 #include "verification/exact/half_chain.h"

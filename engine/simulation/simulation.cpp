@@ -14,6 +14,7 @@
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/gain_at_start.h"
 #include "engine/simulation/general_step.h"
+#include "engine/simulation/held_blocks.h"
 #include "engine/simulation/integrator_choice.h"
 #include "engine/simulation/linear_step.h"
 #include "engine/simulation/prescribed_motion.h"

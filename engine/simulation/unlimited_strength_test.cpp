@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/app/keyblocks_population_test.cpp"
 #include "engine/geometry/rotation.h"
 #include "engine/simulation/simulation_models.h"
 

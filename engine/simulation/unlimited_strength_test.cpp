@@ -6,12 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/keyblocks_population_test.cpp"
 #include "engine/geometry/rotation.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
+
+constexpr double standard_gravity = 9.81;  // m/s2
 
 Stage stuck() {
   Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);

@@ -26,7 +26,7 @@ bool touched(const InterfaceSprings& springs, const InterfaceTrial& trial, int e
 void let_go_of_opening(const InterfaceSprings& springs, InterfaceTrial& trial) {
   if (presses_together(springs, trial.broken, trial.force)) return;
   for (int end = 0; end < 2; ++end)
-    if (trial.start(2 * end) > -round_off_of(trial.rule) && trial.normal_gap(end) > 0) trial.rule.touching = -1;
+    if (trial.start(2 * end) > 0 && trial.normal_gap(end) > 0) trial.rule.touching = -1;
 }
 
 void close_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -74,12 +73,10 @@ void check_joint_lines(const Model& model) {
   }
 }
 
-// Beyond any rock, and far enough from where squares of moduli and counts of steps overflow.
-void check_wave_speed(const Item& item, const Material& material) {
-  constexpr double light = 3e8;  // m/s
-  if (std::sqrt(material.young / material.density) < light) return;
-  item.fail("Young's modulus", fmt::format("{:g} Pa at {:g} kg/m3", material.young, material.density),
-            "a material in which waves are slower than light, 3e8 m/s");
+// Beyond what is rigid beside any rock, and far from where squares of moduli overflow.
+void check_modulus(const Item& item, const Material& material) {
+  constexpr double most = 1e30;  // Pa
+  if (material.young > most) item.fail("Young's modulus", fmt::format("{:g} Pa", material.young), "at most 1e30 Pa");
 }
 
 }  // namespace
@@ -92,7 +89,7 @@ void check_materials(const std::vector<Material>& materials) {
     item.positive("density", material.density);
     item.positive("Young's modulus", material.young);
     check_poisson(item, material);
-    check_wave_speed(item, material);
+    check_modulus(item, material);
   }
 }
 

@@ -133,22 +133,26 @@ ContactSet touching(ContactStatus status) {
   return contacts;
 }
 
+const std::vector<Inertia> three_masses(3, {.mass = 1, .squares = Vec3(1, 1, 0)});
+
 TEST(AccelerationMemory, WhatAnImpactHasGainedShrinksAsStepsGrow) {
   const Vec6 before = Vec6::Constant(-9.81);
   std::vector<Vec6> now(3, before);
   const ContactSet apart = touching(ContactStatus::open), closed = touching(ContactStatus::locked);
   AccelerationMemory memory;
-  memory.begin(std::vector<Inertia>(3, {.mass = 1, .squares = Vec3(1, 1, 0)}), apart, now);
+  std::vector<Inertia> inertia = three_masses;
+  inertia[1].mass = 0;  // held
+  memory.begin(inertia, apart, now);
   memory.begin_part(1e-3, now);
   memory.end_part(1e-3, closed);
   for (Vec6& block : now) {
     block(0) -= 8;
-    block(2) = 1;  // faded
+    block(2) -= 2;
   }
   memory.begin_part(2e-3, now);
   EXPECT_DOUBLE_EQ(now[0](0), before(0) - 4);
   EXPECT_EQ(now[0](1), before(1));
-  EXPECT_EQ(now[0](2), 1);
+  EXPECT_DOUBLE_EQ(now[0](2), before(2) - 1);
   EXPECT_EQ(now[2](0), before(0) - 8) << "nothing hit it";
   memory.take_back(now);  // a part that failed has changed nothing
   EXPECT_EQ(now[0](0), before(0) - 8);
@@ -158,6 +162,20 @@ TEST(AccelerationMemory, WhatAnImpactHasGainedShrinksAsStepsGrow) {
   memory.end(8e-3, now);
   EXPECT_DOUBLE_EQ(now[0](0), before(0) - 1);
   EXPECT_EQ(now[2](0), before(0) - 8);
+}
+
+// What two free blocks have gained against each other shrinks, and what both have gained stays.
+TEST(AccelerationMemory, TheMeanOfFreeBlocksStaysAsItIs) {
+  std::vector<Vec6> now(3, Vec6::Zero());
+  AccelerationMemory memory;
+  memory.begin(three_masses, touching(ContactStatus::open), now);
+  memory.begin_part(1e-3, now);
+  memory.end_part(1e-3, touching(ContactStatus::locked));
+  now[0](0) = 5;
+  now[1](0) = -3;
+  memory.end(2e-3, now);
+  EXPECT_DOUBLE_EQ(now[0](0), 1 + 2);
+  EXPECT_DOUBLE_EQ(now[1](0), 1 - 2);
 }
 
 // An octagon that turns so fast that each step of 5 ms is cut, 30 m away from all else.

@@ -147,7 +147,7 @@ TEST(NotFinite, EndsWithAStatusAndKeepsTheState) {
 
 TEST(Singular, OverflowingMatrixEndsWithAStatus) {
   Model model = bar_of(3, bond(InterfaceLaw::classical));
-  model.materials[0].young = 1e308;
+  model.joints[0].spring_over_young = 1e305;
   model.stages = {stage_of(thesis_integrator(), 1e-3, 10)};
   Simulation simulation = simulation_of(std::move(model));
   const Status status = simulation.step();

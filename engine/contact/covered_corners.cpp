@@ -183,6 +183,11 @@ class MovedCorner {
   Vec2 before_, place_, after_;
 };
 
+std::vector<VertexContact> without(const std::vector<char>& out, std::vector<VertexContact> contacts) {
+  take_out(out, contacts);
+  return contacts;
+}
+
 bool is_among(const std::vector<VertexContact>& contacts, const VertexContact& contact) {
   return std::binary_search(contacts.begin(), contacts.end(), contact);
 }
@@ -239,14 +244,13 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
   std::vector<VertexContact> taken;
   if (corners.empty()) return taken;
   std::vector<char> out(found.size(), 0);
-  const auto look = [&](const CoveredCorners& covered) {
-    for (const auto& [i, end] : corners) out[i] = covered.cover(found[i], end) ? 1 : 0;
-  };
-  look({search, joints, found});
-  std::vector<VertexContact> carrying = found;
-  take_out(out, carrying);
-  const CoveredCorners covered(search, joints, carrying);
-  look(covered);
+  for (const auto& [i, end] : corners) out[i] = 1;
+  const CoveredCorners firmly(search, joints, without(out, found));
+  for (const auto& [i, end] : corners) out[i] = firmly.cover(found[i], end) ? 1 : 0;
+  // Corners carry as well, but for those that are covered themselves.
+  const CoveredCorners covered(search, joints, without(out, found));
+  for (const auto& [i, end] : corners)
+    if (out[i] == 0) out[i] = covered.cover(found[i], end) ? 1 : 0;
   std::vector<std::pair<int, int>> others;
   for (const auto& [i, end] : corners) {
     if (out[i] == 0) continue;

@@ -61,17 +61,25 @@ int shared_corner(const Outlines& outlines, const VertexContact& contact, double
 
 class CoveredCorners {
  public:
-  CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints,
-                 const std::vector<VertexContact>& found)
+  // `contacts`: how many will be added at most.
+  CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints, std::size_t contacts)
       : search_(search), outlines_(search.outlines()) {
+    carriers_.reserve(joints.size() + contacts);
+    by_block_.reserve(2 * carriers_.capacity());
     const auto coming = [&](int block) { return outlines_.coming[at(outlines_.starts[at(block)])]; };
     for (const Carrier& joint : joints) carriers_.push_back({joint, coming(joint.block_a), coming(joint.block_b)});
-    for (const VertexContact& contact : found)
-      carriers_.push_back({{contact.edge_block, contact.vertex_block, outlines_.current[at(contact.vertex)],
-                            contact.normal, contact.gap},
-                           outlines_.coming[at(contact.edge)],
-                           outlines_.coming[at(contact.vertex)]});
-    for (std::size_t i = 0; i < carriers_.size(); ++i) {
+  }
+
+  // Contacts that carry. Asks are answered after sort() alone.
+  void add(const VertexContact& contact) {
+    carriers_.push_back(
+        {{contact.edge_block, contact.vertex_block, outlines_.current[at(contact.vertex)], contact.normal, contact.gap},
+         outlines_.coming[at(contact.edge)],
+         outlines_.coming[at(contact.vertex)]});
+  }
+
+  void sort() {
+    for (std::size_t i = by_block_.size() / 2; i < carriers_.size(); ++i) {
       by_block_.emplace_back(carriers_[i].there.block_a, i);
       by_block_.emplace_back(carriers_[i].there.block_b, i);
     }
@@ -183,9 +191,22 @@ class MovedCorner {
   Vec2 before_, place_, after_;
 };
 
-std::vector<VertexContact> without(const std::vector<char>& out, std::vector<VertexContact> contacts) {
-  take_out(out, contacts);
-  return contacts;
+// Those of `found` that are covered: of `corners`, each its place among them and the corner that it shares. Corners
+// carry as well, but for those that are covered by the others.
+std::vector<char> find_covered(const std::vector<std::pair<std::size_t, int>>& corners,
+                               const std::vector<VertexContact>& found, CoveredCorners& covered) {
+  std::vector<char> out(found.size(), 0);
+  for (const auto& [i, end] : corners) out[i] = 1;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (out[i] == 0) covered.add(found[i]);
+  covered.sort();
+  for (const auto& [i, end] : corners) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  for (const auto& [i, end] : corners)
+    if (out[i] == 0) covered.add(found[i]);
+  covered.sort();
+  for (const auto& [i, end] : corners)
+    if (out[i] == 0) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  return out;
 }
 
 bool is_among(const std::vector<VertexContact>& contacts, const VertexContact& contact) {
@@ -243,14 +264,8 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
   }
   std::vector<VertexContact> taken;
   if (corners.empty()) return taken;
-  std::vector<char> out(found.size(), 0);
-  for (const auto& [i, end] : corners) out[i] = 1;
-  const CoveredCorners firmly(search, joints, without(out, found));
-  for (const auto& [i, end] : corners) out[i] = firmly.cover(found[i], end) ? 1 : 0;
-  // Corners carry as well, but for those that are covered themselves.
-  const CoveredCorners covered(search, joints, without(out, found));
-  for (const auto& [i, end] : corners)
-    if (out[i] == 0) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  CoveredCorners covered(search, joints, found.size());
+  const std::vector<char> out = find_covered(corners, found, covered);
   std::vector<std::pair<int, int>> others;
   for (const auto& [i, end] : corners) {
     if (out[i] == 0) continue;

@@ -79,6 +79,7 @@ class CoveredCorners {
   }
 
   void sort() {
+    if (by_block_.size() == 2 * carriers_.size()) return;
     for (std::size_t i = by_block_.size() / 2; i < carriers_.size(); ++i) {
       by_block_.emplace_back(carriers_[i].there.block_a, i);
       by_block_.emplace_back(carriers_[i].there.block_b, i);

@@ -61,17 +61,26 @@ int shared_corner(const Outlines& outlines, const VertexContact& contact, double
 
 class CoveredCorners {
  public:
-  CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints,
-                 const std::vector<VertexContact>& found)
+  // `contacts`: how many will be added at most.
+  CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints, std::size_t contacts)
       : search_(search), outlines_(search.outlines()) {
+    carriers_.reserve(joints.size() + contacts);
+    by_block_.reserve(2 * carriers_.capacity());
     const auto coming = [&](int block) { return outlines_.coming[at(outlines_.starts[at(block)])]; };
     for (const Carrier& joint : joints) carriers_.push_back({joint, coming(joint.block_a), coming(joint.block_b)});
-    for (const VertexContact& contact : found)
-      carriers_.push_back({{contact.edge_block, contact.vertex_block, outlines_.current[at(contact.vertex)],
-                            contact.normal, contact.gap},
-                           outlines_.coming[at(contact.edge)],
-                           outlines_.coming[at(contact.vertex)]});
-    for (std::size_t i = 0; i < carriers_.size(); ++i) {
+  }
+
+  // Contacts that carry. Asks are answered after sort() alone.
+  void add(const VertexContact& contact) {
+    carriers_.push_back(
+        {{contact.edge_block, contact.vertex_block, outlines_.current[at(contact.vertex)], contact.normal, contact.gap},
+         outlines_.coming[at(contact.edge)],
+         outlines_.coming[at(contact.vertex)]});
+  }
+
+  void sort() {
+    if (by_block_.size() == 2 * carriers_.size()) return;
+    for (std::size_t i = by_block_.size() / 2; i < carriers_.size(); ++i) {
       by_block_.emplace_back(carriers_[i].there.block_a, i);
       by_block_.emplace_back(carriers_[i].there.block_b, i);
     }
@@ -101,17 +110,35 @@ class CoveredCorners {
     const double near = near_of(search_, contact);
     const Vec2& point = outlines_.current[at(corner)];
     const Vec2 from_other = point - outlines_.current[at(other_corner)];
+    return any_of_carriers(block, [&](const MovingCarrier& carrier, int third, const Vec2& up) {
+      if (third == other || up.dot(way) >= -entrance_slack || (carrier.there.point - point).norm() > 2 * near)
+        return false;
+      // How far the other corner lies from the surface, now and after the step.
+      const double below = from_other.dot(up) - carrier.there.gap;
+      const Vec2 coming = third == carrier.there.block_a ? carrier.coming_a : carrier.coming_b;
+      const Vec2 apart = coming - outlines_.coming[at(other_corner)];
+      if (std::abs(below) > near || std::abs(below + apart.dot(up)) > near) return false;
+      return !is_carried_alike(other, block, other_corner, up, near);
+    });
+  }
+
+  // Whether some block but `not_by` carries a block at its corner on a surface that faces the same way.
+  [[nodiscard]] bool is_carried_alike(int block, int not_by, int corner, const Vec2& direction, double near) const {
+    return any_of_carriers(block, [&](const MovingCarrier& carrier, int third, const Vec2& up) {
+      return third != not_by && up.dot(direction) >= same_direction &&
+             (carrier.there.point - outlines_.current[at(corner)]).norm() <= 2 * near;
+    });
+  }
+
+  // Asks of all that carry a block: is(carrier, the block that carries, the normal of its surface).
+  template <typename Is>
+  [[nodiscard]] bool any_of_carriers(int block, Is is) const {
     const auto first = std::lower_bound(by_block_.begin(), by_block_.end(), std::pair{block, std::size_t{0}});
     for (auto each = first; each != by_block_.end() && each->first == block; ++each) {
-      const auto& [carrier, coming_a, coming_b] = carriers_[each->second];
-      const bool is_b = carrier.block_b == block;
-      if ((is_b ? carrier.block_a : carrier.block_b) == other) continue;
-      const Vec2 up = is_b ? carrier.normal : Vec2(-carrier.normal);
-      if (up.dot(way) >= -entrance_slack || (carrier.point - point).norm() > 2 * near) continue;
-      // How far the other corner lies from the surface, now and after the step.
-      const double below = from_other.dot(up) - carrier.gap;
-      const Vec2 apart = (is_b ? coming_a : coming_b) - outlines_.coming[at(other_corner)];
-      if (std::abs(below) <= near && std::abs(below + apart.dot(up)) <= near) return true;
+      const MovingCarrier& carrier = carriers_[each->second];
+      const bool is_b = carrier.there.block_b == block;
+      const int third = is_b ? carrier.there.block_a : carrier.there.block_b;
+      if (is(carrier, third, is_b ? carrier.there.normal : Vec2(-carrier.there.normal))) return true;
     }
     return false;
   }
@@ -164,6 +191,24 @@ class MovedCorner {
  private:
   Vec2 before_, place_, after_;
 };
+
+// Those of `found` that are covered: of `corners`, each its place among them and the corner that it shares. Corners
+// carry as well, but for those that are covered by the others.
+std::vector<char> find_covered(const std::vector<std::pair<std::size_t, int>>& corners,
+                               const std::vector<VertexContact>& found, CoveredCorners& covered) {
+  std::vector<char> out(found.size(), 0);
+  for (const auto& [i, end] : corners) out[i] = 1;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (out[i] == 0) covered.add(found[i]);
+  covered.sort();
+  for (const auto& [i, end] : corners) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  for (const auto& [i, end] : corners)
+    if (out[i] == 0) covered.add(found[i]);
+  covered.sort();
+  for (const auto& [i, end] : corners)
+    if (out[i] == 0) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  return out;
+}
 
 bool is_among(const std::vector<VertexContact>& contacts, const VertexContact& contact) {
   return std::binary_search(contacts.begin(), contacts.end(), contact);
@@ -220,12 +265,11 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
   }
   std::vector<VertexContact> taken;
   if (corners.empty()) return taken;
-  const CoveredCorners covered(search, joints, found);
-  std::vector<char> out(found.size(), 0);
+  CoveredCorners covered(search, joints, found.size());
+  const std::vector<char> out = find_covered(corners, found, covered);
   std::vector<std::pair<int, int>> others;
   for (const auto& [i, end] : corners) {
-    if (!covered.cover(found[i], end)) continue;
-    out[i] = 1;
+    if (out[i] == 0) continue;
     taken.push_back(found[i]);
     if (may_have_another(search, found[i], end, known)) others.push_back(blocks_of(found[i]));
   }

@@ -16,6 +16,9 @@
 // Left in, such contacts hang a block of a regular grid up on its neighbours, whatever the friction, and stop what
 // slides over joints.
 //
+// Two corners that third blocks carry on surfaces in line are kept off nothing by these: either block can leave the
+// surface, and a block that slides down a joint stands on what ends there. Nor do corners carry that are covered.
+//
 // That holds for where the blocks are. A step that opens the joints between moves such corners into each other all the
 // same: they are looked at with its motion, and count as contacts from then on if so.
 #pragma once

@@ -87,6 +87,32 @@ TEST(CoveredCorners, AColumnPassesTheJointsBesideIt) {
   }
 }
 
+// Whether two wedges touch, one above the other with sides in line, that meet tip to tip on the wall beside them, which
+// is one block or parts at their tips. `shift`: of the upper one, from where the tips are drawn in one point.
+bool wedges_touch(const Vec2& shift, bool wall_parts, double angle) {
+  std::vector<Polygon> shapes{{{{0, 0}, {0, 1}, {-1, 1}}, {}}, {{{0, 0}, {-1, -1}, {0, -1}}, {}}};
+  shapes.push_back({box_ring(0, -1, 1, wall_parts ? 0 : 1), {}});
+  if (wall_parts) shapes.push_back({box_ring(0, 0, 1, 1), {}});
+  Model model = model_of(shapes);
+  place(model, angle, {3, -2});
+  State state = initial_state(model);
+  state.displacement[0].head<2>() = rotation(angle) * shift;
+  const ContactSearch search(model, state);
+  std::vector<VertexContact> found = search.find({});
+  take_out_covered(search, {}, {}, {}, found);
+  return std::ranges::any_of(found, [](const VertexContact& contact) { return blocks_of(contact) == std::pair(0, 1); });
+}
+
+// A block that slides down a joint meets what ends at the joint: the wall carries both on the same side, and keeps
+// neither from standing on the other.
+TEST(CoveredCorners, WedgesInLineStandOnEachOther) {
+  for (const double angle : {0.0, 0.7, -2.0})
+    for (const double aside : {-3e-5, -1e-6, 1e-6, 3e-5})
+      for (const double down : {1e-9, 1e-6, 1e-5})
+        for (const bool wall_parts : {false, true})
+          EXPECT_TRUE(wedges_touch({aside, -down}, wall_parts, angle)) << aside << ' ' << down << ' ' << wall_parts;
+}
+
 // Without one that carries it in line a corner hits what it meets.
 TEST(CoveredCorners, AreThoseOfThirdBlocksAlone) {
   Corners two;

@@ -51,9 +51,9 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
   dt_ = first_step(model, stage, contacts_can_change);
 }
 
-void SettlingPace::settled(std::int64_t passes) {
+void SettlingPace::settled(std::int64_t passes, bool is_sure) {
   if (passes <= easy) dt_ = std::min(growth * dt_, longest * transit_);
-  if (passes > hard && !is_convex_) dt_ = std::max(dt_ / shrinking_after_hard, shortest * transit_);
+  if (passes > hard && !is_convex_ && !is_sure) dt_ = std::max(dt_ / shrinking_after_hard, shortest * transit_);
 }
 
 bool SettlingPace::shorten() {

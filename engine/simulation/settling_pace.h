@@ -30,18 +30,19 @@ class SettlingPace {
   [[nodiscard]] double dt() const { return dt_; }  // s, of the next step
 
   // Takes a step as long as it can be, by `advance(dt)`.
-  template <typename Advance>
-  [[nodiscard]] Status step(const Counters& counters, const Advance& advance) {
+  template <typename Advance, typename IsSure>
+  [[nodiscard]] Status step(const Counters& counters, const Advance& advance, const IsSure& is_sure) {
     while (true) {
       const std::int64_t passes_before = counters.open_close_iterations;
       const Status status = advance(dt_);
-      if (status == Status::ok) settled(counters.open_close_iterations - passes_before);
+      if (status == Status::ok) settled(counters.open_close_iterations - passes_before, is_sure());
       if (status != Status::not_converged || !shorten()) return status;
     }
   }
 
   // A step of dt() settled in that many passes of the open-close iteration.
-  void settled(std::int64_t passes);
+  // `is_sure`: at any length (with friction given by its start), so that passes say nothing of that.
+  void settled(std::int64_t passes, bool is_sure);
   // One did not; false when there is no shorter one to try.
   [[nodiscard]] bool shorten();
   [[nodiscard]] bool is_shortest() const;

@@ -145,10 +145,10 @@ Status Simulation::step() {
   if (!s.clock.begun) begin_stage();  // of a run that was restored between two stages
   s.clock.passes_before_step = s.costs.counters.open_close_iterations;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
-  const Status status =
-      is_settling()
-          ? pace_.step(s.costs.counters, [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); })
-          : advance(s.stage().dt, s.stage().limits.step_reductions);
+  const auto advance_by = [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); };
+  const auto is_sure = [this] { return stage_step().is_provisional(); };
+  const Status status = is_settling() ? pace_.step(s.costs.counters, advance_by, is_sure)
+                                      : advance(s.stage().dt, s.stage().limits.step_reductions);
   if (status != Status::ok) {
     message_ = stage_step().message();
     return status;

@@ -21,6 +21,7 @@
 #include "engine/linear/solver_choice.h"
 #include "engine/solve/convex_passes.h"
 #include "engine/solve/friction_passes.h"
+#include "engine/solve/interior_passes.h"
 #include "engine/solve/iterate.h"
 #include "engine/solve/step_problem.h"
 
@@ -69,7 +70,7 @@ class ContactSolver {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [at, friction, convex, solution, base_version, rises, is_sure] = self;
+    auto& [at, friction, convex, interior, solution, base_version, rises, is_sure] = self;
     archive(at);  // all else begins with every step
   }
 
@@ -78,12 +79,14 @@ class ContactSolver {
   void move_held_blocks();
   [[nodiscard]] Status settle();
   [[nodiscard]] Status settle_contacts();
+  [[nodiscard]] bool settle_from_inside();
   [[nodiscard]] Status settle_with_given_capacities();
   void note_restless();
 
   Iterate at_;
   FrictionPasses friction_;
   ConvexPasses convex_;
+  InteriorPasses interior_;
   StepSolution solution_;
   std::uint64_t base_version_ = 0;
   int rises_ = 0;         // times that dilations moved in this step

@@ -7,6 +7,7 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/solve/contact_solver.h"
+#include "engine/solve/interior_passes.h"
 #include "engine/solve/solve_problems.h"
 
 namespace dda {
@@ -106,6 +107,28 @@ TEST(GivenCapacities, HeapsHaveOneAnswerWhereverTheWayBegins) {
     ASSERT_EQ(from_elsewhere.solution.status, Status::ok) << seed;
     const Eigen::VectorXd apart = from_elsewhere.solver.increment() - solved.solver.increment();
     EXPECT_LT(apart.cwiseAbs().maxCoeff(), 1e-6 * solved.solver.increment().cwiseAbs().maxCoeff()) << seed;
+  }
+}
+
+// What interior passes alone leave, and how many they are: a dozen or two, with friction and without.
+TEST(GivenCapacities, InteriorPassesComeToTheAnswerByThemselves) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    HandMadeProblem made = heap(seed);
+    if (seed % 4 == 0)
+      for (EndStrength& strength : made.strengths) strength.friction = 0;
+    Costs costs;
+    Iterate at(costs);
+    at.matrix.begin(made.base, SolverKind::dense, 1);
+    at.increment.setZero(made.rhs.size());
+    const StepProblem problem = made.problem();
+    at.problem = &problem;
+    at.contacts.start(problem.contacts);
+    InteriorPasses passes;
+    ASSERT_TRUE(InteriorPasses::serve(at));
+    ASSERT_TRUE(passes.begin(at)) << seed;
+    ASSERT_TRUE(passes.approach(at, 1e-8)) << seed;
+    EXPECT_LT(largest_residual(made, at.increment), 1e-6 * at.contacts.largest_force()) << seed;
+    EXPECT_LT(costs.counters.open_close_iterations, 40) << seed;
   }
 }
 

@@ -1,0 +1,287 @@
+#include "engine/solve/interior_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/contact/contact_set.h"
+#include "engine/contact/projected_law.h"
+#include "engine/core/phase_clock.h"
+#include "engine/solve/largest_entry.h"
+
+namespace dda {
+namespace {
+
+// Steps go this share of the way to where the first force or length vanishes.
+constexpr double kept_inside = 0.99;
+
+// Most take 15 to 30, whatever the number of blocks.
+constexpr int most_passes = 80;
+
+// Where steps are shorter than that products are first brought to the same size; shorter ones lead nowhere.
+constexpr double short_step = 0.1;
+constexpr double shortest_step = 1e-6;
+
+bool has_other_answers(const InterfaceSprings& springs, const InterfaceTrial& trial) {
+  const bool is_damped = trial.rule.dashpot_rate != 0 && !springs.dashpot.isZero(0);
+  const bool hardens = trial.hardening[0] != 0 || trial.hardening[1] != 0;
+  return press_together(springs, trial.broken) || trial.rule.conserves_energy || trial.rule.sticks || is_damped ||
+         hardens;
+}
+
+}  // namespace
+
+bool InteriorPasses::serve(const Iterate& at) {
+  if (!at.bolts.empty() || at.problem->dilates || at.matrix.solver().takes_parts()) return false;
+  for (std::size_t k = 0; k < at.contacts.size(); ++k)
+    if (has_other_answers(at.contacts.element(k), at.contacts[k])) return false;
+  return true;
+}
+
+bool InteriorPasses::begin(Iterate& at) {
+  list_rows(at);
+  start_at_rest(at);
+  const double product = start_products(at);
+  if (!(product > 0)) return false;
+  measure(at);
+  passes_left_ = most_passes;
+  return true;
+}
+
+bool InteriorPasses::approach(Iterate& at, double share_off) {
+  while (off_answers() > share_off) {
+    if (passes_left_-- == 0) return false;
+    ++at.costs.counters.open_close_iterations;
+    if (factorize(at) != Status::ok) return false;
+    const double product = mean_product(0);
+    solve(at, 0, false);
+    const double left = mean_product(longest_step()) / product;
+    solve(at, left * left * left * product, true);
+    double share = std::min(1.0, kept_inside * longest_step());
+    if (share < short_step) {  // some product is far below the others
+      solve(at, product, false);
+      share = std::min(1.0, kept_inside * longest_step());
+    }
+    if (!(share > shortest_step) || !std::isfinite(share)) return false;
+    move(share);
+    measure(at);
+  }
+  at.increment = increment_;
+  for (std::size_t k = 0; k < at.contacts.size(); ++k) at.contacts.measure(k, at.increment);
+  at.matrix.outdate();
+  return true;
+}
+
+// Infinite where the balance is not a number.
+double InteriorPasses::off_answers() const {
+  double off = imbalance_, largest = 0;
+  for (const Row& row : rows_) {
+    const double stuck = row.stiffness * gaps_[row.contact](row.row);
+    const double answer = row.is_normal() ? std::max(0.0, -stuck) : std::clamp(stuck, -row.capacity, row.capacity);
+    off = std::max(off, std::abs(answer - row.force));
+    largest = std::max(largest, row.force);
+  }
+  return largest > 0 && std::isfinite(imbalance_) ? off / largest : std::numeric_limits<double>::infinity();
+}
+
+// Linear rows keep their places in forces_, all others are listed.
+void InteriorPasses::list_rows(const Iterate& at) {
+  rows_.clear();
+  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+    const InterfaceTrial& trial = at.contacts[k];
+    const InterfaceSprings& springs = at.contacts.element(k);
+    for (int end = 0; end < ends_of(springs); ++end) {
+      const auto e = static_cast<std::size_t>(end);
+      if (!trial.broken[e]) continue;
+      rows_.push_back({.contact = k, .row = 2 * end, .stiffness = springs.stiffness(2 * end), .capacity = -1});
+      if (!std::isfinite(trial.capacity[e])) continue;
+      rows_.push_back({.contact = k,
+                       .row = 2 * end + 1,
+                       .stiffness = springs.stiffness(2 * end + 1),
+                       .capacity = trial.capacity[e]});
+    }
+  }
+}
+
+// At rest, but for held blocks that move.
+void InteriorPasses::start_at_rest(const Iterate& at) {
+  increment_.setZero(at.increment.size());
+  if (!at.problem->held.empty()) at.problem->held.put(increment_);
+  gaps_.resize(at.contacts.size());
+  forces_.resize(at.contacts.size());
+  for (std::size_t k = 0; k < at.contacts.size(); ++k)
+    gaps_[k] = at.contacts.state(k).gap + gap_increment(at.contacts.element(k), increment_);
+}
+
+// Products of the size of the energies that the step is about: what the springs store at its start, and what the loads
+// of the step do where all that touches stays together.
+double InteriorPasses::start_products(Iterate& at) {
+  double stored = 0;
+  for (Row& row : rows_) {
+    const double gap = gaps_[row.contact](row.row);
+    row.force = row.is_normal() ? std::max(0.0, -row.stiffness * gap)
+                                : std::clamp(row.stiffness * gap, -row.capacity, row.capacity);
+    row.share = row.is_normal() && row.force == 0 ? 0.0 : row.capacity == 0 ? 0.0 : 1.0;
+    row.constant = 0;
+    row.length = {0, 0};
+    if (row.is_normal()) stored += row.force * row.force / row.stiffness;
+  }
+  measure(at);
+  if (factorize(at) != Status::ok) return 0;
+  at.matrix.solver().precondition(rhs_, step_);
+  at.problem->held.clear(step_);
+  const double product = std::max(stored, std::abs(rhs_.dot(step_))) / static_cast<double>(rows_.size());
+  for (Row& row : rows_) {
+    const double gap = gaps_[row.contact](row.row);
+    if (row.is_normal()) {
+      const double root = std::sqrt(gap * gap + 4 * product / row.stiffness);
+      row.force = gap < 0 ? row.stiffness * (root - gap) / 2 : 2 * product / (root + gap);
+      row.partner[0] = row.force;
+      row.length[0] = product / row.force;
+    } else if (row.capacity > 0) {
+      row.force = std::clamp(row.force, -row.capacity / 2, row.capacity / 2);
+      row.partner = {row.capacity - row.force, row.capacity + row.force};
+      row.length = {product / row.partner[0], product / row.partner[1]};
+    }
+  }
+  std::erase_if(rows_, [](const Row& row) { return row.capacity == 0; });
+  return product;
+}
+
+void InteriorPasses::measure(const Iterate& at) {
+  const PhaseScope scope(Phase::judging);
+  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+    const InterfaceTrial& trial = at.contacts[k];
+    const InterfaceElement& element = at.contacts.element(k);
+    gaps_[k] = at.contacts.state(k).gap + gap_increment(element, increment_);
+    forces_[k] = element.stiffness.cwiseProduct(gaps_[k]);
+    for (int end = 0; end < ends_of(element); ++end) {
+      const auto e = static_cast<std::size_t>(end);
+      if (!trial.broken[e]) continue;
+      forces_[k](2 * end) = 0;
+      if (std::isfinite(trial.capacity[e])) forces_[k](2 * end + 1) = 0;
+    }
+  }
+  for (const Row& row : rows_) forces_[row.contact](row.row) = row.is_normal() ? -row.force : row.force;
+  rhs_ = at.problem->rhs;
+  image_.resize(rhs_.size());
+  step_.resize(rhs_.size());
+  at.problem->base.multiply(increment_, image_);
+  rhs_ -= image_;
+  for (std::size_t k = 0; k < at.contacts.size(); ++k)
+    add_interface_force(at.contacts.element(k), at.problem->factor * (at.contacts.state(k).force - forces_[k]),
+                        Vec4::Zero(), rhs_);
+  at.problem->held.clear(rhs_);
+  imbalance_ = 0;
+  for (std::size_t i = 0; i < at.problem->areas.size(); ++i)
+    imbalance_ = std::max(imbalance_, largest_entry(rhs_, i, at.problem->areas[i]));
+}
+
+// Mean product of force and length after this share of the step.
+double InteriorPasses::mean_product(double share) const {
+  double sum = 0;
+  int count = 0;
+  for (const Row& row : rows_) {
+    for (int i = 0; i < row.products(); ++i, ++count) {
+      const auto n = static_cast<std::size_t>(i);
+      const double partner = row.partner[n] + share * row.partner_sign(i) * row.force_step;
+      sum += partner * (row.length[n] + share * row.length_step[n]);
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+Status InteriorPasses::factorize(Iterate& at) {
+  std::vector<ContactRows> active(at.contacts.size());
+  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+    const InterfaceTrial& trial = at.contacts[k];
+    for (const int end : {0, 1})
+      if (trial.broken[static_cast<std::size_t>(end)] && std::isfinite(trial.capacity[static_cast<std::size_t>(end)]))
+        active[k].active.segment<2>(2 * end).setZero();
+  }
+  take_shares();
+  for (const Row& row : rows_) active[row.contact].active(row.row) = row.share;
+  at.matrix.assemble(at.problem->held, [&](BlockMatrix& values) {
+    values.set_values(at.problem->base);
+    for (std::size_t k = 0; k < active.size(); ++k)
+      add_contact(at.problem->factor, at.contacts.element(k), active[k], true, true, values);
+  });
+  return at.matrix.factorize();
+}
+
+void InteriorPasses::take_shares() {
+  for (Row& row : rows_) {
+    if (row.length[0] == 0) continue;  // before there are products
+    double softness = 1 / row.stiffness;
+    for (std::size_t n = 0; n < 2 && row.length[n] > 0; ++n) softness += row.length[n] / row.partner[n];
+    row.share = 1 / (row.stiffness * softness);
+  }
+}
+
+// With all products going to `product`. A step that `corrects` takes in what the last one left of its products.
+void InteriorPasses::solve(Iterate& at, double product, bool corrects) {
+  const PhaseScope scope(Phase::solution);
+  ++at.costs.counters.solves;
+  image_ = rhs_;
+  for (Row& row : rows_) {
+    const double gap = gaps_[row.contact](row.row);
+    // -k * (what the change of the force is off share * k * change of gap), the lengths eliminated.
+    double off = row.is_normal() ? -(gap + row.force / row.stiffness - row.length[0])
+                                 : gap - row.force / row.stiffness - row.length[0] + row.length[1];
+    for (int i = 0; i < row.products(); ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      const double second = corrects ? row.partner_sign(i) * row.force_step * row.length_step[n] : 0;
+      const double left = product - row.partner[n] * row.length[n] - second;
+      const double length = left / row.partner[n];  // by which the length changes where the force does not
+      off += row.partner_sign(i) * length;
+      row.length_step[n] = length;
+    }
+    row.constant = row.share * row.stiffness * off;
+    const double outwards = row.is_normal() ? -row.constant : row.constant;
+    Vec4 force = Vec4::Zero();
+    force(row.row) = -at.problem->factor * outwards;
+    add_interface_force(at.contacts.element(row.contact), force, Vec4::Zero(), image_);
+  }
+  at.problem->held.clear(image_);
+  at.matrix.solver().precondition(image_, step_);
+  at.problem->held.clear(step_);
+  for (Row& row : rows_) {
+    const double gap_step = gap_increment(at.contacts.element(row.contact), step_)(row.row);
+    const double along = row.share * row.stiffness * gap_step;
+    row.force_step = row.constant + (row.is_normal() ? -along : along);
+    for (int i = 0; i < row.products(); ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      row.length_step[n] -= row.partner_sign(i) * row.length[n] / row.partner[n] * row.force_step;
+    }
+  }
+}
+
+// As a share of the step, to where the first force or length vanishes.
+double InteriorPasses::longest_step() const {
+  double longest = 1 / kept_inside;
+  const auto limit = [&](double value, double change) {
+    if (change < 0) longest = std::min(longest, -value / change);
+  };
+  for (const Row& row : rows_) {
+    for (int i = 0; i < row.products(); ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      limit(row.length[n], row.length_step[n]);
+      limit(row.partner[n], row.partner_sign(i) * row.force_step);
+    }
+  }
+  return longest;
+}
+
+void InteriorPasses::move(double share) {
+  increment_ += share * step_;
+  for (Row& row : rows_) {
+    row.force += share * row.force_step;
+    for (int i = 0; i < row.products(); ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      row.partner[n] += share * row.partner_sign(i) * row.force_step;
+      row.length[n] += share * row.length_step[n];
+    }
+  }
+}
+
+}  // namespace dda

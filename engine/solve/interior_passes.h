@@ -1,0 +1,81 @@
+// The way to the answer of a step of given friction capacities that does not depend on how many contacts change: an
+// interior-point method.
+//
+// Such a step minimizes a convex, piecewise quadratic function (convex_passes.h). Newton's method on its pieces is
+// stopped at every contact that closes, and a rock of some hundred blocks takes hundreds of passes. Here no contact is
+// on a piece before the end. With gaps of an end g (normal) and u (tangential, slip of the step included), springs k
+// and capacity c,
+//   normal:      pressure f > 0, opening s > 0,    g + f/k = s,             f s = mu
+//   tangential:  -c < t < c, slips z, y > 0,       u - t/k = z - y,         z (c - t) = mu,  y (c + t) = mu
+// which for mu = 0 are what the ends answer. A pass is a step of Newton's method on balance and products, predicted and
+// corrected (Mehrotra 1992), with mu falling from pass to pass; f, t, s, z and y are eliminated end by end, so that its
+// matrix is that of every other pass with rows active by shares between 0 and 1. What is left is near enough for the
+// quick passes to end.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "engine/core/status.h"
+#include "engine/solve/iterate.h"
+
+namespace dda {
+
+class InteriorPasses {
+ public:
+  // False where some contact or bolt answers otherwise than above, or the linear solver does not factor.
+  [[nodiscard]] static bool serve(const Iterate& at);
+
+  // Begins at rest. False where nothing moves.
+  [[nodiscard]] bool begin(Iterate& at);
+  // Goes on from where it stands until forces are off what the ends answer by no more than this share of the largest,
+  // then moves the iterate there. False where that is not reached.
+  [[nodiscard]] bool approach(Iterate& at, double share_off);
+
+ private:
+  // Two forces that are to vanish together with two lengths: of a normal row f with s, of a tangential one c - t with z
+  // and c + t with y.
+  struct Row {
+    std::size_t contact;
+    Eigen::Index row;
+    double stiffness;
+    double capacity;   // < 0: of a normal row
+    double force = 0;  // f or t, N per m of thickness
+    // f, or c - t and c + t: by themselves, since the difference of two forces of one size has no digits when it is
+    // small.
+    std::array<double, 2> partner{0, 0};  // N per m of thickness
+    std::array<double, 2> length{0, 0};   // m
+    double share = 0;                     // of the stiffness that the matrix sees
+    double constant = 0;                  // N per m of thickness, of the change of the force
+    double force_step = 0;                // of the last solve
+    std::array<double, 2> length_step{0, 0};
+
+    [[nodiscard]] bool is_normal() const { return capacity < 0; }
+    [[nodiscard]] int products() const { return is_normal() ? 1 : 2; }
+    // How a partner changes with the force.
+    [[nodiscard]] double partner_sign(int i) const { return is_normal() || i == 1 ? 1 : -1; }
+  };
+
+  void list_rows(const Iterate& at);
+  void start_at_rest(const Iterate& at);
+  [[nodiscard]] double start_products(Iterate& at);
+  void measure(const Iterate& at);
+  [[nodiscard]] double off_answers() const;
+  [[nodiscard]] double mean_product(double share) const;
+  [[nodiscard]] Status factorize(Iterate& at);
+  void take_shares();
+  void solve(Iterate& at, double product, bool corrects);
+  [[nodiscard]] double longest_step() const;
+  void move(double share);
+
+  std::vector<Row> rows_;
+  std::vector<Vec4> gaps_;    // m, of all contacts
+  std::vector<Vec4> forces_;  // N per m of thickness: of linear rows, and of all others by their rows
+  Eigen::VectorXd increment_, rhs_, step_, image_;
+  double imbalance_ = 0;  // largest entry of what the balance leaves
+  int passes_left_ = 0;
+};
+
+}  // namespace dda

@@ -201,7 +201,7 @@ class Run {
     if (simulation_.finished()) out << "the run is over, there is nothing left to step\n";
     out << fmt::format("{}\n", fmt::join(simulation_.plan().describe(), "; "));
     for (const Stage& stage : model.stages)
-      if (stage.integrator.is_explicit() && stage.chosen.integrator.automatic)
+      if (!stage.chosen.integrator.reason.empty())
         out << fmt::format("stage \"{}\" has {}\n", stage.name, stage.chosen.integrator.reason);
     for (const std::string& remark : remarks_) out << fmt::format("remark: {}\n", remark);
     out << std::flush;

@@ -93,7 +93,9 @@ Json to_json(const RunSummary& summary) {
                               {"settles", stage.settles},
                               {"dt_s", stage.dt_s},
                               {"dt_reason", stage.dt_reason},
-                              {"stable_dt_s", stage.stable_dt_s > 0 ? Json(stage.stable_dt_s) : Json(nullptr)}});
+                              {"stable_dt_s", stage.stable_dt_s > 0 ? Json(stage.stable_dt_s) : Json(nullptr)},
+                              {"integrator", stage.integrator},
+                              {"integrator_reason", stage.integrator_reason}});
   json["static_stages"] = Json::array();
   for (const auto& [name, share] : summary.out_of_balance)
     json["static_stages"].push_back({{"name", name}, {"out_of_balance", share}});

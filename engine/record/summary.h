@@ -37,9 +37,11 @@ struct StageSpan {
   double begin_s = 0;
   double end_s = 0;
   bool settles = false;
-  double dt_s = 0;         // 0: steps of no time, which the stage finds itself
-  std::string dt_reason;   // why the engine chose dt; empty where the scene gives it
-  double stable_dt_s = 0;  // up to which explicit steps are stable; 0 where steps are implicit
+  double dt_s = 0;        // 0: steps of no time, which the stage finds itself
+  std::string dt_reason;  // why the engine chose dt; empty where the scene gives it
+  std::string integrator;
+  std::string integrator_reason;  // why the engine chose that; empty where it had no choice
+  double stable_dt_s = 0;         // up to which explicit steps are stable; 0 where steps are implicit
 };
 
 struct RunSummary {

@@ -30,11 +30,10 @@ Integrator read_integrator(const Field& field) {
   return generalized_alpha_integrator(field.at("generalized_alpha").within(0, 1));
 }
 
-// Left out: that of the scheme. "auto": the same, in place of which the accurate scheme may have explicit steps.
+// Left out or "auto": that of the scheme, in place of which the accurate scheme may have explicit steps.
 void read_integrator(const Field& field, const Scheme& scheme, Stage& stage) {
   const auto given = field.find("integrator");
-  if (!given) return;
-  if (!given->is_text() || given->text() != "auto") {
+  if (given && !(given->is_text() && given->text() == "auto")) {
     stage.integrator = read_integrator(*given);
   } else {
     stage.chosen.integrator.automatic = scheme.name == SchemeName::accurate;

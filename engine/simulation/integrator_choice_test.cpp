@@ -305,6 +305,12 @@ TEST(IntegratorChoice, KeepsImplicitStepsWhereTheyAreWanted) {
   EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.stages[0].kinematics = Kinematics::finite; }));
   EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.joints[0].bonded = false; }));
   EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.stages[0].duration = 10 * m.stages[0].dt; }));  // soon done
+  EXPECT_FALSE(gets_explicit_steps([](Model& m) { m.blocks[1000].initial_spin = 1; }));
+  const auto load = [](Model& m, int block) {
+    m.point_loads.push_back({block, m.blocks[static_cast<std::size_t>(block)].shape.outer[0], Vec2(1e5, 0), {}});
+  };
+  EXPECT_FALSE(gets_explicit_steps([&](Model& m) { load(m, 1000); }));
+  EXPECT_TRUE(gets_explicit_steps([&](Model& m) { load(m, 1000), load(m, 1001); }));
 }
 
 // Above its limit a given dt is no reason to refuse a scene that runs with implicit steps.
@@ -316,6 +322,34 @@ TEST(IntegratorChoice, RefusesNothing) {
     m.supports = {{RandomPlate::side, m.blocks[RandomPlate::side].shape.outer[0], true, true, 1e15, Vec2::Zero(), {}}};
   };
   EXPECT_FALSE(gets_explicit_steps(stiff_support));
+}
+
+// The model of a run, run again: what was chosen stays.
+TEST(IntegratorChoice, IsMadeOnce) {
+  const Simulation first(left_open([](Model&) {}));
+  const Simulation second(first.model());
+  const Stage &before = first.model().stages[0], &after = second.model().stages[0];
+  EXPECT_TRUE(after.integrator.is_explicit());
+  EXPECT_EQ(after.dt, before.dt);
+  EXPECT_EQ(after.chosen.integrator.reason, before.chosen.integrator.reason);
+}
+
+// A dt that is left to the engine may become shorter, but not where each step damps: there it would damp more.
+TEST(IntegratorChoice, ShortensNoStepsThatDampEach) {
+  const double limit =
+      stability_limit(left_open([](Model& m) { m.stages[0].integrator = central_difference_integrator(); }), 0);
+  const auto long_steps = [&](double factor, double damping_rate) {
+    return left_open([&](Model& m) {
+      Stage& stage = m.stages[0];
+      stage.chosen.dt.automatic = true;
+      stage.dt = 1.2 * limit, stage.duration = 4000 * limit;
+      stage.velocity_factor = factor, stage.damping_rate = damping_rate;
+    });
+  };
+  const auto dt_of = [](const Model& model) { return Simulation(model).model().stages[0].dt; };
+  EXPECT_LT(dt_of(long_steps(1, 0)), limit);
+  EXPECT_LT(dt_of(long_steps(1, 10)), limit);
+  EXPECT_EQ(dt_of(long_steps(0.99, 0)), 1.2 * limit);
 }
 
 // The limit that few products tell is below the one that many do, and not far where it must not be.

@@ -18,6 +18,7 @@
 #include "engine/app/run_verdict.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/probes.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
 

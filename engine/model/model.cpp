@@ -73,4 +73,8 @@ std::vector<bool> Model::absent_in(std::size_t stage) const {
 
 double Model::mass_of(int block) const { return material_of(block).density * blocks[at(block)].moments.area; }
 
+double Model::mass_at_start(int block) const {
+  return material_at_start(block).density * blocks[at(block)].moments.area;
+}
+
 }  // namespace dda

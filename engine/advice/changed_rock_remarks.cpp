@@ -21,8 +21,11 @@ void remark_on_soft_rock(const Stage& stage, std::vector<std::string>& remarks) 
                       stage.name, material.name, material.young));
 }
 
-bool has_other_moduli(const Model& model, std::size_t stage) {
-  return !std::ranges::equal(materials_in(model, 0), materials_in(model, stage), have_same_moduli);
+bool has_other_waves(const Model& model, std::size_t stage) {
+  const auto same = [](const Material& a, const Material& b) {
+    return have_same_moduli(a, b) && have_same_density(a, b);
+  };
+  return !std::ranges::equal(materials_in(model, 0), materials_in(model, stage), same);
 }
 
 }  // namespace
@@ -32,10 +35,10 @@ std::vector<std::string> changed_rock_remarks(const Model& model) {
   for (std::size_t i = 1; i < model.stages.size(); ++i) {
     const Stage& stage = model.stages[i];
     remark_on_soft_rock(stage, remarks);
-    if (!stage.integrator.is_static && has_other_moduli(model, i))
+    if (!stage.integrator.is_static && has_other_waves(model, i))
       remarks.push_back(
-          fmt::format("stage \"{}\" has other moduli than the scene begins with: what is foretold of waves, and a dt "
-                      "that is chosen, go by those of the start",
+          fmt::format("stage \"{}\" has other moduli or densities than the scene begins with: what is foretold of "
+                      "waves, and a dt that is chosen, go by those of the start",
                       stage.name));
   }
   return remarks;

@@ -86,7 +86,8 @@ class Outline {
   explicit Outline(const Model& model) : model_(model), covered_(model.blocks.size()), held_(model.blocks.size()) {
     for (const Interface& interface : find_interfaces(model))
       for (const int block : {interface.block_a, interface.block_b}) cover(block, interface.from, interface.to);
-    for (const EdgeLoad& load : model.edge_loads) cover(load.block, load.from, load.to);
+    for (const EdgeLoad& load : model.edge_loads)
+      if (load.stages.has(0)) cover(load.block, load.from, load.to);
     for (const ViscousEdge& edge : model.viscous_edges) cover(edge.block, edge.from, edge.to);
     for (const PointSupport& support : model.supports)
       if (!support.partner) held_[at(support.block)].push_back(support.point);

@@ -69,6 +69,7 @@ struct Drive {
   std::function<double(double)> value;  // that a wave carries, of s in the run; 0 before it
   const std::array<Threshold, 2>* thresholds = &jumps;
   bool leaves_figures = false;
+  StageSpan stages = {};
 };
 
 // Whether the edge load is what keeps the block's own stress, of before the run, in balance.
@@ -132,7 +133,7 @@ class Search {
     bool goes_on = true;  // what a static stage ends with is no jump in the next one
     for (std::size_t i = 0; i < model_.stages.size(); ++i) {
       const Stage& stage = model_.stages[i];
-      const bool moves = !stage.integrator.is_static && !stage.paces_itself();
+      const bool moves = !stage.integrator.is_static && !stage.paces_itself() && drive.stages.has(i);
       const auto inside = [&](double t) { return t < begin + stage.duration && (goes_on ? t >= begin : t > begin); };
       const auto jump =
           moves && stage.velocity_factor == 1 ? first_jump(drive, stage.dt, corners, inside) : std::nullopt;
@@ -182,8 +183,10 @@ class Search {
 
 template <typename Load>
 Drive load_on(const Load& load, const Vec2& amplitude) {
-  return {"the load", load.block, amplitude, &load.history,
-          [history = load.history](double t) { return t < 0 ? 0 : evaluate(history, t); }};
+  Drive drive{"the load", load.block, amplitude, &load.history,
+              [history = load.history](double t) { return t < 0 ? 0 : evaluate(history, t); }};
+  drive.stages = load.stages;
+  return drive;
 }
 
 // Where the place itself jumps its velocity is that of the jump, which motion_at leaves out.

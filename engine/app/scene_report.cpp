@@ -225,23 +225,31 @@ std::string removal_of(const Model& model, const Stage& stage) {
 }
 
 template <typename Item>
-std::string names_of_changed(const std::vector<Item>& before, const std::vector<Item>& now,
-                             bool (*same)(const Item&, const Item&)) {
+std::vector<std::string> names_of_changed(const std::vector<Item>& before, const std::vector<Item>& now,
+                                          bool (*same)(const Item&, const Item&)) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < now.size(); ++i)
     if (!same(before[i], now[i])) names.push_back(fmt::format("\"{}\"", now[i].name));
-  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+  return names;
 }
 
 void add_rock_of(const Model& model, std::size_t stage, Text& text) {
   const RockOfStage& rock = model.stages[stage].rock;
   if (stage == 0) return;
-  if (!rock.joints.empty())
-    text.plain("  other strength of joints: " +
-               names_of_changed(joints_in(model, stage - 1), rock.joints, have_same_strength));
-  if (!rock.materials.empty())
-    text.plain("  other moduli of materials: " +
-               names_of_changed(materials_in(model, stage - 1), rock.materials, have_same_moduli));
+  bool any = false;
+  const auto add = [&](const char* what, const auto& before, const auto& now, auto same) {
+    const std::vector<std::string> names = names_of_changed(before, now, same);
+    if (names.empty()) return;
+    any = true;
+    text.plain(fmt::format("  other {}: {}", what, fmt::join(names, ", ")));
+  };
+  const std::vector<JointMaterial>& joints = joints_in(model, stage);
+  add("strength of joints", joints_in(model, stage - 1), joints, have_same_strength);
+  add("springs of joints", joints_in(model, stage - 1), joints, have_same_springs);
+  const std::vector<Material>& materials = materials_in(model, stage);
+  add("moduli of materials", materials_in(model, stage - 1), materials, have_same_moduli);
+  add("density of materials", materials_in(model, stage - 1), materials, have_same_density);
+  if (!any && !(rock.joints.empty() && rock.materials.empty())) text.plain("  joints and materials as before");
 }
 
 void add_stage(const Simulation& simulation, std::size_t index, const BlockMatrix& matrix, Text& text) {

@@ -41,7 +41,7 @@ double chosen_spring(const Model& model, const Interface& interface) {
       std::min(thickness(block_of(model, interface.block_a)), thickness(block_of(model, interface.block_b)));
   const double per_area = std::max(softer_young(model, interface) / (compliance_target * across),
                                    model.expected.pressure / (penetration_target * across));
-  const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));
+  const double mass = std::min(model.mass_at_start(interface.block_a), model.mass_at_start(interface.block_b));
   const double dt = longest_step(model);
   const double wanted = per_area * length_of_spring(model, interface);
   return dt > 0 ? std::min(wanted, largest_chi * mass / (dt * dt)) : wanted;

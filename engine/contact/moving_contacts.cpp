@@ -51,7 +51,7 @@ Vec4 ends_force(const InterfaceElement& element, const InterfaceState& state) {
 
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
-  return joint.residual_cohesion > 0 || joint.normal_stiffness > 0 || joint.automatic_stiffness;
+  return joint.residual_cohesion > 0 || springs_go_by_length(joint);
 }
 
 // Of one corner of the vertex' block with one face of the other: under its name, or with the roles of two corners above

@@ -47,13 +47,13 @@ class Forces {
 void add_loads(const Model& model, Forces& forces) {
   std::size_t changing = 0;
   for (const PointLoad& load : model.point_loads) {
-    if (is_constant(load.history))
+    if (is_constant(load.history) && load.stages.is_whole_run())
       forces.add(load.block, load.point, load.force);
     else
       ++changing;
   }
   for (const EdgeLoad& load : model.edge_loads) {
-    if (is_constant(load.history))
+    if (is_constant(load.history) && load.stages.is_whole_run())
       forces.add(load.block, (load.from + load.to) / 2, (load.to - load.from).norm() * load.traction);
     else
       ++changing;

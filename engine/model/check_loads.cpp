@@ -129,6 +129,14 @@ void check_held_block(const Model& model, const Item& item, const HeldBlock& hel
     item.fail("turn", fmt::format("{} rad", held.turn), "finite kinematics in all stages where a block is turned");
 }
 
+void check_stages_of(const Item& item, const StageSpan& stages, const Model& model) {
+  if (stages.first != 0) item.index("first stage", stages.first, model.stages.size());
+  if (stages.last == -1) return;
+  item.index("last stage", stages.last, model.stages.size());
+  if (stages.last < stages.first)
+    item.fail("last stage", fmt::format("{}", stages.last), fmt::format("{} or later", stages.first));
+}
+
 }  // namespace
 
 void check_loads(const Model& model) {
@@ -138,13 +146,16 @@ void check_loads(const Model& model) {
     check_point(model, item, load.block, load.point);
     item.finite("force", load.force);
     check_history(item, load.history);
+    check_stages_of(item, load.stages, model);
   }
   for (std::size_t i = 0; i < model.edge_loads.size(); ++i) {
     const EdgeLoad& load = model.edge_loads[i];
     const Item item("edge_loads", i);
     check_stretch(model, item, load.block, load.from, load.to);
     item.finite("traction", load.traction);
+    item.finite("rise of the traction", load.rise);
     check_history(item, load.history);
+    check_stages_of(item, load.stages, model);
   }
 }
 

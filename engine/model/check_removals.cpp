@@ -89,8 +89,11 @@ class ComingAndGoing {
 };
 
 void refuse_loads_and_supports(const Model& model, const ComingAndGoing& blocks) {
-  for (const PointLoad& load : model.point_loads) blocks.refuse_on(load.block, "on which a load acts");
-  for (const EdgeLoad& load : model.edge_loads) blocks.refuse_on(load.block, "on which a load acts");
+  const auto refuse_load = [&blocks](const auto& load) {
+    if (!load.stages.is_over_in(blocks.stage_of(load.block))) blocks.refuse_on(load.block, "on which a load acts");
+  };
+  for (const PointLoad& load : model.point_loads) refuse_load(load);
+  for (const EdgeLoad& load : model.edge_loads) refuse_load(load);
   for (const ViscousEdge& edge : model.viscous_edges) {
     blocks.refuse_on(edge.block, "which has a viscous boundary");
     blocks.refuse_before(edge.block, edge.first_stage, "which has a viscous boundary before");

@@ -26,10 +26,26 @@ constexpr double share_of_penalty = 0.5;
 constexpr double least_growth = 1e-9;
 
 void expect_same(bool same, const Item& item, std::string_view member) {
-  if (!same) item.fail(member, "changed by a stage", "what it was: stages change the strength of joints alone");
+  if (!same)
+    item.fail(member, "changed by a stage", "what it was: stages change the strength and the springs of joints alone");
 }
 
-// What is unpacked and not looked at may change.
+bool is_projected(const JointMaterial& joint) { return joint.law == InterfaceLaw::projected && !joint.bonded; }
+
+double shear_stiffness_share(const JointMaterial& joint) {
+  return joint.shear_stiffness > 0 ? joint.shear_stiffness : joint.shear_to_normal;
+}
+
+// Which contacts of a face have springs goes by what their stiffness goes by; and a force needs a spring that bears it.
+void check_springs(const Item& item, const JointMaterial& before, const JointMaterial& now) {
+  if (have_same_springs(before, now)) return;
+  expect_same(!is_projected(before), item, "stiffness of a projected joint");
+  expect_same(springs_go_by_length(before) == springs_go_by_length(now), item, "kind of stiffness");
+  if (shear_stiffness_share(before) > 0 && shear_stiffness_share(now) == 0)
+    item.fail("shear stiffness", "0 in a stage", "above 0, as before: what the joint carries would be lost");
+}
+
+// What is unpacked and not looked at may change, but for springs, which have a check of their own.
 void check_change(const Item& item, const JointMaterial& before, const JointMaterial& now) {
   const auto& [name, law, bonded, friction_angle, cohesion, tensile_strength, residual_friction_angle,
                residual_cohesion, dilation_angle, zero_dilation_slip, normal_spring, spring_over_young, shear_to_normal,
@@ -38,11 +54,7 @@ void check_change(const Item& item, const JointMaterial& before, const JointMate
   expect_same(law == before.law && bonded == before.bonded, item, "law");
   expect_same(dilation_angle == before.dilation_angle && zero_dilation_slip == before.zero_dilation_slip, item,
               "dilation");
-  expect_same(normal_spring == before.normal_spring && spring_over_young == before.spring_over_young &&
-                  shear_to_normal == before.shear_to_normal && normal_stiffness == before.normal_stiffness &&
-                  shear_stiffness == before.shear_stiffness && automatic_stiffness == before.automatic_stiffness &&
-                  contact_damping == before.contact_damping,
-              item, "springs");
+  check_springs(item, before, now);
   expect_same(penalty == before.penalty && stabilisation == before.stabilisation, item, "penalty");
   if (is_dry(before) && !is_dry(now))
     item.fail("strength", "given cohesion or tensile strength by a stage",
@@ -54,8 +66,8 @@ void check_change(const Item& item, const JointMaterial& before, const JointMate
 }
 
 void check_change(const Item& item, const Material& before, const Material& now) {
-  expect_same(now.name == before.name && now.density == before.density && now.plane == before.plane, item,
-              "name, density or plane");
+  if (now.name != before.name || now.plane != before.plane)
+    item.fail("name or plane", "changed by a stage", "what it was: stages change moduli and densities");
 }
 
 void check_growth(const Item& item, const ModulusLimits& limits, const Material& start, const Material& now) {
@@ -86,15 +98,15 @@ void check_materials_of(const Model& model, std::size_t stage) {
   }
 }
 
-bool is_projected(const JointMaterial& joint) { return joint.law == InterfaceLaw::projected && !joint.bonded; }
-
 void refuse_beside(const Model& model, std::size_t stage) {
   const RockOfStage& rock = model.stages[stage].rock;
   const Item item("stages", stage, model.stages[stage].name);
   if (!model.free_field_sides.empty())
     item.fail("rock", "changed beside free-field sides", "the same in all stages: their columns do not change");
-  if (!rock.materials.empty() && std::ranges::any_of(model.joints, is_projected))
-    item.fail("materials", "changed beside projected joints",
+  const bool has_other_moduli =
+      !rock.materials.empty() && !std::ranges::equal(materials_in(model, stage - 1), rock.materials, have_same_moduli);
+  if (has_other_moduli && std::ranges::any_of(model.joints, is_projected))
+    item.fail("moduli", "changed beside projected joints",
               "the same in all stages, or joints of another law: what projected joints take off their blocks goes by "
               "the modulus at the start");
 }

@@ -11,6 +11,7 @@ std::optional<ExplicitObstacle> explicit_obstacle(const Model& model, const Stag
     return {{"with damping in proportion to stiffness",
              "no \"damping\" (there is \"damping_rate\"), or another integrator"}};
   if (changes_materials(model)) return {{"where a stage changes materials", "another one"}};
+  if (changes_springs(model)) return {{"where a stage changes springs of joints", "another one"}};
   if (!model.linings.empty()) return {{"with linings", "another one"}};
   if (!model.free_field_sides.empty()) return {{"beside free-field sides", "another one"}};
   if (!stage.lateral_inertia)

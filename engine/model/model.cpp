@@ -80,6 +80,10 @@ std::vector<bool> Model::absent_in(std::size_t stage) const {
 
 double Model::mass_of(int block) const { return material_of(block).density * blocks[at(block)].moments.area; }
 
+double Model::mass_at_start(int block) const {
+  return material_at_start(block).density * blocks[at(block)].moments.area;
+}
+
 bool changes_materials(const Model& model) { return any_later_stage_has(model, &RockOfStage::materials); }
 bool changes_joints(const Model& model) { return any_later_stage_has(model, &RockOfStage::joints); }
 

@@ -18,6 +18,7 @@
 #include "engine/model/motion.h"
 #include "engine/model/peaks.h"
 #include "engine/model/settings.h"
+#include "engine/model/stage_span.h"
 #include "engine/model/time_function.h"
 #include "engine/model/withdrawal.h"
 
@@ -49,13 +50,16 @@ struct PointLoad {
   Vec2 point;  // material point of the block
   Vec2 force;  // N per m of thickness, times history
   TimeFunction history;
+  StageSpan stages = {};  // in which it acts
 };
 
 struct EdgeLoad {
   int block = 0;
   Vec2 from, to;  // ends of the loaded stretch of the block's outline
-  Vec2 traction;  // Pa, in x and y, uniform along the stretch, times history
+  Vec2 traction;  // Pa, in x and y, times history: the mean along the stretch
   TimeFunction history;
+  StageSpan stages = {};      // in which it acts
+  Vec2 rise = Vec2::Zero();  // Pa, by which it is more than the mean at `to`, and less at `from`; in a straight line
 };
 
 // A spring between a material point of a block and a point that moves as prescribed (or stands still).
@@ -175,6 +179,7 @@ struct Model {
   [[nodiscard]] Stage with_acting_corrections(const Stage& stage) const;
   [[nodiscard]] bool is_held(int block) const;    // as a whole: one of held_blocks
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
+  [[nodiscard]] double mass_at_start(int block) const;
   [[nodiscard]] bool removes_blocks() const;      // in some stage
   [[nodiscard]] bool adds_blocks() const;         // the same
   // For every block whether it is not there in `stage`: removed by then, or not added yet; empty where none is.

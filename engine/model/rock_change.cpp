@@ -32,6 +32,25 @@ bool have_same_strength(const JointMaterial& a, const JointMaterial& b) {
          a.residual_friction_angle == b.residual_friction_angle && a.residual_cohesion == b.residual_cohesion;
 }
 
+bool have_same_density(const Material& a, const Material& b) { return a.density == b.density; }
+
+bool have_same_springs(const JointMaterial& a, const JointMaterial& b) {
+  return a.normal_spring == b.normal_spring && a.spring_over_young == b.spring_over_young &&
+         a.shear_to_normal == b.shear_to_normal && a.normal_stiffness == b.normal_stiffness &&
+         a.shear_stiffness == b.shear_stiffness && a.automatic_stiffness == b.automatic_stiffness &&
+         a.contact_damping == b.contact_damping;
+}
+
+bool springs_go_by_length(const JointMaterial& joint) {
+  return joint.normal_stiffness > 0 || joint.automatic_stiffness;
+}
+
+bool changes_springs(const Model& model) {
+  for (std::size_t i = 1; i < model.stages.size(); ++i)
+    if (!std::ranges::equal(joints_in(model, i - 1), joints_in(model, i), have_same_springs)) return true;
+  return false;
+}
+
 void keep_rock_at_start(Model& model) {
   if (model.stages.empty()) return;
   RockOfStage& first = model.stages.front().rock;

@@ -96,6 +96,22 @@ void keep_if_taken_out_later(int kept, std::vector<Support>& supports) {
     if (support.withdrawal.last_stage >= kept) support.withdrawal = {};
 }
 
+// Loads that come with the opening or later, as a pressure on its wall, are support as well.
+template <typename Load>
+void leave_out_late_loads(int kept, const Model& model, std::vector<Load>& loads, std::vector<std::string>& names) {
+  const auto is_late = [kept](const Load& load) { return load.stages.first >= std::max(kept, 1); };
+  const auto late = std::ranges::find_if(loads, is_late);
+  if (late == loads.end()) return;
+  names.push_back("the load on \"" + model.blocks[static_cast<std::size_t>(late->block)].name + "\"");
+  std::erase_if(loads, is_late);
+}
+
+template <typename Load>
+void keep_if_over_later(int kept, std::vector<Load>& loads) {
+  for (Load& load : loads)
+    if (load.stages.last >= kept) load.stages.last = -1;
+}
+
 }  // namespace
 
 TimeFunction fading_to(double share) { return PiecewiseLinear{{0, fade / 2}, {1, share}}; }
@@ -105,6 +121,10 @@ Unloading unloading_of(Model model, const std::vector<int>& opening) {
   const int kept = keep_stages_in_situ(opening, model);
   leave_out_support(kept, model.bolts, unloading.left_out);
   leave_out_support(kept, model.linings, unloading.left_out);
+  leave_out_late_loads(kept, model, model.point_loads, unloading.left_out);
+  leave_out_late_loads(kept, model, model.edge_loads, unloading.left_out);
+  keep_if_over_later(kept, model.point_loads);
+  keep_if_over_later(kept, model.edge_loads);
   keep_if_taken_out_later(kept, model.bolts);
   keep_if_taken_out_later(kept, model.linings);
   for (PointSupport& support : model.supports) keep_if_let_go_later(kept, support);

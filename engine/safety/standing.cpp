@@ -81,12 +81,21 @@ class Watch {
   Standing standing_;
 };
 
+// Those that act in the end, on walls that are there from our second stage on.
+template <typename Load>
+void keep_last_loads(std::size_t stages, std::vector<Load>& loads) {
+  std::erase_if(loads, [stages](const Load& load) { return load.stages.is_over_in(stages - 1); });
+  for (Load& load : loads) load.stages = {std::min(load.stages.first, 1), -1};
+}
+
 }  // namespace
 
 Standing standing_of(Model model, double time, const std::stop_token& stop) {
   Stage stand = static_stage("stand", 0, false);
   stand.removal.blocks = removed_blocks(model);
   const RockOfStage last{materials_in(model, model.stages.size()), joints_in(model, model.stages.size())};
+  keep_last_loads(model.stages.size(), model.point_loads);
+  keep_last_loads(model.stages.size(), model.edge_loads);
   model.materials = last.materials;
   model.joints = last.joints;
   model.stages = {static_stage("load", time, true), stand};

@@ -10,31 +10,10 @@
 #include "engine/model/tolerance.h"
 #include "engine/scene/free_outline.h"
 #include "engine/scene/places.h"
+#include "engine/scene/present_blocks.h"
 
 namespace dda {
 namespace {
-
-// The blocks that are there in a stage, as a model of their own.
-struct Present {
-  Present(const Model& all, std::size_t stage) {
-    const std::vector<bool> absent = all.absent_in(stage);
-    model.length_tolerance = all.length_tolerance;
-    for (std::size_t i = 0; i < all.blocks.size(); ++i) {
-      if (!absent.empty() && absent[i]) continue;
-      model.blocks.push_back(all.blocks[i]);
-      index.push_back(static_cast<int>(i));
-    }
-  }
-
-  // Faces of this model as those of the whole.
-  std::vector<Stretch> in_whole(std::vector<Stretch> faces) const {
-    for (Stretch& face : faces) face.block = index[static_cast<std::size_t>(face.block)];
-    return faces;
-  }
-
-  Model model;
-  std::vector<int> index;  // of each of its blocks in the whole
-};
 
 std::string written(const Vec2& point) { return fmt::format("[{:.6g}, {:.6g}]", point.x(), point.y()); }
 
@@ -55,7 +34,7 @@ LinedWall part_above(const Field& field, double height, const std::vector<Stretc
   return {{first, last}, false};
 }
 
-LinedWall around(const Field& lining, const Field& place, const Vec2& point, const Present& present) {
+LinedWall around(const Field& lining, const Field& place, const Vec2& point, const PresentBlocks& present) {
   const FreeRing ring = ring_around(free_rings(present.model), point);
   if (ring.empty())
     place.fail("an opening with blocks all around, and without blocks inside once the lining's stage has begun");
@@ -86,7 +65,7 @@ std::vector<Stretch> faces_along(const Field& field, const Segment& piece, const
   return faces;
 }
 
-LinedWall along_line(const Field& field, bool closed, const Present& present) {
+LinedWall along_line(const Field& field, bool closed, const PresentBlocks& present) {
   std::vector<Vec2> points;
   for (const Field& item : field.items()) points.push_back(item.vector(Dimension::length));
   if (closed) points.push_back(points.front());
@@ -137,7 +116,7 @@ LinedWall Walls::of(const Field& lining, std::size_t stage) const {
   if (given != 1)
     throw InputError("", lining.path(), given == 0 ? "without a place" : "at several places",
                      "one of opening, cavity and along");
-  const Present present(model_, stage);
+  const PresentBlocks present(model_, stage);
   if (const auto along = lining.find("along")) {
     refuse(lining, {"above"}, "beside along");
     return along_line(*along, value_or(lining, "closed", false, [](const Field& f) { return f.truth(); }), present);

@@ -148,14 +148,14 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
   field.fail(written(point) + " where several blocks meet", "a point inside of one of them: " + listed(blocks, model));
 }
 
-namespace {
-
 void keep_named_block(const Field& owner, const GroundPlan& plan, std::vector<Stretch>& stretches) {
   const auto name = owner.find("block");
   if (!name) return;
   keep_only(plan.names().choice(*name), stretches);
   if (stretches.empty()) name->fail("a block with a side along this edge");
 }
+
+namespace {
 
 std::vector<Stretch> read_straight_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
   const Field field = owner.at("edge");
@@ -183,6 +183,7 @@ std::vector<Stretch> read_cavity(const Field& edge, const GroundPlan& plan, cons
 
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
   const Field field = owner.at("edge");
+  if (!field.is_text()) refuse(field, {"opening"}, "here: loads alone act on what blocks lay bare that are taken out");
   const bool outside = field.is_text() && field.text() == "outside";
   const bool cavity = !field.is_text() && field.has("cavity");
   if (!outside && !cavity) return read_straight_edge(owner, plan, model);

@@ -29,6 +29,9 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
 // meant.
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model);
 
+// Those of owner.block, if that is given; at least one.
+void keep_named_block(const Field& owner, const GroundPlan& plan, std::vector<Stretch>& stretches);
+
 // The index of the joint that `field` names.
 int read_joint_reference(const Field& field, const Model& model);
 

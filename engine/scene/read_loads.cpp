@@ -10,17 +10,29 @@
 #include "engine/geometry/segment.h"
 #include "engine/model/check_parts.h"
 #include "engine/model/tolerance.h"
+#include "engine/scene/face_pressure.h"
+#include "engine/scene/laid_bare.h"
 #include "engine/scene/places.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
 namespace {
 
+StageSpan read_stages_of(const Field& field, const Model& model) {
+  const auto stage = [&](const Field& f) { return read_stage_reference(f, model); };
+  StageSpan stages;
+  stages.first = value_or(field, "from_stage", stages.first, stage);
+  stages.last = value_or(field, "until_stage", stages.last, stage);
+  if (stages.last >= 0 && stages.last < stages.first)
+    field.at("until_stage").fail("the stage of from_stage or a later one");
+  return stages;
+}
+
 void read_point_load(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
   refuse(field, {"traction", "pressure"}, "for a point, which takes a force");
   const auto [block, point] = read_point(field, plan, model);
-  model.point_loads.push_back(
-      {block, point, field.at("force").vector(Dimension::force), read_history(field, Dimension::force, records)});
+  model.point_loads.push_back({block, point, field.at("force").vector(Dimension::force),
+                               read_history(field, Dimension::force, records), read_stages_of(field, model)});
 }
 
 double total_length(const std::vector<Stretch>& stretches) {
@@ -39,20 +51,48 @@ std::string only_edge_intensity(const Field& field) {
                    "exactly one of them");
 }
 
-void read_edge_load(const Field& field, const GroundPlan& plan, const StressField& stresses, RecordFiles& records,
-                    Model& model) {
-  const std::vector<Stretch> stretches = read_edge(field, plan, model);
+bool is_wall_laid_bare(const Field& load) {
+  const Field edge = load.at("edge");
+  return edge.is_object() && edge.has("opening");
+}
+
+std::vector<Stretch> read_loaded_faces(const Field& field, const GroundPlan& plan,
+                                       const std::vector<std::string>& groups, const StageSpan& stages,
+                                       const Model& model) {
+  if (!is_wall_laid_bare(field)) return read_edge(field, plan, model);
+  const Field edge = field.at("edge");
+  refuse(edge, {"from", "to", "cavity"}, "beside opening");
+  std::vector<Stretch> faces = faces_laid_bare(edge.at("opening"), groups, stages, model);
+  keep_named_block(field, plan, faces);
+  return faces;
+}
+
+void add_pressure(const FacePressure& pressure, const Stretch& s, const TimeFunction& history, const StageSpan& stages,
+                  Model& model) {
+  for (const PressedPart& part : pressure.on(s))
+    model.edge_loads.push_back({s.block, part.from, part.to, (part.at_from + part.at_to) / 2 * s.inward, history,
+                                stages, (part.at_to - part.at_from) / 2 * s.inward});
+}
+
+void read_edge_load(const Field& field, const GroundPlan& plan, const std::vector<std::string>& groups,
+                    const StressField& stresses, RecordFiles& records, Model& model) {
+  const StageSpan stages = read_stages_of(field, model);
+  const std::vector<Stretch> stretches = read_loaded_faces(field, plan, groups, stages, model);
   const std::string kind = only_edge_intensity(field);
   const Field value = field.at(kind);
   const TimeFunction history = read_history(field, kind == "force" ? Dimension::force : Dimension::stress, records);
-  const double pressure = kind == "pressure" ? value.quantity(Dimension::stress) : 0;
+  if (kind == "pressure") {
+    const FacePressure pressure(value);
+    for (const Stretch& s : stretches) add_pressure(pressure, s, history, stages, model);
+    return;
+  }
   const bool in_situ = kind == "traction" && value.is_text();  // the schema knows one text
   Vec2 traction = Vec2::Zero();
   if (kind == "traction" && !in_situ) traction = value.vector(Dimension::stress);
   if (kind == "force") traction = value.vector(Dimension::force) / total_length(stretches);
   for (const Stretch& s : stretches) {
-    const Vec2 own = in_situ ? stresses.traction_on(s, model) : traction + pressure * s.inward;
-    model.edge_loads.push_back({s.block, s.from, s.to, own, history});
+    const Vec2 own = in_situ ? stresses.traction_on(s, model) : traction;
+    model.edge_loads.push_back({s.block, s.from, s.to, own, history, stages});
   }
 }
 
@@ -119,7 +159,7 @@ InSituLoads in_situ_loads(const Field& scene, const GroundPlan& plan, const Mode
   if (!loads) return found;
   for (const Field& load : loads->items()) {
     const auto traction = load.find("traction");
-    if (!traction || !traction->is_text()) continue;
+    if (!traction || !traction->is_text() || is_wall_laid_bare(load)) continue;
     for (const Stretch& stretch : read_edge(load, plan, model)) found.entries.push_back({stretch, load.path()});
   }
   return found;
@@ -182,13 +222,13 @@ void read_each(const Field& scene, const char* key, Read read) {
 
 }  // namespace
 
-void read_loads(const Field& scene, const GroundPlan& plan, const StressField& stresses, RecordFiles& records,
-                Model& model) {
+void read_loads(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
+                const StressField& stresses, RecordFiles& records, Model& model) {
   read_each(scene, "loads", [&](const Field& load) {
     if (load.has("point")) {
       read_point_load(load, plan, records, model);
     } else {
-      read_edge_load(load, plan, stresses, records, model);
+      read_edge_load(load, plan, groups, stresses, records, model);
     }
   });
 }

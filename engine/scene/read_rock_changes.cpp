@@ -1,11 +1,14 @@
 // Stages that change the rock: `"joints"` and `"materials"` of a stage, by the names of the scene.
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/model/check_parts.h"
 #include "engine/model/rock_change.h"
+#include "engine/scene/places.h"
 #include "engine/scene/rock_values.h"
 #include "engine/scene/sections.h"
 
@@ -21,8 +24,22 @@ Item& item_called(const std::string& name, const Field& field, std::vector<Item>
 
 double read_stress(const Field& field) { return field.not_negative(Dimension::stress); }
 
-void read_change(const Field& field, JointMaterial& joint) {
-  if (joint.bonded) field.fail("of bonded joint", "a joint that has a strength: nothing parts or slides in this one");
+constexpr std::array strengths = {"friction_angle", "cohesion", "tensile_strength", "residual_friction_angle",
+                                  "residual_cohesion"};
+constexpr std::array springs_of_contacts = {"normal_spring", "spring_over_young"};
+constexpr std::array springs_by_area = {"normal_stiffness", "shear_stiffness"};
+
+template <typename Keys>
+std::optional<Field> first_of(const Keys& keys, const Field& field) {
+  for (const char* key : keys)
+    if (field.has(key)) return field.at(key);
+  return std::nullopt;
+}
+
+void read_strength(const Field& field, JointMaterial& joint) {
+  const auto given = first_of(strengths, field);
+  if (!given) return;
+  if (joint.bonded) given->fail("to be left out of a bonded joint, in which nothing parts or slides");
   const bool was_dry = is_dry(joint);
   joint.friction_angle = value_or(field, "friction_angle", joint.friction_angle, read_friction_angle);
   joint.cohesion = value_or(field, "cohesion", joint.cohesion, read_stress);
@@ -34,7 +51,75 @@ void read_change(const Field& field, JointMaterial& joint) {
     field.fail("with cohesion or tensile strength", "none, as the joint had: a dry joint has no bond that could grow");
 }
 
+void read_springs_of_contacts(const Field& field, JointMaterial& joint) {
+  const auto given = first_of(springs_of_contacts, field);
+  if (given && springs_go_by_length(joint))
+    given->fail("to be left out: this joint has a stiffness per area, which only normal_stiffness changes");
+  if (const auto spring = field.find("normal_spring")) {
+    refuse(field, {"spring_over_young"}, "beside normal_spring");
+    joint.normal_spring = spring->positive(Dimension::force_per_length);
+  }
+  if (const auto spring = field.find("spring_over_young")) {
+    joint.spring_over_young = spring->positive(Dimension::dimensionless);
+    joint.normal_spring = 0;
+  }
+}
+
+void read_normal_stiffness(const Field& normal, JointMaterial& joint) {
+  joint.automatic_stiffness = normal.is_text() && normal.text() == "auto";
+  if (joint.automatic_stiffness) {
+    joint.normal_stiffness = joint.shear_stiffness = 0;
+    return;
+  }
+  if (joint.law != InterfaceLaw::classical) normal.fail("\"auto\", or to be left out unless law is \"classical\"");
+  joint.normal_stiffness = normal.positive(Dimension::stiffness_per_area);
+}
+
+void read_springs_by_area(const Field& field, JointMaterial& joint) {
+  const auto given = first_of(springs_by_area, field);
+  if (given && !springs_go_by_length(joint))
+    given->fail("to be left out: this joint has springs for each contact, which normal_spring and spring_over_young change");
+  if (const auto normal = field.find("normal_stiffness")) read_normal_stiffness(*normal, joint);
+  const auto shear = field.find("shear_stiffness");
+  if (!shear) return;
+  if (joint.automatic_stiffness) shear->fail("to be left out unless normal_stiffness is given in Pa/m");
+  refuse(field, {"shear_to_normal"}, "beside shear_stiffness");
+  joint.shear_stiffness = shear->positive(Dimension::stiffness_per_area);
+}
+
+void read_shear_to_normal(const Field& field, JointMaterial& joint) {
+  const auto ratio = field.find("shear_to_normal");
+  if (!ratio) return;
+  const double before = joint.shear_to_normal;
+  joint.shear_to_normal = ratio->not_negative(Dimension::dimensionless);
+  if (joint.shear_to_normal == 0 && (before > 0 || joint.shear_stiffness > 0))
+    ratio->fail("above 0, as before: what the joint carries would be lost");
+  joint.shear_stiffness = 0;
+}
+
+// Springs, where the joint has any: a closed consistent joint gives way by its blocks alone.
+void read_springs(const Field& field, JointMaterial& joint) {
+  constexpr std::array keys = {"normal_spring",   "spring_over_young", "normal_stiffness",
+                               "shear_stiffness", "shear_to_normal",   "contact_damping"};
+  const auto given = first_of(keys, field);
+  if (!given) return;
+  if (joint.law == InterfaceLaw::projected) given->fail("to be left out of a projected joint, which keeps its stiffness");
+  if (joint.bonded && joint.law != InterfaceLaw::classical)
+    given->fail("to be left out of a bonded joint unless law is \"classical\": others have no springs");
+  read_springs_of_contacts(field, joint);
+  read_springs_by_area(field, joint);
+  read_shear_to_normal(field, joint);
+  joint.contact_damping = value_or(field, "contact_damping", joint.contact_damping,
+                                   [](const Field& f) { return f.not_negative(Dimension::dimensionless); });
+}
+
+void read_change(const Field& field, JointMaterial& joint) {
+  read_strength(field, joint);
+  read_springs(field, joint);
+}
+
 void read_change(const Field& field, Material& material) {
+  if (const auto density = field.find("density")) material.density = density->positive(Dimension::mass_density);
   if (const auto young = field.find("young")) material.young = young->positive(Dimension::stress);
   if (const auto poisson = field.find("poisson")) material.poisson = read_poisson(*poisson, material.plane);
 }

@@ -36,7 +36,7 @@ void read_what_acts(const Field& scene, const SceneParts& parts, StressField& st
   const GroundPlan plan(model);
   read_joint_lines(scene, plan, model);
   RecordFiles records(folder);
-  read_loads(scene, plan, stresses, records, model);
+  read_loads(scene, plan, groups, stresses, records, model);
   read_supports(scene, plan, groups, records, model);
   read_bolts(scene, plan, model);
   read_linings(scene, groups, parts.openings, model);

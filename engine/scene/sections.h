@@ -39,8 +39,8 @@ void read_gravity(const Field& scene, Model& model);
 // Says which blocks got a stress.
 std::vector<int> read_initial_fields(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_joint_lines(const Field& scene, const GroundPlan& plan, Model& model);
-void read_loads(const Field& scene, const GroundPlan& plan, const StressField& stresses, RecordFiles& records,
-                Model& model);
+void read_loads(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
+                const StressField& stresses, RecordFiles& records, Model& model);
 void read_supports(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                    RecordFiles& records, Model& model);
 void read_bolts(const Field& scene, const GroundPlan& plan, Model& model);

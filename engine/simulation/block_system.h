@@ -125,7 +125,7 @@ struct BlockSystem {
            free_field, audit, costs, clock, plan, coefficients, forces, increment, drag] = self;
     const bool moves = self.geometry_moves();
     // Elsewhere their gaps follow from the state (linear_state).
-    if (!model.stays_linear() || model.adds_blocks()) archive(contacts);
+    if (!model.stays_linear() || model.adds_blocks() || changes_springs(model)) archive(contacts);
     if (moves) archive(terms);
     archive.each(supports);
     archive(reinforcement, external, excavated, audit, forces, drag, plan.chi, plan.solver);

@@ -41,6 +41,12 @@ void set_elasticity(const Model& model, BlockTerms& terms) {
   }
 }
 
+void set_masses(const Model& model, const std::vector<bool>& absent, BlockTerms& terms) {
+  for (std::size_t i = 0; i < terms.inertia.size(); ++i)
+    terms.inertia[i].mass = !absent.empty() && absent[i] ? 0 : model.mass_of(static_cast<int>(i));
+  for (const HeldBlock& held : model.held_blocks) terms.inertia[static_cast<std::size_t>(held.block)].mass = 0;
+}
+
 BlockTerms make_block_terms(const Model& model, const Stage& stage) {
   BlockTerms terms = make_block_terms(model);
   set_strain_inertia(stage, terms);

@@ -37,8 +37,10 @@ struct BlockTerms {
 // Held blocks have no mass here: their motion does not follow from forces.
 BlockTerms make_block_terms(const Model& model);
 
-// Elasticity and compliance by the materials that the model has now.
+// Elasticity and compliance by the materials that the model has now, and masses, of which absent blocks have none:
+// `absent` says so of each block, and is empty where none is.
 void set_elasticity(const Model& model, BlockTerms& terms);
+void set_masses(const Model& model, const std::vector<bool>& absent, BlockTerms& terms);
 
 // The same with the factor on the inertia of the strains that the stage asks for.
 BlockTerms make_block_terms(const Model& model, const Stage& stage);

@@ -175,6 +175,7 @@ void Simulation::go_on_from(const Simulation& settled) {
   leave_out_absent(s, general);
   take_over_blocks(before, s);
   take_rock_in_force(s);
+  s.external.begin_stage(s.model, s.clock.in_force());
   s.costs.counters = settled.counters();
   carry(*settled.general_, general);
   carry(*settled.linear_, *linear_);

@@ -135,10 +135,13 @@ class EnergyAudit {
     ledger_.external_work += contact + bolts + linings;
   }
 
-  // Moduli of blocks changed, by which what their stresses store grew: whatever changes them works.
-  void elasticity_changed(double strain) {
+  // Masses, moduli and springs changed, by which what velocities, stresses and forces store grew: whatever changes them
+  // works.
+  void rock_changed(double kinetic, double strain, double contact) {
+    ledger_.kinetic += kinetic;
     ledger_.strain += strain;
-    ledger_.external_work += strain;
+    ledger_.contact += contact;
+    ledger_.external_work += kinetic + strain + contact;
   }
 
   // Blocks were removed, by which the stored energies fell.

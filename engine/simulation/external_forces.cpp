@@ -25,16 +25,32 @@ ExternalForces::ExternalForces(const Model& model, const State& state, const Wav
   }
   update_geometry(model, state);
   correct_levers(model, waves);
-  weigh(model);
+  weigh(model, {});
+  begin_stage(model, 0);
 }
 
-void ExternalForces::weigh(const Model& model) {
+bool ExternalForces::begin_stage(const Model& model, std::size_t stage) {
+  bool is_other = false;
+  std::size_t next = 0;
+  const auto put = [&](const StageSpan& stages) {
+    Load& load = loads_[next++];
+    is_other = is_other || load.in_force != stages.has(stage);
+    load.in_force = stages.has(stage);
+  };
+  for (const PointLoad& load : model.point_loads) put(load.stages);
+  for (const EdgeLoad& load : model.edge_loads) put(load.stages);
+  return is_other;
+}
+
+void ExternalForces::weigh(const Model& model, const std::vector<bool>& absent) {
   if (model.gravity.isZero()) return;
   weight_.setZero(static_cast<Eigen::Index>(6 * model.blocks.size()));
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     weight_.segment<2>(static_cast<Eigen::Index>(6 * i)) =
         dda::weight(model.mass_of(static_cast<int>(i)), model.gravity);
   for (const HeldBlock& held : model.held_blocks) weight_.segment<6>(6 * held.block).setZero();
+  for (std::size_t i = 0; i < absent.size(); ++i)
+    if (absent[i]) weight_.segment<6>(static_cast<Eigen::Index>(6 * i)).setZero();
 }
 
 void ExternalForces::update_geometry(const Model& model, const State& state) {
@@ -45,7 +61,8 @@ void ExternalForces::update_geometry(const Model& model, const State& state) {
   for (const PointLoad& load : model.point_loads)
     loads_[next++].force = point_load(offset(load.block, load.point), load.force);
   for (const EdgeLoad& load : model.edge_loads)
-    loads_[next++].force = edge_load(offset(load.block, load.from), offset(load.block, load.to), load.traction);
+    loads_[next++].force =
+        edge_load(offset(load.block, load.from), offset(load.block, load.to), load.traction, load.rise);
   for (const Reaction& reaction : reactions_) {
     const PointSupport& support = model.supports[reaction.support];
     loads_[next++].force = point_load(offset(support.block, support.point), reaction.force);
@@ -79,10 +96,7 @@ Vec2 ExternalForces::reaction(std::size_t support) const {
 
 void ExternalForces::leave_out(const Model& model, const std::vector<bool>& absent) {
   for (Load& load : loads_) load.acts = !absent[static_cast<std::size_t>(load.block)];
-  weigh(model);
-  if (weight_.size() == 0) return;
-  for (std::size_t i = 0; i < absent.size(); ++i)
-    if (absent[i]) weight_.segment<6>(static_cast<Eigen::Index>(6 * i)).setZero();
+  weigh(model, absent);
 }
 
 void ExternalForces::filter(const WaveCorrections& waves) {
@@ -95,7 +109,7 @@ void ExternalForces::filter(const WaveCorrections& waves) {
 void ExternalForces::loads_at(double time, Eigen::VectorXd& force) const {
   force.setZero();
   for (const Load& load : loads_) {
-    if (!load.acts) continue;
+    if (!load.acts || !load.in_force) continue;
     const auto history = [&](double t) { return evaluate(*load.history, t); };
     force.segment<6>(6 * load.block) += load.filter(history, time) * load.force;
   }

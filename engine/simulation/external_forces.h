@@ -28,6 +28,12 @@ class ExternalForces {
   // Blocks that are absent, `absent` saying so of each, weigh nothing and no load acts on them from now on.
   void leave_out(const Model& model, const std::vector<bool>& absent);
 
+  // Weight by the materials that the model has now; `absent` is empty where no block is.
+  void weigh(const Model& model, const std::vector<bool>& absent);
+
+  // From now on the loads of this stage act. Returns whether they are others than before.
+  bool begin_stage(const Model& model, std::size_t stage);
+
   // From now on loads are filtered as the corrections of this stage say.
   void filter(const WaveCorrections& waves);
 
@@ -46,7 +52,7 @@ class ExternalForces {
     auto& [loads, reactions, point_loads, weight] = self;
     for (auto& load : loads) archive(load.force);
     for (auto& reaction : reactions) archive(reaction.force);
-    // Filters and weight follow from the stage.
+    // Filters, weight and which loads act follow from the stage.
   }
 
  private:
@@ -55,7 +61,8 @@ class ExternalForces {
     Vec6 force;
     const TimeFunction* history;  // lives in the model
     LoadFilter filter = {};
-    bool acts = true;  // its block is there
+    bool acts = true;      // its block is there
+    bool in_force = true;  // the stage is one of those in which it acts
   };
 
   // Of a support that is let go some day; zero until then.
@@ -64,7 +71,6 @@ class ExternalForces {
     Vec2 force;
   };
 
-  void weigh(const Model& model);
   void correct_levers(const Model& model, const WaveCorrections& waves);
 
   std::vector<Load> loads_;  // point loads, edge loads, reactions

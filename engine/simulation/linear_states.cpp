@@ -18,14 +18,15 @@ void write_linear_states(BlockSystem& system) {
   for (std::size_t i = 0; i < states.size(); ++i) states[i] = linear_interface_state(system, i);
 }
 
+void keep_gap_at_rest(const State& state, const InterfaceElement& element, InterfaceState& own) {
+  own.gap -= element.rows_a * state.displacement[static_cast<std::size_t>(element.block_a)] +
+             element.rows_b * state.displacement[static_cast<std::size_t>(element.block_b)];
+}
+
 void keep_gaps_at_rest(BlockSystem& system) {
-  const State& state = system.state;
   ContactSet& contacts = system.contacts;
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
-    contacts.states[i].gap -= element.rows_a * state.displacement[static_cast<std::size_t>(element.block_a)] +
-                              element.rows_b * state.displacement[static_cast<std::size_t>(element.block_b)];
-  }
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    keep_gap_at_rest(system.state, contacts.elements[i], contacts.states[i]);
 }
 
 }  // namespace dda

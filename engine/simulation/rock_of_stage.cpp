@@ -2,8 +2,12 @@
 
 #include <cstddef>
 
+#include <vector>
+
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
+#include "engine/contact/renew_springs.h"
+#include "engine/simulation/linear_states.h"
 #include "engine/model/rock_change.h"
 
 namespace dda {
@@ -17,6 +21,32 @@ void renew_strain_rows(BlockSystem& s) {
     element.strain_rows_a = element.stress_rows_a * elasticity(element.block_a);
     element.strain_rows_b = element.stress_rows_b * elasticity(element.block_b);
   }
+}
+
+// The joints whose springs, or the dashpots beside them, are others than they were; these go by masses too.
+std::vector<bool> other_springs(const std::vector<JointMaterial>& before, bool has_other_materials,
+                                const std::vector<JointMaterial>& now) {
+  std::vector<bool> others(now.size());
+  for (std::size_t i = 0; i < now.size(); ++i)
+    others[i] = !have_same_springs(before[i], now[i]) || (has_other_materials && now[i].contact_damping > 0);
+  return others;
+}
+
+// Returns by how much what they store has grown, J per m of thickness.
+double change_springs(const std::vector<bool>& others, bool gaps_are_measured, BlockSystem& s) {
+  double stored = 0;
+  for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
+    if (!others[static_cast<std::size_t>(s.contacts.interfaces[i].joint)]) continue;
+    InterfaceElement& element = s.contacts.elements[i];
+    if (element.law != InterfaceLaw::classical) continue;
+    InterfaceState own = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+    stored -= interface_energy(element, own);
+    renew_springs(s.model, s.contacts.interfaces[i], gaps_are_measured, element, own);
+    stored += interface_energy(element, own);
+    if (s.plan.linear) keep_gap_at_rest(s.state, element, own);
+    s.contacts.states[i] = own;
+  }
+  return stored;
 }
 
 }  // namespace
@@ -36,18 +66,22 @@ void take_rock_in_force(BlockSystem& s) {
   if (!changes_materials(s.model)) return;
   s.model.materials = materials_in(s.model, stage);
   set_elasticity(s.model, s.terms);
+  set_masses(s.model, s.excavated.absent, s.terms);
+  s.external.weigh(s.model, s.excavated.absent);
   renew_strain_rows(s);
 }
 
 void change_rock(bool contacts_move, BlockSystem& s) {
   const RockOfStage& rock = s.stage().rock;
   if (s.clock.stage == 0 || (rock.joints.empty() && rock.materials.empty())) return;
-  const double strain = strain_energy(s.terms, s.state);
+  const double strain = strain_energy(s.terms, s.state), kinetic = kinetic_energy(s.terms, s.state);
+  const std::vector<JointMaterial> joints_before = s.model.joints;
   take_rock_in_force(s);
   if (!rock.joints.empty()) renew_strengths(contacts_move, s);
-  if (rock.materials.empty()) return;
-  s.audit.elasticity_changed(strain_energy(s.terms, s.state) - strain);
-  if (!s.plan.linear) s.sum_internal_forces(s.forces.internal_old);
+  const double contact =
+      change_springs(other_springs(joints_before, !rock.materials.empty(), s.model.joints), contacts_move, s);
+  s.audit.rock_changed(kinetic_energy(s.terms, s.state) - kinetic, strain_energy(s.terms, s.state) - strain, contact);
+  if (!rock.materials.empty() && !s.plan.linear) s.sum_internal_forces(s.forces.internal_old);
 }
 
 }  // namespace dda

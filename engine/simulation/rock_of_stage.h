@@ -1,9 +1,10 @@
 // The rock of a stage (model/rock_change.h), brought into a run.
 //
-// Stresses, the forces of contacts, and what is broken stay as they are: a change alone moves nothing that has room for
-// its forces. Moduli hold for strains from then on, and what stresses store with them instead is external work. A
-// closed contact that carries more shear than its new strength slides, and a bond that carries more than its new one
-// breaks, in the first step of the stage.
+// Stresses, the forces of contacts, velocities, and what is broken stay as they are: a change alone moves nothing that
+// has room for its forces, but for the weight of another density. Moduli hold for strains from then on, springs for
+// gaps, and what stresses, forces and velocities store with the new values instead is external work. A closed contact
+// that carries more shear than its new strength slides, and a bond that carries more than its new one breaks, in the
+// first step of the stage.
 #pragma once
 
 #include "engine/simulation/block_system.h"
@@ -13,8 +14,8 @@ namespace dda {
 // The strengths of all contacts by the joints of the model. `contacts_move`: see Simulation::follows_contacts.
 void renew_strengths(bool contacts_move, BlockSystem& s);
 
-// Model, blocks and what joints see of their stresses become those of the stage in force. Strengths, which a run keeps,
-// are left alone.
+// Model, blocks, their weight and what joints see of their stresses become those of the stage in force. Strengths and
+// springs, which a run keeps, are left alone.
 void take_rock_in_force(BlockSystem& s);
 
 // The same where a stage begins, with strengths and energies.

@@ -111,6 +111,7 @@ void Simulation::begin_stage() {
   excavate(s, *general_);
   change_rock(general_->follows_contacts(), s);
   bring_in(s, *general_);
+  if (s.external.begin_stage(s.model, s.clock.stage)) s.loads_at(s.state.time, s.forces.load_old);
   put_in_reinforcement(*general_, s);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();

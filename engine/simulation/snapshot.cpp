@@ -110,6 +110,7 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   reader(s.clock);
   leave_out_absent(s, *general_);
   take_rock_in_force(s);
+  s.external.begin_stage(s.model, s.clock.in_force());
   check_parts(s, follows_contacts(), reader);
   check_place_in_run(s, dt);
   s.state = std::move(state);

@@ -13,4 +13,14 @@ inline Vec6 edge_load(const Vec2& from, const Vec2& to, const Vec2& traction) {
   return point_load((from + to) / 2, (to - from).norm() * traction);
 }
 
+// One that goes in a straight line from traction - rise to traction + rise: with x from -1 to 1 along the edge, the
+// integral of rise x (middle + half x) is that of a couple, rise times half of the edge times a third of its length.
+inline Vec6 edge_load(const Vec2& from, const Vec2& to, const Vec2& traction, const Vec2& rise) {
+  Vec6 forces = edge_load(from, to, traction);
+  if (rise.isZero(0)) return forces;
+  const Vec2 half = (to - from) / 2;
+  const Vec2 third = 2 * half.norm() / 3 * rise;
+  return forces + point_load(half, third) - point_load(Vec2::Zero(), third);
+}
+
 }  // namespace dda

@@ -367,6 +367,40 @@ def check_settling(program, work, page):
     near(page.evaluate("dda.run.times[dda.player.frame]"), 100.1, 0.2 / FRAMES / 2 + 1e-3, "time of the frame clicked at")
 
 
+def check_coming_and_going(program, work, page):
+    """Blocks that a stage takes out and a later one adds again are in the frames between which they are there."""
+    settling = {"integrator": "static", "dt": 0.01, "duration": 0.04}
+    going = {"dt": 0.01, "duration": 0.04}
+    scene = {
+        "dda": 1, "gravity": 10, "fixed": ["floor"],
+        "materials": {"stone": {"density": 2600, "young": "1 MPa", "poisson": 0.2}},
+        "joints": {"default": {"friction_angle": "40 deg"}},
+        "blocks": [{"polygon": {"name": name, "vertices": [[x, y], [x + width, y], [x + width, y + 1], [x, y + 1]]}}
+                   for name, x, y, width in (("floor", 0, -1, 3), ("post", 0, 0, 1), ("prop", 1, 0, 1), ("load", 0, 1, 2))],
+        "steps": [settling | {"name": "settle"}, going | {"name": "gone", "remove": ["prop"]},
+                  going | {"name": "back", "add": ["prop"]}, going | {"name": "gone again", "remove": ["prop"]}]}
+    folder = pathlib.Path(work, "coming")
+    folder.mkdir(exist_ok=True)
+    pathlib.Path(folder, "scene.json").write_text(json.dumps(scene))
+    page.open(make_run(program, f"{folder}/scene.json", f"{folder}/run"))
+    page.settle()
+    prop, seen = 2, []
+    for frame in range(page.evaluate("dda.run.frames")):
+        disk = VtpFrame(f"{folder}/run/frames/{frame:06}.vtp")
+        there = set(disk.arrays["CellData/block"])
+        shown = {block for block in range(4) if page.evaluate(f"dda.run.isPresent({frame}, {block})")}
+        assert shown == there, f"frame {frame} shows blocks {shown}, and has {there}"
+        page.evaluate(f"dda.player.go({frame})")
+        page.settle()
+        for block in there:
+            for point, wanted in zip(outline_on_page(page, block), disk.outline(block)):
+                for axis in (0, 1):
+                    near(point[axis], wanted[axis], 1e-4, f"frame {frame}, block {block}")
+        if not seen or seen[-1] != (prop in there):
+            seen.append(prop in there)
+    assert seen == [True, False, True, False], seen
+
+
 def main():
     program, work = sys.argv[1:]
     url = make_run(program, pathlib.Path(__file__).with_name("scene.json"), work)
@@ -388,6 +422,7 @@ def main():
         check_sizes(page)
         page.size(1000, 700)
         check_settling(program, work, page)
+        check_coming_and_going(program, work, page)
         assert not page.problems, page.problems
     print(f"{blocks} blocks, {FRAMES + 1} frames: the page shows what the frames hold")
 

@@ -1,0 +1,20 @@
+// Springs that get another stiffness while they carry force.
+//
+// The force of each spring stays as it is, and so do its blocks: the spring has force over stiffness for its gap from
+// then on. Where gaps are measured, as blocks are followed, the difference is its seat (interface_state.h): the spring
+// closes there until it opens for the first time, and where blocks touch from then on.
+#pragma once
+
+#include "engine/contact/interface.h"
+#include "engine/contact/interface_element.h"
+#include "engine/contact/interface_state.h"
+#include "engine/model/model.h"
+
+namespace dda {
+
+// Gives springs the stiffness, and dashpots the rate, that the model has now. Elements without springs are left alone.
+// `gaps_are_measured`: those of lone vertices follow from where blocks are.
+void renew_springs(const Model& model, const Interface& interface, bool gaps_are_measured, InterfaceElement& element,
+                   InterfaceState& own);
+
+}  // namespace dda

@@ -17,6 +17,7 @@
 #include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {
@@ -43,8 +44,12 @@ void run_to_stage(Simulation& simulation, std::size_t stages) {
 }
 
 json settle(const RockKind& kind) {
-  return {{"name", "settle"},         {"integrator", "static"},        {"dt", 1e-3},
-          {"duration", settling * 1e-3}, {"kinematics", kind.kinematics}, {"solver", "cholesky"}};
+  return {{"name", "settle"},
+          {"integrator", "static"},
+          {"dt", 1e-3},
+          {"duration", settling * 1e-3},
+          {"kinematics", kind.kinematics},
+          {"solver", "cholesky"}};
 }
 
 // Corners on an ellipse, turned by lot, in order: convex.
@@ -65,8 +70,7 @@ json opened_rock(int seed, const RockKind& kind, const json& stress, const json&
   RockByLot lot(1000 + seed);
   json opened = motion_of(kind, "opened", moving);
   opened["remove"] = json::array({"opening"});
-  json scene =
-      scene_with_opening(seed, kind, false, {settle(kind), opened, motion_of(kind, "after", moving)});
+  json scene = scene_with_opening(seed, kind, false, {settle(kind), opened, motion_of(kind, "after", moving)});
   json& opening = scene["blocks"][0]["rock"]["openings"][0];
   opening.erase("circle");
   opening["polygon"] = convex_polygon(lot);
@@ -169,14 +173,18 @@ TEST(PressureByDepth, LetsBlocksOfItsDensityFloat) {
     const double gradient = 1000 * 10, surface = lot.between(5, 30);
     json pressure = {{"surface", surface}, {"gradient", gradient}};
     if (seed % 2 == 0)  // the same as a table, with corners that are none
-      pressure = {{"table", {{-1, (surface + 1) * gradient}, {2.9, (surface - 2.9) * gradient},
-                             {3.2, (surface - 3.2) * gradient}, {5, (surface - 5) * gradient}}}};
-    const json scene = {{"dda", 1},
-                        {"materials", {{"liquid", {{"density", 1000}, {"young", 1e9}, {"poisson", 0.3}}}}},
-                        {"gravity", 10},
-                        {"blocks", {{{"polygon", {{"name", "float"}, {"vertices", convex_polygon(lot)}}}}}},
-                        {"loads", {{{"edge", "outside"}, {"pressure", pressure}}}},
-                        {"steps", {{"dt", 1e-3}, {"duration", 0.2}, {"velocity_factor", 0.9}, {"kinematics", "small"}}}};
+      pressure = {{"table",
+                   {{-1, (surface + 1) * gradient},
+                    {2.9, (surface - 2.9) * gradient},
+                    {3.2, (surface - 3.2) * gradient},
+                    {5, (surface - 5) * gradient}}}};
+    const json scene = {
+        {"dda", 1},
+        {"materials", {{"liquid", {{"density", 1000}, {"young", 1e9}, {"poisson", 0.3}}}}},
+        {"gravity", 10},
+        {"blocks", {{{"polygon", {{"name", "float"}, {"vertices", convex_polygon(lot)}}}}}},
+        {"loads", {{{"edge", "outside"}, {"pressure", pressure}}}},
+        {"steps", {{"dt", 1e-3}, {"duration", 0.2}, {"velocity_factor", 0.9}, {"kinematics", "small"}}}};
     Simulation simulation(model_of(scene));
     run_to_stage(simulation, 1);
     const double there = (surface - simulation.model().blocks[0].moments.centroid.y()) * gradient;
@@ -195,21 +203,25 @@ double closure_of_lame(int sectors, const char* law) {
   for (int i = 0; i <= rings; ++i) radii.push_back(std::pow(outer / inner, static_cast<double>(i) / rings));
   for (int i = 0; i < sectors; ++i) core.push_back({std::cos(turn * i), std::sin(turn * i)});
   json joint = {{"law", law}};
-  if (std::string(law) == "consistent") joint["bonded"] = true;
-  else joint.update({{"friction_angle", "80 deg"}});
+  if (std::string(law) == "consistent")
+    joint["bonded"] = true;
+  else
+    joint.update({{"friction_angle", "80 deg"}});
   json scene = {{"dda", 1},
                 {"materials", {{"rock", {{"density", 2600}, {"young", elastic}, {"poisson", poisson}}}}},
                 {"joints", {{"default", joint}}},
-                {"blocks", {{{"rings", {{"name", "plate"}, {"radii", radii}, {"sectors", sectors}}}},
-                            {{"polygon", {{"name", "core"}, {"vertices", core}}}}}},
+                {"blocks",
+                 {{{"rings", {{"name", "plate"}, {"radii", radii}, {"sectors", sectors}}}},
+                  {{"polygon", {{"name", "core"}, {"vertices", core}}}}}},
                 {"loads", {{{"edge", {{"opening", "core"}}}, {"pressure", pressure}, {"from_stage", "gas"}}}},
-                {"steps", {{{"name", "whole"}, {"integrator", "static"}, {"dt", 1}, {"duration", 2}},
-                           {{"name", "gas"}, {"integrator", "static"}, {"dt", 1}, {"duration", 40},
-                            {"remove", {"core"}}}}}};
+                {"steps",
+                 {{{"name", "whole"}, {"integrator", "static"}, {"dt", 1}, {"duration", 2}},
+                  {{"name", "gas"}, {"integrator", "static"}, {"dt", 1}, {"duration", 40}, {"remove", {"core"}}}}}};
   for (json& step : scene["steps"]) step["kinematics"] = "small";
-  scene["supports"] = {{{"point", {outer, 0}}, {"block", fmt::format("plate_{}_0", rings - 1)}, {"hold", "y"}},
-                       {{"point", {0, outer}}, {"block", fmt::format("plate_{}_{}", rings - 1, sectors / 4)}, {"hold", "x"}},
-                       {{"point", {-outer, 0}}, {"block", fmt::format("plate_{}_{}", rings - 1, sectors / 2)}, {"hold", "y"}}};
+  scene["supports"] = {
+      {{"point", {outer, 0}}, {"block", fmt::format("plate_{}_0", rings - 1)}, {"hold", "y"}},
+      {{"point", {0, outer}}, {"block", fmt::format("plate_{}_{}", rings - 1, sectors / 4)}, {"hold", "x"}},
+      {{"point", {-outer, 0}}, {"block", fmt::format("plate_{}_{}", rings - 1, sectors / 2)}, {"hold", "y"}}};
   Simulation simulation(model_of(scene));
   run_to_stage(simulation, 2);
   const Model& model = simulation.model();
@@ -218,8 +230,7 @@ double closure_of_lame(int sectors, const char* law) {
     const Vec2 middle = Vec2(std::cos(turn * (i + 0.5)), std::sin(turn * (i + 0.5))) * std::cos(turn / 2);
     outward += point_displacement(model, simulation.state(), i, middle).dot(middle.normalized()) / sectors;
   }
-  const double exact = pressure * inner / elastic *
-                       (inner * inner * (1 - poisson) + outer * outer * (1 + poisson)) /
+  const double exact = pressure * inner / elastic * (inner * inner * (1 - poisson) + outer * outer * (1 + poisson)) /
                        (outer * outer - inner * inner);
   return outward / exact;
 }

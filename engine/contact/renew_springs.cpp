@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "engine/contact/make_element.h"
+
 namespace dda {
 
 void renew_springs(const Model& model, const Interface& interface, bool gaps_are_measured, InterfaceElement& element,

@@ -1,8 +1,8 @@
-// What the rock is in each stage: the elasticity of its materials and the strength of its joints can change when a
-// stage begins (loosened or improved rock, concrete that hardens, joints that weather or get wet).
+// What the rock is in each stage: elasticity and density of its materials, and strength and springs of its joints can
+// change when a stage begins (loosened, improved or soaked rock, concrete that hardens, joints that weather or get wet).
 // Blocks can come in.
 //
-// Materials and joints keep their names, places and everything that joints' springs and penalties go by; what may
+// Materials and joints keep their names, places and laws, and penalties go by the materials of the start; what may
 // change of them is said in check_rock_changes.cpp. A stage that changes nothing has empty tables.
 #pragma once
 

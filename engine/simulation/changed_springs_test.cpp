@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/simulation_models.h"
+#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {
@@ -102,8 +103,8 @@ TEST_P(ChangedSprings, BookWhatTheyStoreOtherwise) {
 TEST_P(ChangedSprings, ComeBackToWhatTheyWere) {
   const JointMaterial was = springs(normal_stiffness, shear_stiffness, GetParam().bonded);
   const Vec2 first(2e5, -1e6), second(1e5, -6e5);
-  Model there = pressed_block(GetParam(), springs(normal_stiffness / 5, shear_stiffness * 3, GetParam().bonded), first,
-                              second);
+  Model there =
+      pressed_block(GetParam(), springs(normal_stiffness / 5, shear_stiffness * 3, GetParam().bonded), first, second);
   there.stages[2].rock.joints = {was};
   const std::vector<Vec2> back = bottoms_at_ends_of_stages(there);
   const std::vector<Vec2> same = bottoms_at_ends_of_stages(pressed_block(GetParam(), was, first, second));

@@ -7,8 +7,8 @@
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
 #include "engine/contact/renew_springs.h"
-#include "engine/simulation/linear_states.h"
 #include "engine/model/rock_change.h"
+#include "engine/simulation/linear_states.h"
 
 namespace dda {
 namespace {

@@ -60,21 +60,15 @@ const Kind kinds[] = {{{"bonded", joint_with(bonded, by_area(1)), "small"}, by_a
                       {{"strong_as_drawn", joint_with(strong_springs, by_contact(1)), "small"}, by_contact}};
 
 json settle(const RockKind& kind) {
-  return {{"name", "settle"},
-          {"integrator", "static"},
-          {"dt", 1},
-          {"duration", settling},
-          {"equilibrium", 1e-13},
-          {"on_unbalanced", "continue"},
-          {"strength", "unlimited"},
-          {"kinematics", kind.kinematics},
-          {"solver", "cholesky"}};
+  return {{"name", "settle"},        {"integrator", "static"},        {"dt", 1},
+          {"duration", settling},    {"equilibrium", 1e-13},          {"on_unbalanced", "continue"},
+          {"strength", "unlimited"}, {"kinematics", kind.kinematics}, {"solver", "cholesky"}};
 }
 
 // The rock settles, then moves in two stages.
 json scene_of(int seed, const RockKind& kind) {
-  json scene = scene_with_opening(
-      seed, kind, false, {settle(kind), motion_of(kind, "changed", moving), motion_of(kind, "after", moving)});
+  json scene = scene_with_opening(seed, kind, false,
+                                  {settle(kind), motion_of(kind, "changed", moving), motion_of(kind, "after", moving)});
   scene["gravity"] = 10;
   return scene;
 }
@@ -188,8 +182,8 @@ TEST_P(ChangedSpringsOfRock, CanBeABranch) {
 INSTANTIATE_TEST_SUITE_P(Joints, ChangedSpringsOfRock, testing::ValuesIn(kinds),
                          [](const auto& kind) { return std::string(kind.param.rock.name); });
 
-// What bonded rock does from the change on is what rock of the new springs does under the weight that has come, whatever
-// happened before: superposition.
+// What bonded rock does from the change on is what rock of the new springs does under the weight that has come,
+// whatever happened before: superposition.
 TEST(ChangedSpringsOfBondedRock, MoveAsRockOfTheNewSpringsUnderTheNewWeight) {
   for (int seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);

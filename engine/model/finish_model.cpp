@@ -38,8 +38,7 @@ double expected_pressure(const Model& model) {
     density = std::max(density, model.materials[static_cast<std::size_t>(block.material)].density);
     stress = std::max(stress, block.initial_stress.cwiseAbs().maxCoeff());
   }
-  for (const EdgeLoad& load : model.edge_loads)
-    traction = std::max(traction, load.traction.norm() + load.rise.norm());
+  for (const EdgeLoad& load : model.edge_loads) traction = std::max(traction, load.traction.norm() + load.rise.norm());
   return density * gravity * (depths.upper - depths.lower).x() + stress + traction;
 }
 

@@ -58,7 +58,7 @@ struct EdgeLoad {
   Vec2 from, to;  // ends of the loaded stretch of the block's outline
   Vec2 traction;  // Pa, in x and y, times history: the mean along the stretch
   TimeFunction history;
-  StageSpan stages = {};      // in which it acts
+  StageSpan stages = {};     // in which it acts
   Vec2 rise = Vec2::Zero();  // Pa, by which it is more than the mean at `to`, and less at `from`; in a straight line
 };
 
@@ -180,8 +180,8 @@ struct Model {
   [[nodiscard]] bool is_held(int block) const;    // as a whole: one of held_blocks
   [[nodiscard]] double mass_of(int block) const;  // kg per m of thickness
   [[nodiscard]] double mass_at_start(int block) const;
-  [[nodiscard]] bool removes_blocks() const;      // in some stage
-  [[nodiscard]] bool adds_blocks() const;         // the same
+  [[nodiscard]] bool removes_blocks() const;  // in some stage
+  [[nodiscard]] bool adds_blocks() const;     // the same
   // For every block whether it is not there in `stage`: removed by then, or not added yet; empty where none is.
   [[nodiscard]] std::vector<bool> absent_in(std::size_t stage) const;
 };

@@ -19,8 +19,7 @@ FacePressure::FacePressure(const Field& field) : field_(field) {
     read_table(*rows);
     return;
   }
-  uniform_ =
-      value_or(field, "uniform", 0.0, [](const Field& f) { return f.quantity(Dimension::stress); });
+  uniform_ = value_or(field, "uniform", 0.0, [](const Field& f) { return f.quantity(Dimension::stress); });
   const auto surface = field.find("surface");
   if (surface.has_value() != field.has("gradient"))
     throw InputError("", field.path(), surface ? "without gradient" : "without surface",
@@ -50,8 +49,8 @@ std::vector<PressedPart> FacePressure::on(const Stretch& stretch) const {
   const double rise = stretch.to.y() - stretch.from.y();
   const auto [low, high] = std::minmax(stretch.from.y(), stretch.to.y());
   if (!table_.times.empty() && (low < bends_.front() || high > bends_.back()))
-    field_.at("table").fail(fmt::format("from {:.6g} to {:.6g} m beside a face from {:.6g} to {:.6g} m",
-                                        bends_.front(), bends_.back(), low, high),
+    field_.at("table").fail(fmt::format("from {:.6g} to {:.6g} m beside a face from {:.6g} to {:.6g} m", bends_.front(),
+                                        bends_.back(), low, high),
                             "heights that reach past all faces on which it acts");
   std::vector<double> shares = {0, 1};  // of the way from its start to its end
   for (const double bend : bends_)
@@ -62,7 +61,8 @@ std::vector<PressedPart> FacePressure::on(const Stretch& stretch) const {
     const auto place = [&](double share) -> Vec2 { return stretch.from + share * (stretch.to - stretch.from); };
     const Vec2 from = place(shares[i - 1]), to = i + 1 == shares.size() ? stretch.to : place(shares[i]);
     const PressedPart part{from, to, at(from.y()), at(to.y())};
-    if (from != to && (part.at_from != 0 || part.at_to != 0)) parts.push_back(part);
+    const bool is_pressed = bends_.empty() || part.at_from != 0 || part.at_to != 0;
+    if (from != to && is_pressed) parts.push_back(part);
   }
   return parts;
 }

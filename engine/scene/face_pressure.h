@@ -20,7 +20,7 @@ class FacePressure {
  public:
   explicit FacePressure(const Field& field);
 
-  // Those parts on which there is any.
+  // Those parts on which there is any, and the whole where it is the same everywhere.
   [[nodiscard]] std::vector<PressedPart> on(const Stretch& stretch) const;
 
  private:
@@ -28,10 +28,10 @@ class FacePressure {
   [[nodiscard]] double at(double height) const;
 
   Field field_;
-  double uniform_ = 0;       // Pa
-  double surface_ = 0;       // m
-  double gradient_ = 0;      // Pa/m, below the surface
-  PiecewiseLinear table_;    // Pa over m
+  double uniform_ = 0;         // Pa
+  double surface_ = 0;         // m
+  double gradient_ = 0;        // Pa/m, below the surface
+  PiecewiseLinear table_;      // Pa over m
   std::vector<double> bends_;  // m, heights at which the straight line has a corner
 };
 

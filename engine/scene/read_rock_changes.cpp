@@ -77,7 +77,8 @@ void read_normal_stiffness(const Field& normal, JointMaterial& joint) {
 void read_springs_by_area(const Field& field, JointMaterial& joint) {
   const auto given = first_of(springs_by_area, field);
   if (given && !springs_go_by_length(joint))
-    given->fail("to be left out: this joint has springs for each contact, which normal_spring and spring_over_young change");
+    given->fail(
+        "to be left out: this joint has springs for each contact, which normal_spring and spring_over_young change");
   if (const auto normal = field.find("normal_stiffness")) read_normal_stiffness(*normal, joint);
   const auto shear = field.find("shear_stiffness");
   if (!shear) return;
@@ -102,7 +103,8 @@ void read_springs(const Field& field, JointMaterial& joint) {
                                "shear_stiffness", "shear_to_normal",   "contact_damping"};
   const auto given = first_of(keys, field);
   if (!given) return;
-  if (joint.law == InterfaceLaw::projected) given->fail("to be left out of a projected joint, which keeps its stiffness");
+  if (joint.law == InterfaceLaw::projected)
+    given->fail("to be left out of a projected joint, which keeps its stiffness");
   if (joint.bonded && joint.law != InterfaceLaw::classical)
     given->fail("to be left out of a bonded joint unless law is \"classical\": others have no springs");
   read_springs_of_contacts(field, joint);

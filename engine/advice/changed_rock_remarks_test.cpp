@@ -25,9 +25,10 @@ Model with_young(double young, bool is_static) {
 TEST(ChangedRockRemarks, AreOnEachDynamicStageWithOtherModuli) {
   const std::vector<std::string> remarks = changed_rock_remarks(with_young(5e9, false));
   ASSERT_EQ(remarks.size(), 2);
-  EXPECT_EQ(remarks[0],
-            "stage \"loosened\" has other moduli than the scene begins with: what is foretold of waves, and a dt that "
-            "is chosen, go by those of the start");
+  EXPECT_EQ(
+      remarks[0],
+      "stage \"loosened\" has other moduli or densities than the scene begins with: what is foretold of waves, and a "
+      "dt that is chosen, go by those of the start");
   EXPECT_EQ(remarks[1].substr(0, 13), "stage \"after\"");
 }
 

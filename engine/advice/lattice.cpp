@@ -224,6 +224,7 @@ Model patch(const Lattice& lattice, const Stage& stage, const std::vector<bool>&
   for (std::size_t i = 0; i < model.blocks.size(); ++i) model.blocks[i].name = fmt::format("block {}", i);
   model.stages = {stage};
   model.stages.front().removal = {};  // of the scene's blocks
+  model.stages.front().rock = {};     // the same, and of all its materials and joints
   model.stages.front().duration = stage.dt;
   model.stages.front().kinematics = Kinematics::small;
   finish_model(model);

@@ -195,21 +195,16 @@ TEST(PressureByDepth, LetsBlocksOfItsDensityFloat) {
 }
 
 // p_i in a hole of radius a in a plate to b: u = p a/E (a^2 (1 - nu) + b^2 (1 + nu))/(b^2 - a^2) in plane stress.
-double closure_of_lame(int sectors, const char* law) {
+double share_of_lame(int sectors) {
   constexpr double inner = 1, outer = 4, pressure = 1e6, elastic = 1e10, poisson = 0.25;
   json core = json::array(), radii = json::array();
   const double turn = 2 * std::numbers::pi / sectors;
   const int rings = std::max(2, static_cast<int>(std::lround(std::log(outer / inner) / turn)));
   for (int i = 0; i <= rings; ++i) radii.push_back(std::pow(outer / inner, static_cast<double>(i) / rings));
   for (int i = 0; i < sectors; ++i) core.push_back({std::cos(turn * i), std::sin(turn * i)});
-  json joint = {{"law", law}};
-  if (std::string(law) == "consistent")
-    joint["bonded"] = true;
-  else
-    joint.update({{"friction_angle", "80 deg"}});
   json scene = {{"dda", 1},
                 {"materials", {{"rock", {{"density", 2600}, {"young", elastic}, {"poisson", poisson}}}}},
-                {"joints", {{"default", joint}}},
+                {"joints", {{"default", {{"bonded", true}}}}},
                 {"blocks",
                  {{{"rings", {{"name", "plate"}, {"radii", radii}, {"sectors", sectors}}}},
                   {{"polygon", {{"name", "core"}, {"vertices", core}}}}}},
@@ -218,10 +213,14 @@ double closure_of_lame(int sectors, const char* law) {
                  {{{"name", "whole"}, {"integrator", "static"}, {"dt", 1}, {"duration", 2}},
                   {{"name", "gas"}, {"integrator", "static"}, {"dt", 1}, {"duration", 40}, {"remove", {"core"}}}}}};
   for (json& step : scene["steps"]) step["kinematics"] = "small";
-  scene["supports"] = {
-      {{"point", {outer, 0}}, {"block", fmt::format("plate_{}_0", rings - 1)}, {"hold", "y"}},
-      {{"point", {0, outer}}, {"block", fmt::format("plate_{}_{}", rings - 1, sectors / 4)}, {"hold", "x"}},
-      {{"point", {-outer, 0}}, {"block", fmt::format("plate_{}_{}", rings - 1, sectors / 2)}, {"hold", "y"}}};
+  scene["supports"] = json::array();
+  const auto hold = [&](const Vec2& point, int sector, const char* direction) {
+    scene["supports"].push_back(
+        {{"point", {point.x(), point.y()}}, {"block", fmt::format("plate {}.{}", rings, sector)}, {"hold", direction}});
+  };
+  hold({outer, 0}, 1, "y");
+  hold({0, outer}, sectors / 4 + 1, "x");
+  hold({-outer, 0}, sectors / 2 + 1, "y");
   Simulation simulation(model_of(scene));
   run_to_stage(simulation, 2);
   const Model& model = simulation.model();
@@ -235,8 +234,13 @@ double closure_of_lame(int sectors, const char* law) {
   return outward / exact;
 }
 
+// The polygon of the wall and blocks of one strain are off by the square of the blocks' size: by 3.2, 0.9 and 0.24 %.
 TEST(PressureInAHole, IsThatOfLame) {
-  for (const int sectors : {16, 32, 64}) fmt::print("{} {:.5f}\n", sectors, closure_of_lame(sectors, "consistent"));
+  const double coarse = std::abs(share_of_lame(16) - 1), middle = std::abs(share_of_lame(32) - 1),
+               fine = std::abs(share_of_lame(64) - 1);
+  EXPECT_LT(fine, 0.003);
+  EXPECT_GT(coarse / middle, 3.2);
+  EXPECT_GT(middle / fine, 3.5);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ void leave_out_late_loads(int kept, const Model& model, std::vector<Load>& loads
   const auto is_late = [kept](const Load& load) { return load.stages.first >= std::max(kept, 1); };
   const auto late = std::ranges::find_if(loads, is_late);
   if (late == loads.end()) return;
-  names.push_back("the load on \"" + model.blocks[static_cast<std::size_t>(late->block)].name + "\"");
+  names.push_back(fmt::format("the load on \"{}\"", model.blocks[static_cast<std::size_t>(late->block)].name));
   std::erase_if(loads, is_late);
 }
 

@@ -61,7 +61,8 @@ std::vector<PressedPart> FacePressure::on(const Stretch& stretch) const {
     const auto place = [&](double share) -> Vec2 { return stretch.from + share * (stretch.to - stretch.from); };
     const Vec2 from = place(shares[i - 1]), to = i + 1 == shares.size() ? stretch.to : place(shares[i]);
     const PressedPart part{from, to, at(from.y()), at(to.y())};
-    if (from != to && (part.at_from != 0 || part.at_to != 0)) parts.push_back(part);
+    const bool is_pressed = bends_.empty() || part.at_from != 0 || part.at_to != 0;
+    if (from != to && is_pressed) parts.push_back(part);
   }
   return parts;
 }

@@ -20,7 +20,7 @@ class FacePressure {
  public:
   explicit FacePressure(const Field& field);
 
-  // Those parts on which there is any.
+  // Those parts on which there is any, and the whole where it is the same everywhere.
   [[nodiscard]] std::vector<PressedPart> on(const Stretch& stretch) const;
 
  private:

@@ -1,5 +1,7 @@
 #include "engine/scene/laid_bare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -17,14 +19,14 @@ void expect_away(const Field& name, const std::vector<int>& blocks, const StageS
     const std::vector<bool> absent = model.absent_in(stage);
     const auto there = std::ranges::find_if(blocks, [&](int block) { return absent.empty() || !absent[at(block)]; });
     if (there == blocks.end()) continue;
-    name.fail("\"" + name.text() + "\", of which \"" + model.blocks[at(*there)].name + "\" is there in stage \"" +
-                  model.stages[stage].name + "\"",
+    name.fail(fmt::format("\"{}\", of which \"{}\" is there in stage \"{}\"", name.text(),
+                          model.blocks[at(*there)].name, model.stages[stage].name),
               "blocks that are away from from_stage to until_stage: a load acts on what they lay bare");
   }
 }
 
 // Of the blocks that are there those on the other side of one edge of a block that is away.
-void append_faces(const Segment& edge, const GroundPlan& plan, std::vector<Stretch>& faces) {
+void append_faces_along(const Segment& edge, const GroundPlan& plan, std::vector<Stretch>& faces) {
   const Vec2 along = edge.end - edge.start;
   const Vec2 own_inward(-along.y(), along.x());
   for (const Stretch& face : plan.stretches_along(edge))
@@ -32,7 +34,7 @@ void append_faces(const Segment& edge, const GroundPlan& plan, std::vector<Stret
 }
 
 void append_faces(const Ring& ring, const GroundPlan& plan, std::vector<Stretch>& faces) {
-  for (std::size_t i = 0; i < ring.size(); ++i) append_faces({ring[i], ring[(i + 1) % ring.size()]}, plan, faces);
+  for (std::size_t i = 0; i < ring.size(); ++i) append_faces_along({ring[i], ring[(i + 1) % ring.size()]}, plan, faces);
 }
 
 }  // namespace

@@ -83,7 +83,9 @@ void read_edge_load(const Field& field, const GroundPlan& plan, const std::vecto
   const TimeFunction history = read_history(field, kind == "force" ? Dimension::force : Dimension::stress, records);
   if (kind == "pressure") {
     const FacePressure pressure(value);
+    const std::size_t before = model.edge_loads.size();
     for (const Stretch& s : stretches) add_pressure(pressure, s, history, stages, model);
+    if (model.edge_loads.size() == before) value.fail("nowhere on the edge above 0", "a pressure on some part of it");
     return;
   }
   const bool in_situ = kind == "traction" && value.is_text();  // the schema knows one text

@@ -160,10 +160,11 @@ TEST(RockOfStage, RefusesWhatAStageCannotChange) {
     return refusal_of(block_on_slope(joint, later, Kinematics::small));
   };
   EXPECT_NE(refused(rough(0.5), rough(0.5, 1e6)).find("has no bond"), std::string::npos);
-  JointMaterial stiffer = rough(0.5);
-  stiffer.normal_spring = 1e9;
-  EXPECT_NE(refused(rough(0.5), stiffer).find("strength of joints alone"), std::string::npos);
-  EXPECT_NE(refused(rough(0.5), bond(InterfaceLaw::classical)).find("strength of joints alone"), std::string::npos);
+  const char* alone = "strength and the springs of joints alone";
+  JointMaterial rising = rough(0.5);
+  rising.dilation_angle = 0.1;
+  EXPECT_NE(refused(rough(0.5), rising).find(alone), std::string::npos);
+  EXPECT_NE(refused(rough(0.5), bond(InterfaceLaw::classical)).find(alone), std::string::npos);
   const auto refused_young = [](double young, const JointMaterial& joint) {
     return refusal_of(pulled_bar(joint, 1, 0, with_young(young), Kinematics::small));
   };

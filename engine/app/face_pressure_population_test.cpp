@@ -15,9 +15,9 @@
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
 #include "engine/simulation/memory_test_support.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
-#include "engine/simulation/run_so_far.h"
 
 namespace dda {
 namespace {

@@ -1,6 +1,6 @@
 // What the rock is in each stage: elasticity and density of its materials, and strength and springs of its joints can
-// change when a stage begins (loosened, improved or soaked rock, concrete that hardens, joints that weather or get wet).
-// Blocks can come in.
+// change when a stage begins (loosened, improved or soaked rock, concrete that hardens, joints that weather or get
+// wet). Blocks can come in.
 //
 // Materials and joints keep their names, places and laws, and penalties go by the materials of the start; what may
 // change of them is said in check_rock_changes.cpp. A stage that changes nothing has empty tables.

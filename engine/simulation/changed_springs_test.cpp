@@ -8,8 +8,8 @@
 
 #include "engine/core/error.h"
 #include "engine/simulation/memory_test_support.h"
-#include "engine/simulation/simulation_models.h"
 #include "engine/simulation/run_so_far.h"
+#include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {

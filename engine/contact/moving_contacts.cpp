@@ -15,6 +15,7 @@
 #include "engine/contact/projected_stretch.h"
 #include "engine/contact/shared_face.h"
 #include "engine/contact/succession.h"
+#include "engine/model/rock_change.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {

@@ -1,4 +1,5 @@
 #include "engine/model/explicit_conditions.h"
+
 #include "engine/model/rock_change.h"
 
 namespace dda {

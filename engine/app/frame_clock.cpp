@@ -16,8 +16,8 @@ bool stands_still(const Model& model, const Stage& stage) {
 
 }  // namespace
 
-std::vector<StageSpan> stage_spans(const Model& model) {
-  std::vector<StageSpan> spans;
+std::vector<StageTimes> stage_spans(const Model& model) {
+  std::vector<StageTimes> spans;
   double begin = 0;
   for (const Stage& stage : model.stages) {
     spans.push_back({stage.name, begin, begin + stage.duration, stands_still(model, stage), stage.dt,
@@ -28,17 +28,17 @@ std::vector<StageSpan> stage_spans(const Model& model) {
 }
 
 FrameClock::FrameClock(const Model& model, double interval) : settlings_(stage_spans(model)), interval_(interval) {
-  std::erase_if(settlings_, [](const StageSpan& stage) { return !stage.settles; });
+  std::erase_if(settlings_, [](const StageTimes& stage) { return !stage.settles; });
 }
 
 double FrameClock::moving_time(double time) const {
   double settling = 0;
-  for (const StageSpan& stage : settlings_) settling += std::clamp(time, stage.begin_s, stage.end_s) - stage.begin_s;
+  for (const StageTimes& stage : settlings_) settling += std::clamp(time, stage.begin_s, stage.end_s) - stage.begin_s;
   return time - settling;
 }
 
 bool FrameClock::has_settled_at(double time) const {
-  return std::ranges::any_of(settlings_, [&](const StageSpan& stage) {
+  return std::ranges::any_of(settlings_, [&](const StageTimes& stage) {
     return std::abs(time - stage.end_s) <= round_off * (stage.end_s - stage.begin_s);
   });
 }

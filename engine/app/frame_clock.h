@@ -28,13 +28,13 @@ class FrameClock {
   [[nodiscard]] double moving_time(double time) const;
   [[nodiscard]] bool has_settled_at(double time) const;
 
-  std::vector<StageSpan> settlings_;
+  std::vector<StageTimes> settlings_;
   double interval_;
   std::int64_t next_ = 0;  // in intervals of moving time
 };
 
 // The stages of a scene, and which of them have no time in which blocks move.
-[[nodiscard]] std::vector<StageSpan> stage_spans(const Model& model);
+[[nodiscard]] std::vector<StageTimes> stage_spans(const Model& model);
 
 // The time over which frames are spread, s, of the stages from `first` on.
 [[nodiscard]] double moving_time(const Model& model, std::size_t first = 0);

@@ -77,7 +77,7 @@ std::vector<BoltLinkValues> bolt_links_of(const Simulation& simulation) {
 
 // Whether the stage that comes is yet to take its first step: the row of the end of the one before is there.
 bool stands_between_stages(const Simulation& simulation) {
-  const std::vector<StageSpan> spans = stage_spans(simulation.model());
+  const std::vector<StageTimes> spans = stage_spans(simulation.model());
   const std::size_t done = stages_done(simulation);
   if (simulation.is_settling() || done >= spans.size()) return done >= spans.size();
   return std::abs(simulation.state().time - spans[done].begin_s) < 0.25 * simulation.model().stages[done].dt;

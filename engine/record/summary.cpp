@@ -86,7 +86,7 @@ Json to_json(const RunSummary& summary) {
   json["phases"] = Json::object();
   for (const auto& [name, seconds] : summary.phases) json["phases"][name] = seconds;
   json["stages"] = Json::array();
-  for (const StageSpan& stage : summary.stages)
+  for (const StageTimes& stage : summary.stages)
     json["stages"].push_back({{"name", stage.name},
                               {"begin_s", stage.begin_s},
                               {"end_s", stage.end_s},

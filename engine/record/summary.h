@@ -32,7 +32,7 @@ struct DeepestPenetration {
 
 // When a stage of the scene lasts, and in which steps; `settles`: its time passes in no motion (it ends at static
 // equilibrium).
-struct StageSpan {
+struct StageTimes {
   std::string name;
   double begin_s = 0;
   double end_s = 0;
@@ -57,7 +57,7 @@ struct RunSummary {
   double cpu_s = 0;
   double wall_s = 0;
   std::vector<std::pair<std::string, double>> phases;  // name and seconds, in the order of the run
-  std::vector<StageSpan> stages;
+  std::vector<StageTimes> stages;
   std::vector<std::pair<std::string, double>> out_of_balance;  // static stages: name and share of the largest force
   nlohmann::ordered_json loose_blocks = nlohmann::ordered_json::array();           // that nothing held in static stages
   nlohmann::ordered_json blocks_out_of_balance = nlohmann::ordered_json::array();  // at their ends

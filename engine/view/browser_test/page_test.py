@@ -8,12 +8,11 @@ Fails, and does not skip, where Chromium is missing.
 import json
 import math
 import pathlib
-import re
 import subprocess
 import sys
 
 from chromium import Chromium, pixels
-from vtp_frame import VtpFrame
+from vtp_frame import VtpFrame, near, outline_on_page
 
 FRAMES = 8
 SMALLER = 0.5    # screenshots
@@ -26,17 +25,6 @@ def make_run(program, scene, work):
     page.unlink(missing_ok=True)
     subprocess.run([program, "view", work, "--quantity", "stress_yy"], check=True, stdout=subprocess.DEVNULL)
     return page.resolve().as_uri()
-
-
-def near(found, expected, tolerance, what):
-    assert abs(found - expected) <= tolerance, f"{what}: {found}, expected {expected} within {tolerance}"
-
-
-def outline_on_page(page, block):
-    return page.evaluate(
-        f"dda.run.ringsOf({block}).flatMap(([begin, end]) => Array.from({{length: end - begin}}, (_, i) => ["
-        "dda.stage.points[2 * (begin + i)] + dda.run.header.origin[0],"
-        "dda.stage.points[2 * (begin + i) + 1] + dda.run.header.origin[1]]))")
 
 
 def check_frame(page, work, frame, blocks):

@@ -1,4 +1,4 @@
-"""A frame of a run as the files beside the page have it, read without the page."""
+"""What a frame on disk holds, read here once more so that the page is judged by it, and what the page shows of it."""
 
 import pathlib
 import re
@@ -6,7 +6,7 @@ import struct
 
 
 class VtpFrame:
-    """The arrays of a .vtp file, read here once more so that the page is judged by what lies on disk."""
+    """The arrays of a .vtp file."""
 
     TYPES = {"Float64": "d", "Int32": "i", "Int64": "q"}
 
@@ -45,3 +45,14 @@ class VtpFrame:
             rings = [self.cells("Polys")[self.cell_of(block) - len(cells)]]
         points = self.arrays["Points/Points"]
         return [(points[3 * i], points[3 * i + 1]) for ring in rings for i in ring]
+
+
+def near(found, expected, tolerance, what):
+    assert abs(found - expected) <= tolerance, f"{what}: {found}, expected {expected} within {tolerance}"
+
+
+def outline_on_page(page, block):
+    return page.evaluate(
+        f"dda.run.ringsOf({block}).flatMap(([begin, end]) => Array.from({{length: end - begin}}, (_, i) => ["
+        "dda.stage.points[2 * (begin + i)] + dda.run.header.origin[0],"
+        "dda.stage.points[2 * (begin + i) + 1] + dda.run.header.origin[1]]))")

@@ -30,6 +30,15 @@ void expect_same(bool same, const Item& item, std::string_view member) {
     item.fail(member, "changed by a stage", "what it was: stages change the strength and the springs of joints alone");
 }
 
+// What a force stores in a spring goes by one over its stiffness, and weight by the density: further away numbers have
+// too few digits beside those of the rest.
+void check_ratio(const Item& item, std::string_view member, double before, double now) {
+  constexpr double least = least_growth, most = 1 / least_growth;
+  if (before == 0 || now == 0 || (now >= least * before && now <= most * before)) return;
+  item.fail(member, fmt::format("{:.3g} times what it was", now / before),
+            fmt::format("from {:g} to {:g} times that", least, most));
+}
+
 bool is_projected(const JointMaterial& joint) { return joint.law == InterfaceLaw::projected && !joint.bonded; }
 
 double shear_stiffness_share(const JointMaterial& joint) {
@@ -40,6 +49,11 @@ double shear_stiffness_share(const JointMaterial& joint) {
 void check_springs(const Item& item, const JointMaterial& before, const JointMaterial& now) {
   if (have_same_springs(before, now)) return;
   expect_same(!is_projected(before), item, "stiffness of a projected joint");
+  check_ratio(item, "normal stiffness", before.normal_stiffness, now.normal_stiffness);
+  check_ratio(item, "shear stiffness", before.shear_stiffness, now.shear_stiffness);
+  check_ratio(item, "normal spring", before.normal_spring, now.normal_spring);
+  check_ratio(item, "spring over Young's modulus", before.spring_over_young, now.spring_over_young);
+  check_ratio(item, "shear to normal spring", before.shear_to_normal, now.shear_to_normal);
   expect_same(springs_go_by_length(before) == springs_go_by_length(now), item, "kind of stiffness");
   if (shear_stiffness_share(before) > 0 && shear_stiffness_share(now) == 0)
     item.fail("shear stiffness", "0 in a stage", "above 0, as before: what the joint carries would be lost");
@@ -68,6 +82,7 @@ void check_change(const Item& item, const JointMaterial& before, const JointMate
 void check_change(const Item& item, const Material& before, const Material& now) {
   if (now.name != before.name || now.plane != before.plane)
     item.fail("name or plane", "changed by a stage", "what it was: stages change moduli and densities");
+  check_ratio(item, "density", before.density, now.density);
 }
 
 void check_growth(const Item& item, const ModulusLimits& limits, const Material& start, const Material& now) {

@@ -58,7 +58,7 @@ void add_loads(const Model& model, Forces& forces) {
     else
       ++changing;
   }
-  if (changing > 0) forces.leave_out(fmt::format("{} loads that change with time", changing));
+  if (changing > 0) forces.leave_out(fmt::format("{} loads that change with time or by stage", changing));
 }
 
 // A bolt in tension pulls its two ends together.

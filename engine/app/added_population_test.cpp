@@ -14,9 +14,8 @@
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
 #include "engine/simulation/memory_test_support.h"
-#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
-#include "engine/simulation/snapshot.h"
+#include "engine/simulation/stopped_run_test_support.h"
 
 namespace dda {
 namespace {
@@ -51,10 +50,6 @@ json scene_of(int seed, const RockKind& kind, bool left_out) {
 }
 
 Model model_of(const json& scene, int seed) { return parse_scene(scene.dump(), fmt::format("seed {}", seed)); }
-
-void run_to_stage(Simulation& simulation, std::size_t stages) {
-  while (stages_done(simulation) < stages) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-}
 
 // Largest difference of the motions of blocks of one place, as a share of the largest motion.
 double difference(const Simulation& filled, const Simulation& never) {
@@ -93,15 +88,8 @@ TEST_P(RefilledRock, BalancesItsEnergyAndGoesOnToTheBit) {
     SCOPED_TRACE(seed);
     const Model model = model_of(scene_of(seed, GetParam(), false), seed);
     Simulation whole(model);
-    Simulation first(model);
     const int stop = settling - 2 + seed % 7;  // before they come in, as they do, or after
-    for (int i = 0; i < stop; ++i) ASSERT_EQ(first.step(), Status::ok) << first.message();
-    Simulation second(model);
-    restore(second, first.state(), save(first));
-    run_to_stage(whole, 3);
-    run_to_stage(second, 3);
-    EXPECT_EQ(memory_of(second), memory_of(whole));
-    EXPECT_LT(std::abs(whole.energy().relative_residual()), 1e-9);
+    expect_same_when_stopped(model, 0, stop, whole);
     EXPECT_EQ(whole.energy().removed, 0);
   }
 }
@@ -117,17 +105,8 @@ TEST_P(RefilledRock, CanBeABranch) {
     Simulation whole(model_of(scene_of(seed, GetParam(), false), seed));
     run_to_stage(whole, 1);
     const Model settled_model = model_of(other, seed);
-    Simulation settled(settled_model);
-    std::vector<std::byte> snapshot;
-    State state;
-    settled.watch().between = [&] {
-      if (stages_done(settled) != 1) return;
-      snapshot = save(settled);
-      state = settled.state();
-    };
-    run_to_stage(settled, 1);
     Simulation between(settled_model);
-    restore(between, state, snapshot);
+    bring_between_stages(settled_model, 1, between);
     Simulation branch(model_of(scene_of(seed, GetParam(), false), seed));
     begin_from(between, branch);
     run_to_stage(whole, 3);

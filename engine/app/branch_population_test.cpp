@@ -17,6 +17,7 @@
 #include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
+#include "engine/simulation/stopped_run_test_support.h"
 
 namespace dda {
 namespace {
@@ -118,10 +119,6 @@ json whole_scene(const std::string& kind, int seed, const json& settled) {
 
 Model model_of(const json& scene) { return parse_scene(scene.dump(), "scene"); }
 
-void run_to_end_of_stage(Simulation& simulation, std::size_t stages) {
-  while (stages_done(simulation) < stages) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-}
-
 void expect_same_course(Simulation& branch, Simulation& whole) {
   ASSERT_EQ(memory_of(branch), memory_of(whole)) << "when it begins";
   while (!whole.finished()) {
@@ -147,10 +144,10 @@ TEST_P(Branches, GoOnAsOneRunWouldToTheBit) {
     json scene = bare_scene(kind, seed);
     scene["steps"] = json::array({settle(kind)});
     Simulation settled(model_of(scene));
-    run_to_end_of_stage(settled, 1);
+    run_to_stage(settled, 1);
     const Model later = model_of(whole_scene(kind, seed, scene));
     Simulation whole(later);
-    run_to_end_of_stage(whole, 1);
+    run_to_stage(whole, 1);
     Simulation branch(later);
     begin_from(settled, branch);
     expect_same_course(branch, whole);
@@ -176,15 +173,15 @@ TEST_P(Branches, BeginAtTheEndOfAnyStage) {
       state = run.state();
     };
     run.watch().between = keep;
-    run_to_end_of_stage(run, 2);
+    run_to_stage(run, 2);
     Simulation settled(model_of(first));
     restore(settled, state, kept);
     Simulation whole(model_of(second));
-    run_to_end_of_stage(whole, 1);
+    run_to_stage(whole, 1);
     Simulation branch(model_of(second));
     begin_from(settled, branch);
     expect_same_course(branch, whole);
-    run_to_end_of_stage(settled, 2);  // and it is a run that goes on
+    run_to_stage(settled, 2);  // and it is a run that goes on
     EXPECT_EQ(memory_of(settled), memory_of(run));
   }
 }
@@ -195,13 +192,13 @@ TEST_P(Branches, ShareOneSettledState) {
   json scene = bare_scene(kind, 1);
   scene["steps"] = json::array({settle(kind)});
   Simulation settled(model_of(scene));
-  run_to_end_of_stage(settled, 1);
+  run_to_stage(settled, 1);
   for (int point = 1; point <= 4; ++point) {
     SCOPED_TRACE(point);
     json each = whole_scene(kind, 1, scene);
     each["loads"][0]["force"][1] = -1e4 * point;
     Simulation whole(model_of(each));
-    run_to_end_of_stage(whole, 1);
+    run_to_stage(whole, 1);
     Simulation branch(model_of(each));
     begin_from(settled, branch);
     expect_same_course(branch, whole);

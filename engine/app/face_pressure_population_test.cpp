@@ -14,10 +14,8 @@
 #include "engine/app/random_rock_test_support.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
-#include "engine/simulation/memory_test_support.h"
-#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
-#include "engine/simulation/snapshot.h"
+#include "engine/simulation/stopped_run_test_support.h"
 
 namespace dda {
 namespace {
@@ -38,10 +36,6 @@ const RockKind kinds[] = {
     {"projected", {{"friction_angle", "40 deg"}, {"law", "projected"}}, "finite"}};
 
 Model model_of(const json& scene) { return parse_scene(scene.dump(), "scene"); }
-
-void run_to_stage(Simulation& simulation, std::size_t stages) {
-  while (stages_done(simulation) < stages) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-}
 
 json settle(const RockKind& kind) {
   return {{"name", "settle"},
@@ -121,14 +115,8 @@ TEST_P(PressedWall, GoesOnToTheSameBits) {
                              {{"pressure", {{"surface", 5.1}, {"gradient", 4e5}, {"uniform", 1e6}}}});
     scene["loads"][0]["until_stage"] = "opened";
     const Model model = model_of(scene);
-    Simulation whole(model), first(model), second(model);
-    const int stop = settling - 2 + (5 * seed) % (2 * moving);
-    for (int i = 0; i < stop; ++i) ASSERT_EQ(first.step(), Status::ok) << first.message();
-    restore(second, first.state(), save(first));
-    run_to_stage(whole, 3);
-    run_to_stage(second, 3);
-    EXPECT_EQ(memory_of(second), memory_of(whole));
-    EXPECT_LT(std::abs(whole.energy().relative_residual()), 1e-9);
+    Simulation whole(model);
+    expect_same_when_stopped(model, 0, settling - 2 + (5 * seed) % (2 * moving), whole);
   }
 }
 
@@ -142,17 +130,8 @@ TEST_P(PressedWall, CanBeABranch) {
     loads.push_back({{"edge", {{"opening", "opening"}}}, {"pressure", 7e5}, {"from_stage", "after"}});
     const Model model = model_of(scene), other = model_of(other_scene);
     for (const std::size_t stage : {1U, 2U}) {
-      Simulation to_stage(other);
-      std::vector<std::byte> snapshot;
-      State state;
-      to_stage.watch().between = [&] {
-        if (stages_done(to_stage) != stage) return;
-        snapshot = save(to_stage);
-        state = to_stage.state();
-      };
-      run_to_stage(to_stage, stage);
       Simulation between(other), branch(model), whole(model);
-      restore(between, state, snapshot);
+      bring_between_stages(other, stage, between);
       begin_from(between, branch);
       run_to_stage(whole, 3);
       run_to_stage(branch, 3);

@@ -19,6 +19,7 @@
 #include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
+#include "engine/simulation/stopped_run_test_support.h"
 
 namespace dda {
 namespace {
@@ -89,10 +90,6 @@ json with_change(json scene, const json& joint, const json& material = {}) {
 
 Model model_of(const json& scene) { return parse_scene(scene.dump(), "scene"); }
 
-void run_to_end_of_stage(Simulation& simulation, std::size_t stages) {
-  while (stages_done(simulation) < stages) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-}
-
 void expect_same_course(Simulation& one, Simulation& other) {
   ASSERT_EQ(memory_of(one), memory_of(other)) << "when it begins";
   while (!other.finished()) {
@@ -119,8 +116,8 @@ TEST_P(ChangedRock, MovesAsBeforeWhereNothingIsOther) {
     Simulation plain(model_of(scene));
     Simulation same(model_of(with_change(scene, {{"friction_angle", GetParam().joint["friction_angle"]}},
                                          projected ? json() : json{{"young", 20e9}})));
-    run_to_end_of_stage(plain, 1);
-    run_to_end_of_stage(same, 1);
+    run_to_stage(plain, 1);
+    run_to_stage(same, 1);
     expect_same_course(same, plain);
   }
 }
@@ -131,18 +128,9 @@ TEST_P(ChangedRock, MovesAsABranchOfThatStrength) {
     SCOPED_TRACE(seed);
     const json scene = slope(seed, GetParam());
     Simulation changed(model_of(with_change(scene, GetParam().change)));
-    run_to_end_of_stage(changed, 1);
+    run_to_stage(changed, 1);
     Simulation settled(model_of(scene));
-    Simulation to_settle(model_of(scene));
-    std::vector<std::byte> kept;
-    State state;
-    to_settle.watch().between = [&] {
-      if (!kept.empty()) return;
-      kept = save(to_settle);
-      state = to_settle.state();
-    };
-    run_to_end_of_stage(to_settle, 1);
-    restore(settled, state, kept);
+    bring_between_stages(model_of(scene), 1, settled);
     json other = scene;
     other["joints"]["default"].update(GetParam().change);
     Simulation branch(model_of(other));
@@ -162,7 +150,7 @@ TEST_P(ChangedRock, GoesOnToTheSameBitsAndBalancesItsEnergy) {
     const Model model = model_of(
         with_change(slope(seed, GetParam()), change, projected ? json() : json{{"young", 9e9}, {"poisson", 0.1}}));
     Simulation whole(model);
-    run_to_end_of_stage(whole, 1);
+    run_to_stage(whole, 1);
     for (int step = 0; step < 3 + seed; ++step) ASSERT_EQ(whole.step(), Status::ok) << whole.message();
     Simulation again(model);
     restore(again, whole.state(), save(whole));

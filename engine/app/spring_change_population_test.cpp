@@ -16,9 +16,8 @@
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
 #include "engine/simulation/memory_test_support.h"
-#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
-#include "engine/simulation/snapshot.h"
+#include "engine/simulation/stopped_run_test_support.h"
 
 namespace dda {
 namespace {
@@ -82,10 +81,6 @@ json with_change(json scene, std::size_t stage, const json& springs, double of_d
 
 Model model_of(const json& scene) { return parse_scene(scene.dump(), "scene"); }
 
-void run_to_stage(Simulation& simulation, std::size_t stages) {
-  while (stages_done(simulation) < stages) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
-}
-
 double largest(const std::vector<Vec6>& displacement, const std::vector<Vec6>* less = nullptr) {
   double most = 0;
   for (std::size_t i = 0; i < displacement.size(); ++i)
@@ -139,16 +134,8 @@ TEST_P(ChangedSpringsOfRock, GoOnToTheSameBitsAndBalanceTheirEnergy) {
     const Model model = model_of(
         with_change(with_change(scene_of(seed, GetParam().rock), 1, GetParam().springs(factor_of(seed)), 1.7 * density),
                     2, GetParam().springs(1), 0.6 * density));
-    Simulation whole(model), first(model);
-    run_to_stage(first, 1);
-    const int more = (7 * seed) % (2 * moving);
-    for (int i = 0; i < more; ++i) ASSERT_EQ(first.step(), Status::ok) << first.message();
-    Simulation second(model);
-    restore(second, first.state(), save(first));
-    run_to_stage(whole, 3);
-    run_to_stage(second, 3);
-    EXPECT_EQ(memory_of(second), memory_of(whole));
-    EXPECT_LT(std::abs(whole.energy().relative_residual()), 1e-9);
+    Simulation whole(model);
+    expect_same_when_stopped(model, 1, (7 * seed) % (2 * moving), whole);
   }
 }
 
@@ -161,17 +148,8 @@ TEST_P(ChangedSpringsOfRock, CanBeABranch) {
     const Model changed = model_of(with_change(with_change(plain, 1, springs, 2 * density), 2, springs, density));
     const Model other = model_of(with_change(with_change(plain, 1, springs, 2 * density), 2, springs, 3 * density));
     for (const std::size_t stage : {1U, 2U}) {
-      Simulation to_stage(other);
-      std::vector<std::byte> snapshot;
-      State state;
-      to_stage.watch().between = [&] {
-        if (stages_done(to_stage) != stage) return;
-        snapshot = save(to_stage);
-        state = to_stage.state();
-      };
-      run_to_stage(to_stage, stage);
       Simulation between(other), branch(changed), whole(changed);
-      restore(between, state, snapshot);
+      bring_between_stages(other, stage, between);
       begin_from(between, branch);
       run_to_stage(whole, 3);
       run_to_stage(branch, 3);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/drawing/line_drawing.h"
+#include "engine/scene/places.h"
 #include "engine/scene/read_drawn_plan.h"
 #include "engine/scene/rock_values.h"
 #include "engine/scene/sections.h"
@@ -30,10 +31,6 @@ Material read_material(const std::string& name, const Field& field, PlaneState p
   return material;
 }
 
-void refuse(const Field& owner, const char* key, const std::string& reason) {
-  if (const auto field = owner.find(key)) field->fail("to be left out " + reason);
-}
-
 // Joints of these laws alone give way by a given stiffness while they are closed.
 void take_springs_for(const Field& stiffness, const Field& owner, JointMaterial& joint) {
   if (!owner.has("law")) joint.law = InterfaceLaw::classical;
@@ -47,19 +44,19 @@ void read_stiffness(const Field& field, JointMaterial& joint) {
   const bool automatic = normal && normal->is_text() && normal->text() == "auto";
   if (shear && (!normal || automatic)) shear->fail("to be left out unless normal_stiffness is given in Pa/m");
   if (!normal) return;
-  for (const char* spring : {"normal_spring", "spring_over_young"}) refuse(field, spring, "beside normal_stiffness");
+  refuse(field, {"normal_spring", "spring_over_young"}, "beside normal_stiffness");
   joint.automatic_stiffness = automatic;
   if (automatic) return;
   joint.normal_stiffness = normal->positive(Dimension::stiffness_per_area);
   take_springs_for(*normal, field, joint);
   if (!shear) return;
-  refuse(field, "shear_to_normal", "beside shear_stiffness");
+  refuse(field, {"shear_to_normal"}, "beside shear_stiffness");
   joint.shear_stiffness = shear->positive(Dimension::stiffness_per_area);
 }
 
 void read_springs(const Field& field, JointMaterial& joint) {
   if (const auto spring = field.find("normal_spring")) {
-    refuse(field, "spring_over_young", "beside normal_spring");
+    refuse(field, {"spring_over_young"}, "beside normal_spring");
     joint.normal_spring = spring->positive(Dimension::force_per_length);
   }
   joint.spring_over_young = value_or(field, "spring_over_young", joint.spring_over_young,
@@ -72,8 +69,7 @@ void read_springs(const Field& field, JointMaterial& joint) {
 
 void read_consistent_law(const Field& field, JointMaterial& joint) {
   if (joint.law == InterfaceLaw::classical) {
-    refuse(field, "penalty", "with the classical law");
-    refuse(field, "stabilisation", "with the classical law");
+    refuse(field, {"penalty", "stabilisation"}, "with the classical law");
   }
   if (const auto penalty = field.find("penalty")) {
     joint.penalty = penalty->quantity(Dimension::dimensionless);
@@ -111,15 +107,15 @@ void read_dilation(const Field& field, JointMaterial& joint) {
   }
   joint.zero_dilation_slip = value_or(field, "zero_dilation_slip", joint.zero_dilation_slip,
                                       [](const Field& f) { return f.positive(Dimension::length); });
-  if (joint.dilation_angle == 0) refuse(field, "zero_dilation_slip", "without a dilation_angle above 0");
+  if (joint.dilation_angle == 0) refuse(field, {"zero_dilation_slip"}, "without a dilation_angle above 0");
 }
 
 // The law chooses its penalty by itself.
 void check_projected_law(const Field& field, const JointMaterial& joint) {
   if (joint.law != InterfaceLaw::projected) return;
-  for (const char* key : {"penalty", "stabilisation", "normal_spring", "spring_over_young", "contact_damping"})
-    refuse(field, key, "with the projected law");
-  if (!field.has("normal_stiffness")) refuse(field, "shear_to_normal", "with the projected law");
+  refuse(field, {"penalty", "stabilisation", "normal_spring", "spring_over_young", "contact_damping"},
+         "with the projected law");
+  if (!field.has("normal_stiffness")) refuse(field, {"shear_to_normal"}, "with the projected law");
   if (joint.bonded) field.at("bonded").fail("false, or to be left out: bonded joints have the consistent law");
   if (joint.automatic_stiffness) field.at("normal_stiffness").fail("in Pa/m, or to be left out with the projected law");
   if (joint.dilation_angle > 0) field.at("dilation_angle").fail("0, or to be left out: the projected law has none yet");

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "engine/simulation/open_contact.h"
+
 namespace dda {
 namespace {
 
@@ -16,10 +18,6 @@ void count_closed_ends(const ContactSet& contacts, std::size_t blocks, std::vect
       ++closed[static_cast<std::size_t>(element.block_b)];
     }
   }
-}
-
-bool is_open(const InterfaceElement& element, const InterfaceState& state) {
-  return state.status[0] == ContactStatus::open && (is_lone_vertex(element) || state.status[1] == ContactStatus::open);
 }
 
 double square(const Inertia& inertia, const Vec6& acceleration) {

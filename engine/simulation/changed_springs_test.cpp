@@ -183,15 +183,6 @@ TEST(ChangedDensity, KeepsVelocities) {
   }
 }
 
-std::string refusal_of(Model model) {
-  try {
-    finish_model(model);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(ChangedSprings, RefuseWhatWouldLoseForces) {
   const auto refused = [](const JointMaterial& joint, const JointMaterial& later) {
     Model model = pressed_block(cases[3], later, {0, -1}, {0, 0});

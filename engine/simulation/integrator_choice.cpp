@@ -76,8 +76,9 @@ std::string doubt_about_errors(const Model& model, std::size_t index, const Cont
 
 class StageChoice {
  public:
-  StageChoice(std::size_t index, const ContactSet& contacts, Model& model)
-      : model_(model), index_(index), contacts_(contacts) {}
+  // `factored`: the size of the scene with its factor, which the first stage that asks for it fills in for all.
+  StageChoice(std::size_t index, const ContactSet& contacts, std::optional<SceneSize>& factored, Model& model)
+      : model_(model), index_(index), contacts_(contacts), factored_(factored) {}
 
   // Decides, and writes it into the stage. Returns a stable dt, 0 where steps stay implicit.
   double make() {
@@ -127,8 +128,10 @@ class StageChoice {
     size.coupled_pairs = size.interfaces;
     const double chi = stiffness_number(contacts_, make_block_terms(model_, stage), stage.dt);
     StepPlan plan = make_plan(model_, index_, contacts_, static_cast<int>(size.coupled_pairs), chi);
-    if (plan.solver != SolverKind::pcg)
-      size = size_of(contacts_, make_system_matrix(static_cast<int>(size.blocks), contacts_));
+    if (plan.solver != SolverKind::pcg) {
+      if (!factored_) factored_ = size_of(contacts_, make_system_matrix(static_cast<int>(size.blocks), contacts_));
+      size = *factored_;
+    }
     implicit_ = cost_of(size, plan, stage.steps()).seconds;
     plan.explicit_steps = true;
     explicit_step_ = cost_of(size, plan, 1).seconds;
@@ -145,6 +148,7 @@ class StageChoice {
   Model& model_;
   std::size_t index_;
   const ContactSet& contacts_;
+  std::optional<SceneSize>& factored_;
   double implicit_ = 0, explicit_step_ = 0, set_up_ = 0;  // s: of the stage, of a step, before the first one
 };
 
@@ -152,11 +156,12 @@ class StageChoice {
 
 std::vector<double> choose_integrators(const ContactSet& contacts, Model& model) {
   std::vector<double> stable(model.stages.size(), 0);
+  std::optional<SceneSize> factored;
   for (std::size_t i = 0; i < stable.size(); ++i) {
     const Stage& stage = model.stages[i];
     const bool is_open =
         stage.chosen.integrator.automatic && !stage.integrator.is_static && !stage.integrator.is_explicit();
-    if (is_open && !explicit_obstacle(model, stage)) stable[i] = StageChoice(i, contacts, model).make();
+    if (is_open && !explicit_obstacle(model, stage)) stable[i] = StageChoice(i, contacts, factored, model).make();
   }
   return stable;
 }

@@ -1,7 +1,6 @@
 #include "engine/simulation/rock_of_stage.h"
 
 #include <cstddef>
-
 #include <vector>
 
 #include "engine/contact/interface_element.h"

@@ -146,15 +146,6 @@ TEST(ChangedMaterials, StoredEnergyIsBooked) {
   EXPECT_NEAR(simulation.energy().external_work - before.external_work, 3 * before.strain, 1e-9 * before.strain);
 }
 
-std::string refusal_of(Model model) {
-  try {
-    finish_model(model);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(RockOfStage, RefusesWhatAStageCannotChange) {
   const auto refused = [](const JointMaterial& joint, const JointMaterial& later) {
     return refusal_of(block_on_slope(joint, later, Kinematics::small));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/contact/contact_models.h"
+#include "engine/core/error.h"
 #include "engine/model/model.h"
 #include "engine/simulation/simulation.h"
 
@@ -72,6 +73,16 @@ inline Model grid_of(int size, const JointMaterial& joint, Pattern pattern = Pat
           box_ring(std::max(left, 0.0), height * row, std::min(left + 1, 1.0 * size), height * (row + 1));
   }
   return model;
+}
+
+// The sentence with which a model is refused; "accepted" where it is not.
+inline std::string refusal_of(Model model) {
+  try {
+    finish_model(model);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
 }
 
 inline Simulation simulation_of(Model model) {

@@ -93,6 +93,9 @@ Status ContactSolver::settle() {
   }
 }
 
+// Not where everything is linear: one cut step is then all there is to do.
+bool ContactSolver::settle_quickly() { return friction_.has_something_to_settle(at_) && friction_.find_balance(at_); }
+
 // The nearer the way begins to the answer the surer quick passes find its end, and the longer it takes to come so near.
 bool ContactSolver::settle_from_inside() {
   if (!interior_.serve(at_) || !interior_.begin(at_)) return false;
@@ -100,7 +103,7 @@ bool ContactSolver::settle_from_inside() {
   for (const double share_off : {1e-5, 1e-7, 1e-9}) {
     if (!interior_.approach(at_, share_off)) break;
     is_near = true;
-    if (friction_.has_something_to_settle(at_) && friction_.find_balance(at_)) return true;
+    if (settle_quickly()) return true;
   }
   if (!is_near) begin_at(at_.problem->guess);
   return false;
@@ -110,11 +113,10 @@ bool ContactSolver::settle_from_inside() {
 // lead out of these; the more of them there were the more follow, so that in the end there are only such, which is
 // sure.
 Status ContactSolver::settle_with_given_capacities() {
-  if (friction_.has_something_to_settle(at_) && friction_.find_balance(at_)) return Status::ok;
-  if (settle_from_inside()) return Status::ok;
+  if (settle_quickly() || settle_from_inside()) return Status::ok;
   constexpr int most_cut_steps = 128;
   for (int cut_steps = 1; cut_steps <= most_cut_steps; cut_steps *= 2) {
-    if (friction_.has_something_to_settle(at_) && friction_.find_balance(at_)) return Status::ok;
+    if (settle_quickly()) return Status::ok;
     convex_.go_on_from(at_);
     const Status status = convex_.settle(at_, cut_steps);
     solution_.failure = convex_.failure();

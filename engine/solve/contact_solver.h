@@ -79,6 +79,7 @@ class ContactSolver {
   void move_held_blocks();
   [[nodiscard]] Status settle();
   [[nodiscard]] Status settle_contacts();
+  [[nodiscard]] bool settle_quickly();
   [[nodiscard]] bool settle_from_inside();
   [[nodiscard]] Status settle_with_given_capacities();
   void note_restless();

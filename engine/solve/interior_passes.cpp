@@ -116,6 +116,19 @@ void InteriorPasses::start_at_rest(const Iterate& at) {
 // Products of the size of the energies that the step is about: what the springs store at its start, and what the loads
 // of the step do where all that touches stays together.
 double InteriorPasses::start_products(Iterate& at) {
+  const double stored = take_answers();
+  measure(at);
+  if (factorize(at) != Status::ok) return 0;
+  at.matrix.solver().precondition(rhs_, step_);
+  at.problem->held.clear(step_);
+  const double product = std::max(stored, std::abs(rhs_.dot(step_))) / static_cast<double>(rows_.size());
+  for (Row& row : rows_) move_inside(product, gaps_[row.contact](row.row), row);
+  std::erase_if(rows_, [](const Row& row) { return row.capacity == 0; });
+  return product;
+}
+
+// What ends answer to their gaps, and what the normal ones store of it, twice over.
+double InteriorPasses::take_answers() {
   double stored = 0;
   for (Row& row : rows_) {
     const double gap = gaps_[row.contact](row.row);
@@ -126,26 +139,21 @@ double InteriorPasses::start_products(Iterate& at) {
     row.length = {0, 0};
     if (row.is_normal()) stored += row.force * row.force / row.stiffness;
   }
-  measure(at);
-  if (factorize(at) != Status::ok) return 0;
-  at.matrix.solver().precondition(rhs_, step_);
-  at.problem->held.clear(step_);
-  const double product = std::max(stored, std::abs(rhs_.dot(step_))) / static_cast<double>(rows_.size());
-  for (Row& row : rows_) {
-    const double gap = gaps_[row.contact](row.row);
-    if (row.is_normal()) {
-      const double root = std::sqrt(gap * gap + 4 * product / row.stiffness);
-      row.force = gap < 0 ? row.stiffness * (root - gap) / 2 : 2 * product / (root + gap);
-      row.partner[0] = row.force;
-      row.length[0] = product / row.force;
-    } else if (row.capacity > 0) {
-      row.force = std::clamp(row.force, -row.capacity / 2, row.capacity / 2);
-      row.partner = {row.capacity - row.force, row.capacity + row.force};
-      row.length = {product / row.partner[0], product / row.partner[1]};
-    }
+  return stored;
+}
+
+// Forces and lengths that have this product: of a normal row those that fit its gap.
+void InteriorPasses::move_inside(double product, double gap, Row& row) {
+  if (row.is_normal()) {
+    const double root = std::sqrt(gap * gap + 4 * product / row.stiffness);
+    row.force = gap < 0 ? row.stiffness * (root - gap) / 2 : 2 * product / (root + gap);
+    row.partner[0] = row.force;
+    row.length[0] = product / row.force;
+  } else if (row.capacity > 0) {
+    row.force = std::clamp(row.force, -row.capacity / 2, row.capacity / 2);
+    row.partner = {row.capacity - row.force, row.capacity + row.force};
+    row.length = {product / row.partner[0], product / row.partner[1]};
   }
-  std::erase_if(rows_, [](const Row& row) { return row.capacity == 0; });
-  return product;
 }
 
 void InteriorPasses::measure(const Iterate& at) {
@@ -192,19 +200,19 @@ double InteriorPasses::mean_product(double share) const {
 }
 
 Status InteriorPasses::factorize(Iterate& at) {
-  std::vector<ContactRows> active(at.contacts.size());
+  active_.assign(at.contacts.size(), {});
   for (std::size_t k = 0; k < at.contacts.size(); ++k) {
     const InterfaceTrial& trial = at.contacts[k];
     for (const int end : {0, 1})
       if (trial.broken[static_cast<std::size_t>(end)] && std::isfinite(trial.capacity[static_cast<std::size_t>(end)]))
-        active[k].active.segment<2>(2 * end).setZero();
+        active_[k].active.segment<2>(2 * end).setZero();
   }
   take_shares();
-  for (const Row& row : rows_) active[row.contact].active(row.row) = row.share;
+  for (const Row& row : rows_) active_[row.contact].active(row.row) = row.share;
   at.matrix.assemble(at.problem->held, [&](BlockMatrix& values) {
     values.set_values(at.problem->base);
-    for (std::size_t k = 0; k < active.size(); ++k)
-      add_contact(at.problem->factor, at.contacts.element(k), active[k], true, true, values);
+    for (std::size_t k = 0; k < active_.size(); ++k)
+      add_contact(at.problem->factor, at.contacts.element(k), active_[k], true, true, values);
   });
   return at.matrix.factorize();
 }
@@ -224,19 +232,7 @@ void InteriorPasses::solve(Iterate& at, double product, bool corrects) {
   ++at.costs.counters.solves;
   image_ = rhs_;
   for (Row& row : rows_) {
-    const double gap = gaps_[row.contact](row.row);
-    // -k * (what the change of the force is off share * k * change of gap), the lengths eliminated.
-    double off = row.is_normal() ? -(gap + row.force / row.stiffness - row.length[0])
-                                 : gap - row.force / row.stiffness - row.length[0] + row.length[1];
-    for (int i = 0; i < row.products(); ++i) {
-      const auto n = static_cast<std::size_t>(i);
-      const double second = corrects ? row.partner_sign(i) * row.force_step * row.length_step[n] : 0;
-      const double left = product - row.partner[n] * row.length[n] - second;
-      const double length = left / row.partner[n];  // by which the length changes where the force does not
-      off += row.partner_sign(i) * length;
-      row.length_step[n] = length;
-    }
-    row.constant = row.share * row.stiffness * off;
+    eliminate_lengths(gaps_[row.contact](row.row), product, corrects, row);
     const double outwards = row.is_normal() ? -row.constant : row.constant;
     Vec4 force = Vec4::Zero();
     force(row.row) = -at.problem->factor * outwards;
@@ -245,14 +241,30 @@ void InteriorPasses::solve(Iterate& at, double product, bool corrects) {
   at.problem->held.clear(image_);
   at.matrix.solver().precondition(image_, step_);
   at.problem->held.clear(step_);
-  for (Row& row : rows_) {
-    const double gap_step = gap_increment(at.contacts.element(row.contact), step_)(row.row);
-    const double along = row.share * row.stiffness * gap_step;
-    row.force_step = row.constant + (row.is_normal() ? -along : along);
-    for (int i = 0; i < row.products(); ++i) {
-      const auto n = static_cast<std::size_t>(i);
-      row.length_step[n] -= row.partner_sign(i) * row.length[n] / row.partner[n] * row.force_step;
-    }
+  for (Row& row : rows_) follow_gap(gap_increment(at.contacts.element(row.contact), step_)(row.row), row);
+}
+
+// Leaves in `constant` what the change of the force is off share * k * change of gap, and in `length_step` by how much
+// lengths change where the force does not.
+void InteriorPasses::eliminate_lengths(double gap, double product, bool corrects, Row& row) {
+  double off = row.is_normal() ? -(gap + row.force / row.stiffness - row.length[0])
+                               : gap - row.force / row.stiffness - row.length[0] + row.length[1];
+  for (int i = 0; i < row.products(); ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    const double second = corrects ? row.partner_sign(i) * row.force_step * row.length_step[n] : 0;
+    const double left = product - row.partner[n] * row.length[n] - second;
+    row.length_step[n] = left / row.partner[n];
+    off += row.partner_sign(i) * row.length_step[n];
+  }
+  row.constant = row.share * row.stiffness * off;
+}
+
+void InteriorPasses::follow_gap(double gap_step, Row& row) {
+  const double along = row.share * row.stiffness * gap_step;
+  row.force_step = row.constant + (row.is_normal() ? -along : along);
+  for (int i = 0; i < row.products(); ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    row.length_step[n] -= row.partner_sign(i) * row.length[n] / row.partner[n] * row.force_step;
   }
 }
 

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "engine/core/status.h"
+#include "engine/solve/contact_rows.h"
 #include "engine/solve/iterate.h"
 
 namespace dda {
@@ -61,18 +62,23 @@ class InteriorPasses {
   void list_rows(const Iterate& at);
   void start_at_rest(const Iterate& at);
   [[nodiscard]] double start_products(Iterate& at);
+  [[nodiscard]] double take_answers();
+  static void move_inside(double product, double gap, Row& row);
   void measure(const Iterate& at);
   [[nodiscard]] double off_answers() const;
   [[nodiscard]] double mean_product(double share) const;
   [[nodiscard]] Status factorize(Iterate& at);
   void take_shares();
   void solve(Iterate& at, double product, bool corrects);
+  static void eliminate_lengths(double gap, double product, bool corrects, Row& row);
+  static void follow_gap(double gap_step, Row& row);
   [[nodiscard]] double longest_step() const;
   void move(double share);
 
   std::vector<Row> rows_;
-  std::vector<Vec4> gaps_;    // m, of all contacts
-  std::vector<Vec4> forces_;  // N per m of thickness: of linear rows, and of all others by their rows
+  std::vector<Vec4> gaps_;           // m, of all contacts
+  std::vector<ContactRows> active_;  // of all contacts, as the matrix sees them
+  std::vector<Vec4> forces_;         // N per m of thickness: of linear rows, and of all others by their rows
   Eigen::VectorXd increment_, rhs_, step_, image_;
   double imbalance_ = 0;  // largest entry of what the balance leaves
   int passes_left_ = 0;

@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
 #include "engine/simulation/memory_test_support.h"
-#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
-#include "engine/simulation/snapshot.h"
 #include "engine/simulation/stopped_run_test_support.h"
 
 namespace dda {
@@ -119,22 +115,6 @@ json whole_scene(const std::string& kind, int seed, const json& settled) {
 
 Model model_of(const json& scene) { return parse_scene(scene.dump(), "scene"); }
 
-void expect_same_course(Simulation& branch, Simulation& whole) {
-  ASSERT_EQ(memory_of(branch), memory_of(whole)) << "when it begins";
-  while (!whole.finished()) {
-    ASSERT_EQ(whole.step(), Status::ok) << whole.message();
-    ASSERT_EQ(branch.step(), Status::ok) << branch.message();
-    ASSERT_EQ(memory_of(branch), memory_of(whole)) << "after step " << whole.state().step;
-  }
-  EXPECT_TRUE(branch.finished());
-}
-
-double largest_speed(const Simulation& simulation) {
-  double most = 0;
-  for (const Vec6& velocity : simulation.state().velocity) most = std::max(most, velocity.head<2>().norm());
-  return most;
-}
-
 class Branches : public testing::TestWithParam<const char*> {};
 
 TEST_P(Branches, GoOnAsOneRunWouldToTheBit) {
@@ -165,17 +145,9 @@ TEST_P(Branches, BeginAtTheEndOfAnyStage) {
     const json first = whole_scene(kind, seed, scene);
     const json second = whole_scene(kind, seed + 1, scene);
     Simulation run(model_of(first));
-    std::vector<std::byte> kept;
-    State state;
-    const auto keep = [&] {
-      if (stages_done(run) > 1) return;
-      kept = save(run);
-      state = run.state();
-    };
-    run.watch().between = keep;
     run_to_stage(run, 2);
     Simulation settled(model_of(first));
-    restore(settled, state, kept);
+    bring_between_stages(model_of(first), 1, settled);
     Simulation whole(model_of(second));
     run_to_stage(whole, 1);
     Simulation branch(model_of(second));

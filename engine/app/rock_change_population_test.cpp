@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -11,12 +10,9 @@
 #include <random>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "engine/scene/scene.h"
 #include "engine/simulation/branch.h"
-#include "engine/simulation/memory_test_support.h"
-#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/snapshot.h"
 #include "engine/simulation/stopped_run_test_support.h"
@@ -89,22 +85,6 @@ json with_change(json scene, const json& joint, const json& material = {}) {
 }
 
 Model model_of(const json& scene) { return parse_scene(scene.dump(), "scene"); }
-
-void expect_same_course(Simulation& one, Simulation& other) {
-  ASSERT_EQ(memory_of(one), memory_of(other)) << "when it begins";
-  while (!other.finished()) {
-    ASSERT_EQ(other.step(), Status::ok) << other.message();
-    ASSERT_EQ(one.step(), Status::ok) << one.message();
-    ASSERT_EQ(memory_of(one), memory_of(other)) << "after step " << other.state().step;
-  }
-  EXPECT_TRUE(one.finished());
-}
-
-double largest_speed(const Simulation& simulation) {
-  double most = 0;
-  for (const Vec6& velocity : simulation.state().velocity) most = std::max(most, velocity.head<2>().norm());
-  return most;
-}
 
 class ChangedRock : public testing::TestWithParam<Kind> {};
 

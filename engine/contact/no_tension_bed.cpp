@@ -61,4 +61,9 @@ OpenEnds open_ends(double lever, const Vec2& gaps) {
   return {opening.turn<0, opening.turn> 0};
 }
 
+double deepest_end(double lever, const Vec2& gaps) {
+  const Opening opening = opening_of(lever, gaps);
+  return std::abs(opening.turn) - opening.mean;
+}
+
 }  // namespace dda

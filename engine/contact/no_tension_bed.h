@@ -35,4 +35,8 @@ struct OpenEnds {
 };
 OpenEnds open_ends(double lever, const Vec2& gaps);
 
+// How far the stretch lies in its neighbour at the end where it does most, beyond the points, m; not positive where it
+// is open.
+double deepest_end(double lever, const Vec2& gaps);
+
 }  // namespace dda

@@ -119,6 +119,19 @@ TEST(NoTensionBed, StandsWhereItJustTouches) {
   EXPECT_TRUE(open_ends(0.4, Vec2::Constant(1e-300)).first);
 }
 
+// The line through the gaps of the two points, followed to the ends of the stretch.
+TEST(NoTensionBed, DeepestEndIsBeyondThePoints) {
+  const double lever = 0.32;
+  const auto gap_at = [&](const Vec2& gaps, double place) {
+    return gaps(0) + (place + lever) / (2 * lever) * (gaps(1) - gaps(0));
+  };
+  for (const Vec2& gaps : {Vec2(-1, -1), Vec2(-0.3, 0.1), Vec2(0.7, -0.2), Vec2(0.2, 0.3), Vec2(2, 0.1)}) {
+    const double deepest = -std::min(gap_at(gaps, -1), gap_at(gaps, 1));
+    EXPECT_NEAR(deepest_end(lever, gaps), deepest, 1e-14);
+    EXPECT_EQ(press_bed(stiffness, lever, gaps).force.isZero(0), deepest <= 0);
+  }
+}
+
 // Neighbouring pieces meet without a jump of force or slope, but for the first touch.
 TEST(NoTensionBed, ClosedPieceIsTwoSpringsOfTheirOwn) {
   const Vec2 gaps = gaps_at(0.32, -1, 0.9);

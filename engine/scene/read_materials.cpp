@@ -68,9 +68,7 @@ void read_springs(const Field& field, JointMaterial& joint) {
 }
 
 void read_consistent_law(const Field& field, JointMaterial& joint) {
-  if (joint.law == InterfaceLaw::classical) {
-    refuse(field, {"penalty", "stabilisation"}, "with the classical law");
-  }
+  if (joint.law == InterfaceLaw::classical) refuse(field, {"penalty", "stabilisation"}, "with the classical law");
   if (const auto penalty = field.find("penalty")) {
     joint.penalty = penalty->quantity(Dimension::dimensionless);
     if (joint.penalty <= 1) penalty->fail("a number above 1, below which the law is unstable");

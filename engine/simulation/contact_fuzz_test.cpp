@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/no_tension_bed.h"
 #include "engine/geometry/cut_pieces.h"
 #include "engine/geometry/overlap.h"
 #include "engine/geometry/rotation.h"
@@ -131,8 +132,13 @@ Polygon shape_now(const Simulation& simulation, std::size_t block) {
 class BedsGaveWay {
  public:
   void look(const ContactSet& contacts) {
-    for (std::size_t k = 0; k < contacts.elements.size(); ++k)
-      if (contacts.elements[k].law == InterfaceLaw::projected) look(contacts.elements[k], contacts.states[k].gap);
+    for (std::size_t k = 0; k < contacts.elements.size(); ++k) {
+      const InterfaceElement& element = contacts.elements[k];
+      if (element.law != InterfaceLaw::projected) continue;
+      const Vec4& gap = contacts.states[k].gap;
+      double& deepest = depth_[std::minmax(element.block_a, element.block_b)];
+      deepest = std::max(deepest, deepest_end(element.lever, {gap(0), gap(2)}));
+    }
   }
 
   [[nodiscard]] double between(std::size_t a, std::size_t b) const {
@@ -141,12 +147,6 @@ class BedsGaveWay {
   }
 
  private:
-  // At the ends of the stretch, beyond the points at which gaps are held.
-  void look(const InterfaceElement& element, const Vec4& gap) {
-    double& deepest = depth_[std::minmax(element.block_a, element.block_b)];
-    deepest = std::max(deepest, std::abs(gap(2) - gap(0)) / (2 * element.lever) - (gap(0) + gap(2)) / 2);
-  }
-
   std::map<std::pair<int, int>, double> depth_;
 };
 

@@ -8,6 +8,7 @@
 #include "engine/simulation/branch.h"
 #include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/snapshot_models.h"
+#include "engine/simulation/stopped_run_test_support.h"
 
 namespace dda {
 namespace {
@@ -130,16 +131,6 @@ std::vector<Scene> scenes() {
           {"bonded: linear before", [] { return snapshots::bolted_bar(); }}};
 }
 
-void expect_same_course(Simulation& one, Simulation& other, const std::string& name) {
-  ASSERT_EQ(memory_of(one), memory_of(other)) << name << ", where they part";
-  while (!one.finished()) {
-    ASSERT_EQ(one.step(), Status::ok) << name << ": " << one.message();
-    ASSERT_EQ(other.step(), Status::ok) << name << ": " << other.message();
-    ASSERT_EQ(memory_of(one), memory_of(other)) << name << ", after step " << one.state().step;
-  }
-  EXPECT_TRUE(other.finished());
-}
-
 TEST(LateBolt, RestartsToTheBit) {
   for (const auto& [name, model] : scenes()) {
     for (const int put_in : {30, 50, 70}) {
@@ -175,7 +166,8 @@ TEST(LateBolt, BranchesToTheBit) {
     run(whole, 40);
     Simulation branch(with);
     begin_from(settled, branch);
-    expect_same_course(branch, whole, name);
+    SCOPED_TRACE(name);
+    expect_same_course(branch, whole);
   }
 }
 

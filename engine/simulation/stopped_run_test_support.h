@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -32,6 +33,24 @@ inline void bring_between_stages(const Model& model, std::size_t stages, Simulat
   };
   run_to_stage(run, stages);
   restore(between, state, snapshot);
+}
+
+// Both come to the same bits, where they begin and after each step to the end.
+inline void expect_same_course(Simulation& one, Simulation& other) {
+  ASSERT_EQ(memory_of(one), memory_of(other)) << "when it begins";
+  while (!other.finished()) {
+    ASSERT_EQ(other.step(), Status::ok) << other.message();
+    ASSERT_EQ(one.step(), Status::ok) << one.message();
+    ASSERT_EQ(memory_of(one), memory_of(other)) << "after step " << other.state().step;
+  }
+  EXPECT_TRUE(one.finished());
+}
+
+// m/s, of the centroids: tells a course on which nothing happens.
+inline double largest_speed(const Simulation& simulation) {
+  double most = 0;
+  for (const Vec6& velocity : simulation.state().velocity) most = std::max(most, velocity.head<2>().norm());
+  return most;
 }
 
 // A run that stops so many steps after the first so many stages, and another one that goes on from there, come to the

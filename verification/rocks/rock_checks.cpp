@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "engine/contact/no_tension_bed.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
 #include "engine/model/current_outline.h"
@@ -29,10 +30,7 @@ bool is_there(const Simulation& simulation, std::size_t block) {
 // How far the springs of a contact give way, m; those of a projected stretch within blocks that give way as well. Its
 // bed gives way most at an end, beyond the points at which gaps are held.
 double pressed_in(const dda::InterfaceElement& element, const InterfaceState& state) {
-  if (element.law == dda::InterfaceLaw::projected) {
-    const double mean = (state.gap(0) + state.gap(2)) / 2;
-    return std::abs(state.gap(2) - state.gap(0)) / (2 * element.lever) - mean;
-  }
+  if (element.law == dda::InterfaceLaw::projected) return dda::deepest_end(element.lever, {state.gap(0), state.gap(2)});
   return dda::penetration_depth(element, state.gap, {});
 }
 

@@ -26,7 +26,7 @@ std::optional<Plant> plant_named(std::string_view name);
 
 class PlantedWork {
  public:
-  // Of a scene with contacts that move.
+  // The contacts of the scene must be able to move.
   PlantedWork(Plant plant, const Simulation& simulation);
 
   void after_step(const Simulation& simulation);

@@ -107,7 +107,7 @@ std::size_t first_peak(const std::vector<double>& values, double sign) {
   return 0;
 }
 
-// Refined between the samples by a parabola and a straight line.
+// Reads the marks off samples: the peak is refined between them by a parabola, the onset by a straight line.
 Marks marks_of(const std::vector<double>& values, double interval, double sign) {
   const std::size_t top = first_peak(values, sign);
   Marks marks{values[top], static_cast<double>(top) * interval, 0};
@@ -127,7 +127,7 @@ Marks marks_of(const std::vector<double>& values, double interval, double sign) 
   return marks;
 }
 
-// Of what is known everywhere. A row of samples says near which of them a summit is.
+// Reads peaks off a history that is known at all times. A row of samples says near which of them a summit is.
 class Exact {
  public:
   Exact(const std::function<double(double)>& value, double interval, std::size_t samples)

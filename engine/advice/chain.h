@@ -10,15 +10,15 @@ namespace dda {
 
 class Chain {
  public:
-  // `consistent`: with the accurate law in place of the joints' own. By the stage's inertia options and dt.
+  // `consistent`: joints have the accurate law in place of their own. The stage gives its inertia options and dt.
   Chain(const Model& model, const ChainPath& path, const Stage& stage, bool consistent);
 
   // Force at joint number `joint` along the wave's motion, for s^2 = `square`, where only the first `layers` of the way
-  // are there and the wave goes on behind them. Over the force on the end; of what is moved, over the displacement,
-  // times the impedance of the way's first layer: exp(-s x/c) and s exp(-s x/c) in rock without joints.
+  // are there and the wave goes on behind them. It is divided by the force on the end or, where the end is moved, by
+  // its displacement times the impedance of the first layer: exp(-s x/c) and s exp(-s x/c) in rock without joints.
   [[nodiscard]] Complex force(Complex square, int joint, int layers) const;
 
-  // Of loads on the end, as a run applies them.
+  // The filter through which a run puts loads on the end.
   [[nodiscard]] const LoadFilter& load_filter() const { return load_filter_; }
 
  private:
@@ -43,7 +43,7 @@ class Chain {
   LoadFilter load_filter_;
 };
 
-// The same of the rock, without blocks or joints: layers of other impedance send back what they do.
+// The same force in rock without blocks or joints, where layers of other impedance send back what they do.
 Complex exact_force(const ChainPath& path, Complex s, int joint, int layers);
 
 }  // namespace dda

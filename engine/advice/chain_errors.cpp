@@ -15,7 +15,7 @@ namespace {
 constexpr double most_samples = 2048;  // of a trace
 constexpr int finer = 8;               // samples of what should come in one of what comes
 
-// Straight lines between samples.
+// A history that runs straight from sample to sample and is zero outside of them.
 class Sampled {
  public:
   Sampled(std::vector<double> values, double interval) : values_(std::move(values)), interval_(interval) {}
@@ -72,8 +72,8 @@ int ChainQuestion::layers_for(double window) const {
   return std::min(std::max(layers, joint_ + 2), static_cast<int>(path_.layers.size()));
 }
 
-// Of the force that comes over the one that should, in steady motion; or nearly, so that what runs to and fro between
-// layers dies out.
+// Divides the force that comes by the one that should, in motion that is steady but for a slow growth, by which what
+// runs to and fro between layers dies out.
 Complex ChainQuestion::ratio(Causes causes, double omega, int layers) const {
   const Complex s(0.01 * omega, omega);
   return chain(causes).force(time_of(causes).square(s), joint_, layers) / exact_force(path_, s, joint_, layers);
@@ -129,8 +129,8 @@ struct ChainQuestion::Traces {
   std::function<double(double)> exact;
 };
 
-// The run's own, as what runs to and fro between layers comes late, but not what comes back from the far end of the
-// way.
+// Returns how long histories are compared, s: as long as the run, as what runs to and fro between layers comes late,
+// but not until anything comes back from the far end of the way.
 double ChainQuestion::window_for(const LoadHistory& load, const Lags& lags) const {
   const double needed = window_of(load, path_.time_to(joint_), lags);
   const double far = path_.distance_of(static_cast<int>(path_.layers.size()));
@@ -187,7 +187,7 @@ std::function<double(double)> ChainQuestion::drive(Causes causes, const LoadHist
   return [&load, dt = stage_.dt](double t) { return (load.displacement(t) - load.displacement(t - dt)) / dt; };
 }
 
-// From the velocity that drive() gives to the displacement.
+// The factor that leads from the velocity that drive() gives to the displacement.
 Complex ChainQuestion::integral(Causes causes, Complex s) const {
   if (!path_.is_moved) return 1;
   if (causes != Causes::all) return 1.0 / s;

@@ -17,7 +17,7 @@ class ChainQuestion {
   // `distance`: m, along the way, to where the wave is looked at: the joint nearest to that.
   ChainQuestion(const Model& model, const ChainPath& path, const Stage& stage, double distance);
 
-  // The same blocks under other time steps.
+  // Asks about the same blocks under other time steps.
   [[nodiscard]] ChainQuestion with_dt(double dt) const;
 
   [[nodiscard]] double place() const { return path_.distance_of(joint_); }                          // m
@@ -25,14 +25,14 @@ class ChainQuestion {
 
   // The phase of a steady wave there against that in the rock, and its amplitude.
   [[nodiscard]] std::optional<SteadyErrors> steady_errors(double frequency) const;
-  // Nothing where what arrives does not resemble what should.
+  // Returns nothing where what arrives does not resemble what should.
   [[nodiscard]] std::optional<HistoryErrors> history_errors(const LoadHistory& load) const;
   [[nodiscard]] std::optional<TotalErrors> total_steady_errors(double frequency) const;
   [[nodiscard]] std::optional<TotalErrors> total_history_errors(const LoadHistory& load) const;
 
  private:
-  // Of a steady wave over what it should be: radians that it is late, its amplitude, and the lags on the way up to its
-  // frequency, of phases and of groups.
+  // Compares a steady wave with what it should be: the angle that it is late (rad), the ratio of amplitudes, and the
+  // lags on the way up to its frequency, of phases and of groups.
   struct Phase {
     double angle = 0, amplitude = 0;
     Lags lags;

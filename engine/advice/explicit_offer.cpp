@@ -15,13 +15,13 @@ bool can_become_explicit(const Model& model, const Stage& stage) {
   return !stage.integrator.is_static && !stage.integrator.is_explicit() && !explicit_obstacle(model, stage);
 }
 
-// To two digits.
+// Rounds down to two digits.
 double rounded_down(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::floor(value / unit) * unit;
 }
 
-// Of the stage of that number with explicit steps. 0: it cannot have them.
+// Returns the longest stable dt of that stage with explicit steps, s; 0 where it cannot have them.
 double limit_of(Model model, std::size_t index) {
   Stage& stage = model.stages[index];
   stage.integrator = central_difference_integrator();

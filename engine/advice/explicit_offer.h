@@ -15,7 +15,7 @@ struct ExplicitOffer {
   double seconds = 0;  // CPU time of the steps, as rough as StageCost's
 };
 
-// Of the stage of this number; `cost`: of the stage as it is. Nothing where it is explicit or static already, where
+// Returns the offer for a stage that costs `cost` as it is. Nothing where it is explicit or static already, where
 // explicit steps are not for it, and where they would save less than a fifth.
 std::optional<ExplicitOffer> explicit_offer(const Model& model, std::size_t stage, const SceneSize& size,
                                             const StageCost& cost);

@@ -9,12 +9,12 @@ namespace dda {
 
 class HalfRow {
  public:
-  // Nothing where the mesh has no layers across `direction` (unit) that touch only the next one, and so no flat end.
+  // Returns nothing where no layers of the mesh across `direction` (unit) touch only the next one: it has no flat end.
   static std::optional<HalfRow> make(const Lattice& lattice, const Stage& stage, WaveKind kind, const Vec2& direction);
 
   [[nodiscard]] double step() const { return step_; }  // m, thickness of a layer
 
-  // Of loads on the end, as a run applies them.
+  // The filter through which a run puts loads on the end.
   [[nodiscard]] const LoadFilter& load_filter() const { return load_filter_; }
 
   // Traction along the wave's motion at joint number `joint` (1: between the first two layers) over that on the end,

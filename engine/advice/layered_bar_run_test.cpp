@@ -1,5 +1,5 @@
 // Bars of two and three rocks under random load histories: everything that is read off a wave, as advised and as run.
-// Of humps, which have one sign, the first peak was once looked for among round-off of the other sign.
+// The first peak of humps, which have one sign, was once looked for among round-off of the other sign.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

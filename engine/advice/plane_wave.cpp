@@ -47,7 +47,7 @@ WaveSolver::WaveSolver(const Lattice& lattice, const Stage& stage, WaveKind kind
   }
 }
 
-// Of all waves the one whose blocks move most as the kind says, each with the same kinetic energy.
+// Finds the wave whose blocks move most as the kind says, among all of this wavenumber with the same kinetic energy.
 WaveSolver::Mode WaveSolver::mode_at(double wavenumber) const {
   ComplexMat6 stiffness = uncorrected_.stiffness.cast<Complex>();
   ComplexMat6 inertia = uncorrected_.inertia.cast<Complex>();

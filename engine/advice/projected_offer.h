@@ -7,7 +7,7 @@ namespace dda {
 
 [[nodiscard]] bool stages_can_have_projected_joints(const Model& model);
 
-// Of a joint that has springs where blocks touch, in finite kinematics or by its law.
+// True where the projected law could replace the springs that a joint has in finite kinematics or by its own law.
 [[nodiscard]] bool could_be_projected(const Model& model, const JointMaterial& joint);
 
 }  // namespace dda

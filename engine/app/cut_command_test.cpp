@@ -16,7 +16,7 @@ class Cut : public CommandLine {
  protected:
   Cut() { write("plan.csv", plan); }
 
-  // Of the plan, exported as DXF.
+  // Cuts the plan, and returns its blocks as the text of a DXF file.
   std::string text_of_blocks() {
     const Outcome cut = call({"cut", path("plan.csv"), "--out", path("first"), "--export", path("first.dxf")});
     EXPECT_EQ(cut.code, 0) << cut.errors;
@@ -221,7 +221,7 @@ TEST_F(Cut, AGapThatIsClosedIsListedAndTiltsTheBottomThatHolds) {
   EXPECT_EQ(call({"check", path("out/scene.json")}).code, 0);
 }
 
-// Of joints that the drawing has no lines of, whether a table of layers names them or the scene itself.
+// Joints that no line of the drawing has are remarked on, whether a table of layers names them or the scene itself.
 TEST_F(Cut, JointsWithoutALineAreRemarked) {
   write("unused.json",
         R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 2e10, "poisson": 0.25}},

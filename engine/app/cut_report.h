@@ -10,7 +10,7 @@
 
 namespace dda {
 
-// Of all rock of a scene together.
+// The figures of all rock of a scene together.
 struct CutFigures {
   std::size_t blocks = 0;
   double area = 0;            // m2, of the blocks
@@ -29,7 +29,7 @@ struct CutFigures {
   std::vector<RockStatistics> statistics;  // of each rock
 };
 
-// To be calculated once: of many blocks it takes a while.
+// To be calculated once: where there are many blocks it takes a while.
 CutFigures figures_of(const CutScene& scene, double seconds);
 std::string report_json(const CutScene& scene, const CutFigures& figures);
 std::string report_text(const CutScene& scene, const CutFigures& figures);

@@ -20,7 +20,7 @@ LiningValues values_of(const Simulation& simulation, std::size_t lining, std::si
   return values;
 }
 
-// Between which blocks an element is, and its middle as drawn.
+// Says between which blocks an element is, and where its middle was drawn.
 Json place_of(const Model& model, const Lining& lining, std::size_t element) {
   const auto name = [&](const LiningNode& node) { return model.blocks[static_cast<std::size_t>(node.block)].name; };
   const Vec2 middle = middle_of(lining, element);
@@ -28,7 +28,7 @@ Json place_of(const Model& model, const Lining& lining, std::size_t element) {
           {"place_m", {middle.x(), middle.y()}}};
 }
 
-// Of the element in which `value` is largest in magnitude.
+// Returns `value` of the element in which it is largest in magnitude, and where that element is.
 template <typename Value>
 Json largest(const Simulation& simulation, std::size_t index, const char* unit, const Value& value) {
   const Lining& lining = simulation.model().linings[index];

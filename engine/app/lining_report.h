@@ -9,7 +9,7 @@
 
 namespace dda {
 
-// Of all elements, those of one lining after those of the other.
+// Returns what every element carries, lining after lining.
 std::vector<LiningValues> lining_values_of(const Simulation& simulation);
 
 // The entry "linings" of the summary: of each lining the largest of its forces, where they are, and what has yielded.

@@ -74,7 +74,7 @@ std::string place_of(const Model& model, const Measurement& measurement) {
   return "";
 }
 
-// Of a measurement of several histories those of each.
+// Names every history that the measurement has, with its unit.
 std::string units_of(const Measurement& measurement) {
   std::string units;
   for (const HistoryFacts& history : histories_of(measurement.quantity))

@@ -51,7 +51,7 @@ class BondedRockByLot {
 
   [[nodiscard]] const std::string& traits() const { return traits_; }
 
-  // Blocks of a `parts`-th of the width.
+  // Cuts the rock into blocks of a `parts`-th of the width.
   [[nodiscard]] Json scene(int parts) const {
     Json scene = scene_;
     scene["blocks"] = blocks(parts);
@@ -79,7 +79,7 @@ class BondedRockByLot {
                                     {"poisson", random_.number(0.1, 0.35)}};
   }
 
-  // S waves of 9 to 25 blocks.
+  // Chooses a load whose S waves are 9 to 25 blocks long.
   void add_history() {
     frequency_ = shear_speed() / random_.number(9, 25);
     switch (random_.integer(0, 4)) {
@@ -127,10 +127,10 @@ class BondedRockByLot {
         {{"edge", random_.chance(0.5) ? side(0) : Json("top")}, {"traction", vector(1e6)}, {"history", history_}});
   }
 
-  // Of the rock, without its base.
+  // A vertical side of the rock, at `x` (m); the side of its base is no part of it.
   [[nodiscard]] Json side(double x) const { return {{"from", {x, 0}}, {"to", {x, height_}}}; }
 
-  // A hump in the middle, of a wave of that frequency.
+  // Sets the middle of the rock in motion by a hump of velocities whose width goes by the S wave of `frequency_`.
   void add_initial_velocities() {
     Json x = Json::array(), y = Json::array(), rows_x = Json::array(), rows_y = Json::array();
     const double wide = 0.3 * shear_speed() / frequency_;
@@ -231,7 +231,7 @@ class BondedRockByLot {
   [[nodiscard]] Json blocks(int parts) const {
     Json all = Json::array();
     if (cut_ == Cut::running_bond) {
-      // Rows of one rock each: the courses of a layer.
+      // The rows of one rock are the courses of a layer.
       const int courses = static_cast<int>(height_) / layers_;
       for (int layer = 0; layer < layers_; ++layer) all.push_back(layer_of_bricks(layer, courses, parts));
     } else {

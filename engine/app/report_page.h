@@ -6,8 +6,8 @@
 
 namespace dda {
 
-// Of the run in `folder`; from its files alone. InputError naming the file when there is no run that has ended, or a
-// file is broken.
+// Returns the page of the run in `folder`, from its files alone. Throws InputError naming the file when there is no run
+// that has ended, or a file is broken.
 std::string report_page(const std::filesystem::path& folder);
 
 }  // namespace dda

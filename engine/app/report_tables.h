@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 using TableRow = std::vector<std::string>;
 
-// Of texts as people read them; nothing without rows.
+// Returns a table in HTML of texts as people read them, or nothing where there are no rows.
 std::string table(const TableRow& head, const std::vector<TableRow>& rows);
 
 // A value of a scene or summary as people read it: texts without quotes, numbers short. "-": null, or no such key.
@@ -28,7 +28,7 @@ std::string scene_tables(const Json& summary, const Json& request);
 // Energies released, over the run and stage by stage.
 std::string release_table(const Json& summary);
 
-// Of stages that take rock out: energy released, and over the area and the wall.
+// The energy that stages which take rock out release, and the same over the area and over the wall.
 std::string release_rate_table(const Json& summary);
 
 // Largest excess shear stress of every joint at the ends of stages.

@@ -27,7 +27,7 @@ std::vector<Column> columns_of(const Model& model) {
   return columns;
 }
 
-// Of energies.csv. Its rows are for looking at: a thousand of them show all there is to see.
+// Where rows of energies.csv begin to be left out: they are for looking at, and a thousand show all there is to see.
 constexpr std::int64_t most_energy_rows = 1000;
 
 constexpr std::size_t energy_values = stored_terms.size() + flow_terms.size() + 2;

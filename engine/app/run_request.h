@@ -16,20 +16,20 @@ namespace dda {
 // were done by the run that it goes on from.
 nlohmann::json run_request(const RunOptions& options, std::string_view scene_text, std::size_t stages_done);
 
-// That number in the request of the run in `folder`, which is to be resumed.
+// Reads that number from the request of the run in `folder`, which is to be resumed.
 std::size_t stages_before(const std::filesystem::path& folder);
 
-// Of a file in the folder options.folder, which must exist. std::runtime_error naming path and reason.
+// Writes the request to its file in `folder`, which must exist. Throws std::runtime_error naming path and reason.
 void write_request(const std::filesystem::path& folder, const nlohmann::json& request);
 
 // The name and version of this program, as a request has it.
 std::string this_program();
 
-// That of the run in `folder`. InputError naming its file, and what is `expected`, where there is none.
+// Reads the request of a run. Throws InputError naming its file, and what is `expected`, where `folder` has none.
 nlohmann::json read_request(const std::filesystem::path& folder, const std::string& expected);
 
-// InputError naming the first option, or field of the scene, that differs from what the run in `folder` was begun with,
-// and both values; also when that is not known.
+// Throws InputError naming the first option, or field of the scene, that differs from what the run in `folder` was
+// begun with, and both values; also when that is not known.
 void expect_same_request(const RunOptions& options, const nlohmann::json& request);
 
 }  // namespace dda

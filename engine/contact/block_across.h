@@ -16,7 +16,7 @@ inline double width_across(const Model& model, int block, const Vec2& normal) {
   return extent_along(block_of(model, block).shape.outer, normal);
 }
 
-// Of a wave that strains along its way alone, Pa.
+// Stress over strain in a wave that strains along its way alone, as P waves do, Pa.
 inline double plane_modulus(const Material& material) { return elasticity_matrix(material)(0, 0); }
 
 // The traction on a plane by the components (xx, yy, xy) of the stress.

@@ -20,8 +20,8 @@ void measure_gap(const Model& model, const State& state, const Interface& interf
 // consistent and projected interfaces in `state`.
 void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts);
 
-// Of projected stretches, before the first measurement after small kinematics, whose gaps are of first order in the
-// turns of blocks: forces go on as they are.
+// Lets projected stretches go on with their forces as they are. To be called before the first measurement after small
+// kinematics, whose gaps are of first order in the turns of blocks.
 void keep_gaps(const Model& model, const State& state, ContactSet& contacts);
 
 }  // namespace dda

@@ -18,14 +18,14 @@ ContactPiece piece_between(ContactPiece from, ContactPiece to, double slide) {
   return slide < 0 ? ContactPiece::slides_back : ContactPiece::slides_forth;
 }
 
-// Without dashpots, ends that press each for itself, and with the friction that sliding ends have: what lay_on makes of
-// a sliding end.
+// True where ends have no dashpots, press each for itself, and have the friction that sliding ends have, as lay_on
+// makes them slide.
 bool has_linear_pieces(const InterfaceSprings& springs, const InterfaceTrial& trial) {
   return springs.law == InterfaceLaw::classical && !trial.rule.sticks && !trial.rule.conserves_energy &&
          springs.dashpot.isZero(0) && trial.hardening[0] == 0 && trial.hardening[1] == 0;
 }
 
-// N per m of thickness, at the normal force that the trial has.
+// The shear force at which the end slides, N per m of thickness, under the normal force that the trial has.
 double sliding_shear(const EndStrength& strength, int end, const InterfaceTrial& trial) {
   const auto e = static_cast<std::size_t>(end);
   if (trial.rule.capacity_is_given) return trial.capacity[e];
@@ -57,7 +57,7 @@ void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStreng
   trial.active(n + 1) = 0;
 }
 
-// Of both normal forces (rows) by both normal gaps (columns), N/m per m of thickness.
+// How both normal forces (rows) follow both normal gaps (columns), N/m per m of thickness.
 Mat2 normal_slopes(const InterfaceSprings& springs, const InterfaceTrial& trial) {
   Mat2 slopes = Mat2::Constant(trial.coupling);
   slopes(0, 0) = trial.active(0) * springs.stiffness(0);

@@ -11,7 +11,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// One block's vertices against another's edges.
+// Tries one block's vertices against another's edges.
 class Side {
  public:
   Side(const Outlines& outlines, int vertex_block, int edge_block, double reach, double depth, double round_off)
@@ -57,7 +57,7 @@ class Side {
                      true});
   }
 
-  // Of the point at this share of the edge's length, or of the end beyond which it lies.
+  // The displacement to come of the point at this share of the edge's length, or of the end beyond which it lies, m.
   [[nodiscard]] Vec2 coming_of(int edge, double share) const {
     const Vec2& first = outlines_.coming[at(edge)];
     return first + std::clamp(share, 0.0, 1.0) * (outlines_.coming[at(outlines_.next[at(edge)])] - first);

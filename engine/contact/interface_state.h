@@ -82,7 +82,7 @@ struct EndStrength {
 // Each end carries half of the length. Infinite strength for a bonded joint.
 EndStrength end_strength(const JointMaterial& joint, double length);
 
-// Of a contact that carries no tension: what is dry from the start or has failed. `length`: its share of the joint, m.
+// The strength of a contact without tension: dry from the start or failed. `length`: its share of the joint, m.
 EndStrength unbonded_strength(const JointMaterial& joint, double length);
 
 bool exceeds(const EndStrength& strength, double normal_force, double shear_force);

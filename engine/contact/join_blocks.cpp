@@ -17,7 +17,7 @@ std::size_t at(int block) { return static_cast<std::size_t>(block); }
 
 constexpr std::array<Eigen::Index, 2> normal_rows = {0, 2};
 
-// Of consistent and cubic joints.
+// Joins two blocks by a consistent or cubic joint without force: its gap and the stress it passes count from now on.
 void join_passing_stress(const Model& model, const State& state, const Interface& interface, InterfaceElement& element,
                          InterfaceState& own) {
   const Vec3 &stress_a = state.stress[at(interface.block_a)], &stress_b = state.stress[at(interface.block_b)];
@@ -29,7 +29,7 @@ void join_passing_stress(const Model& model, const State& state, const Interface
   element.force_at_start = elastic_force(element, own.gap, stress_a, stress_b);
 }
 
-// Of what closes and opens, the normal gaps where blocks are less what keeps the springs free of force.
+// Starts what can close and open: gaps are as wide as blocks are apart, and closed springs are free of force.
 void leave_open(const std::array<double, 2>& apart, InterfaceState& own) {
   for (const std::size_t end : {0U, 1U}) {
     own.gap(normal_rows[end]) = std::max(apart[end], 0.0);

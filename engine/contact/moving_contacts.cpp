@@ -34,7 +34,7 @@ class PairsOfBlocks {
  public:
   void add(const std::pair<int, int>& pair) { pairs_.push_back(pair); }
   void sort() { std::sort(pairs_.begin(), pairs_.end()); }
-  // Of sorted ones.
+  // The pairs must have been sorted.
   [[nodiscard]] bool has(const std::pair<int, int>& pair) const {
     return std::binary_search(pairs_.begin(), pairs_.end(), pair);
   }
@@ -55,8 +55,8 @@ bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || springs_go_by_length(joint);
 }
 
-// Of one corner of the vertex' block with one face of the other: under its name, or with the roles of two corners above
-// each other exchanged.
+// True where both are of one corner of the vertex' block with one face of the other: under one name, or with the roles
+// of two corners above each other exchanged.
 bool is_same(const VertexContact& a, const VertexContact& b) {
   return (a.edge == b.edge && a.vertex == b.vertex) || a.edge_block == b.vertex_block;
 }
@@ -84,7 +84,7 @@ void seat(const InterfaceElement& element, double distance, InterfaceState& stat
   state.gap(1) = elastic_gap(state.force(1), element.stiffness(1), 0);
 }
 
-// Of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
+// The state of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
 InterfaceState new_state(const JointMaterial& joint) {
   const bool failed = !is_dry(joint);
   InterfaceState state;
@@ -278,8 +278,8 @@ Interface MovingContacts::interface_of(const Model& model, const VertexContact& 
   return interface;
 }
 
-// For each of `found`, of which those that go on from `earlier` contacts have nothing to come. Empty where no stretch
-// has ended, as in nearly all steps.
+// Returns what stretches leave to each of `found`; those that go on from `earlier` contacts get nothing. Empty where no
+// stretch has ended, as in nearly all steps.
 std::vector<std::optional<InterfaceState>> MovingContacts::left_by_stretches(
     const Model& model, const std::vector<VertexContact>& found, const std::vector<std::ptrdiff_t>& earlier) const {
   if (lost_ends_.empty()) return {};

@@ -1,6 +1,6 @@
-// The gap rows of a classical interface in a few numbers: they follow from its normal and from where its ends lie as
-// seen from either centroid. For loops over many contacts that would be busy fetching rows. Of projected stretches, for
-// gaps also follow stresses, it is the rows themselves; the element must then live, in place, as long as this.
+// The gap rows of a classical interface in a few numbers, by its normal and by where its ends lie as seen from either
+// centroid, for loops over many contacts that would be busy fetching rows. Gaps of projected stretches follow stresses
+// too: for these it is the rows themselves, and the element must live, in place, as long as this.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class PointKinematics {
  public:
   PointKinematics() = default;
 
-  // Of an element without stress rows.
+  // The element must have no stress rows.
   explicit PointKinematics(const InterfaceElement& element)
       : normal_(element.rows_b.block<1, 2>(0, 0).transpose()),
         ends_(ends_of(element)),

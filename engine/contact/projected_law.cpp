@@ -47,13 +47,13 @@ double gap_by_traction(const Model& model, const Interface& interface) {
   return projected_softness(model, interface).sum();
 }
 
-// m/Pa, of half of the block as a column.
+// The compliance of half of the block as a column, m/Pa.
 double column_compliance(const Model& model, int block, const Interface& interface) {
   if (model.is_held(block)) return 0;
   return loaded_width(model, block, interface) / (2 * side_free_modulus(model.material_of(block)));
 }
 
-// m/Pa, of the joint's own material: normal, shear.
+// The compliance of the joint's own material, normal and shear, m/Pa.
 Vec2 joint_compliance(const Model& model, const Interface& interface) {
   const JointMaterial& joint = model.joints[static_cast<std::size_t>(interface.joint)];
   if (joint.normal_stiffness == 0) return Vec2::Zero();
@@ -75,12 +75,12 @@ InterfaceFrame shortened(InterfaceFrame frame, double lever) {
   return frame;
 }
 
-// Of the gap by a block's stress, m/Pa.
+// The normal and the tangential gap (rows) that a block's stress makes, m/Pa.
 Mat23 shift_by_stress(double softness, const Vec2& normal) {
   return softness * local_axes(normal) * traction_rows(normal);
 }
 
-// Of the gap by a block's strains, m.
+// The same by a block's strains, m.
 Mat23 shift_rows(const Model& model, int block, double softness, const Vec2& normal) {
   return shift_by_stress(softness, normal) * elasticity_matrix(model.material_of(block));
 }

@@ -34,13 +34,13 @@
 
 namespace dda {
 
-// Not below what makes a free bar of equal blocks correct to fourth order (ADR 24).
+// The least penalty makes a free bar of equal blocks correct to fourth order (ADR 24).
 inline constexpr double least_penalty = 3;
 
 // penalty = max(least_penalty, penalty_margin lambda)
 inline constexpr double penalty_margin = 2;
 
-// Of the block's extent along a stretch. Half a side, as in running bond, is one that blocks load as a whole.
+// A stretch of this share of the block's side or more loads it as a whole, as half a side does in running bond.
 inline constexpr double spreading_share = 0.25;
 
 // The eigenvalue lambda above, over the whole outline: no stretch has more.
@@ -49,7 +49,7 @@ double largest_traction_share(const Model& model, int block);
 // The penalty of a block, without units.
 double projected_penalty(const Model& model, int block);
 
-// Of a stretch: stiffness of the four rows, N/m per m of thickness, and the lever of its points.
+// The stiffness of a stretch's four rows, N/m per m of thickness, and the lever of its points.
 Vec4 projected_stiffness(const Model& model, const Interface& interface);
 double projected_lever(const Model& model, const Interface& interface);
 

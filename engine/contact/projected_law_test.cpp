@@ -136,7 +136,7 @@ double share_of(const Ring& ring, double poisson, PlaneState plane) {
   return largest_traction_share(model_of({{ring, {}}}, {"rock", 2600, 3.0, poisson, plane}), 0);
 }
 
-// Of rectangles the largest eigenvalue belongs to uniform shear, or to pressure from all sides, and is known by hand.
+// In rectangles the largest eigenvalue belongs to uniform shear, or to pressure from all sides, and is known by hand.
 TEST(ProjectedLaw, ShareOfTheOutlineInABlocksStiffness) {
   EXPECT_NEAR(share_of(box_ring(0, 0, 1, 1), 0.25, PlaneState::stress), 1.25, 1e-12);
   EXPECT_NEAR(share_of(box_ring(0, 0, 1, 3), 0.25, PlaneState::stress), 1.25, 1e-12);
@@ -155,9 +155,9 @@ TEST(ProjectedLaw, PenaltyIsThreeForRectanglesAndTwiceTheShareElsewhere) {
   EXPECT_GT(projected_penalty(triangle, 0), 3);
 }
 
-// Of a small block that lies on a large one. Rock under a strip gives way by about the strip's length and not by its
-// own height, so the stiffness of a joint does not fall with its length for ever; under half a side it is the law's
-// own.
+// A small block lies on a large one. Rock under a strip gives way by about the strip's length and not by its own
+// height, so the stiffness of a joint does not fall with its length for ever; where half a side of the large block is
+// loaded it is the law's own.
 TEST(ProjectedLaw, ShortStretchesGiveWayByTheirOwnLength) {
   const auto softness_under = [](double length) {
     const Polygon large{{{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {}};

@@ -23,10 +23,10 @@
 
 namespace dda {
 
-// Of the length of a stretch. Until then its length is wrong by as much.
+// The share of its length that an end may go before the stretch parts. Until then the length is wrong by as much.
 inline constexpr double parting_share = 0.01;
 
-// Of a stretch of the law: whether an end gapes.
+// Whether an end of a stretch of this law gapes.
 inline bool gapes(const InterfaceElement& element, const InterfaceState& state) {
   return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
 }

@@ -37,7 +37,7 @@ Model two_bricks(const Vec3& in_situ, const JointMaterial& joint = dry_joint()) 
   return model;
 }
 
-// Both blocks turned by `angle` about the origin and moved; the upper one gone by `apart` before that.
+// Turns both blocks by `angle` about the origin and moves them; the upper one has gone by `apart` before that.
 State moved(const Model& model, double angle, const Vec2& apart) {
   State state = initial_state(model);
   const Mat2 turn = rotation(angle);
@@ -118,7 +118,7 @@ TEST(ProjectedStretch, PartsWhenAnEndHasGoneAHundredthOfItsLength) {
   EXPECT_TRUE(has_parted(model, moved(model, 2.5, {0, 0.017}), interface));
 }
 
-// Of a joint that carries something else than its blocks' own tractions.
+// The joint carries something else than its blocks' own tractions.
 TEST(ProjectedStretch, LeavesForcesOnStrainsAndBringsNoEnergyWhenItParts) {
   const Model model = two_bricks({-2e6, -3e6, 0.4e6});
   ContactSet contacts = make_contacts(model);
@@ -157,7 +157,7 @@ TEST(ProjectedStretch, LeavesItsForceAndMomentToItsEnds) {
   const std::array<Vec2, 2> ends = pressing_ends(element, state);
   EXPECT_LT((ends[0] + ends[1] - inside.head<2>() - inside.tail<2>()).norm(), 1e-15);
   EXPECT_NEAR(ends[1](0) - ends[0](0), element.lever * (inside(2) - inside(0)), 1e-15);
-  // Of a resultant at an end there is nothing at the other, and none pulls.
+  // A resultant at one end leaves nothing to the other, and none pulls.
   state.force << -10, 2, 9, 0;
   const std::array<Vec2, 2> beyond = pressing_ends(element, state);
   EXPECT_EQ(beyond[1], Vec2::Zero());

@@ -24,7 +24,7 @@ class RisingEnds : public testing::TestWithParam<bool> {
     return element;
   }
 
-  // A third on their way back, a third beyond the slip at which they rise no further, in steps of up to a few of these.
+  // A third are on their way back, a third beyond the slip where they rise no further; steps are up to a few of these.
   InterfaceTrial random_trial() {
     InterfaceState start = start_with(true);
     start.broken = {true, true};
@@ -73,7 +73,7 @@ TEST_P(RisingEnds, ObeyEveryLawAtOnce) {
   EXPECT_GT(sliding_ends, 1000);
 }
 
-// Nothing is left to do for the outer fixed points.
+// The outer fixed points have nothing left to do.
 TEST_P(RisingEnds, AreTheFixedPointOverCapacitiesAndDilations) {
   for (int i = 0; i < 2000; ++i) {
     InterfaceTrial trial = random_trial();
@@ -101,7 +101,7 @@ TEST_P(RisingEnds, SlopesAreThoseOfTheAnswer) {
       };
       for (int row : {0, 1}) {
         const InterfaceTrial after = moved(row, step), before = moved(row, -step);
-        // Not across a corner of the answer.
+        // Differences across a corner of the answer are no slopes.
         if (after.active != trial.active || before.active != trial.active) continue;
         Vec4 change = Vec4::Zero();
         change(2 * end + row) = step;
@@ -115,7 +115,7 @@ TEST_P(RisingEnds, SlopesAreThoseOfTheAnswer) {
   EXPECT_GT(compared, 500);
 }
 
-// Of its motion nobody knows how much was in contact, and with the rise the same gaps have a second answer.
+// Nobody knows how much of its motion was in contact, and with the rise the same gaps have a second answer.
 TEST(RisingEnd, ThatWasOpenRidesUpFromTheNextStepOn) {
   const EndStrength strength{.friction = 0.5, .dilation = 0.25};
   InterfaceState state = start_with(true, open);

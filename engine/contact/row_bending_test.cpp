@@ -94,7 +94,7 @@ Model layers(const JointMaterial& bed, double shift = 0) {
   return model;
 }
 
-// Of every joint that stands upright, over that of a bent beam of its height.
+// Returns how stiff every upright joint is against bending, over a bent beam of its height.
 std::vector<double> upright_rows(const Model& model) {
   std::vector<double> rows;
   const ContactSet contacts = make_contacts(model);

@@ -50,7 +50,7 @@ class Face {
     }
   }
 
-  // From its lower to its upper end.
+  // Returns where the face begins and ends along the line, the lower place first, m.
   [[nodiscard]] std::pair<double, double> on(const Line& line) const {
     return std::minmax(
         {line.place(outlines_.current[at(first_)]), line.place(outlines_.current[at(outlines_.next[at(last_)])])});
@@ -86,7 +86,7 @@ class PairOfBlocks {
   }
 
  private:
-  // Of the contacts of the same face, on the line that it returns.
+  // Fills places_ with where the contacts of the same face lie along the line that it returns.
   Line list_places(const VertexContact& contact, const Face& own, const Face& facing) {
     Line line{outlines_.current[at(contact.edge)], outlines_.along(contact.edge).normalized()};
     places_.clear();

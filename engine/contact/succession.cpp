@@ -39,7 +39,7 @@ void Succession::for_each_at(int vertex, Act act) {
   for (auto known = first; known != by_vertex_.end() && known->first == vertex; ++known) act(known->second);
 }
 
-// The same for those on an edge.
+// Calls act(index) for every known contact on an edge.
 template <typename Act>
 void Succession::for_each_on(int edge, Act act) const {
   const auto begin = std::lower_bound(known_.begin(), known_.end(), contact_named(edge, 0));
@@ -89,7 +89,7 @@ std::ptrdiff_t Succession::next_edge(const VertexContact& contact) {
   return before >= 0 ? before : take(outlines_.next[at(contact.edge)], contact.vertex, contact.normal);
 }
 
-// Of the edge's two corners the one that the vertex is near: the other one is the other end of a common stretch.
+// Looks at that corner of the edge which the vertex is near: the other one is the other end of a common stretch.
 std::ptrdiff_t Succession::exchanged(const VertexContact& contact) {
   const int corner = nearer_end(outlines_, contact);
   for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})

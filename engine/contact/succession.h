@@ -25,11 +25,11 @@ class Succession {
   Succession(const std::vector<VertexContact>& known, const std::vector<VertexContact>& found,
              const std::vector<bool>& of_faces, const Outlines& outlines);
 
-  // Of each that was found the index of the known one that it continues, or -1. Each is continued once.
+  // Says for each that was found the index of the known one that it continues, or -1. Each is continued once.
   [[nodiscard]] const std::vector<std::ptrdiff_t>& earlier() const { return earlier_; }
 
-  // Of the known contacts that lie in line with a new one, at its vertex or on its edge, the nearest; -1: there is
-  // none.
+  // Returns the known contact nearest to a new one of those in line with it, at its vertex or on its edge; -1 where
+  // there is none.
   [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact);
 
  private:

@@ -27,7 +27,7 @@ struct VertexContact {
     archive(normal, gap);
   }
 
-  // Identity from step to step.
+  // Orders contacts by what they are from step to step.
   [[nodiscard]] bool operator<(const VertexContact& other) const {
     return edge != other.edge ? edge < other.edge : vertex < other.vertex;
   }
@@ -53,7 +53,7 @@ void take_out(const std::vector<char>& out, std::vector<VertexContact>& contacts
 // turns a block.
 inline constexpr double same_direction = 0.99;
 
-// Of the vertex' own two edges the one that lies more along the contact's edge: the number of its first vertex.
+// Returns which of the vertex' two edges lies more along the contact's edge: the number of that edge's first vertex.
 int facing_edge(const Outlines& outlines, const VertexContact& contact);
 
 // The end of the contact's edge that its vertex is nearer to.

@@ -25,7 +25,7 @@ class Mutator {
     return list[below(list.size())];
   }
 
-  // Text behind `from` changed in one to four places: bytes, words, lines and bracketed parts.
+  // Returns the text with one to four changes behind `from`: of bytes, words, lines and bracketed parts.
   [[nodiscard]] std::string text(std::string text, std::size_t from = 0) {
     for (std::size_t i = 1 + below(4); i > 0 && text.size() > from + 1; --i) {
       switch (below(8)) {
@@ -40,7 +40,7 @@ class Mutator {
     return text;
   }
 
-  // Numbers in memory behind `from` changed in one to four places: lengths and indices, doubles, bits, the end.
+  // Returns the bytes with one to four changes behind `from`: of lengths and indices, doubles, bits, and of the end.
   [[nodiscard]] std::string memory(std::string bytes, std::size_t from = 0) {
     for (std::size_t i = 1 + below(4); i > 0 && bytes.size() > from + 8; --i) {
       const std::size_t at =
@@ -133,7 +133,7 @@ class Mutator {
     text.insert(at, one_in(60) ? std::string(100'000, one_in(2) ? '[' : '<') : one_of(splices));
   }
 
-  // A line twice, nowhere, or elsewhere.
+  // Takes a line out, moves it, or repeats it elsewhere.
   void change_line(std::string& text, std::size_t from) {
     const auto line_at = [&](std::size_t at) {
       const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
@@ -147,7 +147,7 @@ class Mutator {
     if (one_in(2) && text.size() > from) text.insert(line_at(from + below(text.size() - from)).first, line);
   }
 
-  // One {...} or [...] in place of another, or of itself something smaller.
+  // Puts one {...} or [...] in place of another, or something smaller in place of it.
   void change_brackets(std::string& text, std::size_t from) {
     const auto [at, length] = brackets(text, from);
     if (length == 0) return change_number(text, from);
@@ -171,7 +171,7 @@ class Mutator {
   static bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == '_';
   }
-  // Of the word at or behind a place.
+  // Returns where the word at or behind a place begins, and its length.
   [[nodiscard]] std::pair<std::size_t, std::size_t> word(const std::string& text, std::size_t from) {
     std::size_t at = from + below(text.size() - from);
     while (at < text.size() && !is_word(text[at])) ++at;

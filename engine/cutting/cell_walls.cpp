@@ -102,7 +102,7 @@ class WallGraph {
     on_edge_.resize(outline_.size());
   }
 
-  // Of the outline, between corners and ends of walls.
+  // Parts the outline at its corners and where walls end on it.
   [[nodiscard]] std::vector<Link> stretches() const {
     std::vector<Link> links;
     for (std::size_t edge = 0; edge < outline_.size(); ++edge) {

@@ -14,7 +14,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 // Rings with fewer corners are looked at as a whole.
 constexpr std::size_t short_ring = 64;
 
-// Of areas and second moments, which a sum over many edges gives with round-off of far less than this.
+// A share of areas and second moments that is far above the round-off of a sum over many edges.
 constexpr double round_off = 1e-9;
 
 std::vector<int> firsts_of(const NodeRings& rings) {
@@ -101,7 +101,7 @@ std::vector<int> LargeBlock::corners_at(const CornerMove& move) const {
   return corners;
 }
 
-// Nothing where the outline has the place more than once, or no three corners are left of the ring.
+// Returns nothing where the outline has the place more than once, or no three corners are left of the ring.
 std::optional<LargeBlock::Run> LargeBlock::run_of(const std::vector<int>& corners) const {
   const auto is_there = [&](int corner) { return place(corner) == place(corners.front()); };
   std::size_t size = 1;
@@ -189,7 +189,7 @@ int LargeBlock::preceding(int edge) const {
   return edge == first_[at(ring(edge))] ? first_[at(ring(edge)) + 1] - 1 : edge - 1;
 }
 
-// Where no edge of the ring has any, this comes back to `edge`.
+// Returns the next edge that has a length, and `edge` itself where no other edge of the ring has any.
 int LargeBlock::next_of_length(int edge) const {
   int next = following(edge);
   while (next != edge && !has_length(next)) next = following(next);

@@ -27,7 +27,7 @@ std::vector<Segment> edges_of(const Polygon& shape) {
   return edges;
 }
 
-// In long double, about a corner.
+// Sums up in long double, about a corner.
 long double area_of(const Ring& ring) {
   long double twice = 0;
   for (const Segment& edge : edges_of(ring)) {
@@ -112,7 +112,7 @@ class LatticeOracle {
     EXPECT_EQ(names, std::vector<std::string>{joint_drawn_at(place)}) << place.transpose();
   }
 
-  // Of several lines the last counts; openings count where there is no line.
+  // Where several lines were drawn the last counts; openings count where there is no line.
   [[nodiscard]] std::string joint_drawn_at(const Vec2& place) const {
     std::string name = "none";
     for (const PlanOpening& opening : plan_.openings) {
@@ -141,7 +141,7 @@ class LatticeOracle {
   double near_;  // m
 };
 
-// Errors from nothing over round-off to a thousandth of the tolerance.
+// Errors of drawing go from nothing over round-off to a thousandth of the tolerance.
 double error_of(unsigned seed) {
   const unsigned size = seed % 9;
   return size == 0 ? 0 : std::pow(10, static_cast<double>(size) - 17);

@@ -25,7 +25,7 @@ class PixelRegion {
   [[nodiscard]] bool meets(const PixelBox& box) const;
 
  private:
-  // Of cells, the last included.
+  // A rectangle of cells; the last ones are part of it.
   struct Range {
     std::int64_t left = 0, low = 0, right = 0, high = 0;
   };

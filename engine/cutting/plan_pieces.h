@@ -35,7 +35,7 @@ inline int curve_of_opening(const RockPlan& plan, std::size_t opening) {
   return 1 + static_cast<int>(plan.holes.size() + opening);
 }
 
-// Of the boundary or of a hole.
+// True where the straight is a part of the boundary or of a hole.
 inline bool is_bound(const PlanPieces& pieces, int straight, const RockPlan& plan) {
   const int curve = pieces.sources[static_cast<std::size_t>(straight)].curve;
   return curve != no_curve && curve < curve_of_opening(plan, 0);

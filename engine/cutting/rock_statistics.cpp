@@ -42,7 +42,7 @@ std::vector<Piece> pieces_on(const std::vector<CutBlock>& blocks, double height)
   return pieces;
 }
 
-// Where traces cross the level, from left to right.
+// Returns where traces cross the level, from left to right.
 std::vector<double> crossings_of(const std::vector<Segment>& traces, double height) {
   std::vector<double> places;
   for (const auto& [a, b] : traces) {
@@ -53,7 +53,7 @@ std::vector<double> crossings_of(const std::vector<Segment>& traces, double heig
   return places;
 }
 
-// Of a piece between joints, what traces within it leave sound.
+// Returns how much of a piece between joints is sound, m: the parts between traces in it, but for those that are short.
 double sound_length(const Piece& piece, const std::vector<double>& traces) {
   double sound = 0;
   double from = piece.from;
@@ -85,7 +85,7 @@ double quality_on_levels(const std::vector<CutBlock>& blocks, const std::vector<
   return all > 0 ? sound / all : 0;
 }
 
-// The same rock with x and y exchanged.
+// Returns the same rock with x and y exchanged.
 std::vector<CutBlock> on_its_side(std::vector<CutBlock> blocks) {
   const auto swap_ring = [](Ring& ring) {
     for (Vec2& vertex : ring) std::swap(vertex.x(), vertex.y());

@@ -116,7 +116,7 @@ class ShortEdges {
     return Goal{b, a, rank(a) > 0 ? places_.position(a) : middle};
   }
 
-  // Of nodes that are no others by now. Most blocks at one are at the other too; each is asked once.
+  // Lists the blocks at one or both of two nodes, each block once; neither node has become another by now.
   [[nodiscard]] std::vector<std::size_t> blocks_around(int a, int b) const {
     std::vector<std::size_t> around = blocks_at_.at(a);
     const std::vector<std::size_t>& more = blocks_at_.at(b);
@@ -126,7 +126,7 @@ class ShortEdges {
     return around;
   }
 
-  // Before the first of its corners moves, so that it is known whether it was sound then.
+  // To be called before the first of the block's corners moves, so that it is known whether it was sound then.
   void look_at_large(std::size_t block) {
     if (large_.contains(block) || !is_large(blocks_[block])) return;
     large_.emplace(block, std::make_unique<LargeBlock>(blocks_[block], places_));

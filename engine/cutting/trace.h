@@ -13,10 +13,10 @@ struct Outline {
   std::vector<std::vector<int>> holes;  // around what lies inside the block
 };
 
-// Of all groups but that outside, by the first of their half-edges.
+// Returns the outlines of all groups but that outside, in the order of the first of their half-edges.
 std::vector<Outline> trace_outlines(const Arrangement& arrangement, const FaceGroups& groups);
 
-// The same of some groups at a time, after these have changed.
+// Returns the same for some groups at a time, after these have changed.
 class OutlineTracer {
  public:
   OutlineTracer(const Arrangement& arrangement, const FaceGroups& groups);

@@ -20,10 +20,10 @@ namespace {
 
 constexpr double share_of_tolerance = 1e-2;
 constexpr double least_steps = 4;  // of the grid: twice what rounding moves a node, on either side
-// Of round-off, by which a link may pass a node without going through it: 1/sqrt(2). Let the corners A and B of a
-// triangle be further apart than round-off, and A as near to BC as B is to AC. Were both links led through the other
-// corner, they would change places, round after round. With this share the angles at A and B are less than 45 degrees
-// in that case, so the one at C is obtuse, and B is not beside AC but beyond its end.
+// The share of round-off by which a link may pass a node without going through it: 1/sqrt(2). Let the corners A and B
+// of a triangle be further apart than round-off, and A as near to BC as B is to AC. Were both links led through the
+// other corner, they would change places, round after round. With this share the angles at A and B are less than 45
+// degrees in that case, so the one at C is obtuse, and B is not beside AC but beyond its end.
 constexpr double share_beside_links = 0.7071;
 constexpr int none = -1;
 
@@ -148,7 +148,7 @@ class Welder {
     }
   }
 
-  // Up to three nodes that links lead to, by node.
+  // Lists by node up to three others that links lead to.
   [[nodiscard]] std::vector<std::array<int, 3>> neighbours() const {
     std::vector<std::array<int, 3>> found(into_.size(), {none, none, none});
     const auto add = [&](int node, int other) {
@@ -312,7 +312,7 @@ class Welder {
     }
   }
 
-  // Another straight between the same nodes.
+  // True where the link before this one joins the same nodes along another straight.
   [[nodiscard]] bool is_repeated(int link) const {
     if (link == 0) return false;
     const Link one = joined(noding_.links[at(link - 1)]);

@@ -58,7 +58,7 @@ double squared_distance(const DrawnCurve& curve, double parameter, const Vec2& p
   return (curve.at(parameter) - point).squaredNorm();
 }
 
-// Of a minimum between the two parameters, by golden sections.
+// Returns the parameter between the two at which the curve is nearest to `point`, by golden sections.
 double nearest_between(const DrawnCurve& curve, double low, double high, const Vec2& point) {
   constexpr double golden = 1 / std::numbers::phi;
   constexpr int sections = 60;  // 0.618^60 = 3e-13 of the stretch

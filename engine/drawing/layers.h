@@ -24,7 +24,7 @@ enum class LayerRole {
   load_point,
   measure_point,
   ignored,
-  // Of drawings of blocks, by the beginning of the layer's name alone: tables have no words for them.
+  // These two are known by the beginning of the layer's name alone, as tables have no words for them.
   block,       // outlines of blocks, each closed in itself
   block_hole,  // of holes in blocks
 };
@@ -36,8 +36,8 @@ struct NamedLayer {
   std::string name;
 };
 
-// Nothing for a layer whose name does not begin so. Blanks, hyphens and underscores are one, as in other names of
-// layers.
+// Returns nothing for a layer whose name does not begin so. Blanks, hyphens and underscores are one, as in other names
+// of layers.
 std::optional<NamedLayer> named_layer(std::string_view layer);
 
 std::string layer_for(const NamedLayer& named);
@@ -61,7 +61,7 @@ class Layers {
  public:
   explicit Layers(const std::map<std::string, LayerUse>& table);
 
-  // InputError for a layer that has no meaning; `origin` is what lies on it.
+  // Throws InputError for a layer that has no meaning; `origin` is what lies on it.
   [[nodiscard]] const LayerUse& use_of(const std::string& layer, const std::string& origin);
 
  private:

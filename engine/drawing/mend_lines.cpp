@@ -43,7 +43,7 @@ std::vector<Box> boxes_of(const std::vector<Segment>& pieces, double reach) {
   return boxes;
 }
 
-// What of each piece runs along longer ones, from its start on.
+// Returns what of each piece runs along longer ones, from its start on.
 std::vector<Stretches> covered_stretches(const std::vector<Segment>& pieces, double reach) {
   std::vector<Stretches> covered(pieces.size());
   for (const auto& [i, j] : overlapping_pairs(boxes_of(pieces, reach))) {
@@ -117,7 +117,7 @@ struct Overshoot {
   std::size_t other = 0;  // the line that it meets
 };
 
-// Where another line ends on this one, its end, to the bit.
+// Returns where both pieces meet; where the other one ends on this one it is that end, to the bit.
 std::optional<Vec2> meeting(const Segment& own, const Segment& other, double reach) {
   constexpr double round_off = 1e-12;  // of the length
   for (const Vec2& end : {other.start, other.end}) {
@@ -130,7 +130,7 @@ std::optional<Vec2> meeting(const Segment& own, const Segment& other, double rea
   return std::nullopt;
 }
 
-// Of the end of a line, looking at some pieces; nothing where the piece that ends there meets none in its outer half.
+// Finds where the line's piece at that end meets one of `numbers` in its outer half, nearest to the end; else nothing.
 template <typename Numbers>
 std::optional<Overshoot> overshoot_of(const Pieces& pieces, std::size_t line, bool at_last, const Numbers& numbers,
                                       double reach) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_columns = 16384;  // of a sheet
 
-// Without the prefix of its namespace, which programs choose as they like.
+// Takes off a name the prefix of its namespace, which programs choose as they like.
 std::string_view local(std::string_view name) {
   const std::size_t colon = name.rfind(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
@@ -44,7 +44,7 @@ std::string attribute(const pugi::xml_node& node, std::string_view name) {
   return {};
 }
 
-// Of a shared or inline text: a plain one, or runs with formats of their own.
+// Reads a shared or inline text, which is a plain one, or runs with formats of their own.
 std::string text_in(const pugi::xml_node& node) {
   std::string text;
   for (const pugi::xml_node& child : node.children()) {

@@ -16,7 +16,7 @@ inline double coordinate_tolerance(double largest) { return 4 * std::numeric_lim
 // The largest coordinate of the ring by size.
 double largest_coordinate_of(const Ring& ring);
 
-// All vertices on one line. A figure of eight may have area zero too, but it is told that it crosses itself.
+// True where all vertices lie on a line. A figure of eight may have area zero too, but is told that it crosses itself.
 bool is_flat(const Ring& ring, double tolerance);
 
 // The box of a vertex; those of two vertices that are one but for round-off overlap.
@@ -29,7 +29,7 @@ inline Box edge_box(const Segment& edge, double tolerance) {
 
 inline bool touch(const Segment& a, const Segment& b, double tolerance) { return distance(a, b) <= tolerance; }
 
-// Of two edges of which `next` begins where `edge` ends.
+// True where `next`, which begins where `edge` ends, runs back along it.
 inline bool folds_back(const Segment& edge, const Segment& next, double tolerance) {
   return distance(edge, next.end) <= tolerance || distance(next, edge.start) <= tolerance;
 }

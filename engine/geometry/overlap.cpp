@@ -34,7 +34,7 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.first, b.first), std::max(a.last, b.last)};
 }
 
-// Where lower <= constant + slope t <= upper.
+// Returns for which t lower <= constant + slope t <= upper.
 Interval between(double constant, double slope, double lower, double upper) {
   if (slope == 0) return constant >= lower && constant <= upper ? Interval{-infinite, infinite} : nowhere;
   const double at_lower = (lower - constant) / slope;
@@ -214,7 +214,7 @@ struct Overlaps::Indexed : Shape {
 Overlaps::Overlaps(std::vector<const Polygon*> polygons) : polygons_(std::move(polygons)), indexed_(polygons_.size()) {}
 Overlaps::~Overlaps() = default;
 
-// Of a polygon with fewer corners than `many` an index would cost more than looking at all edges.
+// Returns the index of polygon `i`, or nullptr where its corners are so few that looking at all edges costs less.
 const Overlaps::Indexed* Overlaps::indexed(int i) {
   constexpr std::size_t many = 64;
   const Polygon& polygon = *polygons_[static_cast<std::size_t>(i)];

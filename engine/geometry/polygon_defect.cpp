@@ -91,8 +91,8 @@ Reason edge_defect(const Polygon& polygon, double tolerance) {
   return std::nullopt;
 }
 
-// Of rings that neither cross nor touch: one vertex tells where a hole lies. Only holes whose boxes hold the vertex are
-// asked, as rock between short joints has thousands of holes that are far from each other.
+// The rings must neither cross nor touch: one vertex then tells where a hole lies. Only holes whose boxes hold the
+// vertex are asked, as rock between short joints has thousands of holes that are far from each other.
 Reason nesting_defect(const Polygon& polygon) {
   if (polygon.holes.empty()) return std::nullopt;
   const Polygon solid = {polygon.outer, {}};

@@ -49,7 +49,7 @@ Integrals of_triangle(const Vec2& a, const Vec2& b, const Vec2& c) {
   return about_origin(m);
 }
 
-// Lengths up to 2 m from the origin: areas up to 16 m2, second moments up to 64 m4.
+// Lengths are up to 2 m from the origin: areas up to 16 m2, second moments up to 64 m4.
 bool agree(const Integrals& a, const Integrals& b) {
   return std::abs(a.area - b.area) <= 16 * round_off && (a.first - b.first).norm() <= 32 * round_off &&
          (a.second - b.second).norm() <= 64 * round_off;
@@ -109,7 +109,7 @@ TEST(AreaMoments, SquareWithHoleOffCentre) {
 }
 
 TEST(AreaMoments, RegularOctagonRing) {
-  // Of a regular octagon of circumradius R: area 2 sqrt(2) R^2, second moment R^4 (2 sqrt(2) + 1) / 6 about any axis.
+  // A regular octagon of circumradius R has area 2 sqrt(2) R^2, second moment R^4 (2 sqrt(2) + 1) / 6 about any axis.
   const double second = (16 - 1) * (2 * std::numbers::sqrt2 + 1) / 6;
   expect_moments({octagon(2), {octagon(1)}}, {2 * std::numbers::sqrt2 * (4 - 1), {0, 0}, second, second, 0});
 }

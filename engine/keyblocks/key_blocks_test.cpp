@@ -69,7 +69,7 @@ TEST(RockBodies, FacesOfARow) {
     EXPECT_GT(face.outward.dot((face.from + face.to) / 2 - bodies[1].centroid), 0);
     EXPECT_EQ(face.block, 1);
   }
-  // Of the floor, 3 m on top are covered.
+  // The row on the floor covers 3 m of its top.
   double free = 0;
   for (const FreeFace& face : bodies[3].free_faces) free += face.length();
   EXPECT_DOUBLE_EQ(free, 8 - 3);

@@ -39,7 +39,7 @@ class Motion {
     for (const int block : body.blocks) visit_rings(shape(block), [this](const Ring& ring) { note(ring); });
   }
 
-  // Of all places on the way.
+  // The box around all places on the way.
   [[nodiscard]] const Box& box() const { return box_; }
 
   // A corner of the body that touches or enters the block, else a corner of the block that enters the body.

@@ -20,7 +20,7 @@ struct RockBody {
   std::vector<FreeFace> free_faces;
 };
 
-// Of a finished model. Blocks that `is_void` marks are taken out: they are in no body, and what they touched is free.
+// The model must be finished. Blocks that `is_void` marks are taken out: they are in no body, and leave free faces.
 std::vector<RockBody> rock_bodies(const Model& model, const std::vector<bool>& is_void);
 
 }  // namespace dda

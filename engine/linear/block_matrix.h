@@ -86,7 +86,7 @@ class BlockMatrix {
     const Place place = places_[index(k)];
     return ConstBlock(values_.data() + place.offset, Eigen::OuterStride<>(place.stride));
   }
-  // Of the couplings for which meets(column, row), and of diagonal blocks alike.
+  // y = A x by those blocks alone, on the diagonal and beside it, for which meets(column, row) is true.
   template <typename Meets>
   void multiply_where(const Meets& meets, const double* x, Vector& y) const;
   void build_pattern(int blocks, const std::vector<std::pair<int, int>>& couplings);

@@ -16,8 +16,8 @@
 namespace dda {
 namespace {
 
-// Of a solution, where the factor is exact but for its single precision: measured 6e-7 at most. A block in a wrong
-// place makes 1e-2 and more.
+// The relative error of a solution where the factor is exact but for its single precision: measured 6e-7 at most. A
+// block in a wrong place makes 1e-2 and more.
 constexpr double single_precision = 5e-6;
 
 Eigen::VectorXd applied(IncompleteCholesky& factor, const Eigen::VectorXd& r) {
@@ -202,7 +202,7 @@ TEST(IncompleteCholesky, AllocatesNothingOnceAnalyzed) {
   EXPECT_TRUE(factorized);
 }
 
-// A floor under 40 blocks in a row: last, or its elimination couples all of them.
+// A floor under 40 blocks in a row must come last, or its elimination couples all of them.
 TEST(CuthillMckeeOrder, NumbersEveryBlockOnceAndHubsLast) {
   auto couplings = grid_couplings(40, 1);
   for (int i = 0; i < 40; ++i) couplings.emplace_back(40, i);

@@ -23,7 +23,7 @@ struct PcgOptions {
   int fill_level = IncompleteCholesky::diagonal;
   // The matrix serves many solutions: it is laid out for products once it is factored.
   bool matrix_stays = false;
-  // Not converged beyond this residual, measured at the end, in the same norm: what round-off has left is of no use.
+  // Beyond this residual, measured at the end in the same norm, a solve fails: what round-off has left is of no use.
   double true_residual = 1e-8;
 };
 
@@ -47,7 +47,7 @@ class PcgSolver final : public LinearSolver {
   PcgOptions options_;
   const BlockMatrix* matrix_ = nullptr;
   IncompleteCholesky factor_;
-  // Of a matrix that stays: itself, and the inverses of its diagonal blocks where these are the preconditioner.
+  // A matrix that stays, laid out for products, and its diagonal blocks' inverses where these are the preconditioner.
   std::optional<ConstantOperator> product_;
   std::optional<BlockMatrix> inverse_;
   std::optional<ConstantOperator> inverse_product_;

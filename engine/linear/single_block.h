@@ -51,14 +51,14 @@ inline SingleTwelve twice(const SingleSix& six) {
   return {six.low, detail::pick<0, 1, 4, 5>(six.high, six.low), detail::pick<2, 3, 4, 5>(six.low, six.high)};
 }
 
-// By columns, two of them in three fours.
+// A block of 6 x 6 numbers by columns, two of them in three fours.
 class SingleBlock {
  public:
   using Fours = std::array<Four, 9>;
 
   void set_zero() { fours_ = {}; }
 
-  // Of a dense expression of 6 x 6 numbers.
+  // Takes the values of a dense expression of 6 x 6 numbers.
   template <typename Expression>
   void assign(const Expression& block) {
     Eigen::Matrix<float, 6, 6>::Map(data()) = block.template cast<float>();

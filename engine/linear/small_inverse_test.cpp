@@ -8,7 +8,7 @@
 namespace dda {
 namespace {
 
-// Of a block whose unknowns have units: lengths and strains of a block of a centimetre.
+// A random block whose unknowns have units: lengths, and strains of a block of a centimetre.
 Mat6 positive_definite(unsigned seed) {
   std::srand(seed);
   const Mat6 random = Mat6::Random();

@@ -36,8 +36,8 @@ class LinearSolver {
   // (or not finite); there is then no factor to solve with.
   [[nodiscard]] Status factorize(const BlockMatrix& matrix);
 
-  // For the rows and columns of a part alone, as if the others were not there: precondition() then keeps to it, and
-  // solve() needs a factorize of the whole first. Of solvers that take_parts().
+  // Factors the rows and columns of a part alone, as if the others were not there: precondition() then keeps to it, and
+  // solve() needs a factorize of the whole first. Only solvers that take_parts() can do so.
   [[nodiscard]] Status factorize(const BlockMatrix& matrix, const BlockPart& part);
   [[nodiscard]] virtual bool takes_parts() const { return false; }
 

@@ -12,7 +12,7 @@
 
 namespace dda {
 
-// Of one block over the stage; speeds are those of its centroid.
+// What one block did over the stage; speeds are those of its centroid.
 struct BlockPeaks {
   Vec2 place = Vec2::Zero();  // m, of the centroid when the stage began
   double speed = 0;           // m/s, the largest

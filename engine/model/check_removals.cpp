@@ -14,7 +14,7 @@
 namespace dda::model_checks {
 namespace {
 
-// Of each block the stages at whose start it comes in and goes, one after the other.
+// Follows blocks through the stages at whose start they come in and go, and refuses what contradicts itself.
 class ComingAndGoing {
  public:
   explicit ComingAndGoing(const Model& model)
@@ -24,26 +24,26 @@ class ComingAndGoing {
         goes_(comes_),
         place_(comes_.size()) {}
 
-  // In the order of the stages.
+  // To be called for one stage after the other.
   void follow(std::size_t stage) {
     for (const int block : model_.stages[stage].removal.blocks) go(stage, block);
     for (const int block : model_.stages[stage].rock.added) come(stage, block);
   }
 
-  // `what`, as in "with a load", is on the block when it is removed, or comes later.
+  // Refuses `what`, as in "with a load", on a block that a stage removes, whether it is there then or comes later.
   void refuse_on(int block, const std::string& what) const {
     if (goes_[at(block)] != none_)
       fail(stage_of(block), "remove", block, what, "blocks on which nothing acts and nothing is measured to the end");
   }
 
-  // `what`, as in "to which a bolt is anchored", is there from this stage on.
+  // Refuses `what`, as in "to which a bolt is anchored", from `stage` on where the block comes in later.
   void refuse_before(int block, int stage, const std::string& what) const {
     const std::size_t comes = comes_[at(block)];
     if (comes != none_ && static_cast<std::size_t>(stage) < comes)
       fail(comes, "add", block, what, "nothing on a block before it comes in");
   }
 
-  // At whose start the block goes, past the last where it never does.
+  // The stage at whose start the block goes, and one past the last where it never does.
   [[nodiscard]] std::size_t stage_of(int block) const { return goes_[at(block)]; }
   [[nodiscard]] Item item(std::size_t stage) const { return {"stages", stage, model_.stages[stage].name}; }
 

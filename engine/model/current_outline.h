@@ -19,10 +19,10 @@ template <typename PlaceOf>
   return outline;
 }
 
-// With its holes, m.
+// Returns the outline of a block, with its holes, where it is in `state`, m.
 [[nodiscard]] Polygon current_outline(const Model& model, const State& state, int block);
 
-// Of every block.
+// Returns the outlines of all blocks, in their order.
 [[nodiscard]] std::vector<Polygon> current_outlines(const Model& model, const State& state);
 
 }  // namespace dda

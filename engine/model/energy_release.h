@@ -27,16 +27,16 @@ struct EnergyRelease {
 
   [[nodiscard]] double by_work() const { return work - (strain + potential + joints + plastic); }
   [[nodiscard]] double by_fate() const { return kinetic + damping + radiated + removed; }
-  // Of both forms, over the largest of the entries; zero also where they differ by no more than round-off. Rock at rest
-  // has entries that are nothing else, and their ratio would be any number. Of entries from 1.4e-5 of the largest
-  // energy on a difference of 1e-9 is seen in full.
+  // Returns by_work() less by_fate() over the largest entry by size, and zero where the two differ by no more than
+  // round-off: rock at rest has entries that are nothing else, and their ratio would be any number. Where that entry is
+  // 1.4e-5 of the largest energy or more, a difference of 1e-9 of it is seen in full.
   [[nodiscard]] double relative_difference() const;
 };
 
-// From the start of a run to the moment of `after`.
+// Says what was released from the start of a run to the moment of `after`.
 EnergyRelease energy_release(const EnergyLedger& after);
 
-// Between two moments of a run.
+// Says what was released between two moments of a run.
 EnergyRelease energy_release(const EnergyLedger& before, const EnergyLedger& after);
 
 }  // namespace dda

@@ -1,4 +1,4 @@
-// Of every block whether it is held as a whole: Model::is_held for loops over all blocks or contacts of a scene.
+// Says of every block whether it is held as a whole: Model::is_held for loops over all blocks or contacts of a scene.
 #pragma once
 
 #include <cstddef>

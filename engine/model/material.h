@@ -71,11 +71,11 @@ struct JointMaterial {
   // k, m being the smaller mass of the two blocks. A block on one spring is critically damped by 1.
   double contact_damping = 0;
 
-  // Consistent law: both in units of (plane modulus * interface length / block size across the interface).
+  // Consistent law: the next two are in units of (plane modulus * interface length / block size across the interface).
   double penalty = 4;  // must exceed 1 for stability
-  // Of the end-to-end difference of the gap, which mid-edge alone leaves free. Not given: default_stabilisation, and in
-  // rows one block wide, where it is all that resists bending, for the normal gap what a beam has
-  // (engine/contact/row_bending.h).
+  // Resists the end-to-end difference of the gap, which the penalty at mid-edge leaves free. Where none is given it is
+  // default_stabilisation; but for the normal gap in rows one block wide, where nothing else resists bending, it is
+  // what a beam has (engine/contact/row_bending.h).
   std::optional<double> stabilisation = {};
 };
 
@@ -85,7 +85,7 @@ inline double stabilisation_of(const JointMaterial& joint) {
   return joint.stabilisation.value_or(default_stabilisation);
 }
 
-// Held by friction alone, from the start.
+// True where friction alone holds the joint from the start.
 inline bool is_dry(const JointMaterial& joint) {
   return !joint.bonded && joint.cohesion == 0 && joint.tensile_strength == 0;
 }

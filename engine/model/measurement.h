@@ -53,8 +53,8 @@ struct Measurement {
   int lining = -1;   // for quantities of linings
   int element = -1;  // one of its elements; -1: that in which the quantity is largest in magnitude
 
-  // Ascending. Of quantities of blocks: the mean (of energies the sum) over these in place of `block` at `point`. Of
-  // reactions: those of these held blocks. Of contact forces: what the force acts on.
+  // In ascending order. Quantities of blocks are the mean (energies the sum) over these in place of `block` at `point`;
+  // reactions are those of these held blocks; and these are what a contact force acts on.
   std::vector<int> blocks = {};
   std::vector<int> others = {};    // of contact forces: what exerts them; ascending, none of `blocks`
   std::vector<int> supports = {};  // of reactions
@@ -63,7 +63,7 @@ struct Measurement {
   Vec2 to = Vec2::Zero();
   Vec2 about = Vec2::Zero();  // of moments; does not move
 
-  // Of excess shear: this joint alone; -1: all. And the strength that is judged by, in place of each joint's own.
+  // Excess shear is that of this joint alone (-1: of all), by the strength given here in place of each joint's own.
   int joint = -1;
   std::optional<double> friction_angle = {};  // rad
   std::optional<double> cohesion = {};        // Pa

@@ -9,7 +9,7 @@
 
 namespace dda {
 
-// Those in force in a stage. Of a finished model, whose first stage then has what the model began with.
+// Those in force in a stage of a model that is finished: its first stage then has what the model began with.
 const std::vector<Material>& materials_in(const Model& model, std::size_t stage);
 const std::vector<JointMaterial>& joints_in(const Model& model, std::size_t stage);
 

@@ -25,7 +25,7 @@ struct Settled {
   std::vector<UnbalancedBlock> loose;  // of all stages so far, and at a share of 1
 };
 
-// Mean over the wall of the normal forces that the opening exerts on what stays, Pa, positive in compression.
+// The mean normal stress that the opening exerts on what stays, over its wall, Pa, positive in compression.
 double mean_pressure(const Simulation& simulation, const std::vector<int>& opening, const OpeningWall& wall) {
   Measurement force;
   force.quantity = Quantity::contact_force;
@@ -59,7 +59,7 @@ bool has(const std::vector<UnbalancedBlock>& blocks, int block) {
   return std::ranges::find(blocks, block, &UnbalancedBlock::block) != blocks.end();
 }
 
-// Of the last stage, without those that nothing held before.
+// Returns the blocks that came loose in the last stage, without those that nothing held before.
 std::vector<UnbalancedBlock> newly_loose(const Simulation& simulation, const Settled& settled) {
   const int last = static_cast<int>(simulation.model().stages.size()) - 1;
   std::vector<UnbalancedBlock> loose = simulation.results().loose;
@@ -67,12 +67,12 @@ std::vector<UnbalancedBlock> newly_loose(const Simulation& simulation, const Set
   return loose;
 }
 
-// All that the end of the run lacks are holds of blocks that are loose there.
+// True where the end of the run lacks nothing but a hold on blocks that are loose there.
 bool is_balanced_but_for_loose_blocks(const Simulation& simulation) {
   return simulation.results().out_of_balance.back() <= simulation.model().stages.back().equilibrium;
 }
 
-// All that the end of the run lacks are holds of blocks that had none in situ.
+// True where the end of the run lacks nothing but a hold on blocks that had none in situ.
 bool settles_but_for_old_loose_blocks(const Simulation& simulation, const ReactionPoint& point) {
   return point.status == Status::not_in_equilibrium && point.loose.empty() &&
          is_balanced_but_for_loose_blocks(simulation);

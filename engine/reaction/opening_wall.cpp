@@ -10,14 +10,14 @@
 namespace dda {
 namespace {
 
-// Of every block whether it is one of these.
+// Says of every block whether it is one of these.
 std::vector<bool> marked(const std::vector<int>& blocks, const Model& model) {
   std::vector<bool> marks(model.blocks.size(), false);
   for (const int block : blocks) marks[static_cast<std::size_t>(block)] = true;
   return marks;
 }
 
-// From the point to where the ray crosses the line through the face; none where it passes the face.
+// How far it is from `start` to where the ray crosses the face, m; nothing where it passes the face.
 std::optional<double> distance_to(const WallFace& face, const Vec2& start, const Vec2& direction, double tolerance) {
   const Vec2 along = face.to - face.from;
   const Vec2 across(-direction.y(), direction.x());

@@ -37,7 +37,7 @@ struct OpeningWall {
   std::vector<WallFace> faces;
   double length = 0;             // m, of all faces
   Vec2 centroid = Vec2::Zero();  // m, of the blocks taken out
-  // Of each place the points of the wall there: two where it is on a joint, none where the ray meets no wall.
+  // The points of the wall at each place: two where it is on a joint, none where the ray meets no wall.
   std::array<std::vector<WallPoint>, 4> places;
 };
 

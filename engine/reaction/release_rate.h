@@ -25,7 +25,7 @@ struct ReleaseRate {
   [[nodiscard]] std::optional<double> per_wall() const;                // J/m2
 };
 
-// Of every stage that has taken blocks out and is over.
+// Returns the rates of all stages that have taken blocks out and are over, in their order.
 [[nodiscard]] std::vector<ReleaseRate> release_rates(const Simulation& simulation);
 
 }  // namespace dda

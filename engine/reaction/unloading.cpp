@@ -29,7 +29,7 @@ Stage static_stage(const std::string& name, const Stage& like) {
   return stage;
 }
 
-// The stage that takes the opening out; none: the number of stages.
+// Returns the stage that takes the opening out, or the number of stages where none does.
 std::size_t stage_of(const std::vector<int>& opening, const Model& model) {
   const auto is_of_opening = [&](int block) { return std::ranges::find(opening, block) != opening.end(); };
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
@@ -57,8 +57,8 @@ int keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
   }
   model.stages.resize(kept);
   if (model.stages.empty()) model.stages.push_back(static_stage("in situ", like));
-  // Of unlimited strength is the stage by which weight and stress get into the rock. Where the scene does not say
-  // itself what comes then, the joints get their own strength before the opening is made: its curve is that of rock
+  // The stage by which weight and stress get into the rock may be one of unlimited strength. Where the scene does not
+  // say itself what comes then, the joints get their own strength before the opening is made: its curve is that of rock
   // that slides.
   if (!is_taken_out && model.stages.back().unlimited_strength) {
     model.stages.push_back(static_stage("own strength", model.stages.back()));

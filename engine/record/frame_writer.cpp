@@ -79,7 +79,7 @@ FrameWriter::FrameWriter(const Model& model, std::filesystem::path index) : mode
   list_cells();
 }
 
-// Of the blocks that are there: rings before surfaces, as VTK numbers lines before polygons.
+// Lists the cells of the blocks that are there, rings before surfaces, as VTK numbers lines before polygons.
 void FrameWriter::list_cells() {
   const int blocks = static_cast<int>(model_.blocks.size());
   data_.lines = data_.polygons = {};

@@ -145,7 +145,7 @@ TEST_F(FrameWriterTest, RingsOfABlockThatIsTrianglesAreClosedLines) {
 
 TEST(FanApex, IsAVertexThatSeesTheWholePolygon) {
   EXPECT_EQ(fan_apex({square(0, 0, 1), {}}), 0U);
-  // Of an L only the inner corner and the outer one on its diagonal see all of it.
+  // In an L only the inner corner and the outer one on its diagonal see all of it.
   EXPECT_EQ(fan_apex({{{4, 0}, {4, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 0}}, {}}), 2U);
   const Ring letter_u = {{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   EXPECT_EQ(fan_apex({letter_u, {}}), std::nullopt);

@@ -22,11 +22,11 @@ inline constexpr auto page_name = "view.html";         // what dda view makes of
 inline constexpr auto report_name = "report.html";     // what dda report makes of it
 inline constexpr auto spectrum_name = "spectrum.csv";  // what dda spectrum makes of it
 
-// Of the state at the end of a stage, counted from 0, where a run keeps it.
+// Names the file of the state at the end of a stage, counted from 0, where a run keeps it.
 std::string stage_file_name(std::size_t stage);
 
-// InputError naming what stands in the folder, under one of these names, where a run could not write: a folder in place
-// of a file, a file in place of a folder, a link, a device.
+// Throws InputError naming what stands in the folder, under one of these names, where a run could not write: a folder
+// in place of a file, a file in place of a folder, a link, a device.
 void check_run_folder(const std::filesystem::path& folder);
 
 // Takes away all that runs before have left under these names, complete or not, so that nothing in the folder comes

@@ -47,7 +47,7 @@ TEST(RemovalInScenes, LetsGoOverATimeOrByATable) {
   EXPECT_DOUBLE_EQ(evaluate(*table.stages[1].removal.relaxation, 1), 0.3);
 }
 
-// Of its time steps too: a ramp far shorter than what else is there to follow asks for shorter ones.
+// Time steps follow the ramp of a removal too: one that is far shorter than all else asks for shorter steps.
 TEST(RemovalInScenes, LetsGoSlowlyInADynamicStageThatHasItsStepChosen) {
   const auto chosen = [](const std::string& removal) {
     std::string scene = scene_with("", R"(, "remove": )" + removal);

@@ -36,23 +36,23 @@ class GroundPlan {
   // Blocks that contain `point` or have it on their outline, in ascending order.
   [[nodiscard]] std::vector<int> blocks_at(const Vec2& point) const;
 
-  // Of `candidates`, which all hold `point`, the first that continues from there in one of `directions`.
+  // Returns which of `candidates`, all at `point`, goes on from there in the earliest of `directions`; else nothing.
   [[nodiscard]] std::optional<int> block_towards(const std::vector<int>& candidates, const Vec2& point,
                                                  const std::vector<Vec2>& directions) const;
 
   // Parts of outlines that run along `line`, cut to its ends, in the order of blocks.
   [[nodiscard]] std::vector<Stretch> stretches_along(const Segment& line) const;
 
-  // Of these, those of blocks that have `point`, and of some others.
+  // The same parts of blocks near `point` alone: of all that have it, and of some others.
   [[nodiscard]] std::vector<Stretch> stretches_at(const Segment& line, const Vec2& point) const;
 
   // Where `line` runs inside of blocks, from its start on; stretches along joints are in none.
   [[nodiscard]] std::vector<Passage> passages_of(const Segment& line) const;
 
-  // Of all blocks.
+  // The box around all blocks.
   [[nodiscard]] const Box& box() const { return box_; }
 
-  // Of the blocks.
+  // The names of the blocks.
   [[nodiscard]] const Names& names() const { return names_; }
 
  private:

@@ -25,7 +25,7 @@ void expect_away(const Field& name, const std::vector<int>& blocks, const StageS
   }
 }
 
-// Of the blocks that are there those on the other side of one edge of a block that is away.
+// Appends the faces of blocks that are there across this edge of a block that is away.
 void append_faces_along(const Segment& edge, const GroundPlan& plan, std::vector<Stretch>& faces) {
   const Vec2 along = edge.end - edge.start;
   const Vec2 own_inward(-along.y(), along.x());

@@ -19,7 +19,7 @@ std::string written(const Vec2& point) { return fmt::format("[{:.6g}, {:.6g}]", 
 
 Vec2 middle_of(const Stretch& face) { return (face.from + face.to) / 2; }
 
-// Of a wall that closes the run of faces whose middles lie above `height`.
+// Takes from a wall that closes on itself the one run of faces whose middles lie above `height` (m).
 LinedWall part_above(const Field& field, double height, const std::vector<Stretch>& wall) {
   const auto is_above = [&](const Stretch& face) { return middle_of(face).y() > height; };
   const auto below = std::ranges::find_if_not(wall, is_above);
@@ -102,7 +102,7 @@ Vec2 inside(const Ring& outline, double tolerance) {
 
 }  // namespace
 
-// In the outline drawn, or in a block of the group that is taken out.
+// Returns a point in the outline that was drawn, or in a block of the group that is taken out.
 Vec2 Walls::point_in_opening(const Field& name) const {
   const auto drawn = std::ranges::find(openings_, name.text(), &PlanOpening::name);
   if (drawn != openings_.end()) return inside(drawn->outline, model_.length_tolerance);

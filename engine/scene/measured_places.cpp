@@ -160,7 +160,7 @@ void MeasuredPlaces::place_on_lining(const Field& field, Measurement& measuremen
   }
 }
 
-// Of named supports, of held blocks, or of all that is held.
+// Measures the reaction of named supports, of blocks that are held as a whole, or of all that is held.
 void MeasuredPlaces::place_at_supports(const Field& field, Measurement& measurement) const {
   measurement.about =
       value_or(field, "about", Vec2(Vec2::Zero()), [](const Field& f) { return f.vector(Dimension::length); });

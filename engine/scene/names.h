@@ -15,13 +15,13 @@ class Names {
  public:
   Names() = default;
 
-  // Of things that have a member `name`.
+  // Takes the names of things that have a member `name`.
   template <typename Thing>
   explicit Names(const std::vector<Thing>& things) {
     for (const Thing& thing : things) add(thing.name);
   }
 
-  // Of several things with one name the first is meant.
+  // Where several things have one name, it means the first of them.
   void add(const std::string& name) {
     index_.emplace(name, list_.size());
     list_.push_back(name);

@@ -12,7 +12,7 @@ namespace dda {
 // The coordinates of a grid along one axis, m. A single one: the function does not depend on it.
 class GridAxis {
  public:
-  // Of numbers that increase; fails for others.
+  // Takes numbers that increase, and refuses others.
   explicit GridAxis(const Field& field);
 
   struct Place {
@@ -20,7 +20,7 @@ class GridAxis {
     double share;       // of the way to the next
   };
 
-  // Nothing outside of the axis.
+  // Returns nothing for a coordinate outside of the axis.
   [[nodiscard]] std::optional<Place> find(double coordinate) const;
   [[nodiscard]] std::size_t size() const { return coordinates_.size(); }
 

@@ -12,7 +12,7 @@
 namespace dda {
 namespace {
 
-// Of the smaller block beside it: an open joint is no wider, as the contact search reaches no farther.
+// A gap wider than this share of the smaller block beside it is air and no open joint: contacts are sought no farther.
 constexpr double widest_joint = 0.1;
 
 // Axial stiffness of a bolt, N/m: given, or Young's modulus times section over a length.
@@ -46,7 +46,7 @@ AxialStiffness read_stiffness(const Field& field) {
   return stiffness;
 }
 
-// Everything but where it runs. Forces of a bolt are spread over its spacing.
+// Reads everything but where the bolt runs. Forces of a bolt are spread over its spacing.
 Bolt read_properties(const Field& field, const Model& model) {
   Bolt bolt;
   bolt.name =

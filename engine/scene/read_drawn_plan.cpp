@@ -84,7 +84,7 @@ void check_name(const std::string& group, const std::string& origin) {
   static_cast<void>(Field(name, origin).name());
 }
 
-// Of that name, else the one whose name differs in capitals only.
+// Finds the joint that the line names, or else the only one whose name differs in capitals alone; refuses all others.
 const JointMaterial& joint_of(const PlanLine& line, const Model& model) {
   const auto same = std::ranges::find(model.joints, line.joint, &JointMaterial::name);
   if (same != model.joints.end()) return *same;

@@ -13,7 +13,7 @@
 namespace dda {
 namespace {
 
-// Of concrete.
+// The Poisson's ratio of concrete, for linings that name none.
 constexpr double default_poisson = 0.2;
 
 void read_strength(const Field& field, Lining& lining) {

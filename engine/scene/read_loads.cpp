@@ -116,7 +116,7 @@ double read_impedance(const Field& field, const char* key, double otherwise) {
   return value_or(field, key, otherwise, [](const Field& f) { return f.not_negative(Dimension::impedance); });
 }
 
-// Of the blocks along a free-field side, from below. Held blocks among them are what the side stands on.
+// Lists the faces of blocks along a free-field side from below, without those of held blocks, on which the side stands.
 std::vector<Stretch> read_free_side(const Field& field, const GroundPlan& plan, const Model& model) {
   refuse(field, {"carries_initial_stress"}, "beside free_field, which brings the stress of its column");
   std::vector<Stretch> stretches = read_edge(field, plan, model);

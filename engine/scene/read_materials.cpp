@@ -85,7 +85,7 @@ void read_strength(const Field& field, JointMaterial& joint) {
   joint.tensile_strength = value_or(field, "tensile_strength", 0.0, strength);
 }
 
-// Left after failure: not more than before.
+// Reads what is left of a strength after failure: not more than before.
 void read_residual_strength(const Field& field, JointMaterial& joint) {
   if (const auto angle = field.find("residual_friction_angle")) {
     joint.residual_friction_angle = read_friction_angle(*angle);
@@ -108,7 +108,7 @@ void read_dilation(const Field& field, JointMaterial& joint) {
   if (joint.dilation_angle == 0) refuse(field, {"zero_dilation_slip"}, "without a dilation_angle above 0");
 }
 
-// The law chooses its penalty by itself.
+// Refuses a penalty beside the projected law, which chooses its own, and all else that it has no use for.
 void check_projected_law(const Field& field, const JointMaterial& joint) {
   if (joint.law != InterfaceLaw::projected) return;
   refuse(field, {"penalty", "stabilisation", "normal_spring", "spring_over_young", "contact_damping"},
@@ -158,7 +158,7 @@ void add_rings(const Field& rock, std::vector<Field>& users) {
   }
 }
 
-// Everything in a scene that names a joint in a key "joint".
+// Lists everything in a scene that names a joint in a key "joint".
 std::vector<Field> joint_users(const Field& scene) {
   std::vector<Field> users;
   const auto add_entries = [&](const Field& owner, const char* key) {
@@ -179,7 +179,7 @@ std::vector<Field> joint_users(const Field& scene) {
   return users;
 }
 
-// Names that drawings give to joints by themselves.
+// Returns the names that drawings give to joints by themselves.
 std::set<std::string> joints_of_drawings(const Field& scene, const std::filesystem::path& folder) {
   std::set<std::string> names;
   const Field blocks = scene.at("blocks");
@@ -191,7 +191,7 @@ std::set<std::string> joints_of_drawings(const Field& scene, const std::filesyst
   return names;
 }
 
-// Of `names`, those that drawings have in any capitals.
+// Adds to `used` those of `names` that drawings have, whatever their capitals.
 void use_joints_of_drawings(const Field& scene, const std::filesystem::path& folder,
                             const std::vector<std::string>& names, std::set<std::string>& used) {
   std::set<std::string> drawn;

@@ -31,7 +31,7 @@ double length_of(const Ring& ring) {
   return length;
 }
 
-// Of an opening without blocks the outline that was drawn; else that around the blocks of the group.
+// Measures the wall of an opening, m: the outline drawn where it has no blocks, else that around its group.
 double read_wall(const Field& name, const std::vector<std::string>& groups, const std::vector<PlanOpening>& openings,
                  const Model& model) {
   const std::string opening = name.text();

@@ -165,14 +165,14 @@ std::vector<int> blocks_called_by(const Field& names, const std::vector<std::str
   return blocks;
 }
 
-// Of every block whether it is away after the stages so far.
+// Says of every block whether it is away after the stages that have been read so far.
 std::vector<bool> absent_so_far(const Model& model) {
   std::vector<bool> absent = model.absent_in(model.stages.size());
   absent.resize(model.blocks.size(), false);
   return absent;
 }
 
-// No stage before adds or removes it.
+// True where no stage that has been read so far adds or removes the block.
 bool is_first_told_of(int block, const Model& model) {
   return std::ranges::none_of(model.stages, [block](const Stage& stage) {
     return std::ranges::binary_search(stage.removal.blocks, block) ||

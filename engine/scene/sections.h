@@ -23,7 +23,7 @@ void read_materials(const Field& scene, Model& model);
 std::vector<std::string> read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
                                      Model& model);
 
-// Of each block its group, the name of its generator or a polygon's own, and whether it states its initial stress.
+// Says of each block its group (its generator's name, or a polygon's own) and whether it states its initial stress.
 struct BlockFacts {
   std::vector<std::string> groups;
   std::vector<bool> own_stress;

@@ -112,7 +112,7 @@ double worst_stress_error(const ConfinedRow& row, const Simulation& simulation) 
   return worst;
 }
 
-// Of a row whose sides give way by springs: four of `spring` move by half the height times the strain across each.
+// The sides of the row give way by springs: four of `spring` move by half the height times the strain across each.
 double strain_along_confined(const ConfinedRow& row) {
   const Mat3 d = elasticity_matrix(row.model.materials[0]);
   const double sides = row.spring * row.height / row.lengths[0];
@@ -244,7 +244,7 @@ TEST(BeamOfOneRow, BendsAsABeam) {
       const Beam beam = random_beam(blocks, i % 2 ? 0.5 : 0, random);
       const Kinematics kinematics = i < 4 ? Kinematics::finite : Kinematics::small;
       const JointMaterial joint = i % 3 == 0 ? strong(InterfaceLaw::consistent) : bond(InterfaceLaw::consistent);
-      // The trapezoidal rule for the moment in every block: 1/(2 n^2) for equal ones, some 2.5 times that at most here.
+      // The trapezoidal rule for moments errs by 1/(2 n^2) where blocks are equal, by some 2.5 times that at most here.
       const double tolerance = 1.5 / (blocks * blocks) + 1e-4;
       EXPECT_NEAR(relative_deflection(beam, joint, kinematics), 1, tolerance) << blocks << " " << i;
     }

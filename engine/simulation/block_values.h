@@ -6,7 +6,7 @@
 
 namespace dda {
 
-// Of one block at the measurement's point. Of several the mean: stresses by area and principal stresses from that
+// Reads one block at the measurement's point, or the mean of several: stresses by area and principal stresses from that
 // mean, displacements, velocities, accelerations and rotations by mass; energies are added up.
 double block_value(const BlockSystem& system, const Measurement& measurement);
 

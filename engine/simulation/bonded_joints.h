@@ -10,7 +10,7 @@
 
 namespace dda {
 
-// Of the interface at place `i` at the end of a step of these increments, before the state moves; `gap`: there.
+// Returns the force of interface `i` at the end of a step by `increment`, its gap being `gap`; the state has not moved.
 Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i, const Vec4& gap);
 
 // Gaps and forces of the interfaces at these places follow system.increment, before the blocks' stresses do.

@@ -25,7 +25,7 @@ Ring convex_ring(std::mt19937& random) {
   return ring;
 }
 
-// Of a convex block: the nearest of the lines that bound it, in the direction of the ray.
+// How far it is to the nearest of the lines that bound a convex block, along a ray that begins in it.
 double nearest_line(const Ring& ring, const Vec2& from, const Vec2& along) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace dda {
 
 struct Excavated {
-  std::vector<bool> absent;  // of every block whether it has been removed; empty while none has
+  std::vector<bool> absent;  // of every block whether it is not there now; empty while all are
   ReleasedForces released;
 
   template <typename Self, typename Archive>

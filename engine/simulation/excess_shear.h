@@ -38,8 +38,8 @@ struct LoadedFace {
   [[nodiscard]] double excess() const;  // Pa
 };
 
-// All faces whose joint has a strength: by `judged`, or by that of each joint as it is now (a bonded one has that of
-// its friction and cohesion where any is given).
+// Returns all faces whose joint has a strength: by `judged`, or by that of each joint as it is now (a bonded one has
+// that of its friction and cohesion where any is given).
 std::vector<LoadedFace> loaded_faces(const BlockSystem& system, const std::optional<JudgedStrength>& judged);
 
 // What the faces of one joint come to.
@@ -62,7 +62,7 @@ struct ExcessShear {
   }
 };
 
-// Of every joint that has faces, now.
+// Sums up the faces of every joint that has any, as they are now.
 std::vector<ExcessShear> excess_by_joint(const BlockSystem& system);
 
 // A measurement of it: the largest excess (Pa; not a number where there is no face) and the length on which it is above

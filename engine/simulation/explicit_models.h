@@ -39,7 +39,7 @@ struct DenseModes {
   Eigen::MatrixXd shapes;   // a column each
 };
 
-// Of the first stage.
+// Returns the modes of the first stage.
 inline DenseModes dense_modes(const Model& model) {
   const ContactSet contacts = make_contacts(model);
   const LinearOperators operators(model, make_block_terms(model, model.stages[0]), contacts,
@@ -132,7 +132,7 @@ class RandomBondedScene {
   double stable_dt_ = 0;
 };
 
-// Begins with these velocities, 6 a block.
+// Lets the model begin with these velocities, 6 a block.
 inline void set_in_motion(const Eigen::VectorXd& velocity, Model& model) {
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Vec6 own = velocity.segment<6>(static_cast<Eigen::Index>(6 * i));

@@ -65,7 +65,7 @@ class ExternalForces {
     bool in_force = true;  // the stage is one of those in which it acts
   };
 
-  // Of a support that is let go some day; zero until then.
+  // What a support leaves behind that is let go some day; the force is zero until then.
   struct Reaction {
     std::size_t support;
     Vec2 force;

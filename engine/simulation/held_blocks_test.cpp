@@ -47,7 +47,7 @@ std::vector<Way> ways() {
           {bond(InterfaceLaw::classical), Kinematics::finite}};
 }
 
-// Round-off of sums of increments below 1e-2 m.
+// The round-off of sums of increments below 1e-2 m.
 constexpr double round_off = 1e-16;
 
 TEST(HeldBlocks, FollowTheRecordExactly) {
@@ -61,7 +61,7 @@ TEST(HeldBlocks, FollowTheRecordExactly) {
         EXPECT_NEAR(state.displacement[0](0), motion.displacement, round_off) << integrator.name;
         EXPECT_NEAR(state.displacement[0](1), -motion.displacement / 2, round_off);
         EXPECT_EQ(state.displacement[0].tail<4>(), Eigen::Vector4d::Zero());
-        // Of a moment that differs from the state's by round-off, with slopes up to 1e3.
+        // The moment differs from the state's by round-off, and slopes are up to 1e3.
         EXPECT_NEAR(state.velocity[0](0), motion.velocity, 1e-15);
         EXPECT_NEAR(state.acceleration[0](0), motion.acceleration, 1e-13);
       }
@@ -163,7 +163,7 @@ TEST(HeldBlocks, WeightOfMovingOnesIsInNoEnergy) {
       }
       const EnergyLedger& energy = simulation.energy();
       EXPECT_NEAR(energy.gravity_work, fallen, 1e-9 * std::abs(fallen)) << scene;
-      // Of the rows of three blocks, with forces that a base of 10^4 times the weight would spoil by as many digits.
+      // This is round-off in rows of three blocks; forces of a base 10^4 times as heavy would spoil four digits more.
       EXPECT_LT(std::abs(energy.relative_residual()), 1e-10) << scene << integrator.name;
     }
 }

@@ -58,7 +58,7 @@ class RandomPlate {
 
   static constexpr int side = 45;  // blocks
 
-  // Blocks of 1/`parts` of the size.
+  // Cuts the plate into blocks of 1/`parts` of the size.
   [[nodiscard]] Model model(int parts) const {
     Model model;
     model.materials = {rock_, rock_};
@@ -82,7 +82,7 @@ class RandomPlate {
     stage.dt = leaves_dt_ ? 0 : dt_of(share_of_limit_);
     return stage;
   }
-  // Of a step in which P waves cross a quarter of a block, which is about the limit.
+  // The dt (s) of this share of the time in which P waves cross a quarter of a block, about the limit of stability.
   [[nodiscard]] double dt_of(double share) const {
     return duration_ / std::ceil(duration_ / (share * 0.25 * width_ / p_speed()));
   }
@@ -110,7 +110,7 @@ class RandomPlate {
     block.material = row / parts < side / 2 ? 0 : 1;
   }
 
-  // Of the corners of whole blocks, straight lines between them, as their parts have; none on the outside.
+  // How far corners of whole blocks are moved, those on the outside not; corners of parts lie on lines between them.
   [[nodiscard]] Vec2 off_grid(double i, double j) const {
     if (i <= 0 || j <= 0 || i >= side || j >= side) return Vec2::Zero();
     return 0.12 * Vec2(width_ * std::sin(12.9898 * i + 78.233 * j), height_ * std::sin(39.3468 * i + 11.135 * j));
@@ -171,7 +171,7 @@ class RandomPlate {
   bool skewed_, two_rocks_, kinked_, in_the_rock_, absorbing_, held_, at_once_, leaves_dt_;
 };
 
-// At the middles of the plate's own blocks, all over it.
+// Reads displacements at the middles of the plate's own blocks, all over it.
 std::vector<double> readings(const Simulation& simulation, const std::vector<Vec2>& middles, int parts) {
   std::vector<double> values;
   const int count = RandomPlate::side * parts;
@@ -203,7 +203,7 @@ Histories run(Model model, const std::vector<Vec2>& middles, std::string& reason
   return histories;
 }
 
-// Relative L2 norm of the difference, the reference read between its moments.
+// The relative L2 norm of the difference; the reference is interpolated between its moments.
 double error_of(const Histories& run, const Histories& reference) {
   double off = 0, size = 0;
   std::size_t k = 0;

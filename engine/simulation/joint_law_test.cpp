@@ -43,7 +43,7 @@ Model shear_box(const JointMaterial& joint, double pull, int steps, Kinematics k
   return model;
 }
 
-// Sum over the joint, N per m of thickness: compression positive, shear against the motion positive.
+// Sums up the joint's forces, N per m of thickness: compression positive, shear against the motion positive.
 Vec2 joint_force(const Simulation& simulation) {
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < simulation.contacts().elements.size(); ++i) {
@@ -89,7 +89,7 @@ TEST_P(ShearBox, RisesToItsPeakAndFallsToItsResidual) {
     before = force(1);
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), GetParam() == Kinematics::small ? 1e-11 : 1e-5);
   }
-  // Seen at the end of steps: less than what one step adds below the exact peak.
+  // The peak is seen at the end of steps only: it may be missed by less than what one step adds.
   EXPECT_LE(largest, peak * (1 + 1e-9));
   EXPECT_GT(largest, peak - 1.01 * largest_rise);
   EXPECT_LT(largest_rise, 0.05 * peak);
@@ -185,7 +185,7 @@ TEST_P(ShearBox, DilationEndsAtItsSlip) {
               GetParam() == Kinematics::small ? 1e-12 : 1e-6);
 }
 
-// Of the work against friction, lifting the load is no loss.
+// Lifting the load is that part of the work against friction which is no loss.
 TEST(Dilation, LedgerCountsAsFrictionWhatIsLost) {
   for (const Integrator& integrator : {static_integrator(), thesis_integrator(), generalized_alpha_integrator(0.5)}) {
     Model model = shear_box(rising_joint(1), 4e-3, 200, Kinematics::small);

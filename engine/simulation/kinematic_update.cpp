@@ -71,7 +71,7 @@ void change_inertia(std::size_t i, const Vec3& squares, double beyond, Inertia& 
   keep_angular_momentum(of_acceleration, inertia, state.acceleration[i]);
 }
 
-// Of the block as drawn, at the spin at which it would have its angular momentum: see README.md.
+// Takes the block as drawn, at the spin at which it would then have its angular momentum: see README.md.
 Vec3 centrifugal_force_on(const Model& model, std::size_t i, const BlockTerms& terms, const Vec6& velocity) {
   const Inertia& inertia = terms.inertia[i];
   const Vec3 drawn = mean_squares(model.blocks[i].moments);

@@ -127,8 +127,8 @@ void LinearForces::set_consistent_weight() {
   system.external.set_weight(weight);
 }
 
-// Of the unbalanced forces in inertia_force. Strains without inertia take theirs with the inertia they would have: the
-// first step puts them in equilibrium.
+// Returns how the unbalanced forces in inertia_force accelerate blocks. Strains without inertia take theirs with the
+// inertia they would have: the first step puts them in equilibrium.
 Eigen::VectorXd LinearForces::initial_acceleration() const {
   const BlockSystem& s = system;
   BlockMatrix inertia = s.waves.leave_strains_without_inertia()

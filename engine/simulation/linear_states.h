@@ -15,7 +15,7 @@ InterfaceState linear_interface_state(const BlockSystem& system, std::size_t ind
 // Writes the states of all contacts as they are now.
 void write_linear_states(BlockSystem& system);
 
-// The other way: from states as they are now to gaps at zero displacement. Of all contacts, or of one.
+// Goes the other way for all contacts, or for one: from states as they are now to gaps at zero displacement.
 void keep_gaps_at_rest(BlockSystem& system);
 void keep_gap_at_rest(const State& state, const InterfaceElement& element, InterfaceState& own);
 

@@ -36,7 +36,7 @@ double stretch_by(const Vec2& drawn, const Vec2& change) {
   return change.dot(2 * drawn + change) / ((drawn + change).norm() + drawn.norm());
 }
 
-// The same turn within half a turn of none.
+// Returns the same turn within half a turn of none.
 double wrapped(double turn) { return std::remainder(turn, 2 * std::numbers::pi); }
 
 // The gaps as measured from the drawing: they follow the chord, so that no rigid motion counts.
@@ -78,7 +78,7 @@ Vec3 expected(const LiningElement& element, const Vec3& gap) {
   return element.tangent.force + element.tangent.slope * (gap - element.tangent.at);
 }
 
-// Of a moment with the thickness as its lever, and of Q likewise, so that they compare with axial forces.
+// The largest of N, M and Q by size: M and Q are divided by the thickness as their lever, so that they compare with N.
 double size_of(const LiningElement& element, const Vec3& force) {
   const Vec3 comparable(force(0), force(1) / element.strength.thickness, force(2) / element.strength.thickness);
   return comparable.cwiseAbs().maxCoeff();

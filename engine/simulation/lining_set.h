@@ -58,7 +58,7 @@ struct SectionForces {
   [[nodiscard]] double moment() const { return (moment_at_start + moment_at_end) / 2; }
 };
 
-// Of Newton's method around that of the contacts.
+// What came of a round of Newton's method for linings, around that of the contacts.
 struct LiningRound {
   bool goes_on = false;           // the answers were not those expected
   bool has_other_slopes = false;  // than the round before

@@ -51,7 +51,7 @@ double velocity_error(const Model& unfinished) {
 
 TEST(LoadSharpening, WavesHaveTheStrengthOfTheirLoad) {
   for (const Integrator& integrator : {trapezoidal_integrator(), generalized_alpha_integrator(0.8)}) {
-    // Of the second derivative of the push at its peak: without sharpening the peak is too low by this.
+    // Without sharpening the peak is too low by this: epsilon dt^2 times the second derivative of the push there.
     const double lost = period_error(integrator) / 2 * std::pow(2 * std::numbers::pi * dt / period, 2);
     EXPECT_GT(lost, 6e-4);
     EXPECT_LT(std::abs(velocity_error(pushed_bar(integrator, true))), 0.2 * lost) << integrator.name;

@@ -56,7 +56,7 @@ Vec3 inertia_of(const Simulation& simulation, const std::vector<int>& blocks, co
     const Box box = bounding_box(model.blocks[at(block)].shape);
     const Vec2 size = box.upper - box.lower;
     const double mass = model.mass_of(block);
-    // Of the six unknowns' field: turns, and shear that the two sides do not share alike.
+    // The field of the six unknowns has moment of momentum by turns, and by shear where the two sides differ.
     const double spin_up =
         mass / 12 * (size.squaredNorm() * a(2) + (size.x() * size.x() - size.y() * size.y()) / 2 * a(5));
     sum += about(point, centroid_of(simulation, block), mass * a.head<2>(), spin_up);
@@ -270,7 +270,7 @@ TEST(Resultants, OfACantilever) {
     for (PointSupport& support : model.supports) support.amplitude = Vec2::Zero();
     const Vec2 force(2e4, -5e4);
     model.point_loads = {{35, {12, 1.5}, force, Constant{}}};
-    // Along a joint; leaning through joints and blocks; through the middles of blocks.
+    // The cuts run along a joint, leaning through joints and blocks, and through the middles of blocks.
     model.measurements = {cut({6, -0.1}, {6, 1.6}, {6, 0.75}), cut({5.3, 0}, {6.9, 1.5}, {6, 0.75}),
                           cut({8.5, 0}, {8.5, 1.5}, {8.5, 0})};
     for (Measurement& each : model.measurements) each.name = std::to_string(&each - model.measurements.data());

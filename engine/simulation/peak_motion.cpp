@@ -69,7 +69,7 @@ void PeakMotion::look(const Simulation& simulation) {
   if (const auto& asked = system.model.peaks->ejection) look_for_ejection(*asked, simulation);
 }
 
-// Of each component by itself, by mass; of `values` less `from`, where that is not empty.
+// Takes the median of each component by itself, by mass, of `values` less `from`; an empty `from` counts as zero.
 Vec2 PeakMotion::median(const Model& model, const std::vector<Vec6>& values, std::span<const Vec2> from) {
   Vec2 median = Vec2::Zero();
   for (Eigen::Index axis = 0; axis < 2; ++axis) {

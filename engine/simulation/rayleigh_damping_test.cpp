@@ -75,7 +75,7 @@ double error_at_end(double dt, const Integrator& integrator) {
   return (got - exact).norm() / exact.norm();
 }
 
-// Of second order: a quarter of the error at half the step.
+// The error is of second order: a quarter at half the step.
 TEST(RayleighDamping, EveryVibrationFadesAsAnOscillator) {
   for (const Integrator& integrator :
        {trapezoidal_integrator(), hht_integrator(0.1), generalized_alpha_integrator(0.85)}) {

@@ -19,8 +19,8 @@ constexpr int rocks_of_a_kind = 5;  // 30 in all
 
 constexpr int most_steps = 20;  // rock that settles does so in fewer; of the rest the way is compared
 
-// Of the motion. Balance is found to 1e-10 of the largest contact force, some ten to a hundred times the weight of a
-// block. Before, nearly all rocks whose numbering was changed were off by 1e-4 to 5e-2.
+// The share of the motion by which runs may differ. Balance is found to 1e-10 of the largest contact force, ten to a
+// hundred times a block's weight. Before, rocks whose numbering was changed were nearly all off by 1e-4 to 5e-2.
 constexpr double same = 1e-6;
 
 // 4 km away coordinates are rounded by 5e-13 m, 5e-6 of what springs give way.
@@ -55,7 +55,7 @@ Mat2 quarter_turn() {
   return turn;
 }
 
-// nullopt where a step did not come to an end.
+// Returns nothing where a step did not come to an end.
 std::optional<std::vector<Vec3>> end_of(const Model& drawn, const View& view) {
   Simulation simulation = simulation_of(seen(drawn, view));
   for (int step = 0; step < most_steps && !simulation.finished(); ++step)
@@ -78,7 +78,7 @@ struct Seen {
   std::string names = {};
 };
 
-// Of every view at most as many rocks end elsewhere as are allowed.
+// In every view at most as many rocks end elsewhere as are allowed.
 void expect_same_motion(const Stage& stage, std::vector<Seen> all) {
   for (int kind = 0; kind < cut_kinds; ++kind)
     for (std::uint64_t seed = 1; seed <= rocks_of_a_kind; ++seed) {

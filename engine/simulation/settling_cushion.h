@@ -26,11 +26,11 @@ struct BlockSystem;
 
 class SettlingCushion {
  public:
-  // Of a stage that finds its own steps, and whose step did not settle: from now on there are cushions. False where
-  // there were some, or can be none.
+  // To be told when a step did not settle. Where the stage finds its own steps there are cushions from now on. Returns
+  // false where there were some already, or can be none.
   [[nodiscard]] bool put_in(const BlockSystem& system);
   [[nodiscard]] bool is_in() const { return steps_left_ > 0; }
-  // At the end of a step: whether there were cushions in it, which are not those of the next.
+  // To be told at the end of a step. Returns whether there were cushions in it, which are not those of the next.
   bool wears() {
     if (!is_in()) return false;
     --steps_left_;

@@ -57,19 +57,19 @@ class Simulation {
   [[nodiscard]] const Model& model() const;
   [[nodiscard]] const State& state() const;
   [[nodiscard]] const ContactSet& contacts() const;
-  // Contacts are looked for anew as blocks move: their list changes from step to step.
+  // True where contacts are looked for anew as blocks move: their list then changes from step to step.
   [[nodiscard]] bool follows_contacts() const;
   // The state of one interface now. (In a linear scene it is not kept from step to step but computed here.)
   [[nodiscard]] InterfaceState interface_state(std::size_t index) const;
   // The columns beside free-field sides, stepped along; nullptr where there are none.
   [[nodiscard]] const Simulation* free_field_columns() const;
-  // Of every block whether it has been removed; empty while none has.
+  // Says of every block whether it is absent now, removed or not added yet; empty while none is.
   [[nodiscard]] const std::vector<bool>& absent() const;
   [[nodiscard]] const BoltSet& bolts() const;
   [[nodiscard]] const StepPlan& plan() const;
   [[nodiscard]] const EnergyLedger& energy() const;
   [[nodiscard]] Counters counters() const;
-  // Of all steps with contacts that can change.
+  // The deepest of all steps with contacts that can change.
   [[nodiscard]] const Penetration& deepest_penetration() const;
 
   // The longest dt with which a stage of explicit steps is stable, s; 0 for other stages.
@@ -79,16 +79,16 @@ class Simulation {
   // largest load, weight or in-situ force on an interface: what is left on the way to static equilibrium.
   [[nodiscard]] double out_of_balance() const;
 
-  // Of the stages that are over.
+  // What the stages that are over have left.
   [[nodiscard]] const StageResults& results() const { return results_; }
 
-  // Whom to call at the end of stages.
+  // Says whom to call at the end of stages.
   [[nodiscard]] StageWatch& watch() { return watch_; }
 
   // True within a static stage that paces itself: its steps take no time, and its state means nothing before its end.
   [[nodiscard]] bool is_settling() const;
 
-  // All of it, for what reads forces from it.
+  // The whole system, for what reads forces from it.
   [[nodiscard]] const BlockSystem& system() const { return *system_; }
 
   // See snapshot.h, whose functions call these.

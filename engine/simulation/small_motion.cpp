@@ -36,7 +36,7 @@ constexpr double in_line = 1e-6;  // sine of the angle between edges of one stra
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Along a contact's tangent, from its middle: m.
+// A stretch along a contact's tangent, measured from the contact's middle, m.
 struct Stretch {
   double low = 0, high = 0;
   [[nodiscard]] double length() const { return high - low; }
@@ -61,7 +61,7 @@ class Judge {
     if (model_.stays_linear()) look_at_straight_ways();
   }
 
-  // From where they were looked at last, in stretches of a quarter of a thickness.
+  // Follows blocks from where they were looked at last, in stretches of a quarter of a thickness.
   void look_at_way(const std::vector<Vec6>& from, double thicknesses) {
     constexpr double most_looks = 1000;
     const int looks = static_cast<int>(std::clamp(std::ceil(4 * thicknesses), 1.0, most_looks));
@@ -150,7 +150,7 @@ class Judge {
     return face.low < before.low || face.high > before.high;
   }
 
-  // From the drawing, as far as that takes no longer than looking at many blocks once.
+  // Follows blocks from the drawing, as far as that takes no longer than looking at many blocks once.
   void look_at_straight_ways() {
     constexpr double most_outlines = 2e5;
     double least = never, most = 0;
@@ -170,7 +170,7 @@ class Judge {
       });
   }
 
-  // Where blocks are by `off(block)` beside where they are now.
+  // Looks at blocks where they are by `off(block)` beside where they are now.
   template <typename Off>
   void look_at_overlaps(SmallMotionFault fault, const Off& off) {
     std::vector<Polygon> outlines;
@@ -237,7 +237,7 @@ void SmallMotionWatch::begin_stage(const BlocksInMotion& blocks) {
   measure(blocks.model);  // not in the first step that asks, as steps take no memory
 }
 
-// Of its thickness, what some block has gone at most since it was looked at.
+// Returns how far some block has gone at most since it was looked at, as a share of its own thickness.
 double SmallMotionWatch::gone(const BlocksInMotion& blocks) const {
   double most = 0;
   for (std::size_t i = 0; i < looked_at_.size(); ++i) {

@@ -67,8 +67,8 @@ struct BlocksInMotion {
 class SmallMotionWatch {
  public:
   void begin_stage(const BlocksInMotion& blocks);
-  // After every step. Asks in every step of stages that pace themselves, and in every eighth of others, between which
-  // ways are taken for straight.
+  // To be called after every step. It asks in every step of stages that pace themselves, and in every eighth of others,
+  // between which ways are taken for straight.
   void follow(const BlocksInMotion& blocks);
   void end_stage(const BlocksInMotion& blocks);
 
@@ -88,7 +88,7 @@ class SmallMotionWatch {
   [[nodiscard]] double gone(const BlocksInMotion& blocks) const;
 
   SmallMotionErrors worst_{};
-  // Of every block, from stages of finite kinematics, whose last geometry counts as drawn; empty where there was none.
+  // The turns (rad) of all blocks after stages of finite kinematics, whose last geometry counts as drawn; else empty.
   std::vector<double> turns_before_;
   std::vector<Vec6> looked_at_;             // displacements where overlaps were looked at last
   std::vector<double> thickness_, radius_;  // m, of every block

@@ -27,7 +27,7 @@ Model spinning_block(const Integrator& integrator, double spin, double turn, int
   return model;
 }
 
-// Of the stress rho omega^2 L^2/12 along the longer side.
+// The strain along the longer side under the mean of its centrifugal stress, rho omega^2 L^2/12.
 double centrifugal_strain(double spin) {
   const Material rock = elastic_rock();
   return rock.density * spin * spin * width * width / 12 / rock.young;

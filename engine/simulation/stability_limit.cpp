@@ -43,7 +43,7 @@ class FixedNumbers {
     state_ = 6364136223846793005ULL * state_ + 1442695040888963407ULL;
     return std::ldexp(static_cast<double>((state_ >> 11) + 1), -53);
   }
-  // Normally distributed (Box & Muller 1958).
+  // Returns a number that is normally distributed (Box & Muller 1958).
   double normal() {
     const double radius = std::sqrt(-2 * std::log(next()));
     return radius * std::cos(2 * std::numbers::pi * next());
@@ -156,7 +156,7 @@ std::string named(const Model& model, std::size_t stage, const char* member) {
   return fmt::format("stages \"{}\" {}", model.stages[stage].name, member);
 }
 
-// Those of earlier stages are gone.
+// The supports of a stage; those that only earlier stages have are there without stiffness.
 std::vector<SupportElement> supports_in(const Model& model, std::size_t stage) {
   std::vector<SupportElement> supports = make_supports(model, initial_state(model));
   for (std::size_t i = 0; i < supports.size(); ++i)
@@ -180,7 +180,7 @@ LinearOperators operators_at(const Model& model, std::size_t index, const Contac
           WaveCorrections(model, stage, contacts)};
 }
 
-// Of the operators of steps of dt.
+// The limit (s) of steps by the operators that steps of `dt` have.
 double limit_at(const Model& model, std::size_t index, const ContactSet& contacts, double dt) {
   const HeldUnknowns held = make_held_unknowns(model, model.absent_in(index));
   const LinearOperators operators = operators_at(model, index, contacts, dt);
@@ -276,7 +276,7 @@ std::vector<bool> supported_in(const Model& model, std::size_t stage) {
   return held;
 }
 
-// With the same masses, stiffnesses and corrections.
+// True where both stages have the same masses, stiffnesses and corrections.
 bool have_same_limit(const Model& model, std::size_t a, std::size_t b) {
   const auto limiting = [](const Stage& stage) {
     return std::tuple(stage.dt, stage.integrator.is_explicit(), stage.strain_inertia, stage.correct_block_dispersion,

@@ -46,9 +46,9 @@ double stable_step(const Model& model, std::size_t stage, const ContactSet& cont
 // digits.
 void shorten_to(double limit, Stage& stage);
 
-// Of every stage of the model, 0 for those with implicit steps; `known`: those that are above 0 are taken as they are.
-// A stage that leaves dt to the engine keeps what waves and records ask for (step_choice.h) where that is stable, and
-// else gets 95 % of its limit in two digits. Throws InputError for a given dt that is above its limit.
+// Returns the limits of all stages, s: 0 for those with implicit steps, and those of `known` that are above 0 as they
+// are. A stage that leaves dt to the engine keeps what waves and records ask for (step_choice.h) where that is stable,
+// and else gets 95 % of its limit in two digits. Throws InputError for a given dt that is above its limit.
 std::vector<double> kept_stability_limits(const ContactSet& drawn, Model& model, std::vector<double> known = {});
 
 }  // namespace dda

@@ -14,17 +14,17 @@ struct BlockSystem;
 // Friction limits what contacts carry again; what they carried beyond it goes without a trace in the motion.
 void release_shear_of_contacts(BlockSystem& system);
 
-// The same at the end of a stage of unlimited strength. What has settled under it is shown first: it is in equilibrium,
-// and what is left of it is not.
+// Does the same at the end of a stage of unlimited strength. What has settled under it is shown first: it is in
+// equilibrium, and what is left of it is not.
 void give_up_unlimited_strength(BlockSystem& system);
 
 // What nothing held is free again.
 void let_go_of_loose_blocks(BlockSystem& system);
 
-// Of the stage under way. `in_situ_force`: N per m of thickness, the largest on an interface as drawn.
+// Notes the results of the stage under way. `in_situ_force` (N per m of thickness): the largest on a drawn interface.
 void note_results(const BlockSystem& system, double in_situ_force, StageResults& results);
 
-// Why a run is to end with that stage, which is over and no equilibrium; empty where it may go on.
+// Says why a run is to end with that stage, which is over and no equilibrium; empty where it may go on.
 std::string problem_at_end_of(std::size_t stage, const Model& model, const StageResults& ends);
 
 }  // namespace dda

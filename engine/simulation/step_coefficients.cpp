@@ -3,7 +3,7 @@
 namespace dda {
 namespace {
 
-// Of means over the step alone: its motion and the new acceleration do not follow from one another.
+// Sets the means over the step alone, as its motion and the new acceleration do not follow from one another.
 StepCoefficients central_difference_coefficients(double dt) {
   StepCoefficients c;
   c.dt = dt;

@@ -15,20 +15,20 @@ inline constexpr double most_turn = 0.01;
 // Whether the step under way is a part that is not cut further.
 bool is_shortest_part(const BlockSystem& system);
 
-// Of the block that moves most by system.increment, its motion in its own size (see motion_share).
+// The motion of the block that moves most by system.increment, in its own size (see motion_share).
 double largest_motion(const BlockSystem& system);
 
-// The same by what each block would do within `time` (s) if it went on as it moves now.
+// The same for what each block would do within `time` (s) if it went on as it moves now.
 double largest_motion_within(const BlockSystem& system, double time);
 
 // Which block would turn or be strained too far for first-order gaps by system.increment; empty when none.
 std::string turn_problem(const BlockSystem& system);
 
-// In the open-close iteration. A stage that paces itself tries a shorter step rather than go on: what settles at all
-// mostly does in fewer passes.
+// How many passes an open-close iteration may take. A stage that paces itself tries a shorter step rather than go on:
+// what settles at all mostly does in fewer passes.
 int most_passes(const Stage& stage);
 
-// Where an open-close iteration that did not settle still changes most.
+// Says where an open-close iteration that did not settle still changes most.
 std::string unsettled_message(const StepSolution& solution, const BlockSystem& system);
 
 }  // namespace dda

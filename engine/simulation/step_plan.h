@@ -10,13 +10,13 @@
 
 namespace dda {
 
-// For what waves are corrected.
+// Says for what waves are corrected.
 struct CorrectedWaves {
   bool for_blocks = false;  // their size
   bool for_steps = false;
 };
 
-// What is there in the stage.
+// Says which of these are there in the stage.
 struct PlannedReinforcement {
   bool bolts = false;  // which can yield, break or go slack
   bool linings = false;
@@ -49,7 +49,7 @@ struct StepPlan {
   [[nodiscard]] std::vector<std::string> describe() const;
 };
 
-// Of a stage of the model, counted from 0.
+// Plans the steps of a stage of the model, counted from 0.
 StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings, double chi);
 
 }  // namespace dda

@@ -33,7 +33,7 @@ void add_all_but_contacts(const StepCoefficients& step, const BlockTerms& terms,
     matrix.diagonal(support.block) += step.stiffness * support_stiffness(support.rows, support.stiffness);
 }
 
-// Of the blocks that are not held; infinite where both are.
+// The lesser mass of the two blocks, held ones aside; infinite where both are held.
 double least_mass(const BlockTerms& terms, int a, int b) {
   double least = std::numeric_limits<double>::infinity();
   for (const int block : {a, b}) {

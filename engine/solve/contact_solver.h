@@ -45,7 +45,7 @@ class ContactSolver {
  public:
   explicit ContactSolver(Costs& costs) : at_(costs) {}
 
-  // Before the first problem, and whenever the linear solver or the pattern of the matrix is to be another.
+  // To be called before the first problem, and when the linear solver or the pattern of the matrix is to be another.
   void begin(BlockMatrix pattern, SolverKind kind, double chi);
   void set_pattern(BlockMatrix pattern);
   void end() { at_.matrix.end(); }
@@ -56,8 +56,8 @@ class ContactSolver {
   const StepSolution& solve(const StepProblem& problem);
   const StepSolution& go_on(const StepProblem& problem);
 
-  // Between the two: an interface that was bonded is now the contact at index k of problem.contacts.places, with these
-  // ends broken.
+  // To be called between the two: an interface that was bonded is now the contact at index k of
+  // problem.contacts.places, with these ends broken.
   void admit(const StepProblem& problem, std::size_t k, const std::array<bool, 2>& broken);
 
   // The solution: increments of all blocks, and contacts and bolts at the end of the step.
@@ -65,7 +65,7 @@ class ContactSolver {
   [[nodiscard]] const InterfaceTrials& contacts() const { return at_.contacts; }
   [[nodiscard]] const BoltTrials& bolts() const { return at_.bolts; }
 
-  // Of the linear solver in use; those of earlier ones are in the costs.
+  // Counts those of the linear solver in use; those of earlier ones are in the costs.
   [[nodiscard]] std::int64_t solver_iterations() const { return at_.matrix.iterations(); }
 
   template <typename Self, typename Archive>

@@ -57,7 +57,7 @@ constexpr double last_step_margin = 0.1;
 
 constexpr int most_iterations = 400;
 
-// Of which another thread should be told: a contact is moved and judged in some 0.1 us.
+// From this many contacts on it is worth telling another thread: one is moved and judged in some 0.1 us.
 constexpr std::size_t contacts_worth_sharing = 256;
 
 }  // namespace
@@ -111,7 +111,7 @@ bool FrictionPasses::has_something_to_settle(const Iterate& at) {
 bool FrictionPasses::find_balance(Iterate& at) {
   resize(at.increment.size());
   bool changed = false;
-  // As a whole at first: what a step does is to depend on the state alone, and not on the round-off of steps before.
+  // The whole matrix is brought up to date first: what a step does depends on the state, not on earlier round-off.
   if (at.bring_matrix_up_to_date(changed) != Status::ok) return false;
   form_residual(at);
   const double most_work = at.problem->contacts.rule.capacity_is_given ? patience_with_given_capacities : patience;
@@ -177,7 +177,7 @@ void FrictionPasses::form_residual(const Iterate& at) {
   measure_imbalance(at);
 }
 
-// Not a number where an entry is none.
+// Measures the imbalance, which is not a number where an entry is none.
 void FrictionPasses::measure_imbalance(const Iterate& at) {
   double largest = 0;
   for (std::size_t i = 0; i < at.problem->areas.size(); ++i)
@@ -259,7 +259,7 @@ void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& 
   at.problem->held.clear(w);
 }
 
-// An order of the scene and not of its numbering.
+// The order is that of depths in the scene, so that it does not depend on the numbering.
 void FrictionPasses::order_by_depth(const Iterate& at) {
   const auto depth = [&](std::size_t k) {
     const Vec4& start = at.contacts[live_[k].trial].start;

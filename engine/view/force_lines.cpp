@@ -60,7 +60,7 @@ Vec2 point_of_action(const Joint& joint, const Vec2& force, double most) {
   return middle + offset * Vec2(force.y(), -force.x()) / force.norm();
 }
 
-// Of all joints that carry a force worth drawing.
+// Returns the resultants on all joints that carry a force worth drawing.
 std::vector<Resultant> resultants_of(const Drawing& drawing, const std::vector<DrawnContact>& contacts,
                                      double deformation_scale) {
   std::vector<Resultant> all;

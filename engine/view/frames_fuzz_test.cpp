@@ -57,7 +57,7 @@ class DamagedRun {
 
 bool is_finite(const Vec2& vector) { return vector.allFinite(); }
 
-// Of a block that is not in the frame all numbers are missing.
+// All numbers of a block that is not in the frame are missing; all others are finite.
 void expect_numbers(const Frame& frame) {
   EXPECT_TRUE(std::isfinite(frame.time));
   for (std::size_t i = 0; i < frame.stress.size(); ++i) {

@@ -116,7 +116,7 @@ TEST_F(PackedRunTest, HoldsContactsInTheOrderOfTheirStatus) {
   EXPECT_EQ(sites[5U * numbers[7] + 1], 2U);
 }
 
-// Of 4, 2 and 0 kN/m and of 1, 0.5 and 0 kN/m the 99 % quantile takes the second largest of few.
+// The 99 % quantile of so few forces (4, 2, 0, 1, 0.5 and 0 kN/m) is the second largest of them.
 TEST_F(PackedRunTest, SaysWhichForceIsDrawnThickest) {
   EXPECT_NEAR(header_["thickest_force"]["contacts"].get<double>(), 2000, 1e-9);
   EXPECT_NEAR(header_["thickest_force"]["joints"].get<double>(), 2000, 1e-9);
@@ -195,7 +195,7 @@ TEST_F(PackedRunTest, HoldsBolts) {
   ASSERT_EQ(y.size(), 18U);
   for (std::size_t f = 0; f < 3; ++f) {
     const std::vector<DrawnBolt> own = results.frame(f).bolts;
-    // Half a step of the largest range: 0.6 m, and 3 kN.
+    // Numbers are packed to half a step of the largest range: 0.6 m, and 3 kN.
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_NEAR(decoded(x[6 * f + 2 + i], bolts["x"][f]), own[1].displacement[i].x(), 0.6 / 65534);
       EXPECT_NEAR(decoded(y[6 * f + 2 + i], bolts["y"][f]), own[1].displacement[i].y(), 0.6 / 65534);

@@ -48,8 +48,8 @@ struct DrawnBolt {
   std::vector<Vec2> displacement;  // m, of these points
   double force = 0;                // N in one bolt, or per m of a lining: axial, tension positive
   DrawnCondition condition = DrawnCondition::elastic;
-  // Of an element of a lining, the share of its strength that it carries; no number of bolts, and of linings of which
-  // no element carries any.
+  // The share of its strength that an element of a lining carries. It is no number for bolts, and where no element of
+  // the lining carries any.
   double utilisation = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -78,7 +78,7 @@ class RunResults {
   // False for runs of a program that did not write contacts yet.
   [[nodiscard]] bool has_contacts() const { return !contacts_.empty(); }
 
-  // Of scenes without bolts, and of programs that did not write bolts yet: false.
+  // False for scenes without bolts, and for programs that did not write bolts yet.
   [[nodiscard]] bool has_bolts() const { return !bolts_.empty(); }
   [[nodiscard]] bool has_linings() const { return !linings_.empty(); }
 

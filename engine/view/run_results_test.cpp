@@ -169,7 +169,7 @@ TEST_F(RunResultsTest, BoltsAreMaterialLinesWithTheirForce) {
   ASSERT_EQ(bolts[1].reference.size(), reference.size());
   for (std::size_t i = 0; i < reference.size(); ++i) {
     EXPECT_LE((bolts[1].reference[i] - reference[i]).norm(), round_off);
-    // With its block, the second or the third, by (i + 1) 0.5 s (0.1, -0.2) m/s.
+    // It moves with its block, the second or the third, by (i + 1) 0.5 s (0.1, -0.2) m/s.
     EXPECT_LE((bolts[1].displacement[i] - (i < 2 ? 1.0 : 1.5) * Vec2(0.1, -0.2)).norm(), round_off);
   }
 }
@@ -213,7 +213,7 @@ TEST_F(RunResultsTest, LiningsAreLinesLikeBolts) {
   EXPECT_LE((lines[2].displacement[1] - Vec2(0.1, -0.2)).norm(), round_off);
 }
 
-// Of bolts, and of linings of which no element carries a share of its strength, there is no utilisation.
+// Bolts have no utilisation, and neither have linings of which no element carries a share of its strength.
 TEST_F(RunResultsTest, LiningsHaveTheirUtilisation) {
   model_.linings.resize(2);
   for (Lining& lining : model_.linings)

@@ -31,7 +31,7 @@ class SvgPath {
     y_ = y;
   }
 
-  // Of a point beyond all pictures, as damaged frames may have it, a number that can be written, and its steps too.
+  // Numbers and steps can be written for a point beyond all pictures too, as damaged frames may have it.
   static long tenths_of(double pixels) {
     constexpr double farthest = 1e15;
     return std::isnan(pixels) ? 0 : std::lround(std::clamp(10 * pixels, -farthest, farthest));

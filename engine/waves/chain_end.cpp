@@ -26,7 +26,7 @@ bool is_held(const Model& model, int block, const Vec2& direction) {
          });
 }
 
-// Of a block whose sides are free, sigma_nn: Q times the strain along the chain.
+// What sigma_nn would be if the block's sides were free, Pa: Q times the strain along the chain.
 double axial_stress(const Material& material, const Vec2& n, const Vec3& stress) {
   const Vec3 along(n.x() * n.x(), n.y() * n.y(), 2 * n.x() * n.y());
   const Vec3 across(n.y() * n.y(), n.x() * n.x(), -2 * n.x() * n.y());

@@ -39,15 +39,15 @@ namespace dda {
 
 namespace mesh {
 
-// Of G, cap on s D/2 in Q_tt: a change of shape (1, -1, 0) has Q = s D/2 and an energy of 2 G, of which the jumps of
-// the shortest waves would take more where D is far above G.
+// The cap on s D/2 in Q_tt over G: a change of shape (1, -1, 0) has Q = s D/2 and an energy of 2 G, of which the jumps
+// of the shortest waves would take more where D is far above G.
 inline constexpr double most_stabilisation = 1.0 / 3;
 
-// Of the mass l d rho between neighbours. Over the sides of a block l d sums up to at most four times its area, so
-// short waves would lose all of their inertia at 1/8.
+// The cap on what is taken from the mass l d rho between neighbours, as a share. Over the sides of a block l d sums up
+// to at most four times its area, so short waves would lose all of their inertia at 1/8.
 inline constexpr double most_correction = 0.08;
-// Of (c_p dt/d)^2/12, for explicit steps. Blocks as wide as the narrowest have a tenth of it less at their limit of
-// stability.
+// The cap on (c_p dt/d)^2/12 under explicit steps. Blocks as wide as the narrowest have a tenth of it less at their
+// limit of stability.
 inline constexpr double most_step_softening = 0.02;
 inline constexpr double most_strain_correction = 0.9;  // of the inertia that can be taken from these strains alone
 
@@ -56,7 +56,7 @@ inline constexpr double most_strain_correction = 0.9;  // of the inertia that ca
 // Whether an interface is one of such a mesh: consistent, neither block held. `held`: of every block (held_flags).
 bool is_in_mesh(const std::vector<bool>& held, const InterfaceElement& element);
 
-// By how much jumps are softened.
+// Says by how much jumps are softened.
 struct JumpSoftening {
   bool for_blocks = false;  // for the size of blocks
   double for_steps = 0;     // for explicit steps: 1/12 times dt^2, s^2
@@ -64,14 +64,14 @@ struct JumpSoftening {
   [[nodiscard]] bool acts() const { return for_blocks || for_steps > 0; }
 };
 
-// Of the strains' jump. Zero between unlike materials, where strains do jump, and beside blocks that are not convex.
+// The stiffness of strains' jumps: zero between unlike materials, where strains do jump, and beside non-convex blocks.
 InterfaceMatrices jump_stiffness(const Model& model, const Interface& interface,
                                  const JumpSoftening& softening = {true, 0});
 
 // The share of what explicit steps ask for that an interface has: 1, or less where it is capped.
 double jump_share(const Model& model, const Interface& interface, const JumpSoftening& softening);
 
-// Between the centroids. `period_error`: epsilon of the integrator (wave_corrections.h).
+// The inertia added between the centroids. `period_error`: epsilon of the integrator (wave_corrections.h).
 InterfaceMatrices mesh_inertia(const Model& model, const Interface& interface, double period_error, double dt);
 
 // What is taken from the inertia of a block's strains: of the dilatation in a mesh, of e_nn in a chain along a normal.

@@ -62,9 +62,9 @@ class WaveCorrections {
   [[nodiscard]] bool leave_strains_without_inertia() const { return !lateral_inertia_; }
   [[nodiscard]] WaveCorrections with_all_inertia() const;
 
-  // Of the loads on a block, whose point of attack lies at `offset` from its centroid: what is added to a force (N).
+  // How loads on a block are filtered; lever_correction() is added to a `force` (N) at `offset` from the centroid.
   [[nodiscard]] LoadFilter load_filter(int block) const { return {sharpening_[static_cast<std::size_t>(block)], dt_}; }
-  // The same of a load on an outer face. Where stiffness makes up for explicit steps, the traction of joints is what
+  // The filter of a load on an outer face. Where stiffness makes up for explicit steps, the traction of joints is what
   // accelerates blocks, and it follows the load at the face as it is: motion and stress there are too large by
   // 1 + s' omega^2 dt^2 alone, half of what they are about a load in the rock.
   [[nodiscard]] LoadFilter face_load_filter(int block) const;

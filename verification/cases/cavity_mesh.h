@@ -32,10 +32,10 @@ struct OctagonMesh {
   double size = 1;
 };
 [[nodiscard]] dda::Model octagon_mesh(const OctagonMesh& mesh);
-// Of the circular cavity that sends out the same long waves, m.
+// The radius of the circular cavity that sends out the same long waves, m.
 [[nodiscard]] double octagon_source_radius(const OctagonMesh& mesh);
 
-// One stage of small motions.
+// Gives the model a single stage of small motions.
 void set_stage(dda::Model& model, const dda::Integrator& integrator, double dt, double duration);
 
 // Records the stresses of the block in which the point lies.
@@ -47,7 +47,7 @@ struct ProbeHistory {
   std::vector<double> hoop;    // Pa, across it
 };
 
-// Of the i-th probe.
+// Returns what the i-th probe recorded.
 [[nodiscard]] ProbeHistory probe_history(const dda::Model& model, const RecordedRun& run, std::size_t i);
 
 }  // namespace verify

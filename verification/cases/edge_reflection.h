@@ -22,8 +22,8 @@ struct EdgeReflection {
   double absorbed = 0;                // by the power of the dashpots
 };
 
-// Of an incident wave of the angular frequency `omega` whose slowness along the edge is sin(angle) over the speed in
-// the continuum. Throws std::runtime_error if the waves of the mesh do not part into arriving and leaving ones.
+// Lets a wave of the angular frequency `omega` arrive whose slowness along the edge is sin(angle) over the speed in the
+// continuum. Throws std::runtime_error if the waves of the mesh do not part into arriving and leaving ones.
 [[nodiscard]] EdgeReflection reflect(const MeshEdge& edge, exact::PlaneWave incident, double angle, double omega);
 
 }  // namespace verify

@@ -6,7 +6,7 @@
 namespace verify {
 namespace {
 
-// Of round-off, as shares of the largest force and of the largest gap.
+// The share of the largest force and of the largest gap that counts as round-off.
 constexpr double round_off = 1e-9;
 
 enum Status { open, sticks, slides_up, slides_down };

@@ -71,7 +71,7 @@ Rows as_point(const Rows& given, const dda::Mat2& axes, double side, int unknown
   return unknowns == 6 ? given : rows;
 }
 
-// Of two blocks the later one is b. A block alone is b as well, and a is the one that is held.
+// Where there are two blocks the later one is b. A block alone is b as well, and a is the one that is held.
 dda::InterfaceElement element_of(const FrictionProblem& problem, Eigen::Index contact, int unknowns, int held) {
   const std::vector<int> blocks = blocks_of(problem, contact, unknowns);
   if (blocks.empty())
@@ -91,7 +91,7 @@ dda::InterfaceElement element_of(const FrictionProblem& problem, Eigen::Index co
   return element;
 }
 
-// W of one number of one contact, of M's diagonal blocks' diagonal alone: a scale, no more.
+// An entry on W's diagonal by the diagonal of M alone, which serves as a scale and no more.
 double softness_of(const FrictionProblem& problem, Eigen::Index column) {
   double softness = 0;
   for (SparseMatrix::InnerIterator entry(problem.directions, column); entry; ++entry)

@@ -21,7 +21,7 @@ struct PeriodicMesh {
 [[nodiscard]] PeriodicMesh sheared_mesh();                 // rhomboids of 1 m, 30 degrees off the square
 [[nodiscard]] PeriodicMesh triangle_mesh();                // squares cut along a diagonal
 [[nodiscard]] PeriodicMesh irregular_mesh(unsigned seed);  // 4 x 4 quadrilaterals, corners moved by up to 0.2 m
-// Of 16 random points in 4 x 4 m, no two closer than 0.55 m.
+// The Voronoi polygons of 16 random points in 4 x 4 m, no two closer than 0.55 m.
 [[nodiscard]] PeriodicMesh voronoi_mesh(unsigned seed);
 
 // What of a convex ring is nearer to `own` than to `other`: cutting by all others gives the Voronoi polygon of `own`.

@@ -12,7 +12,7 @@
 
 namespace verify {
 
-// Of the wave equation: velocity of sqrt(E/rho), amplitude of the load over the bar's height. %
+// Errors against the wave equation, %: of the velocity over sqrt(E/rho), of the amplitude over that of the load.
 struct WaveErrors {
   double velocity = 0;
   double amplitude = 0;
@@ -55,7 +55,7 @@ class NotMeasurable : public std::runtime_error {
 // A flat object, the columns of the table after the parameters; what there is not is null.
 [[nodiscard]] nlohmann::ordered_json to_json(const JobResult& result);
 
-// Within 20 % of the measured error, or 0.05 percentage points.
+// True where they agree within 20 % of the measured error, or 0.05 percentage points.
 [[nodiscard]] bool agree(double measured, double predicted);
 
 }  // namespace verify

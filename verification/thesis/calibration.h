@@ -40,7 +40,7 @@ struct CalibrationRow {
   [[nodiscard]] double amplitude_of(const WavePicks& from) const;
   [[nodiscard]] double amplitude_error_pct() const;    // of the analytic amplitude
   [[nodiscard]] double correlation_error_pct() const;  // of sqrt(E/rho)
-  // Of the printed number; only for the scheme "thesis".
+  // The difference in percent of the printed number; nothing for schemes other than "thesis".
   [[nodiscard]] std::optional<double> amplitude_vs_thesis_pct() const;
   [[nodiscard]] std::optional<double> velocity_vs_thesis_pct() const;
 };
@@ -73,7 +73,7 @@ struct CalibrationOptions {
 // disturbs a busy machine does not favour one.
 [[nodiscard]] Calibration run_calibration(const CalibrationOptions& options = {});
 
-// One row, run once.
+// Makes one row from a single run.
 [[nodiscard]] CalibrationRow calibrate_row(const SchemeSettings& scheme, double dt, double block_length);
 
 }  // namespace verify

@@ -1,5 +1,5 @@
 "use strict";
-// From values to colours, by the scale that the program chose for the run or by the values of one frame.
+// Turns values into colours, by the scale that the program chose for the run or by the values of one frame.
 
 class ColourScale {
   constructor(scale, maps) {
@@ -7,7 +7,7 @@ class ColourScale {
     this.map = scale.diverging ? maps.diverging : maps.sequential;
   }
 
-  // As the program does it for a whole run (engine/view/colour_scale.cpp), but with all values.
+  // Makes a scale as the program does it for a whole run (engine/view/colour_scale.cpp), but with all values.
   static ofRange(low, high, maps) {
     const [least, most] = [low, high];
     const far = Math.max(Math.abs(low), Math.abs(high));
@@ -54,7 +54,7 @@ function showColourBar(quantity, scale) {
   }));
 }
 
-// Of the share of its strength that a lining carries, from 0 to 1.
+// Returns the colour for the share of its strength that a lining carries, from 0 to 1.
 function utilisationColour(map, share) {
   return map[Math.round(Math.min(Math.max(share, 0), 1) * (map.length - 1))];
 }

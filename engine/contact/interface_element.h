@@ -33,13 +33,14 @@ struct InterfaceSprings {
   InterfaceLaw law = InterfaceLaw::classical;
   double length = 0;
   double lever = 1;             // of the two points of a projected stretch: their distance over its length
+  double spread = 0;            // of a projected stretch: the closed part, of its length, below which load spreads
   Vec4 stiffness;               // N/m per m of thickness, of each row while it is closed and stuck
   Vec4 dashpot = Vec4::Zero();  // N s/m per m of thickness, of each row while it is closed and stuck
 
   template <typename Self, typename Archive>
   static void visit_springs(Self& self, Archive& archive) {
-    auto& [law, length, lever, stiffness, dashpot] = self;
-    archive(law, length, lever, stiffness, dashpot);
+    auto& [law, length, lever, spread, stiffness, dashpot] = self;
+    archive(law, length, lever, spread, stiffness, dashpot);
   }
 };
 

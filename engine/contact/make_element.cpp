@@ -117,6 +117,7 @@ InterfaceElement make_element(const Model& model, const Interface& interface, In
   element.stiffness = interface_stiffness(model, interface, law);
   if (law == InterfaceLaw::projected) {
     element.lever = projected_lever(model, interface);
+    element.spread = projected_spread(model, interface);
     element.softness = projected_softness(model, interface);
   }
   const double damping = model.joints[static_cast<std::size_t>(interface.joint)].contact_damping;

@@ -27,30 +27,62 @@ struct Resultants {
   double by_mean, mixed, by_turn;
 };
 
-Resultants pressed_in_part(double whole, double bed, const Opening& opening) {
+// n, h and dn/da of the header, for bed K = 1.
+struct Share {
+  double force, stored, slope;
+};
+
+// What n is above the column's, as x (1 - x)^2 (1 - q x^3) of the closed part x = a/a0, for a0 = spread_rise = 1.
+Share above_column(double bend, double x) {
+  const double q = 14 * (5 - 2 * bend) / (8 - 5 * bend);
+  const double rest = 1 - x;
+  const double cube = x * x * x;
+  const double whole = x * x * (1 / 2.0 - x * (2 / 3.0 - x / 4)) - q * x * x * cube * (1 / 5.0 - x * (1 / 3.0 - x / 7));
+  const double first = cube * (1 / 3.0 - x * (1 / 2.0 - x / 5)) - q * cube * cube * (1 / 6.0 - x * (2 / 7.0 - x / 8));
+  return {x * rest * rest * (1 - q * cube), 2 * (whole - bend * first),
+          rest * ((1 - 3 * x) * (1 - q * cube) - 3 * q * cube * rest)};
+}
+
+Share share_of(double bed, double spread, double closed) {
+  const double bend = 1 - bed;
+  const double square = closed * closed;
+  Share share{square, square * closed * (4 - 3 * bend * closed) / 6, 2 * closed};
+  if (closed >= spread) return share;
+  const Share more = above_column(bend * spread, closed / spread);
+  const double scale = spread_rise * spread;
+  share.force += scale * spread * more.force;
+  share.stored += scale * spread * spread * more.stored;
+  share.slope += scale * more.slope;
+  return share;
+}
+
+Resultants pressed_in_part(const Bed& of, const Opening& opening) {
+  const double bed = bed_of(of.lever);
   const double turn = std::abs(opening.turn);
   const double side = std::copysign(1, opening.turn);
   const double ratio = opening.mean / turn;
   const double root = std::sqrt(1 - (1 - bed) * (1 - ratio));
-  const double closed = (1 - ratio) / (1 + root);  // of the length
-  const double unit = bed * whole;
-  const double moment = closed * closed * (1 - 2 * closed / 3);
-  return {-unit * turn * closed * closed, side * unit * turn * moment, unit * closed / root,
-          -side * unit * closed * (1 - closed) / root, unit * (moment + closed * (1 - closed) * ratio / root)};
+  const Share share = share_of(bed, of.spread, (1 - ratio) / (1 + root));
+  const double unit = bed * 2 * of.stiffness;
+  const double slope = share.slope / (2 * root);  // dn/du
+  const double moment = 2 * share.stored + ratio * share.force;
+  return {-unit * turn * share.force, side * unit * turn * moment, unit * slope,
+          -side * unit * (share.force + ratio * slope), unit * (moment + ratio * (share.force + ratio * slope))};
 }
 
 }  // namespace
 
-BedAnswer press_bed(double stiffness, double lever, const Vec2& gaps) {
-  const Opening opening = opening_of(lever, gaps);
+BedAnswer press_bed(const Bed& bed, const Vec2& gaps) {
+  const Opening opening = opening_of(bed.lever, gaps);
   // One that just touches at both points is closed: what is stacked without force would else have nothing to stand on
   // in the first pass of its first step, and lose digits on the way back from where that takes it.
-  if (is_closed(opening, bed_of(lever))) return {stiffness * gaps, Vec2::Constant(stiffness), 0};
+  if (is_closed(opening, bed_of(bed.lever))) return {bed.stiffness * gaps, Vec2::Constant(bed.stiffness), 0};
   if (is_open(opening)) return {Vec2::Zero(), Vec2::Zero(), 0};
-  const Resultants sum = pressed_in_part(2 * stiffness, bed_of(lever), opening);
-  const double by_turn = sum.by_turn / (lever * lever);
-  const double mixed = 2 * sum.mixed / lever;
-  return {Vec2(sum.normal - sum.moment / lever, sum.normal + sum.moment / lever) / 2,
+  const Resultants sum = pressed_in_part(bed, opening);
+  const double by_turn = sum.by_turn / (bed.lever * bed.lever);
+  const double mixed = 2 * sum.mixed / bed.lever;
+  const double pair = sum.moment / bed.lever;
+  return {Vec2(sum.normal - pair, sum.normal + pair) / 2,
           Vec2(sum.by_mean - mixed + by_turn, sum.by_mean + mixed + by_turn) / 4, (sum.by_mean - by_turn) / 4};
 }
 

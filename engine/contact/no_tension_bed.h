@@ -12,6 +12,16 @@
 //   G >= |T|        open
 //   between         N = -bed K |T| a^2,  M = bed K T a^2 (1 - 2 a/3),  r = 1 - 2 a + (1 - bed) a^2
 // These are the slopes of one convex potential, which is of second degree in the gaps: its value is (G N + T M)/2.
+//
+// That is a column's answer down to a line, where it gives way without bound. Rock that is loaded over a small part of
+// its side gives way by about the length of that part, and by little more when the part gets smaller (as the logarithm
+// of it, under a strip). So below a closed part `spread` = a0 of the stretch the bed is stiffer than the column, and at
+// last a spring at the end, of stiffness bed K a0 spread_rise/2. With x = a/a0, c = 1 - bed:
+//   N = -bed K |T| n,  M = T (2 h + r bed K n),  h = bed K integral of n du,  u = 1 - r = 2 a - c a^2
+//   n = a0^2 (x^2 + spread_rise x (1 - x)^2 (1 - q x^3)),  q = 14 (5 - 2 c a0)/(8 - 5 c a0)
+// n = a^2 would be the column. At a0 forces and slopes are continuous; q is what leaves h, and so the moment, the
+// column's there. W = T^2 h is convex where the root of h is, 2 h h'' >= h'^2: how far `spread_rise` may go. The
+// stiffest bed that is convex at all has 2/3; it turns about one place whatever the force, and its force jumps at a0.
 // All of it is written in the gaps at two points at -lever and +lever of half the length from the middle, where a
 // closed joint is two springs K/2 that do not know of each other.
 #pragma once
@@ -20,14 +30,22 @@
 
 namespace dda {
 
+// Convex up to 0.44 at least, for every bed and spread.
+inline constexpr double spread_rise = 0.4;
+
+struct Bed {
+  double stiffness = 0;  // N/m per m of thickness, of each point while the joint is closed, K/2
+  double lever = 1;
+  double spread = 0;  // the closed part, of the length, below which the bed is stiffer than a column; at most 1
+};
+
 struct BedAnswer {
   Vec2 force;       // N per m of thickness at either point, tension positive
   Vec2 slope;       // N/m per m of thickness, of each force by its own gap
   double coupling;  // N/m per m of thickness, of either force by the other gap
 };
 
-// `stiffness`: of each point while the joint is closed, K/2.
-BedAnswer press_bed(double stiffness, double lever, const Vec2& gaps);
+BedAnswer press_bed(const Bed& bed, const Vec2& gaps);
 
 // Which ends of the stretch gape at these gaps of the two points: that at the first, at the second.
 struct OpenEnds {

@@ -42,7 +42,7 @@ void respond_normal(const InterfaceSprings& springs, int end, InterfaceTrial& tr
 }
 
 void press_on_bed(const InterfaceSprings& springs, InterfaceTrial& trial) {
-  const BedAnswer bed = press_bed(springs.stiffness(0), springs.lever, normal_gaps(trial));
+  const BedAnswer bed = press_bed(bed_of(springs), normal_gaps(trial));
   for (const int end : {0, 1}) {
     trial.force(normal_row(end)) = bed.force(end);
     trial.active(normal_row(end)) = bed.slope(end) / springs.stiffness(0);
@@ -232,7 +232,7 @@ double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial,
   const bool on_bed = press_together(springs, trial.broken);
   if (on_bed) {
     const Vec2 turn(trial.direction(0), trial.direction(2));
-    along = turn.dot(press_bed(springs.stiffness(0), springs.lever, normal_gaps(trial) + t * turn).force);
+    along = turn.dot(press_bed(bed_of(springs), normal_gaps(trial) + t * turn).force);
   }
   for (int end = 0; end < ends_of(springs); ++end) {
     const Eigen::Index n = normal_row(end);

@@ -28,11 +28,15 @@ void add_ring(const Model& model, int block, const Ring& ring, Mat3& sum) {
   }
 }
 
+// m, along the block's side: what is loaded over less gives way by less than the whole width.
+double spreading_length(const Model& model, int block, const Interface& interface) {
+  const Vec2 along(-interface.normal.y(), interface.normal.x());
+  return spreading_share * width_across(model, block, along);
+}
+
 // Width of the block as the joint sees it, m: across, or less where the stretch is a small share of its side.
 double loaded_width(const Model& model, int block, const Interface& interface) {
-  const Vec2 along(-interface.normal.y(), interface.normal.x());
-  const double side = width_across(model, block, along);
-  const double share = std::min(1.0, interface.length / (spreading_share * side));
+  const double share = std::min(1.0, interface.length / spreading_length(model, block, interface));
   return share * width_across(model, block, interface.normal);
 }
 
@@ -121,6 +125,17 @@ double projected_lever(const Model& model, const Interface& interface) {
   const double bed = column_compliance(model, interface.block_a, interface) +
                      column_compliance(model, interface.block_b, interface) + own;
   return std::sqrt(gap / bed / 3);
+}
+
+double projected_spread(const Model& model, const Interface& interface) {
+  double spread = 0;
+  double bed = joint_compliance(model, interface)(0);
+  for (const int block : {interface.block_a, interface.block_b}) {
+    const double column = column_compliance(model, block, interface);
+    bed += column;
+    spread += column * std::min(1.0, spreading_length(model, block, interface) / interface.length);
+  }
+  return spread / bed;
 }
 
 void set_projected_rows(const Model& model, const InterfaceFrame& frame, InterfaceElement& element) {

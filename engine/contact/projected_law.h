@@ -23,13 +23,16 @@
 //
 // Blocks of uniform strain do not bend. A closed stretch therefore acts at two points at -lever and +lever of half its
 // length from the middle, where the stiffness of its turn is that of two half columns; opened in part it answers as a
-// column without tension (no_tension_bed.h).
+// column without tension, but for a closed part of less than `spreading_share` of the blocks' sides, as above
+// (no_tension_bed.h). Where the blocks differ that share is the mean by what either adds to the bed's compliance; the
+// joint's own material spreads nothing.
 #pragma once
 
 #include <algorithm>
 #include <array>
 
 #include "engine/contact/interface_element.h"
+#include "engine/contact/no_tension_bed.h"
 #include "engine/model/model.h"
 
 namespace dda {
@@ -53,6 +56,9 @@ double projected_penalty(const Model& model, int block);
 Vec4 projected_stiffness(const Model& model, const Interface& interface);
 double projected_lever(const Model& model, const Interface& interface);
 
+// Of a stretch: the closed part, of its length, below which its bed is stiffer than a column (no_tension_bed.h).
+double projected_spread(const Model& model, const Interface& interface);
+
 // 1/(2 gamma) of both blocks, m/Pa.
 Vec2 projected_softness(const Model& model, const Interface& interface);
 
@@ -67,6 +73,8 @@ double projected_depth(const InterfaceElement& element, const Vec4& gap, const V
 
 // Normal and shear force at either end of a stretch that have the same sum and moment as those at its points.
 std::array<Vec2, 2> forces_at_ends(const InterfaceSprings& springs, const Vec4& force);
+
+inline Bed bed_of(const InterfaceSprings& springs) { return {springs.stiffness(0), springs.lever, springs.spread}; }
 
 // Broken stretches of this law press as a whole, and not end by end.
 inline bool press_together(const InterfaceSprings& springs, const std::array<bool, 2>& broken) {

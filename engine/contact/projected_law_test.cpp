@@ -155,22 +155,40 @@ TEST(ProjectedLaw, PenaltyIsThreeForRectanglesAndTwiceTheShareElsewhere) {
   EXPECT_GT(projected_penalty(triangle, 0), 3);
 }
 
-// A small block lies on a large one. Rock under a strip gives way by about the strip's length and not by its own
-// height, so the stiffness of a joint does not fall with its length for ever; where half a side of the large block is
-// loaded it is the law's own.
+// A small block lies on a large one, 4 m by 2 m.
+Model small_on_large(double length, double height = 0.5, double joint_stiffness = 0) {
+  const Polygon large{{{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {}};
+  const Polygon small{{{0, 2}, {length, 2}, {length, 2 + height}, {0, 2 + height}}, {}};
+  Model model = model_of({large, small}, {"rock", 2600, 3.0, 0.2, PlaneState::stress});
+  model.joints = {{.name = "joint", .law = InterfaceLaw::projected, .normal_stiffness = joint_stiffness}};
+  model.stages = {Stage{}};
+  return model;
+}
+
+// Rock under a strip gives way by about the strip's length and not by its own height, so the stiffness of a joint does
+// not fall with its length for ever; where half a side of the large block is loaded it is the law's own.
 TEST(ProjectedLaw, ShortStretchesGiveWayByTheirOwnLength) {
   const auto softness_under = [](double length) {
-    const Polygon large{{{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {}};
-    const Polygon small{{{1, 2}, {1 + length, 2}, {1 + length, 2.5}, {1, 2.5}}, {}};
-    Model model = model_of({large, small}, {"rock", 2600, 3.0, 0.2, PlaneState::stress});
-    model.joints = {{.name = "joint", .law = InterfaceLaw::projected}};
-    model.stages = {Stage{}};
+    const Model model = small_on_large(length);
     return projected_softness(model, find_interfaces(model).at(0));
   };
   const Vec2 of_half = softness_under(2);
   EXPECT_EQ(softness_under(1.5)(0), of_half(0));
   EXPECT_NEAR(softness_under(0.01)(0) / of_half(0), 0.01, 1e-12);
   EXPECT_NEAR(softness_under(0.001)(0) / of_half(0), 0.001, 1e-12);
+}
+
+// A quarter of a side of either block in the stretch: all of a stretch that is shorter. By hand: columns of half of
+// each height, that of the large one less in proportion below a length of 1 m, over E = 3.
+TEST(ProjectedLaw, SpreadsWhatPressesLessThanAQuarterOfTheSides) {
+  const auto spread_under = [](double length, double height, double joint_stiffness) {
+    const Model model = small_on_large(length, height, joint_stiffness);
+    return projected_spread(model, find_interfaces(model).at(0));
+  };
+  EXPECT_NEAR(spread_under(4, 0.5, 0), 0.25, 1e-15);
+  EXPECT_NEAR(spread_under(2, 0.5, 0), (2 * 0.5 + 0.5 * 0.25) / 2.5, 1e-15);
+  EXPECT_NEAR(spread_under(0.5, 0.001, 0), 1, 1e-3);
+  EXPECT_NEAR(spread_under(4, 0.5, 3), 0.25 * 1.25 / (1.25 + 1), 1e-15);
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ void measure_projected(const Model& model, const State& state, const Interface& 
     own.force = element.stiffness.cwiseProduct(own.gap);
     return;
   }
-  const BedAnswer bed = press_bed(element.stiffness(0), element.lever, {own.gap(0), own.gap(2)});
+  const BedAnswer bed = press_bed(bed_of(element), {own.gap(0), own.gap(2)});
   own.force(0) = bed.force(0);
   own.force(2) = bed.force(1);
   if (bed.force.isZero(0)) return open_whole(own);

@@ -19,7 +19,7 @@ bool touched(const InterfaceSprings& springs, const InterfaceTrial& trial, int e
   const Eigen::Index n = 2 * end;
   if (trial.start(n) <= trial.rule.touching) return true;
   if (!press_together(springs, trial.broken)) return false;
-  const Vec2 forces = press_bed(springs.stiffness(0), springs.lever, {trial.start(0), trial.start(2)}).force;
+  const Vec2 forces = press_bed(bed_of(springs), {trial.start(0), trial.start(2)}).force;
   return forces(end) + std::max(0.0, forces(1 - end)) < 0;
 }
 

@@ -88,7 +88,7 @@ struct Draw {
   Vec2 gaps;
 };
 
-// Of any kind, and pressed in part more often than not.
+// Draws a bed of any kind, pressed in part more often than not.
 Draw any_bed(SeededNumbers& random) {
   const double lever = std::sqrt(random.number(0.05, 1) / 3);
   const double spread = random.chance(0.2) ? 0 : random.chance(0.2) ? 1 : random.number(0.01, 1);

@@ -56,7 +56,7 @@ double projected_penalty(const Model& model, int block);
 Vec4 projected_stiffness(const Model& model, const Interface& interface);
 double projected_lever(const Model& model, const Interface& interface);
 
-// Of a stretch: the closed part, of its length, below which its bed is stiffer than a column (no_tension_bed.h).
+// The closed part of a stretch, over its length, below which its bed is stiffer than a column (no_tension_bed.h).
 double projected_spread(const Model& model, const Interface& interface);
 
 // 1/(2 gamma) of both blocks, m/Pa.

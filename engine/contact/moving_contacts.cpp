@@ -109,6 +109,15 @@ InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& e
   return state;
 }
 
+// Of the contact that one was and another of its corner that has ended (-1: none) the one that presses more: its load
+// goes on, or it would be lost. Loads do not add up, as one spring that carries two stores more than both did.
+std::ptrdiff_t heavier(std::ptrdiff_t earlier, std::ptrdiff_t ended, std::size_t first,
+                       const std::vector<InterfaceState>& states) {
+  if (ended < 0 || earlier < 0) return earlier;
+  const auto pressure = [&](std::ptrdiff_t known) { return -states[first + static_cast<std::size_t>(known)].force(0); };
+  return pressure(ended) > pressure(earlier) ? ended : earlier;
+}
+
 // Blocks that turn meet a little deeper, or less deep, than the first-order gaps of the step said. Deeper would be
 // energy from nowhere, and a force at the start of the next step that is not what the last one found: the spring then
 // closes deeper by as much.
@@ -361,7 +370,8 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
     contacts.elements[entry] = make_element(model, interface, InterfaceLaw::classical);
     set_geometry(model, acting_frame(model, acting, search_.outlines(), found[i]), contacts.elements[entry]);
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
-    const std::ptrdiff_t earlier = succession.earlier()[i];
+    const std::ptrdiff_t earlier =
+        heavier(succession.earlier()[i], succession.ended_beside(found[i]), stretches_, contacts.states);
     if (earlier >= 0) {
       const VertexContact& before = known_[static_cast<std::size_t>(earlier)];
       InterfaceState& own = states.emplace_back(contacts.states[stretches_ + static_cast<std::size_t>(earlier)]);

@@ -24,6 +24,7 @@ Succession::Succession(const std::vector<VertexContact>& known, const std::vecto
       if (earlier_[i] < 0 && !of_faces[i]) earlier_[i] = (this->*rule)(found[i]);
   continue_by(&Succession::exchanged, found);
   continue_by(&Succession::over_a_joint, found);
+  some_have_ended_ = std::ranges::find(taken_, false) != taken_.end();  // seldom
 }
 
 void Succession::continue_by(Rule rule, const std::vector<VertexContact>& found) {
@@ -95,6 +96,10 @@ std::ptrdiff_t Succession::exchanged(const VertexContact& contact) {
   for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
     if (const auto known = take(edge, corner, -contact.normal); known >= 0) return known;
   return -1;
+}
+
+std::ptrdiff_t Succession::ended_beside(const VertexContact& contact) {
+  return some_have_ended_ ? exchanged(contact) : -1;
 }
 
 template <typename Condition>

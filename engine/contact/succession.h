@@ -28,6 +28,10 @@ class Succession {
   // Says for each that was found the index of the known one that it continues, or -1. Each is continued once.
   [[nodiscard]] const std::vector<std::ptrdiff_t>& earlier() const { return earlier_; }
 
+  // Two corners above each other may be two contacts, each the vertex of one. Returns for a found one, whose other has
+  // ended, the index of that other; -1: there is none. Each is given once.
+  [[nodiscard]] std::ptrdiff_t ended_beside(const VertexContact& contact);
+
   // Returns the known contact nearest to a new one of those in line with it, at its vertex or on its edge; -1 where
   // there is none.
   [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact);
@@ -57,6 +61,7 @@ class Succession {
   const std::vector<VertexContact>& known_;
   const Outlines& outlines_;
   std::vector<bool> taken_;
+  bool some_have_ended_ = false;
   std::vector<std::ptrdiff_t> earlier_;
   std::vector<std::pair<int, std::size_t>> by_vertex_;  // vertex and index of the known contacts, when asked for
 };

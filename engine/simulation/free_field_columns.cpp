@@ -202,8 +202,11 @@ FreeFieldColumns make_free_field_columns(const Model& model, const ContactSet& c
   columns.model.materials = model.materials;
   columns.model.joints = {whole_block()};  // every pair of neighbours has one of its own
   columns.model.gravity = model.gravity;
-  for (const Stage& stage : model.stages)
-    columns.model.stages.emplace_back(model.with_acting_corrections(stage)).removal = {};
+  for (const Stage& stage : model.stages) {
+    Stage& own = columns.model.stages.emplace_back(model.with_acting_corrections(stage));
+    own.removal = {};  // what goes, comes and changes is named by blocks of the whole
+    own.rock = {};
+  }
   double left = 0;
   for (const FreeFieldSide& side : model.free_field_sides) {
     Column column(model, contacts, side, left, columns);

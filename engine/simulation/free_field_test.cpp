@@ -224,6 +224,20 @@ TEST(FreeField, ColumnsHaveTheLoadsSupportsAndDashpotsOfTheirFootAndHead) {
   EXPECT_LT(difference_from_columns(simulation, 200), 1e-8);  // round-off, as with a base
 }
 
+// A stage names the blocks that come in by their place among those of the whole; the columns took it for theirs.
+TEST(FreeField, ColumnsStayWhatTheyAreWhereBlocksComeIn) {
+  const auto shaken = [](bool one_comes_in) {
+    Model model = shaken_grid(bond(InterfaceLaw::consistent));
+    model.stages.push_back(model.stages[0]);
+    if (one_comes_in) model.stages[1].rock.added = {2 * columns + 2};
+    return simulation_of(std::move(model));
+  };
+  Simulation with = shaken(true), without = shaken(false);
+  for (Simulation* simulation : {&with, &without}) run(*simulation, 300);
+  for (std::size_t i = 0; i < at(2 * rows + 2); ++i)
+    EXPECT_EQ(with.free_field_columns()->state().velocity[i], without.free_field_columns()->state().velocity[i]) << i;
+}
+
 TEST(FreeField, AllocatesNothingInAWarmStep) {
   for (const JointMaterial& joint : {bond(InterfaceLaw::consistent), strong(InterfaceLaw::classical)}) {
     Simulation simulation = simulation_of(shaken_grid(joint));

@@ -74,7 +74,9 @@ TEST_F(FosCommand, SaysWhatTheSearchDoesNotTake) {
   scene["viscous_boundaries"] = {{{"edge", "left"}, {"free_field", true}}, {{"edge", "right"}, {"free_field", true}}};
   write("scene.json", scene.dump());
   expect_refusal({"fos", path("scene.json"), "--out", path("out")},
-                 path("scene.json") + ": in the static stages of dda fos, ");
+                 path("scene.json") +
+                     ": in the static stages of dda fos, viscous_boundaries is with free-field sides, expected sides "
+                     "that are held: ");
 }
 
 TEST_F(FosCommand, RefusesWhatIsWrongBeforeItWritesAnything) {

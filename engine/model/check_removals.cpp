@@ -89,11 +89,12 @@ class ComingAndGoing {
 };
 
 void refuse_loads_and_supports(const Model& model, const ComingAndGoing& blocks) {
-  const auto refuse_load = [&blocks](const auto& load) {
-    if (!load.stages.is_over_in(blocks.stage_of(load.block))) blocks.refuse_on(load.block, "on which a load acts");
+  const auto refuse_load = [&blocks](const auto& load, const Vec2& place) {
+    if (!load.stages.is_over_in(blocks.stage_of(load.block)))
+      blocks.refuse_on(load.block, fmt::format("on which a load acts at ({:.4g}, {:.4g}) m", place.x(), place.y()));
   };
-  for (const PointLoad& load : model.point_loads) refuse_load(load);
-  for (const EdgeLoad& load : model.edge_loads) refuse_load(load);
+  for (const PointLoad& load : model.point_loads) refuse_load(load, load.point);
+  for (const EdgeLoad& load : model.edge_loads) refuse_load(load, (load.from + load.to) / 2);
   for (const ViscousEdge& edge : model.viscous_edges) {
     blocks.refuse_on(edge.block, "which has a viscous boundary");
     blocks.refuse_before(edge.block, edge.first_stage, "which has a viscous boundary before");

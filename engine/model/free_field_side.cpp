@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/core/error.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
@@ -63,6 +64,12 @@ std::vector<int> supports_at_foot(const Model& model, const FreeFieldSide& side)
     if ((support.point - foot).norm() > point_tolerance(model)) found.push_back(static_cast<int>(i));
   }
   return found;
+}
+
+void refuse_free_field_sides(const Model& model) {
+  if (model.free_field_sides.empty()) return;
+  throw InputError("", "viscous_boundaries", "with free-field sides",
+                   "sides that are held: static stages find their own steps here, and columns cannot be stepped along");
 }
 
 }  // namespace dda

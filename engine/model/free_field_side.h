@@ -31,4 +31,7 @@ bool is_at_head(const Model& model, const FreeFieldSide& side, int block, const 
 // belong to the side.
 std::vector<int> supports_at_foot(const Model& model, const FreeFieldSide& side);
 
+// For searches whose static stages find their own steps, with which columns cannot be stepped along.
+void refuse_free_field_sides(const Model& model);
+
 }  // namespace dda

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/model/free_field_side.h"
 
 namespace dda {
 namespace {
@@ -117,6 +118,7 @@ void keep_if_over_later(int kept, std::vector<Load>& loads) {
 TimeFunction fading_to(double share) { return PiecewiseLinear{{0, fade / 2}, {1, share}}; }
 
 Unloading unloading_of(Model model, const std::vector<int>& opening) {
+  refuse_free_field_sides(model);
   Unloading unloading;
   const int kept = keep_stages_in_situ(opening, model);
   leave_out_support(kept, model.bolts, unloading.left_out);
@@ -128,8 +130,7 @@ Unloading unloading_of(Model model, const std::vector<int>& opening) {
   keep_if_taken_out_later(kept, model.bolts);
   keep_if_taken_out_later(kept, model.linings);
   for (PointSupport& support : model.supports) keep_if_let_go_later(kept, support);
-  if (model.free_field_sides.empty())  // else such a scene is refused
-    std::erase_if(model.viscous_edges, [kept](const ViscousEdge& edge) { return edge.first_stage > kept; });
+  std::erase_if(model.viscous_edges, [kept](const ViscousEdge& edge) { return edge.first_stage > kept; });
   model.measurements.clear();
   model.peaks.reset();
   finish_model(model);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/model/free_field_side.h"
 #include "engine/model/rock_change.h"
 #include "engine/simulation/simulation.h"
 
@@ -91,6 +92,7 @@ void keep_last_loads(std::size_t stages, std::vector<Load>& loads) {
 }  // namespace
 
 Standing standing_of(Model model, double time, const std::stop_token& stop) {
+  refuse_free_field_sides(model);
   Stage stand = static_stage("stand", 0, false);
   stand.removal.blocks = removed_blocks(model);
   const RockOfStage last{materials_in(model, model.stages.size()), joints_in(model, model.stages.size())};

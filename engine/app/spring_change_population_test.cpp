@@ -51,13 +51,17 @@ const json rough = {{"friction_angle", "55 deg"}};
 const json strong = {{"friction_angle", "35 deg"}, {"cohesion", "30 MPa"}, {"tensile_strength", "30 MPa"}};
 const json strong_springs = joint_with(strong, {{"law", "classical"}});
 
+const json projected = joint_with(rough, {{"law", "projected"}});
+
 const Kind kinds[] = {{{"bonded", joint_with(bonded, by_area(1)), "small"}, by_area},
                       {{"bonded_moving", joint_with(bonded, by_young(1)), "finite"}, by_young},
                       {{"dry", joint_with(rough, by_contact(1)), "finite"}, by_contact},
                       {{"dry_by_area", joint_with(rough, by_area(1)), "finite"}, by_area},
                       {{"dry_as_drawn", joint_with(rough, by_young(1)), "small"}, by_young},
                       {{"strong", joint_with(strong_springs, by_area(1)), "finite"}, by_area},
-                      {{"strong_as_drawn", joint_with(strong_springs, by_contact(1)), "small"}, by_contact}};
+                      {{"strong_as_drawn", joint_with(strong_springs, by_contact(1)), "small"}, by_contact},
+                      {{"projected", joint_with(projected, by_area(1)), "finite"}, by_area},
+                      {{"projected_as_drawn", joint_with(projected, by_area(1)), "small"}, by_area}};
 
 json settle(const RockKind& kind) {
   return {{"name", "settle"},        {"integrator", "static"},        {"dt", 1},
@@ -112,7 +116,8 @@ TEST_P(ChangedSpringsOfRock, MoveAsBeforeWhereNothingIsOther) {
   }
 }
 
-// Rock at rest stays, whatever its springs become.
+// Rock at rest stays, whatever its springs become. Gaps that count from a place are as good as places are, to a few of
+// the last digits of 6 m, and add up along a row of blocks: 4e-14 m.
 TEST_P(ChangedSpringsOfRock, MoveNothing) {
   for (int seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
@@ -124,7 +129,7 @@ TEST_P(ChangedSpringsOfRock, MoveNothing) {
     run_to_stage(plain, 3);
     run_to_stage(changed, 3);
     const double moved = largest(changed.state().displacement, &settled);
-    EXPECT_LT(moved, 1e-9 * largest(settled) + 2 * largest(plain.state().displacement, &settled));
+    EXPECT_LT(moved, 1e-9 * largest(settled) + 2 * largest(plain.state().displacement, &settled) + 1e-13);
   }
 }
 

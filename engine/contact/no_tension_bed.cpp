@@ -86,6 +86,18 @@ BedAnswer press_bed(const Bed& bed, const Vec2& gaps) {
           Vec2(sum.by_mean - mixed + by_turn, sum.by_mean + mixed + by_turn) / 4, (sum.by_mean - by_turn) / 4};
 }
 
+// With s = |M|/|N| the closed part is a = (1 - s) 3/2, all of it where s is a third or less.
+Vec2 gaps_of_bed(double stiffness, double lever, const Vec2& force) {
+  const double normal = -force.sum(), moment = lever * (force(1) - force(0));
+  const double closed = 1.5 * (1 - std::abs(moment) / normal);
+  if (closed >= 1) return force / stiffness;
+  const double bed = bed_of(lever);
+  const double turn = normal / (2 * bed * stiffness * closed * closed);
+  const double mean = turn * (1 - 2 * closed + (1 - bed) * closed * closed);
+  const double half = std::copysign(lever * turn, moment);
+  return {mean - half, mean + half};
+}
+
 OpenEnds open_ends(double lever, const Vec2& gaps) {
   const Opening opening = opening_of(lever, gaps);
   if (is_closed(opening, bed_of(lever))) return {false, false};

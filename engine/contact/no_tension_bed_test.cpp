@@ -218,5 +218,17 @@ TEST(NoTensionBed, ClosedPieceIsTwoSpringsOfTheirOwn) {
   EXPECT_LT(std::abs(after.coupling), 1e-9);
 }
 
+TEST(NoTensionBed, IsFoundByItsForces) {
+  for (const double lever : levers)
+    for (const double mean : means)
+      for (const double turn : {1.0, -1.0}) {
+        const Vec2 gaps = gaps_at(lever, mean, turn);
+        const Vec2 force = press_bed(stiffness, lever, gaps).force;
+        if (force.isZero(0)) continue;
+        // 0.99 leaves a closed part of 0.005, whose forces lose as many digits.
+        EXPECT_LT((gaps_of_bed(stiffness, lever, force) - gaps).norm(), 1e-10) << lever << " " << mean;
+      }
+}
+
 }  // namespace
 }  // namespace dda

@@ -121,7 +121,7 @@ void measure_projected(const Model& model, const State& state, const Interface& 
                                    stress_of(state, interface.block_b));
   own.gap << middle - turn + shift, middle + turn + shift;
   own.gap += drawn_gap(model, interface, element);
-  own.gap -= Vec4(own.seat[0], own.slip[0], own.seat[1], own.slip[1]);
+  own.gap -= element.gap_at_start + Vec4(own.seat[0], own.slip[0], own.seat[1], own.slip[1]);
   if (!press_together(element, own.broken)) {
     own.force = element.stiffness.cwiseProduct(own.gap);
     return;

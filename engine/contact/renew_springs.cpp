@@ -2,13 +2,18 @@
 
 #include <cstddef>
 
+#include "engine/contact/interface_frame.h"
 #include "engine/contact/make_element.h"
+#include "engine/contact/no_tension_bed.h"
+#include "engine/contact/projected_law.h"
+#include "engine/contact/projected_stretch.h"
 
 namespace dda {
 
-void renew_springs(const Model& model, const Interface& interface, bool gaps_are_measured, InterfaceElement& element,
-                   InterfaceState& own) {
-  if (element.law != InterfaceLaw::classical) return;
+namespace {
+
+void renew_classical(const Model& model, const Interface& interface, bool gaps_are_measured, InterfaceElement& element,
+                     InterfaceState& own) {
   const InterfaceElement renewed = make_element(model, interface, InterfaceLaw::classical);
   for (Eigen::Index row = 0; row < 2 * ends_of(element); ++row) {
     if (renewed.stiffness(row) == element.stiffness(row) || own.force(row) == 0) continue;
@@ -20,6 +25,59 @@ void renew_springs(const Model& model, const Interface& interface, bool gaps_are
   }
   element.stiffness = renewed.stiffness;
   element.dashpot = renewed.dashpot;
+}
+
+// What is told of two points at +-1 from the middle, told of two at +-1/ratio: the mean is the same, and half of the
+// difference is `ratio` times what it was. `first` is the row of one point; that of the other is two below.
+template <typename Rows>
+void move_points(double ratio, Eigen::Index first, Rows& rows) {
+  const auto mean = ((rows.row(first) + rows.row(first + 2)) / 2).eval();
+  const auto half = (ratio * (rows.row(first + 2) - rows.row(first)) / 2).eval();
+  rows.row(first) = mean - half;
+  rows.row(first + 2) = mean + half;
+}
+
+void find_gaps(const InterfaceElement& element, InterfaceState& own) {
+  for (Eigen::Index row = 0; row < 4; ++row)
+    if (own.force(row) != 0) own.gap(row) = own.force(row) / element.stiffness(row);
+  if (!presses_together(element, own.broken, own.force)) return;
+  const Vec2 gaps = gaps_of_bed(element.stiffness(0), element.lever, {own.force(0), own.force(2)});
+  own.gap(0) = gaps(0);
+  own.gap(2) = gaps(1);
+}
+
+// The gaps that are measured where blocks lie count from where they give those of `own`.
+void count_from_here(const Model& model, const State& state, const Interface& interface, const InterfaceState& own,
+                     InterfaceElement& element) {
+  InterfaceState measured = own;
+  measure_projected(model, state, interface, element, ends_apart(model, state, interface), measured);
+  element.gap_at_start += measured.gap - own.gap;
+}
+
+void renew_projected(const Model& model, const State& state, const Interface& interface, bool gaps_are_measured,
+                     InterfaceElement& element, InterfaceState& own) {
+  const InterfaceElement renewed = make_element(model, interface, InterfaceLaw::projected);
+  if (renewed.stiffness == element.stiffness) return;
+  const double lever = element.lever;
+  element.stiffness = renewed.stiffness;
+  // One that has broken at one end alone presses end by end: its points stay where they are.
+  if (own.broken[0] == own.broken[1]) element.lever = renewed.lever;
+  for (const Eigen::Index row : {0, 1}) {
+    move_points(lever / element.lever, row, own.force);
+    move_points(element.lever / lever, row, element.rows_a);
+    move_points(element.lever / lever, row, element.rows_b);
+  }
+  move_points(element.lever / lever, 0, own.gap);  // counts where nothing presses
+  find_gaps(element, own);
+  if (gaps_are_measured) count_from_here(model, state, interface, own, element);
+}
+
+}  // namespace
+
+void renew_springs(const Model& model, const State& state, const Interface& interface, bool gaps_are_measured,
+                   InterfaceElement& element, InterfaceState& own) {
+  if (element.law == InterfaceLaw::classical) renew_classical(model, interface, gaps_are_measured, element, own);
+  if (element.law == InterfaceLaw::projected) renew_projected(model, state, interface, gaps_are_measured, element, own);
 }
 
 }  // namespace dda

@@ -71,7 +71,8 @@ void read_normal_stiffness(const Field& normal, JointMaterial& joint) {
     joint.normal_stiffness = joint.shear_stiffness = 0;
     return;
   }
-  if (joint.law != InterfaceLaw::classical) normal.fail("\"auto\", or to be left out unless law is \"classical\"");
+  if (joint.law != InterfaceLaw::classical && joint.law != InterfaceLaw::projected)
+    normal.fail("\"auto\", or to be left out unless law is \"classical\" or \"projected\"");
   joint.normal_stiffness = normal.positive(Dimension::stiffness_per_area);
 }
 
@@ -98,14 +99,25 @@ void read_shear_to_normal(const Field& field, JointMaterial& joint) {
   joint.shear_stiffness = 0;
 }
 
+// A projected joint has a compliance beside that of its blocks, where it was given one.
+void check_projected(const Field& field, const Field& given, const JointMaterial& joint) {
+  if (joint.law != InterfaceLaw::projected) return;
+  refuse(field, {"normal_spring", "spring_over_young", "contact_damping"}, "with the projected law");
+  if (joint.normal_stiffness == 0)
+    given.fail(
+        "to be left out of a projected joint that was given no normal_stiffness, and gives way by its blocks alone");
+  const auto normal = field.find("normal_stiffness");
+  if (normal && normal->is_text() && normal->text() == "auto")
+    normal->fail("in Pa/m, or to be left out with the projected law");
+}
+
 // Springs, where the joint has any: a closed consistent joint gives way by its blocks alone.
 void read_springs(const Field& field, JointMaterial& joint) {
   constexpr std::array keys = {"normal_spring",   "spring_over_young", "normal_stiffness",
                                "shear_stiffness", "shear_to_normal",   "contact_damping"};
   const auto given = first_of(keys, field);
   if (!given) return;
-  if (joint.law == InterfaceLaw::projected)
-    given->fail("to be left out of a projected joint, which keeps its stiffness");
+  check_projected(field, *given, joint);
   if (joint.bonded && joint.law != InterfaceLaw::classical)
     given->fail("to be left out of a bonded joint unless law is \"classical\": others have no springs");
   read_springs_of_contacts(field, joint);

@@ -21,6 +21,7 @@ struct Case {
   const char* name;
   bool bonded;
   Kinematics kinematics;
+  InterfaceLaw law = InterfaceLaw::classical;
 };
 
 void PrintTo(const Case& each, std::ostream* out) {
@@ -30,12 +31,14 @@ void PrintTo(const Case& each, std::ostream* out) {
 const Case cases[] = {{"linear", true, Kinematics::small},
                       {"bonded_moving", true, Kinematics::finite},
                       {"dry_as_drawn", false, Kinematics::small},
-                      {"dry_moving", false, Kinematics::finite}};
+                      {"dry_moving", false, Kinematics::finite},
+                      {"projected_as_drawn", false, Kinematics::small, InterfaceLaw::projected},
+                      {"projected_moving", false, Kinematics::finite, InterfaceLaw::projected}};
 
-JointMaterial springs(double normal, double shear, bool bonded) {
+JointMaterial springs(double normal, double shear, const Case& each) {
   JointMaterial joint;
-  joint.law = InterfaceLaw::classical;
-  joint.bonded = bonded;
+  joint.law = each.law;
+  joint.bonded = each.bonded;
   joint.friction_angle = 1.2;
   joint.normal_stiffness = normal;
   joint.shear_stiffness = shear;
@@ -49,7 +52,7 @@ constexpr double normal_stiffness = 2e9, shear_stiffness = 7e8;
 Model pressed_block(const Case& each, const JointMaterial& later, const Vec2& first, const Vec2& second) {
   Model model;
   model.materials = {rock()};
-  model.joints = {springs(normal_stiffness, shear_stiffness, each.bonded)};
+  model.joints = {springs(normal_stiffness, shear_stiffness, each)};
   model.blocks = {rectangle("base", 0, -1, width, 1), rectangle("block", 0, 0, width, height)};
   model.held_blocks = {HeldBlock{}};
   model.point_loads = {{1, {width / 2, 0}, first, Constant{}}, {1, {width / 2, 0}, second, Constant{}, {2, -1}}};
@@ -76,10 +79,10 @@ class ChangedSprings : public testing::TestWithParam<Case> {};
 TEST_P(ChangedSprings, MoveNothingUntilLoadsChangeAndAreNewThen) {
   const Vec2 first(2e5, -1e6), second(1e5, -6e5);
   for (const double factor : {0.5, 3.0}) {
-    const JointMaterial later = springs(factor * normal_stiffness, factor * shear_stiffness, GetParam().bonded);
+    const JointMaterial later = springs(factor * normal_stiffness, factor * shear_stiffness, GetParam());
     const std::vector<Vec2> bottoms = bottoms_at_ends_of_stages(pressed_block(GetParam(), later, first, second));
     const std::vector<Vec2> as_before = bottoms_at_ends_of_stages(
-        pressed_block(GetParam(), springs(normal_stiffness, shear_stiffness, GetParam().bonded), first, second));
+        pressed_block(GetParam(), springs(normal_stiffness, shear_stiffness, GetParam()), first, second));
     EXPECT_LT((bottoms[1] - bottoms[0]).norm(), 1e-12 * height);
     const Vec2 stiffness = width * Vec2(shear_stiffness, normal_stiffness);
     const Vec2 more = (1 / factor - 1) * second.cwiseQuotient(stiffness);
@@ -92,7 +95,7 @@ TEST_P(ChangedSprings, MoveNothingUntilLoadsChangeAndAreNewThen) {
 TEST_P(ChangedSprings, BookWhatTheyStoreOtherwise) {
   const Vec2 load(0, -1e6);
   Simulation simulation = simulation_of(
-      pressed_block(GetParam(), springs(normal_stiffness / 2, shear_stiffness, GetParam().bonded), load, {0, 0}));
+      pressed_block(GetParam(), springs(normal_stiffness / 2, shear_stiffness, GetParam()), load, {0, 0}));
   run(simulation, 45);
   const EnergyLedger before = energy_at_ends_of_stages(simulation)[0], after = energy_at_ends_of_stages(simulation)[1];
   const double stored = load.squaredNorm() / (2 * normal_stiffness * width);
@@ -101,14 +104,16 @@ TEST_P(ChangedSprings, BookWhatTheyStoreOtherwise) {
 }
 
 TEST_P(ChangedSprings, ComeBackToWhatTheyWere) {
-  const JointMaterial was = springs(normal_stiffness, shear_stiffness, GetParam().bonded);
+  const JointMaterial was = springs(normal_stiffness, shear_stiffness, GetParam());
   const Vec2 first(2e5, -1e6), second(1e5, -6e5);
   Model there =
-      pressed_block(GetParam(), springs(normal_stiffness / 5, shear_stiffness * 3, GetParam().bonded), first, second);
+      pressed_block(GetParam(), springs(normal_stiffness / 5, shear_stiffness * 3, GetParam()), first, second);
   there.stages[2].rock.joints = {was};
   const std::vector<Vec2> back = bottoms_at_ends_of_stages(there);
   const std::vector<Vec2> same = bottoms_at_ends_of_stages(pressed_block(GetParam(), was, first, second));
-  EXPECT_LT((back[2] - same[2]).norm(), 1e-10 * same[2].norm());
+  // Where blocks are followed they are so only when they have moved by 1e-6 of their size, here at other moments.
+  const double tolerance = GetParam().kinematics == Kinematics::small ? 1e-10 : 1e-7;
+  EXPECT_LT((back[2] - same[2]).norm(), tolerance * same[2].norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ChangedSprings, testing::ValuesIn(cases),
@@ -135,7 +140,7 @@ Model column(const JointMaterial& joint, Kinematics kinematics, double factor) {
 }
 
 std::vector<JointMaterial> joints_of_columns() {
-  JointMaterial dry = springs(normal_stiffness, shear_stiffness, false);
+  JointMaterial dry = springs(normal_stiffness, shear_stiffness, cases[3]);
   JointMaterial projected;
   projected.law = InterfaceLaw::projected;
   projected.friction_angle = 1.2;
@@ -164,7 +169,7 @@ TEST(ChangedDensity, ColumnGoesDownByTheWeight) {
 // In free fall nothing shows but the energy.
 TEST(ChangedDensity, KeepsVelocities) {
   for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
-    Model model = column(springs(normal_stiffness, shear_stiffness, false), kinematics, 3);
+    Model model = column(springs(normal_stiffness, shear_stiffness, cases[3]), kinematics, 3);
     model.blocks.resize(2);
     model.blocks[1] = rectangle("block", 0, 50, width, height);
     model.stages = {stage_of(generalized_alpha_integrator(0.5), 1e-3, 100, kinematics),
@@ -183,13 +188,37 @@ TEST(ChangedDensity, KeepsVelocities) {
   }
 }
 
+// A projected joint that gapes: a block that its load, at x = 0.4 of the half width, tilts and opens the joint. The
+// change alone moves nothing, also when it is back. Where blocks are followed the load, which keeps its direction, has
+// a share along the joint of the turn, 3e-3. The end that gapes can carry nothing of it, which lets its points move it.
+TEST(ChangedSprings, MoveNothingWhereAProjectedJointGapes) {
+  for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite})
+    for (const double factor : {0.2, 6.0}) {
+      const Case projected{"projected", false, kinematics, InterfaceLaw::projected};
+      Model model =
+          pressed_block(projected, springs(factor * normal_stiffness, shear_stiffness, projected), {0, -1e6}, {0, 0});
+      model.stages[2].rock.joints = {springs(normal_stiffness, 2 * shear_stiffness, projected)};
+      for (PointLoad& load : model.point_loads) load.point.x() = 0.85 * width;
+      Simulation simulation = simulation_of(model);
+      run(simulation, 15);
+      const auto& status = simulation.interface_state(0).status;
+      ASSERT_NE(status[0] == ContactStatus::open, status[1] == ContactStatus::open);
+      const double tolerance = kinematics == Kinematics::small ? 1e-9 : 3e-4;
+      const Vec6 settled = simulation.state().displacement[1];
+      EXPECT_GT(std::abs(settled(2)), 1e-5);
+      run(simulation, 30);
+      EXPECT_LT((simulation.state().displacement[1] - settled).norm(), tolerance * settled.norm()) << factor;
+      EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+    }
+}
+
 TEST(ChangedSprings, RefuseWhatWouldLoseForces) {
   const auto refused = [](const JointMaterial& joint, const JointMaterial& later) {
     Model model = pressed_block(cases[3], later, {0, -1}, {0, 0});
     model.joints = {joint};
     return refusal_of(model);
   };
-  const JointMaterial by_area = springs(1e9, 1e8, false);
+  const JointMaterial by_area = springs(1e9, 1e8, cases[3]);
   JointMaterial by_contact = by_area;
   by_contact.normal_stiffness = by_contact.shear_stiffness = 0;
   EXPECT_NE(refused(by_area, by_contact).find("kind of stiffness"), std::string::npos);
@@ -200,7 +229,9 @@ TEST(ChangedSprings, RefuseWhatWouldLoseForces) {
   JointMaterial projected = by_area, softer = by_area;
   projected.law = softer.law = InterfaceLaw::projected;
   softer.normal_stiffness = 1e8;
-  EXPECT_NE(refused(projected, softer).find("projected"), std::string::npos);
+  EXPECT_EQ(refused(projected, softer), "accepted");
+  projected.normal_stiffness = projected.shear_stiffness = 0;
+  EXPECT_NE(refused(projected, softer).find("kind of stiffness"), std::string::npos);
 }
 
 }  // namespace

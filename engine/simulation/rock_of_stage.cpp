@@ -1,5 +1,6 @@
 #include "engine/simulation/rock_of_stage.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -37,10 +38,10 @@ double change_springs(const std::vector<bool>& others, bool gaps_are_measured, B
   for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
     if (!others[static_cast<std::size_t>(s.contacts.interfaces[i].joint)]) continue;
     InterfaceElement& element = s.contacts.elements[i];
-    if (element.law != InterfaceLaw::classical) continue;
+    if (has_stress_rows(element)) continue;
     InterfaceState own = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
     stored -= interface_energy(element, own);
-    renew_springs(s.model, s.contacts.interfaces[i], gaps_are_measured, element, own);
+    renew_springs(s.model, s.state, s.contacts.interfaces[i], gaps_are_measured, element, own);
     stored += interface_energy(element, own);
     if (s.plan.linear) keep_gap_at_rest(s.state, element, own);
     s.contacts.states[i] = own;
@@ -75,12 +76,14 @@ void change_rock(bool contacts_move, BlockSystem& s) {
   if (s.clock.stage == 0 || (rock.joints.empty() && rock.materials.empty())) return;
   const double strain = strain_energy(s.terms, s.state), kinetic = kinetic_energy(s.terms, s.state);
   const std::vector<JointMaterial> joints_before = s.model.joints;
+  const std::vector<Material> materials_before = s.model.materials;
   take_rock_in_force(s);
   if (!rock.joints.empty()) renew_strengths(contacts_move, s);
   const double contact =
       change_springs(other_springs(joints_before, !rock.materials.empty(), s.model.joints), contacts_move, s);
   s.audit.rock_changed(kinetic_energy(s.terms, s.state) - kinetic, strain_energy(s.terms, s.state) - strain, contact);
-  if (!rock.materials.empty() && !s.plan.linear) s.sum_internal_forces(s.forces.internal_old);
+  const bool has_same_moduli = std::ranges::equal(materials_before, s.model.materials, have_same_moduli);
+  if (!has_same_moduli && !s.plan.linear) s.sum_internal_forces(s.forces.internal_old);
 }
 
 }  // namespace dda

@@ -45,7 +45,7 @@ Model rock_with_opening(double share) {
   return parse_scene(scene.dump(), "scene.json");
 }
 
-// Of 39 kJ that are stored 0.006 to 0.05 J are lost. At two of these shares it was 416 and 515 J: a contact that ended
+// Rock that stores 39 kJ loses 0.006 to 0.05 J. At two of these shares it was 416 and 515 J: a contact that ended
 // beside another one of the same corner took its 3.2 MN along.
 TEST(RockLetGo, LosesNextToNothingByALittle) {
   for (const double share : {0.97, 0.95, 0.93, 0.9, 0.8}) {

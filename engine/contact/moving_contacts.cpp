@@ -109,8 +109,9 @@ InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& e
   return state;
 }
 
-// Of the contact that one was and another of its corner that has ended (-1: none) the one that presses more: its load
-// goes on, or it would be lost. Loads do not add up, as one spring that carries two stores more than both did.
+// Chooses between the contact that one was and another of its corner that has ended (-1: none): the load of the one
+// that presses more goes on, or it would be lost. Loads do not add up, as one spring that carries two stores more than
+// both.
 std::ptrdiff_t heavier(std::ptrdiff_t earlier, std::ptrdiff_t ended, std::size_t first,
                        const std::vector<InterfaceState>& states) {
   if (ended < 0 || earlier < 0) return earlier;

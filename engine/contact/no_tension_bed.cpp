@@ -70,6 +70,25 @@ Resultants pressed_in_part(const Bed& of, const Opening& opening) {
           -side * unit * (share.force + ratio * slope), unit * (moment + ratio * (share.force + ratio * slope))};
 }
 
+// G/|T| at which so much is closed.
+double ratio_at(double bed, double closed) { return 1 - closed * (2 - (1 - bed) * closed); }
+
+// The closed part under a force that is `arm` half lengths from the middle, |M|/|N|: (1 - arm) 3/2 in a column, all of
+// it where the arm is a third or less. A stiffer bed has no closed form; the arm falls as more is closed, since the
+// potential is convex.
+double closed_under(const Bed& of, double arm) {
+  const double column = 1.5 * (1 - arm);
+  if (column >= of.spread) return column;
+  const double bed = bed_of(of.lever);
+  double low = 0, high = of.spread;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = (low + high) / 2;
+    const Share share = share_of(bed, of.spread, middle);
+    (2 * share.stored + ratio_at(bed, middle) * share.force > arm * share.force ? low : high) = middle;
+  }
+  return high;
+}
+
 }  // namespace
 
 BedAnswer press_bed(const Bed& bed, const Vec2& gaps) {
@@ -86,15 +105,14 @@ BedAnswer press_bed(const Bed& bed, const Vec2& gaps) {
           Vec2(sum.by_mean - mixed + by_turn, sum.by_mean + mixed + by_turn) / 4, (sum.by_mean - by_turn) / 4};
 }
 
-// With s = |M|/|N| the closed part is a = (1 - s) 3/2, all of it where s is a third or less.
-Vec2 gaps_of_bed(double stiffness, double lever, const Vec2& force) {
-  const double normal = -force.sum(), moment = lever * (force(1) - force(0));
-  const double closed = 1.5 * (1 - std::abs(moment) / normal);
-  if (closed >= 1) return force / stiffness;
-  const double bed = bed_of(lever);
-  const double turn = normal / (2 * bed * stiffness * closed * closed);
-  const double mean = turn * (1 - 2 * closed + (1 - bed) * closed * closed);
-  const double half = std::copysign(lever * turn, moment);
+Vec2 gaps_of_bed(const Bed& of, const Vec2& force) {
+  const double normal = -force.sum(), moment = of.lever * (force(1) - force(0));
+  const double closed = closed_under(of, std::abs(moment) / normal);
+  if (closed >= 1) return force / of.stiffness;
+  const double bed = bed_of(of.lever);
+  const double turn = normal / (2 * bed * of.stiffness * share_of(bed, of.spread, closed).force);
+  const double mean = turn * ratio_at(bed, closed);
+  const double half = std::copysign(of.lever * turn, moment);
   return {mean - half, mean + half};
 }
 

@@ -48,7 +48,7 @@ struct BedAnswer {
 BedAnswer press_bed(const Bed& bed, const Vec2& gaps);
 
 // The gaps at which the bed answers with these forces of the two points, which press together.
-Vec2 gaps_of_bed(double stiffness, double lever, const Vec2& force);
+Vec2 gaps_of_bed(const Bed& bed, const Vec2& force);
 
 // Which ends of the stretch gape at these gaps of the two points: that at the first, at the second.
 struct OpenEnds {

@@ -41,7 +41,7 @@ void find_gaps(const InterfaceElement& element, InterfaceState& own) {
   for (Eigen::Index row = 0; row < 4; ++row)
     if (own.force(row) != 0) own.gap(row) = own.force(row) / element.stiffness(row);
   if (!presses_together(element, own.broken, own.force)) return;
-  const Vec2 gaps = gaps_of_bed(element.stiffness(0), element.lever, {own.force(0), own.force(2)});
+  const Vec2 gaps = gaps_of_bed(bed_of(element), {own.force(0), own.force(2)});
   own.gap(0) = gaps(0);
   own.gap(2) = gaps(1);
 }
@@ -61,7 +61,10 @@ void renew_projected(const Model& model, const State& state, const Interface& in
   const double lever = element.lever;
   element.stiffness = renewed.stiffness;
   // One that has broken at one end alone presses end by end: its points stay where they are.
-  if (own.broken[0] == own.broken[1]) element.lever = renewed.lever;
+  if (own.broken[0] == own.broken[1]) {
+    element.lever = renewed.lever;
+    element.spread = renewed.spread;
+  }
   for (const Eigen::Index row : {0, 1}) {
     move_points(lever / element.lever, row, own.force);
     move_points(element.lever / lever, row, element.rows_a);

@@ -19,6 +19,14 @@ namespace {
 // push blocks that do not give way yet.)
 constexpr double share_remembered = 1e-3;
 
+// No block's own weight and load count as a smaller share of the largest force that acts. With the balance of 1e-9 that
+// is asked for by default a block is in it to a thousandth of its weight.
+constexpr double least_share = 1e-6;
+
+// Gaps are differences of coordinates, of which the last digit is 2e-16 of the diameter of the scene, or this share of
+// the length that tells what touches. What holds blocks lighter than the force that it makes nobody can tell.
+constexpr double round_off_of_places = 2e-7;
+
 // In units of round-off, of the forces that would move rock as far as it has gone: contacts are stiffer than blocks.
 constexpr double most_round_off = 1024;
 
@@ -102,18 +110,44 @@ double largest_load(const BlockSystem& system, double in_situ_force) {
   return std::max({load, largest_of_all(system, system.external.weight()), largest_held_weight(system)});
 }
 
-// Unbalanced forces as shares of the largest force that acts, those of held blocks zero. Prescribed motions and
-// pretensions act by the forces that they make blocks exchange. The same where nothing acts, and the rock comes to rest
-// from what an earlier stage has left. What is no more than round-off of these is none.
+// The largest force that acts, N per m of thickness. Prescribed motions and pretensions act by the forces that they
+// make blocks exchange. The same where nothing acts, and the rock comes to rest from what an earlier stage has left.
+double largest_acting(const BlockSystem& system, double in_situ_force) {
+  const double load = largest_load(system, in_situ_force);
+  if (load > 0 && !acts_without_load(system)) return load;
+  return std::max({load, exchanged_now(system), share_remembered * system.forces.most_exchanged});
+}
+
+double round_off_of_gaps(const BlockSystem& system) {
+  double stiffest = 0;
+  for (const Mat3& elasticity : system.terms.elasticity) stiffest = std::max(stiffest, elasticity(0, 0));
+  return round_off_of_places * system.model.length_tolerance * stiffest;
+}
+
+// What a force on each block is measured by, N per m of thickness: the largest that acts, and less for blocks whose own
+// weight and load are next to nothing beside it. Linear stages, in which blocks stay where they are, know the first.
+std::vector<double> measures(const BlockSystem& system, double largest) {
+  std::vector<double> all(system.terms.area.size(), largest);
+  if (!system.plan.gravity || system.plan.linear) return all;
+  const Eigen::VectorXd own = system.forces.load_old + system.external.weight();
+  const double least = round_off_of_gaps(system);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (const double force = largest_of(system, own, i); force > least) all[i] = std::min(largest, force / least_share);
+  return all;
+}
+
+// Unbalanced forces as shares of these, those of held blocks zero. What is no more than round-off of prescribed motions
+// is none.
 Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_force) {
   Eigen::VectorXd unbalanced = system.unbalanced_forces();
   system.held.clear(unbalanced);
-  double scale = largest_load(system, in_situ_force);
-  if (!(scale > 0) || acts_without_load(system)) {
-    scale = std::max({scale, exchanged_now(system), share_remembered * system.forces.most_exchanged});
-    if (largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
-  }
-  if (scale > 0) unbalanced /= scale;
+  const bool no_load_acts = !(largest_load(system, in_situ_force) > 0) || acts_without_load(system);
+  if (no_load_acts && largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
+  const double largest = largest_acting(system, in_situ_force);
+  if (!(largest > 0)) return unbalanced;
+  const std::vector<double> measure = measures(system, largest);
+  for (std::size_t i = 0; i < measure.size(); ++i)
+    unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)) /= measure[i];
   return unbalanced;
 }
 
@@ -121,6 +155,15 @@ Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_forc
 
 void note_exchanged_forces(BlockSystem& system) {
   system.forces.most_exchanged = std::max(system.forces.most_exchanged, exchanged_now(system));
+}
+
+void note_asked_balance(BlockSystem& system, double in_situ_force) {
+  constexpr double margin = 0.5;  // geometry that follows the step changes a little more
+  std::vector<double>& asked = system.forces.asked_balance;
+  asked.clear();
+  if (!system.plan.is_static || system.plan.linear || system.stage().equilibrium == 0) return;
+  asked = measures(system, largest_acting(system, in_situ_force));
+  for (double& each : asked) each *= margin * system.stage().equilibrium;
 }
 
 double out_of_balance(const BlockSystem& system, double in_situ_force) {

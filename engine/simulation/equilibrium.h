@@ -19,8 +19,14 @@ void note_exchanged_forces(BlockSystem& system);
 // Largest unbalanced force of any unknown over the largest force that acts: load, weight or `in_situ_force` (N per m of
 // thickness), and where a motion is prescribed, bolts have a pretension, or nothing acts, the largest force exchanged.
 // Moments over the root of the block's area. No size of its own comes in: a scene of millimetres and one of kilometres
-// have the same share. Without loads, what is no more than round-off of the motion so far is no force.
+// have the same share. Without loads, what is no more than round-off of the motion so far is no force. Of a block
+// lighter than a millionth of that largest force its own weight counts a million times: a pebble beside a mountain that
+// hangs in the air is out of balance.
 double out_of_balance(const BlockSystem& system, double in_situ_force);
+
+// In static stages that ask for equilibrium, before each step: notes how much may be left out of balance on each block,
+// for steps that begin with more, though with little beside the forces of their contacts, to take a pass all the same.
+void note_asked_balance(BlockSystem& system, double in_situ_force);
 
 // At the end of the stage under way: the blocks that are out of balance by more than the stage asks for, the worst
 // first. None where it does not ask.

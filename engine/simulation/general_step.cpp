@@ -237,6 +237,7 @@ StepProblem GeneralStep::problem() const {
           .guess = s.increment,
           .factor = s.coefficients.stiffness,
           .areas = s.terms.area,
+          .asked_balance = s.forces.asked_balance,
           .contacts = {changing_, s.contacts.elements, s.contacts.strengths, s.contacts.states, rule_},
           .bolts = s.plan.reinforcement.bolts ? s.reinforcement.bolts.links() : std::span<const LinkElement>{},
           .held = s.held,

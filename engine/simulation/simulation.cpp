@@ -146,6 +146,7 @@ Status Simulation::step() {
   if (!s.clock.begun) begin_stage();  // of a run that was restored between two stages
   s.clock.passes_before_step = s.costs.counters.open_close_iterations;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
+  note_asked_balance(s, in_situ_force_);
   const auto advance_by = [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); };
   const auto is_sure = [this] { return stage_step().is_provisional(); };
   const Status status = is_settling() ? pace_.step(s.costs.counters, advance_by, is_sure)

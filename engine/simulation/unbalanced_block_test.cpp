@@ -80,6 +80,28 @@ TEST(UnbalancedBlocks, LooseOnesEndARunWhereNoStageFollowsUnlessItIsToldToGoOn) 
   }
 }
 
+// A hundred times as large, with a stone of `size` (m) at this height (m) above the floor.
+Model large_boxes_and_a_stone(double size, double height) {
+  Model model = boxes_and_a_stone();
+  for (Block& block : model.blocks)
+    for (Vec2& corner : block.shape.outer) corner *= 100;
+  model.blocks[stone] = rectangle("stone", 450, height, size, size);
+  return model;
+}
+
+// However light it is beside the others: in the air, out of balance by all of its weight, it was less than the 1e-9 of
+// theirs that are asked for. On the floor it is held by less than what passes neglect beside the forces of others.
+TEST(UnbalancedBlocks, AStoneIsLooseInTheAirAndHeldByTheFloorHoweverLight) {
+  for (const double size : {1e-1, 1e-2, 1e-3}) {
+    Simulation in_the_air = with_stages(large_boxes_and_a_stone(size, 100), {settling()});
+    EXPECT_EQ(status_at_end(in_the_air), Status::not_in_equilibrium) << size;
+    ASSERT_EQ(in_the_air.results().loose.size(), 1U) << size;
+    EXPECT_EQ(in_the_air.results().loose[0].block, stone);
+    Simulation on_the_floor = with_stages(large_boxes_and_a_stone(size, 0), {settling()});
+    EXPECT_EQ(status_at_end(on_the_floor), Status::ok) << size << on_the_floor.message();
+  }
+}
+
 TEST(UnbalancedBlocks, LooseOnesEndARunBeforeItsLastStageWhereItIsToldToStop) {
   Simulation automatic = with_stages(boxes_and_a_stone(), {settling(), moving()});
   EXPECT_EQ(status_at_end(automatic), Status::ok) << automatic.message();

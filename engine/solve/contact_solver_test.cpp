@@ -99,6 +99,20 @@ TEST(ContactSolver, ForcesOfTheStartStay) {
   EXPECT_EQ(solved.solver.contacts()[0].force, made.states[0].force);
 }
 
+// What is out of balance is next to nothing beside the contact's force, and yet more than is asked for on the block.
+TEST(ContactSolver, APassIsTakenWhereMoreBalanceIsAskedFor) {
+  HandMadeProblem made = block_on_floor({0, -1e-11});
+  made.states[0].gap << -1, 0, 0, 0;
+  made.states[0].force << -kn, 0, 0, 0;
+  EXPECT_EQ(Solved(made).moved(1), Vec2::Zero());
+  made.asked_balance = {0, 2e-11};
+  EXPECT_EQ(Solved(made).moved(1), Vec2::Zero());
+  made.asked_balance = {0, 1e-12};
+  const Solved solved(made);
+  ASSERT_EQ(solved.solution.status, Status::ok);
+  EXPECT_NEAR(solved.moved(1).y(), -1e-11 / (inertia + kn), 1e-6 * 1e-11 / kn);  // GMRES goes to 1e-8
+}
+
 // Two blocks in a stack, of which the upper one slides on the lower one, which sticks to the floor.
 TEST(ContactSolver, OneOfTwoContactsSlides) {
   HandMadeProblem made(3, {{0, 1}, {1, 2}});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "engine/contact/open_close.h"
@@ -54,6 +55,15 @@ constexpr int free_passes = 4;
 // way when the pass before changed no piece. (1e-1 takes four times as many passes, 1e-2 a quarter more.)
 constexpr double step_tolerance = 1e-3;
 constexpr double last_step_margin = 0.1;
+
+// Passes for what is little beside the contacts' forces, on blocks that may be light, and how well they solve. (More of
+// them are for the next step of a stage that asks for balance.)
+constexpr int most_passes_for_more = 5;
+constexpr double all_digits = 1e-8;
+
+// Of a light block's contacts ends are off what they answer by this many times what is asked for at most: 5 % of its
+// weight where it is a thousandth.
+constexpr double piece_tolerance_of_asked = 100;
 
 constexpr int most_iterations = 400;
 
@@ -114,15 +124,19 @@ bool FrictionPasses::find_balance(Iterate& at) {
   // The whole matrix is brought up to date first: what a step does depends on the state, not on earlier round-off.
   if (at.bring_matrix_up_to_date(changed) != Status::ok) return false;
   form_residual(at);
+  const std::span<const double> asked = at.problem->asked_balance;
+  largest_asked_ = asked.empty() ? 0 : std::ranges::max(asked);
   const double most_work = at.problem->contacts.rule.capacity_is_given ? patience_with_given_capacities : patience;
   double best = imbalance_;
   int best_pass = 0;
   double work = 0;  // since then, in passes over all blocks
-  for (int pass = 0; !is_balanced(at); ++pass) {
+  int for_more = 0;
+  for (int pass = 0; !is_balanced(at) || (for_more++ < most_passes_for_more && is_asked_for_more(at)); ++pass) {
     if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > most_work) return false;
     if (pass > 0 && prepare_pass(at, changed) != Status::ok) return false;
     ++at.costs.counters.open_close_iterations;
-    const double enough = last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
+    const double enough =
+        is_balanced(at) ? all_digits : last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
     if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) return false;
     const bool one_by_one = changes_one_by_one(pass - best_pass);
     if (!one_by_one && goes_in_circles(pass - best_pass)) step_ /= 2;
@@ -154,6 +168,25 @@ double FrictionPasses::work_of_pass(const Iterate& at) const {
 
 bool FrictionPasses::is_balanced(const Iterate& at) const {
   return !between_pieces_ && imbalance_ <= negligible_imbalance(at);
+}
+
+// Where rock is at rest a step may begin in balance as far as its contacts' forces tell.
+bool FrictionPasses::is_asked_for_more(const Iterate& at) const {
+  const std::span<const double> asked = at.problem->asked_balance;
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (largest_entry(residual_, i, at.problem->areas[i]) > asked[i]) return true;
+  return false;
+}
+
+// Of blocks that are asked for more than the others, as they are so light, contacts are as well.
+PieceRule FrictionPasses::rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at) const {
+  const std::span<const double> asked = at.problem->asked_balance;
+  if (asked.empty()) return rule;
+  const double of_blocks =
+      std::min(asked[static_cast<std::size_t>(contact.block_a)], asked[static_cast<std::size_t>(contact.block_b)]);
+  if (of_blocks >= largest_asked_) return rule;
+  return {.strict = rule.strict,
+          .negligible_force = std::min(rule.negligible_force, piece_tolerance_of_asked * of_blocks)};
 }
 
 double FrictionPasses::negligible_imbalance(const Iterate& at) const {
@@ -288,11 +321,12 @@ void FrictionPasses::take_newton_step(Iterate& at, bool strictly, bool one_by_on
       const Vec4 moved = gap(contact, step_);
       trial.gap += moved;
       respond_with_friction(contact.springs, strength, trial);
-      contact.between = keep_to_bordering_pieces(contact.springs, strength, rule, trial, contact.pieces);
+      contact.between =
+          keep_to_bordering_pieces(contact.springs, strength, rule_of(contact, rule, at), trial, contact.pieces);
       contact.changes = contact.pieces != pieces_before;
       if (one_by_one && contact.changes && std::exchange(one_changes, true)) {
         contact.pieces = pieces_before;
-        contact.between = stay_on_pieces(contact.springs, strength, rule, trial, contact.pieces);
+        contact.between = stay_on_pieces(contact.springs, strength, rule_of(contact, rule, at), trial, contact.pieces);
       }
       if (is_local_) follow_residual(at, contact, moved, force_before);
     }

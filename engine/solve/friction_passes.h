@@ -71,7 +71,9 @@ class FrictionPasses {
   [[nodiscard]] bool goes_in_circles(int stalled_passes) const;
   [[nodiscard]] bool changes_one_by_one(int stalled_passes) const;
   [[nodiscard]] double work_of_pass(const Iterate& at) const;
+  [[nodiscard]] bool is_asked_for_more(const Iterate& at) const;
   [[nodiscard]] bool is_balanced(const Iterate& at) const;
+  [[nodiscard]] PieceRule rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at) const;
   [[nodiscard]] double negligible_imbalance(const Iterate& at) const;
   void form_residual(const Iterate& at);
   void measure_imbalance(const Iterate& at);
@@ -109,6 +111,7 @@ class FrictionPasses {
 
   double imbalance_ = 0;      // largest entry of the residual, N per m of thickness
   double largest_force_ = 0;  // of contacts and bolts, N per m of thickness
+  double largest_asked_ = 0;  // what may be left out of balance on blocks of some weight, N per m of thickness
 };
 
 }  // namespace dda

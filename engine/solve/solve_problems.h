@@ -61,6 +61,7 @@ struct HandMadeProblem {
             .guess = guess,
             .factor = factor,
             .areas = areas,
+            .asked_balance = asked_balance,
             .contacts = {places, elements, strengths, states, rule},
             .bolts = links,
             .held = held,
@@ -75,6 +76,7 @@ struct HandMadeProblem {
   BlockMatrix base;
   Eigen::VectorXd rhs, guess;
   std::vector<double> areas;
+  std::vector<double> asked_balance;
   std::vector<int> places;
   std::vector<InterfaceElement> elements;
   std::vector<EndStrength> strengths;

@@ -30,6 +30,9 @@ struct StepProblem {
   const Eigen::VectorXd& guess;   // of the increments, for iterative linear solvers and where capacities are given
   double factor;                  // of the integrator, on forces at the end of the step
   std::span<const double> areas;  // of the blocks, m2: moments count as forces at the arm of a block's size
+  // N per m of thickness, of each block: a step that begins with more out of balance takes a pass, however little it is
+  // beside the forces of contacts. Empty: what is little beside these is enough.
+  std::span<const double> asked_balance = {};
   ChangingContacts contacts;
   std::span<const LinkElement> bolts;
   const HeldUnknowns& held;

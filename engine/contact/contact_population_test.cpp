@@ -279,8 +279,9 @@ NamesOfContacts names_of_contacts(const Polygon& a, const Polygon& b, double ang
   return names;
 }
 
-// Pairs whose contacts are others when both are turned. Motions are long beside the round-off of turned coordinates,
-// and ways out of the same depth, of which round-off takes one, are rare then.
+// Pairs whose contacts are others when both are turned. They are deeper in each other than contacts are looked for
+// apart: corners then lie behind an edge and yet outside of the block. Motions by lot are far from ties that round-off
+// decides.
 int others_when_turned(std::uint64_t seed, int count) {
   SeededNumbers random(seed);
   int others = 0;

@@ -24,7 +24,9 @@ class Side {
         depth_(depth) {}
 
   void collect(std::vector<Cover>& found) const {
-    const Box near = expanded(outlines_.boxes[at(edge_block_)], reach_);
+    // Behind one edge of a corner a vertex may be as far past the other one: boxes that end nearer would make contacts
+    // depend on the axes.
+    const Box near = expanded(outlines_.boxes[at(edge_block_)], std::max(reach_, depth_));
     for (int vertex = outlines_.starts[at(vertex_block_)]; vertex < outlines_.starts[at(vertex_block_) + 1]; ++vertex) {
       const Vec2& point = outlines_.current[at(vertex)];
       if ((point.array() < near.lower.array()).any() || (point.array() > near.upper.array()).any()) continue;

@@ -106,7 +106,7 @@ class Claim {
 
 bool are_nearby(const Outlines& outlines, const Cover& deep, const Cover& shallow) {
   const Vec2 apart = outlines.current[at(shallow.contact.vertex)] - outlines.current[at(deep.contact.vertex)];
-  return apart.lpNorm<1>() <= -nearby * deep.contact.gap;
+  return apart.norm() <= -nearby * deep.contact.gap;
 }
 
 // Whether the deep cover's claim holds where the shallow one's way out has been taken.

@@ -116,11 +116,11 @@ Status ContactSolver::settle_with_given_capacities() {
   if (settle_quickly() || settle_from_inside()) return Status::ok;
   constexpr int most_cut_steps = 128;
   for (int cut_steps = 1; cut_steps <= most_cut_steps; cut_steps *= 2) {
-    if (settle_quickly()) return Status::ok;
     convex_.go_on_from(at_);
     const Status status = convex_.settle(at_, cut_steps);
     solution_.failure = convex_.failure();
     if (solution_.failure != Failure::unsettled) return status;
+    if (settle_quickly()) return Status::ok;
   }
   return Status::not_converged;
 }

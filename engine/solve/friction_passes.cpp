@@ -61,8 +61,8 @@ constexpr double last_step_margin = 0.1;
 constexpr int most_passes_for_more = 5;
 constexpr double all_digits = 1e-8;
 
-// Of a light block's contacts ends are off what they answer by this many times what is asked for at most: 5 % of its
-// weight where it is a thousandth.
+// Ends of a light block's contacts are off what they answer by this many times what is asked for at most: 5 % of its
+// weight where a thousandth of it is asked for.
 constexpr double piece_tolerance_of_asked = 100;
 
 constexpr int most_iterations = 400;
@@ -178,7 +178,7 @@ bool FrictionPasses::is_asked_for_more(const Iterate& at) const {
   return false;
 }
 
-// Of blocks that are asked for more than the others, as they are so light, contacts are as well.
+// Contacts of blocks that are asked for more than the others, as they are so light, are asked for more as well.
 PieceRule FrictionPasses::rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at) const {
   const std::span<const double> asked = at.problem->asked_balance;
   if (asked.empty()) return rule;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,19 @@ const std::vector<OddScene> odd_scenes = {
      },
      "stage \"run\": loads change as fast as a wave of 62.5 Hz does, whose speed steps of 0.0025 s alter by -7 % and "
      "of whose amplitude they take 0 % in a period; at a dt of 0.00063 s it is 1 and 5 % at most"},
+    {"smooth_table",  // a sine with 25 steps in a period, of which the trapezoidal rule alters the speed by 0.5 %
+     [](Model& model) {
+       model.gravity = {0, 0};
+       model.joints[0].bonded = true;
+       PiecewiseLinear table;
+       for (int i = 0; i <= 400; ++i) {
+         table.times.push_back(i * 1.25e-4);
+         table.values.push_back(std::sin(2 * std::numbers::pi * i / 400));
+       }
+       model.edge_loads.push_back({2, {0, 3}, {1, 3}, {0, 1}, table});
+       model.stages[0].dt = 2e-3;
+     },
+     ""},
     {"coarse_damping_rate",
      [](Model& model) {
        model.stages[0].damping_rate = 50;

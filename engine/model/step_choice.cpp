@@ -82,6 +82,20 @@ std::optional<double> highest_frequency(const TimeFunction& history) {
   return std::isfinite(shortest) ? std::optional(0.25 / shortest) : std::nullopt;
 }
 
+// Hz, of the steepest change of a history, of which one from zero to its largest value is a quarter of a period. Many
+// points in a smooth table do not make it fast, as a sine of f in a table is (pi/2) f.
+std::optional<double> steepest_frequency(const TimeFunction& history) {
+  const auto* table = std::get_if<PiecewiseLinear>(&history);
+  if (table == nullptr) return highest_frequency(history);
+  double largest = 0, steepest = 0;
+  for (const double value : table->values) largest = std::max(largest, std::abs(value));
+  for (std::size_t i = 1; i < table->times.size(); ++i)
+    if (table->values[i] != table->values[i - 1])
+      steepest = std::max(steepest,
+                          std::abs(table->values[i] - table->values[i - 1]) / (table->times[i] - table->times[i - 1]));
+  return largest > 0 ? std::optional(0.25 * steepest / largest) : std::nullopt;
+}
+
 std::vector<const TimeFunction*> histories_of(const Model& model) {
   std::vector<const TimeFunction*> histories;
   for (const auto& load : model.point_loads) histories.push_back(&load.history);
@@ -95,11 +109,12 @@ std::vector<const TimeFunction*> histories_of(const Model& model) {
 
 // Hz, of loads and prescribed motions or as it is given; 0 where nothing changes. Recordings have their samples
 // instead.
-double fastest_change(const Model& model) {
+template <typename Frequency>
+double fastest_change(const Model& model, const Frequency& frequency_of) {
   if (model.expected.frequency) return *model.expected.frequency;
   double highest = 0;
   for (const TimeFunction* history : histories_of(model))
-    highest = std::max(highest, highest_frequency(*history).value_or(0));
+    highest = std::max(highest, frequency_of(*history).value_or(0));
   return highest;
 }
 
@@ -120,7 +135,7 @@ void limit_by_waves(const Model& model, const Stage& stage, Limit& limit) {
   for (const TimeFunction* history : histories_of(model))
     if (const auto* record = std::get_if<Recorded>(history))
       tighten(limit, record->recording->mean_interval(), "the interval of a recording's samples");
-  if (const double highest = fastest_change(model); highest > 0)
+  if (const double highest = fastest_change(model, highest_frequency); highest > 0)
     tighten(limit, dt_for_wave(model, stage.integrator, highest), fmt::format("waves of {:.3g} Hz", highest));
 }
 
@@ -220,7 +235,7 @@ StepErrors step_errors(const Integrator& i, double theta) {
 }
 
 std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt) {
-  const double frequency = fastest_change(model);
+  const double frequency = fastest_change(model, steepest_frequency);
   if (frequency <= 0) return std::nullopt;
   return FastestWave{frequency, step_errors(stage.integrator, 2 * std::numbers::pi * frequency * dt)};
 }

@@ -30,6 +30,7 @@ std::string WaveAdvice::cause() const {
   const double blocks = weight(&ErrorTerms::blocks);
   const double interfaces = weight(&ErrorTerms::interfaces);
   const double time = weight(&ErrorTerms::time);
+  if (weight(&ErrorTerms::damping) > std::max({blocks, interfaces, time})) return "damping";
   if (time >= std::max(blocks, interfaces)) return "time steps";
   return interfaces >= blocks ? "interfaces" : "block size";
 }

@@ -38,7 +38,8 @@ struct WaveAdvice {
   // The terms that count: of the load history where there is one.
   [[nodiscard]] const ErrorTerms* speed_error() const;
   [[nodiscard]] const ErrorTerms* amplitude_error() const;
-  // "block size", "interfaces" or "time steps": the largest term of speed and amplitude; empty where nothing arrives.
+  // "block size", "interfaces", "time steps" or "damping": the largest term of speed and amplitude; empty where nothing
+  // arrives.
   [[nodiscard]] std::string cause() const;
 };
 
@@ -61,7 +62,7 @@ struct Advice {
   double wanted_error = 0;
   SceneSize size;
   bool joints_may_open = false;
-  bool damped = false;              // some stage damps velocities, which the errors do not count
+  bool damped = false;              // some stage damps velocities
   std::vector<std::string> unseen;  // sentences of loads that time steps pass over
   std::vector<std::string> sudden;  // and of loads that jump
   std::string springs;              // a sentence on springs in the way of waves, or empty

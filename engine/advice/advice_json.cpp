@@ -10,7 +10,11 @@ using Json = nlohmann::ordered_json;
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json to_json(const ErrorTerms& terms) {
-  return {{"total", terms.total()}, {"blocks", terms.blocks}, {"interfaces", terms.interfaces}, {"time", terms.time}};
+  return {{"total", terms.total()},
+          {"blocks", terms.blocks},
+          {"interfaces", terms.interfaces},
+          {"time", terms.time},
+          {"damping", terms.damping}};
 }
 
 Json to_json(const HistoryErrors& history) {
@@ -21,7 +25,8 @@ Json to_json(const HistoryErrors& history) {
           {"peak", history.arrival.peak},
           {"largest", history.arrival.largest},
           {"peak_speed", history.arrival.peak_speed},
-          {"onset_speed", history.arrival.onset_speed}};
+          {"onset_speed", history.arrival.onset_speed},
+          {"likeness", history.arrival.likeness}};
 }
 
 Json sliding_of(const StageCost& cost) {

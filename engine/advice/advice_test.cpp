@@ -49,6 +49,33 @@ TEST(WaveErrors, EveryCauseHasItsTerm) {
               0.03);
 }
 
+// To leading order a wave loses the share (a + b omega^2)/2 of itself per second: its damping ratio a/(2 omega) + b
+// omega/2, times omega. Velocities that lose exp(-a dt) in a step are damped like a mass.
+TEST(WaveErrors, DampingIsACauseOfItsOwn) {
+  const Lattice lattice = lattice_of(row_of_blocks(springs(40)));
+  const double frequency = continuum_speed(lattice.material, WaveKind::bar) / 40;
+  const double omega = 2 * std::numbers::pi * frequency;
+  WaveQuestion question = question_of(lattice, trapezoidal_integrator(), 0.05 / omega);
+  const auto plain = steady_errors(question, frequency);
+  const double time = question.distance / continuum_speed(lattice.material, WaveKind::bar);
+  const double share = 0.01;
+  const auto loses = [&](double rate) {
+    const auto damped = steady_errors(question, frequency);
+    ASSERT_TRUE(damped && plain);
+    EXPECT_NEAR(damped->amplitude.damping / std::expm1(-rate * time / 2), 1, 0.03);
+    EXPECT_EQ(damped->amplitude.time, plain->amplitude.time);
+    EXPECT_NEAR(damped->speed.damping, 0, 2 * share * share);  // 3/8 (2 share)^2
+  };
+  question.stage.material_damping = {2 * share * omega, 0};
+  loses(2 * share * omega);
+  question.stage.material_damping = {0, 2 * share / omega};
+  loses(2 * share * omega);
+  question.stage.material_damping = {};
+  question.stage.damping_rate = share * omega;
+  question.stage.velocity_factor = std::exp(-share * omega * question.stage.dt);
+  loses(2 * share * omega);
+}
+
 // What the correction of cubic joints takes out of the period error belongs to time: blocks are as they were, and the
 // rest is of fourth order, theta^4/10 or less.
 TEST(WaveErrors, CorrectedTimeStepsAreTime) {

@@ -29,8 +29,9 @@ class Text {
 };
 
 std::string split(const ErrorTerms& terms) {
-  return fmt::format("{} = block size {}, interfaces {}, time steps {}", percent(terms.total()), percent(terms.blocks),
-                     percent(terms.interfaces), percent(terms.time));
+  const std::string damping = terms.damping != 0 ? ", damping " + percent(terms.damping) : "";
+  return fmt::format("{} = block size {}, interfaces {}, time steps {}{}", percent(terms.total()),
+                     percent(terms.blocks), percent(terms.interfaces), percent(terms.time), damping);
 }
 
 void add_steady(const Advice& advice, const WaveAdvice& wave, Text& text) {
@@ -41,6 +42,15 @@ void add_steady(const Advice& advice, const WaveAdvice& wave, Text& text) {
   text.line("  a steady wave of {:.6g} Hz, after {:.4g} m", *advice.frequency, wave.distance);
   text.line("    speed      {}", split(wave.steady->speed));
   text.line("    amplitude  {}", split(wave.steady->amplitude));
+}
+
+// Empty where what comes has kept its shape. Another summit of the correlation may be nearly as high as that of the
+// delay otherwise, which another way of reading would take.
+std::string unlike(const HistoryErrors& history) {
+  constexpr double alike = 0.9;
+  if (history.arrival.likeness >= alike) return "";
+  return fmt::format("resembles what should come by {:.2f} alone (correlation), so that other readings give others",
+                     history.arrival.likeness);
 }
 
 void add_history(const WaveAdvice& wave, Text& text) {
@@ -54,6 +64,7 @@ void add_history(const WaveAdvice& wave, Text& text) {
             history.with_end ? "stress at the joint after" : "the way alone, after", history.place);
   text.line("    speed      {}   (by cross-correlation)", split(history.speed));
   text.line("    amplitude  {}   (least-squares fit)", split(history.amplitude));
+  if (const std::string warning = unlike(history); !warning.empty()) text.line("    {}", warning);
   if (std::abs(history.arrival.peak_speed) > 0.5) {
     text.line("    largest value {}; no peak to read: the load does not turn back", percent(history.arrival.largest));
     return;
@@ -138,8 +149,7 @@ std::string counted(std::int64_t number, const char* what) {
 // A wave with the damping ratio r is exp(-2 pi r) of itself a wavelength further on.
 std::string damping_sentence(const StageAdvice& stage, double frequency) {
   return fmt::format(
-      "damping: {:.3g} % of critical at {:.6g} Hz; a wave loses {:.3g} % of its amplitude over a wavelength, "
-      "which is not counted below",
+      "damping: {:.3g} % of critical at {:.6g} Hz; a wave loses {:.3g} % of its amplitude over a wavelength",
       100 * stage.damping_ratio, frequency, -100 * std::expm1(-2 * std::numbers::pi * stage.damping_ratio));
 }
 
@@ -189,9 +199,11 @@ void add_steady_in_short(const Advice& advice, const StageAdvice& stage, const W
 std::string history_in_short(const WaveAdvice& wave) {
   const std::string which = fmt::format("  {} wave in \"{}\", {}", wave.kind, wave.material, wave.direction_name);
   if (!wave.history) return fmt::format("{}: {}", which, wave.not_foretold);
-  return fmt::format("{}, after {:.4g} m: speed {}, amplitude {}, largest value {}; mostly by {}", which,
+  const std::string warning = unlike(*wave.history);
+  return fmt::format("{}, after {:.4g} m: speed {}, amplitude {}, largest value {}; mostly by {}{}", which,
                      wave.history->place, percent(wave.history->speed.total()),
-                     percent(wave.history->amplitude.total()), percent(wave.history->arrival.largest), wave.cause());
+                     percent(wave.history->amplitude.total()), percent(wave.history->arrival.largest), wave.cause(),
+                     warning.empty() ? "" : "; " + warning);
 }
 
 }  // namespace
@@ -209,7 +221,6 @@ std::string to_text(const Advice& advice) {
         "nothing is said of waves: give --frequency, or \"target_frequency\" or a load with a history in the scene");
   if (has_waves(advice) && advice.joints_may_open)
     text.line("waves are predicted as if all joints stayed closed and stuck");
-  if (has_waves(advice) && advice.damped) text.line("damping of velocities is not counted");
   for (const StageAdvice& stage : advice.stages) add_stage(advice, stage, text);
   if (!advice.springs.empty()) text.line("note: {}", advice.springs);
   return text.take();

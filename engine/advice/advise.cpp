@@ -155,14 +155,25 @@ class Adviser {
   void foretell_history(const WaveQuestion& question, const Lattice& lattice, WaveAdvice& advice) const {
     if (way_) {
       advice.not_foretold = "the way from where it is driven is foretold for itself";
-    } else if (lattice.assumed || (lattice.row && !why_no_way_.empty())) {
+    } else if (lattice.assumed || (!why_no_way_.empty() && (lattice.row || lattices_.size() > 1))) {
       advice.not_foretold =
           fmt::format("cannot be foretold: {}", why_no_way_.empty() ? "blocks are not alike" : why_no_way_);
     } else {
       advice.history = history_errors(question, load_->history);
-      if (!advice.history)
+      if (!advice.history) {
         advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
+      } else if (!advice.history->with_end && is_from_face(lattice, question.direction)) {
+        advice.history.reset();
+        advice.not_foretold = "cannot be foretold: the blocks on the face that is loaded are cut askew";
+      }
     }
+  }
+
+  // Of directions that look the same in the mesh one is asked about, which stands for the others.
+  [[nodiscard]] bool is_from_face(const Lattice& lattice, const Vec2& direction) const {
+    const Vec2& face = load_->face;
+    if (face.isZero(0)) return false;
+    return std::abs(face.dot(direction)) > 1 - 1e-6 || looks_the_same(lattice, direction, face);
   }
 
   // The scene's own layers are asked where blocks that repeat themselves do not say it all.
@@ -219,7 +230,8 @@ class Adviser {
 
   [[nodiscard]] double way_distance() const {
     if (question_.distance) return *question_.distance;
-    const double distance = way_->direction.dot(load_->looked_at - load_->place);
+    double distance = way_->direction.dot(load_->looked_at - load_->place);
+    if (way_->driven_as_whole) distance -= way_->layers.front().thickness / 2;  // from its middle to its face
     return distance > 0 ? distance : way_->layers.front().speed / *frequency_;
   }
 
@@ -232,12 +244,17 @@ class Adviser {
     return find_limits(error_of, stage.dt, {coarsest_dt(load_->history.period, stable_dt), 1}, question_.error);
   }
 
-  [[nodiscard]] double distance_for(double wavelength) const {
+  // A plane wave from a loaded edge has gone square to it; from elsewhere, or in other directions, straight there.
+  [[nodiscard]] double distance_for(const Lattice& lattice, const Vec2& direction, double wavelength) const {
     if (question_.distance) return *question_.distance;
     double farthest = 0;
-    if (load_)
-      for (const Measurement& measurement : model_.measurements)
-        if (is_at_point(measurement)) farthest = std::max(farthest, (measurement.point - load_->place).norm());
+    if (load_) {
+      const bool from_face = is_from_face(lattice, direction);
+      for (const Measurement& measurement : model_.measurements) {
+        const Vec2 gone = measurement.point - load_->place;
+        if (is_at_point(measurement)) farthest = std::max(farthest, from_face ? load_->face.dot(gone) : gone.norm());
+      }
+    }
     return farthest > 0 ? farthest : wavelength;
   }
 
@@ -252,7 +269,7 @@ class Adviser {
     advice.speed = continuum_speed(lattice.material, kind);
     advice.wavelength = advice.speed / *frequency_;
     advice.block_size = size_along(lattice, direction.unit);
-    advice.distance = distance_for(advice.wavelength);
+    advice.distance = distance_for(lattice, direction.unit, advice.wavelength);
     const WaveQuestion question{lattice, stage, kind, direction.unit, advice.distance};
     advice.steady = steady_errors(question, *frequency_);
     advice.asked_history = load_.has_value();

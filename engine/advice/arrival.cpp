@@ -200,6 +200,7 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   ArrivalErrors errors;
   errors.speed = speed_error(on_time, lag);
   errors.amplitude = fit.factor - 1;
+  errors.likeness = fit.coefficient;
   errors.peak = found.peak / wanted.peak_near(due) - 1;
   const bool has_come = wanted.largest(until) >= 0.5 * wanted.largest(never);
   double looked_at = never;

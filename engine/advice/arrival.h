@@ -18,6 +18,7 @@ struct ArrivalErrors {
   double largest = 0;      // of the largest absolute value, among samples, of either sign and wherever it comes
   double peak_speed = 0;   // by the time of the first peak
   double onset_speed = 0;  // by the time at which a tenth of it is passed on the way to it
+  double likeness = 0;     // normalised correlation at the delay, 1 for what has kept its shape
 };
 
 // Between which delays a wave comes, s: 0, and what the speeds of its parts say. Below 0 it is early.

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double most_samples = 2048;  // of a trace
 constexpr int finer = 8;               // samples of what should come in one of what comes
+// Growth of motion in a radian in which a wave comes as it would in endless layers, and in which it is as good as
+// steady.
+constexpr double straight = 0.1, steady_enough = 0.01;
 
 // A history that runs straight from sample to sample and is zero outside of them.
 class Sampled {
@@ -52,15 +55,15 @@ ChainQuestion ChainQuestion::with_dt(double dt) const {
 }
 
 TimeSteps ChainQuestion::time_of(Causes causes) const {
-  if (causes != Causes::all) return {};
-  return {stage_.integrator, stage_.dt};
+  if (!has_steps(causes)) return {};
+  return {stage_.integrator, stage_.dt, causes == Causes::all ? damping_of(stage_) : MaterialDamping{}};
 }
 
 const Chain& ChainQuestion::chain(Causes causes) const {
-  auto& chain = chains_[static_cast<std::size_t>(causes)];
+  auto& chain = chains_[static_cast<std::size_t>(std::min(causes, Causes::time))];  // damping changes no matrix
   if (chain) return *chain;
   Stage stage = stage_;
-  if (causes != Causes::all) stage.correct_time_dispersion = false;
+  if (!has_steps(causes)) stage.correct_time_dispersion = false;
   chain = std::make_shared<const Chain>(*model_, path_, stage, causes == Causes::blocks);
   return *chain;
 }
@@ -72,14 +75,23 @@ int ChainQuestion::layers_for(double window) const {
   return std::min(std::max(layers, joint_ + 2), static_cast<int>(path_.layers.size()));
 }
 
-// Divides the force that comes by the one that should, in motion that is steady but for a slow growth, by which what
-// runs to and fro between layers dies out.
-Complex ChainQuestion::ratio(Causes causes, double omega, int layers) const {
-  const Complex s(0.01 * omega, omega);
-  return chain(causes).force(time_of(causes).square(s), joint_, layers) / exact_force(path_, s, joint_, layers);
+// Divides the force that comes by the one that should, in motion that grows by that share of itself in a radian: what
+// has run to and fro between layers is older than what comes straight, and counts the less the faster motion grows.
+Complex ChainQuestion::ratio(Causes causes, double omega, double growth, int layers) const {
+  const Complex s(growth * omega, omega);
+  return force(causes, s, layers) / exact_force(path_, s, joint_, layers);
 }
 
-// The phase is followed from low frequencies on, as it may be late by many turns.
+// A place that is moved moves on whatever damping makes of the forces that it takes.
+Complex ChainQuestion::force(Causes causes, Complex s, int layers) const {
+  const TimeSteps time = time_of(causes);
+  const Complex force = chain(causes).force(time.square(s), joint_, layers);
+  return path_.is_moved ? force : time.elastic_share(s) * force;
+}
+
+// The phase is followed from low frequencies on, as it may be late by many turns. What comes straight is followed:
+// where layers send back so much that hardly anything comes, the phase of all turns by half a turn within no frequency,
+// which is no delay of anything. Steady motion then has the nearest turn.
 ChainQuestion::Phase ChainQuestion::phase(Causes causes, double omega) const {
   const double due = path_.time_to(joint_);
   const int layers = layers_for(3 * due + 6 * std::numbers::pi / omega);
@@ -88,20 +100,23 @@ ChainQuestion::Phase ChainQuestion::phase(Causes causes, double omega) const {
   Complex last(1, 0);
   for (int i = 1; i <= rounds; ++i) {
     const double frequency = omega * i / rounds;
-    const Complex now = ratio(causes, frequency, layers);
+    const Complex now = ratio(causes, frequency, straight, layers);
     const double change = -std::arg(now / last);
     phase.angle += change;
     phase.lags.include(phase.angle / frequency);
     if (i > rounds / 2) phase.lags.include(change / (omega / rounds));  // of the group
     last = now;
   }
-  phase.amplitude = std::abs(last);
+  phase.lags.earliest = std::max(phase.lags.earliest, -0.9 * due);
+  const Complex all = ratio(causes, omega, steady_enough, layers);
+  phase.angle -= std::arg(all / last);
+  phase.amplitude = std::abs(all);
   return phase;
 }
 
 std::optional<TotalErrors> ChainQuestion::steady(Causes causes, double frequency) const {
   const double omega = 2 * std::numbers::pi * frequency;
-  if (causes == Causes::all && omega * stage_.dt >= std::numbers::pi) return std::nullopt;
+  if (has_steps(causes) && omega * stage_.dt >= std::numbers::pi) return std::nullopt;
   const double due = path_.time_to(joint_);
   const Phase found = phase(causes, omega);
   const double late = found.angle / omega;
@@ -110,16 +125,17 @@ std::optional<TotalErrors> ChainQuestion::steady(Causes causes, double frequency
 }
 
 std::optional<TotalErrors> ChainQuestion::total_steady_errors(double frequency) const {
-  return steady(Causes::all, frequency);
+  return steady(Causes::time, frequency);
 }
 
 std::optional<SteadyErrors> ChainQuestion::steady_errors(double frequency) const {
   const auto all = steady(Causes::all, frequency);
+  const auto time = damping_of(stage_).acts() ? steady(Causes::time, frequency) : all;
   const auto space = steady(Causes::space, frequency);
   const auto blocks = steady(Causes::blocks, frequency);
-  if (!all || !space || !blocks) return std::nullopt;
-  return SteadyErrors{terms_of(blocks->speed, space->speed, all->speed),
-                      terms_of(blocks->amplitude, space->amplitude, all->amplitude)};
+  if (!all || !time || !space || !blocks) return std::nullopt;
+  return SteadyErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
+                      terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude)};
 }
 
 // What comes at the joint, and what should.
@@ -133,10 +149,9 @@ struct ChainQuestion::Traces {
 // but not until anything comes back from the far end of the way.
 double ChainQuestion::window_for(const LoadHistory& load, const Lags& lags) const {
   const double needed = window_of(load, path_.time_to(joint_), lags);
+  if (!is_seen(load, path_.time_to(joint_), lags)) return needed;
   const double far = path_.distance_of(static_cast<int>(path_.layers.size()));
   const double echo = (2 * far - path_.distance_of(joint_)) / fastest();
-  const double least = path_.time_to(joint_) + lags.latest + load.duration / 2;
-  if (load.run < least) return needed;
   return std::min(load.run, std::max(needed, echo));
 }
 
@@ -153,13 +168,10 @@ ChainQuestion::Traces ChainQuestion::traces(Causes causes, const LoadHistory& lo
   // A wave that is early is compared with what should come after the window.
   const double beyond = load.period / 2 - lags.earliest;
   const int layers = layers_for(window + beyond);
-  const TimeSteps time = time_of(causes);
-  const Chain& way = chain(causes);
   const LoadSpectrum spectrum(sampled(drive(causes, load), window, interval), interval);
   Traces traces;
   traces.interval = interval;
-  traces.found =
-      spectrum.through([&](Complex s) { return integral(causes, s) * way.force(time.square(s), joint_, layers); });
+  traces.found = spectrum.through([&](Complex s) { return integral(causes, s) * force(causes, s, layers); });
   if (path_.is_of_one_rock(layers)) {
     // Tables of displacements have velocities that jump: their mean over a quarter of a step.
     const double wide = stage_.dt / 8;
@@ -183,14 +195,14 @@ std::function<double(double)> ChainQuestion::drive(Causes causes, const LoadHist
     const LoadFilter filter = chain(causes).load_filter();
     return [=, &load](double t) { return filter(load.value, t); };
   }
-  if (causes != Causes::all) return load.value;
+  if (!has_steps(causes)) return load.value;
   return [&load, dt = stage_.dt](double t) { return (load.displacement(t) - load.displacement(t - dt)) / dt; };
 }
 
 // The factor that leads from the velocity that drive() gives to the displacement.
 Complex ChainQuestion::integral(Causes causes, Complex s) const {
   if (!path_.is_moved) return 1;
-  if (causes != Causes::all) return 1.0 / s;
+  if (!has_steps(causes)) return 1.0 / s;
   return stage_.dt / (1.0 - std::exp(-s * stage_.dt));
 }
 
@@ -202,7 +214,7 @@ std::optional<ArrivalErrors> ChainQuestion::read(Causes causes, const LoadHistor
 }
 
 std::optional<TotalErrors> ChainQuestion::total_history_errors(const LoadHistory& load) const {
-  const auto all = read(Causes::all, load);
+  const auto all = read(Causes::time, load);
   if (!all) return std::nullopt;
   return TotalErrors{all->speed, all->amplitude};
 }
@@ -210,11 +222,13 @@ std::optional<TotalErrors> ChainQuestion::total_history_errors(const LoadHistory
 std::optional<HistoryErrors> ChainQuestion::history_errors(const LoadHistory& load) const {
   const auto all = read(Causes::all, load);
   if (!all) return std::nullopt;
+  const auto time = damping_of(stage_).acts() ? read(Causes::time, load) : all;
   const auto space = read(Causes::space, load);
   const auto blocks = read(Causes::blocks, load);
-  if (!space || !blocks) return std::nullopt;
-  return HistoryErrors{terms_of(blocks->speed, space->speed, all->speed),
-                       terms_of(blocks->amplitude, space->amplitude, all->amplitude), *all, place(), true};
+  if (!time || !space || !blocks) return std::nullopt;
+  return HistoryErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
+                       terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude), *all, place(),
+                       true};
 }
 
 }  // namespace dda

@@ -44,7 +44,8 @@ class ChainQuestion {
   [[nodiscard]] double fastest() const;
   [[nodiscard]] int layers_for(double window) const;
   [[nodiscard]] double window_for(const LoadHistory& load, const Lags& lags) const;
-  [[nodiscard]] Complex ratio(Causes causes, double omega, int layers) const;
+  [[nodiscard]] Complex force(Causes causes, Complex s, int layers) const;
+  [[nodiscard]] Complex ratio(Causes causes, double omega, double growth, int layers) const;
   [[nodiscard]] Phase phase(Causes causes, double omega) const;
   [[nodiscard]] std::optional<TotalErrors> steady(Causes causes, double frequency) const;
   [[nodiscard]] std::function<double(double)> drive(Causes causes, const LoadHistory& load) const;

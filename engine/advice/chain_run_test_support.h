@@ -226,7 +226,7 @@ inline std::optional<ArrivalErrors> measured(const Row& row, const Model& model)
     return unit * (wanted[i] + (at - static_cast<double>(i)) * (wanted[i + 1] - wanted[i]));
   };
   const double due = row.units_before() * row.unit;
-  const Lags lags{0, row.duration - due - (row.cycles + 0.5) / row.frequency};
+  const Lags lags{0, std::max(row.duration - due - (row.cycles + 0.5) / row.frequency, 0.5 * due)};
   return read_arrival(trace, row.dt, exact, due, 1 / row.frequency, lags);
 }
 

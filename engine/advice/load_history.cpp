@@ -54,11 +54,23 @@ double start_of(const TimeFunction& function) {
   return table->times[static_cast<std::size_t>(first - table->values.begin()) - 1];
 }
 
+// The last end of a step at or before that time, s: a run samples its loads there, so that kinks lie between samples as
+// they do in the run. Of stages that pace themselves the time itself.
+double step_before(const Model& model, double time) {
+  double begin = 0;
+  for (const Stage& stage : model.stages) {
+    if (time < begin + stage.duration)
+      return stage.paces_itself() ? time : begin + std::floor((time - begin) / stage.dt + 1e-9) * stage.dt;
+    begin += stage.duration;
+  }
+  return time;
+}
+
 // From where the history begins to the end of the run; `value` of a time in the run.
 template <typename Value>
 LoadHistory history_of(const Model& model, const TimeFunction& function, const Value& value) {
   const double begun = start_of(function);
-  const double start = begun > 0 && begun < end_of_run(model) ? begun : 0;
+  const double start = begun > 0 && begun < end_of_run(model) ? step_before(model, begun) : 0;
   const double end = end_of_run(model) - start;
   const double interval = std::max(shortest_step(model), end / most_samples);
   std::vector<double> samples;
@@ -68,7 +80,7 @@ LoadHistory history_of(const Model& model, const TimeFunction& function, const V
   history.start = start;
   history.run = end;
   const auto* sine = std::get_if<SineCycles>(&function);
-  const double last = sine != nullptr ? sine->cycles / sine->frequency : duration_of(samples, interval);
+  const double last = sine != nullptr ? begun - start + sine->cycles / sine->frequency : duration_of(samples, interval);
   history.duration = std::min(last, end);
   const double slowest = history.duration > 0 ? 0.5 / history.duration : 0.5 / end;
   history.period =

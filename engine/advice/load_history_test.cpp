@@ -83,6 +83,17 @@ TEST(LoadHistory, MainFrequencyOfATable) {
   EXPECT_NEAR(1 / scene_load(model)->history.period, 100, 5);
 }
 
+// A run samples a load at the ends of its steps, whenever that begins.
+TEST(LoadHistory, BeginsAtTheEndOfAStep) {
+  Model model = two_blocks();  // in steps of 1e-4 s
+  model.edge_loads.push_back({0, {0, 0}, {0, 1}, {1, 0}, SineCycles{50, 2, 0.01037}});
+  const auto load = scene_load(model);
+  EXPECT_NEAR(load->history.start, 0.0103, 1e-12);
+  EXPECT_NEAR(load->history.duration, 0.04 + 7e-5, 1e-12);
+  for (int i = 0; i < 400; ++i)
+    EXPECT_NEAR(load->history.value(i * 1e-4), evaluate(model.edge_loads[0].history, (i + 103) * 1e-4), 1e-12) << i;
+}
+
 // A push that never changes its sign has no frequency of its own: half a period is its duration at most.
 TEST(LoadHistory, APulseOfOneSign) {
   Model model = two_blocks();

@@ -1,6 +1,16 @@
 #include "engine/advice/time_steps.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace dda {
+
+MaterialDamping damping_of(const Stage& stage) {
+  MaterialDamping damping = stage.material_damping;
+  damping.mass += stage.damping_rate;
+  if (stage.velocity_factor != 1) damping.mass -= std::log(std::max(stage.velocity_factor, 1e-12)) / stage.dt;
+  return damping;
+}
 
 Complex stepped_square(const Integrator& integrator, double dt, Complex s) {
   const double beta = integrator.beta;

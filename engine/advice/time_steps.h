@@ -12,16 +12,25 @@ using Complex = std::complex<double>;
 
 // 1/s2 that stands for s^2: with z = exp(s dt)
 //   (z - 2 + 1/z)/(dt^2 (beta z + (1/2 + gamma - 2 beta) + (1/2 - gamma + beta)/z)) ((1 - am) + am/z)/((1 - af) + af/z)
-// from the three equations of the integrator (settings.h), for histories that begin at zero. Damping of velocities is
-// not part of it.
+// from the three equations of the integrator (settings.h), for histories that begin at zero. Damping is not part of it.
 Complex stepped_square(const Integrator& integrator, double dt, Complex s);
 
 // How time passes for a wave: in steps, or, without a value, as it does.
 struct TimeSteps {
   std::optional<Integrator> integrator;
-  double dt = 0;  // s
+  double dt = 0;                 // s
+  MaterialDamping damping = {};  // a and b of forces -(a M + b K) v, which act as in continuous time
 
-  [[nodiscard]] Complex square(Complex s) const { return integrator ? stepped_square(*integrator, dt, s) : s * s; }
+  // s^2 of the same wave without damping: (1 + b s) K + (s2 + a s) M is 1 + b s times K + (s2 + a s)/(1 + b s) M.
+  [[nodiscard]] Complex square(Complex s) const {
+    const Complex square = integrator ? stepped_square(*integrator, dt, s) : s * s;
+    return damping.acts() ? (square + damping.mass * s) / (1.0 + damping.stiffness * s) : square;
+  }
+  // Of a load, what elastic forces carry: the others are those of damping.
+  [[nodiscard]] Complex elastic_share(Complex s) const { return 1.0 / (1.0 + damping.stiffness * s); }
 };
+
+// Of the material and of velocities, which lose the share 1 - exp(-a dt) in a step.
+MaterialDamping damping_of(const Stage& stage);
 
 }  // namespace dda

@@ -20,13 +20,14 @@ bool has_springs(const Lattice& lattice) {
 }
 
 TimeSteps time_of(const WaveQuestion& question, Causes causes) {
-  if (causes != Causes::all) return {};
-  return {question.stage.integrator, question.stage.dt};
+  if (!has_steps(causes)) return {};
+  return {question.stage.integrator, question.stage.dt,
+          causes == Causes::all ? damping_of(question.stage) : MaterialDamping{}};
 }
 
 Stage stage_of(const WaveQuestion& question, Causes causes) {
   Stage stage = question.stage;
-  if (causes != Causes::all) stage.correct_time_dispersion = false;
+  if (!has_steps(causes)) stage.correct_time_dispersion = false;
   return stage;
 }
 
@@ -140,7 +141,8 @@ Trace trace_of(const WaveQuestion& question, const LoadHistory& load, const Plac
       HalfRow::make(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
   const TimeSteps time = time_of(question, causes);
   const LoadSpectrum spectrum = spectrum_of(question, load, place, row->load_filter());
-  return {spectrum.through([&](Complex s) { return row->traction(time.square(s), place.joint); }), spectrum.interval()};
+  const auto transfer = [&](Complex s) { return time.elastic_share(s) * row->traction(time.square(s), place.joint); };
+  return {spectrum.through(transfer), spectrum.interval()};
 }
 
 class Reader {
@@ -172,23 +174,33 @@ class Reader {
 
 }  // namespace
 
+bool is_seen(const LoadHistory& load, double on_time, const Lags& lags) {
+  constexpr double as_long = 0.98;  // of the run: it stays on, and has no half
+  const double needed = load.duration < as_long * load.run ? load.duration / 2 : 0;
+  return load.run > on_time + lags.latest + needed;
+}
+
 double window_of(const LoadHistory& load, double on_time, const Lags& lags) {
   if (load.window > 0) return load.window;
   const double late = std::max(0.2 * on_time, lags.latest);
-  return on_time + late + load.duration + load.period;
+  const double passed = on_time + late + load.duration + load.period;
+  return is_seen(load, on_time, lags) ? std::min(passed, load.run) : passed;
 }
 
-ErrorTerms terms_of(double blocks, double space, double all) { return {blocks, space - blocks, all - space}; }
+ErrorTerms terms_of(double blocks, double space, double time, double all) {
+  return {blocks, space - blocks, time - space, all - time};
+}
 
 std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double frequency) {
   const double omega = 2 * std::numbers::pi * frequency;
   if (omega * question.stage.dt >= std::numbers::pi) return std::nullopt;
   const auto all = steady(question, omega, Causes::all);
+  const auto time = damping_of(question.stage).acts() ? steady(question, omega, Causes::time) : all;
   const auto space = steady(question, omega, Causes::space);
   const auto blocks = steady(question, omega, Causes::blocks);
-  if (!all || !space || !blocks) return std::nullopt;
-  return SteadyErrors{terms_of(blocks->speed, space->speed, all->speed),
-                      terms_of(blocks->amplitude, space->amplitude, all->amplitude)};
+  if (!all || !time || !space || !blocks) return std::nullopt;
+  return SteadyErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
+                      terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude)};
 }
 
 PredictedTrace predict_trace(const WaveQuestion& question, const LoadHistory& load) {
@@ -200,11 +212,11 @@ PredictedTrace predict_trace(const WaveQuestion& question, const LoadHistory& lo
 std::optional<TotalErrors> total_steady_errors(const WaveQuestion& question, double frequency) {
   const double omega = 2 * std::numbers::pi * frequency;
   if (omega * question.stage.dt >= std::numbers::pi) return std::nullopt;
-  return steady(question, omega, Causes::all);
+  return steady(question, omega, Causes::time);
 }
 
 std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, const LoadHistory& load) {
-  const auto read = Reader(question, load).read(Causes::all);
+  const auto read = Reader(question, load).read(Causes::time);
   if (!read) return std::nullopt;
   return TotalErrors{read->speed, read->amplitude};
 }
@@ -213,12 +225,13 @@ std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const 
   const Reader reader(question, load);
   const auto all = reader.read(Causes::all);
   if (!all) return std::nullopt;
+  const auto time = damping_of(question.stage).acts() ? reader.read(Causes::time) : all;
   const auto space = reader.read(Causes::space);
   const auto blocks = has_springs(question.lattice) ? reader.read(Causes::blocks) : space;
-  if (!space || !blocks) return std::nullopt;
-  return HistoryErrors{terms_of(blocks->speed, space->speed, all->speed),
-                       terms_of(blocks->amplitude, space->amplitude, all->amplitude), *all, reader.place().distance,
-                       reader.place().with_end};
+  if (!time || !space || !blocks) return std::nullopt;
+  return HistoryErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
+                       terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude), *all,
+                       reader.place().distance, reader.place().with_end};
 }
 
 }  // namespace dda

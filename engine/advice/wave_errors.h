@@ -22,11 +22,12 @@ struct WaveQuestion {
 };
 
 // What each cause adds to a relative error, in this order: `blocks` is the error in continuous time with the accurate
-// law of the joints, or their own when it is not springs; `interfaces` what springs add; `time` what time steps add.
+// law of the joints, or their own when it is not springs; `interfaces` what springs add; `time` what time steps add;
+// `damping` what damping of the material and of velocities adds.
 struct ErrorTerms {
-  double blocks = 0, interfaces = 0, time = 0;
+  double blocks = 0, interfaces = 0, time = 0, damping = 0;
 
-  [[nodiscard]] double total() const { return blocks + interfaces + time; }
+  [[nodiscard]] double total() const { return blocks + interfaces + time + damping; }
 };
 
 struct SteadyErrors {
@@ -38,10 +39,11 @@ struct SteadyErrors {
 std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double frequency);
 
 // Causes in the order in which they are added.
-enum class Causes { blocks, space, all };
-ErrorTerms terms_of(double blocks, double space, double all);
+enum class Causes { blocks, space, time, all };
+ErrorTerms terms_of(double blocks, double space, double time, double all);
+inline bool has_steps(Causes causes) { return causes == Causes::time || causes == Causes::all; }
 
-// All causes together, for a fifth of the work or less.
+// What blocks, interfaces and time steps make together, for a fifth of the work or less.
 struct TotalErrors {
   double speed = 0, amplitude = 0;
 };
@@ -61,7 +63,10 @@ struct LoadHistory {
   [[nodiscard]] double seen_until() const { return run > 0 ? run : std::numeric_limits<double>::infinity(); }
 };
 
-// s, that a trace has to last: until the wave has passed, however late.
+// Whether the run goes on until half of the load has come, or any of one that stays on.
+bool is_seen(const LoadHistory& load, double on_time, const Lags& lags);
+
+// s, that a trace has to last: until the wave has passed, however late, or the run is over that shows it.
 double window_of(const LoadHistory& load, double on_time, const Lags& lags);
 
 struct HistoryErrors {

@@ -1,5 +1,7 @@
 #include "engine/app/advise_command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -69,6 +71,28 @@ TEST_F(AdviseCommand, ALoadHistoryIsTakenFromTheScene) {
                 terms["blocks"].get<double>() + terms["interfaces"].get<double>() + terms["time"].get<double>(), 1e-15);
     EXPECT_LT(std::abs(terms["total"].get<double>()), 1e-3);
   }
+}
+
+// The place is how far a wave has gone square to the face that is loaded, or that of a block that is moved, wherever on
+// the face the first of its pieces is.
+TEST_F(AdviseCommand, ThePlaceIsSquareToTheFace) {
+  const auto place_of = [&](const std::string& drive, const std::string& point) {
+    write("scene.json", R"({"dda": 1, "materials": {"r": {"density": 2500, "young": 25e9, "poisson": 0.2}},
+      "joints": {"default": {"bonded": true}},
+      "blocks": {"grid": {"name": "g", "columns": 30, "rows": 4, "block_width": 1, "block_height": 1}},)" +
+                            drive + R"("measurements": [{"quantity": "traction_normal", "point": )" + point + R"(}],
+      "steps": {"dt": 5e-5, "duration": 0.02, "kinematics": "small"}})");
+    return json({})["stages"][0]["waves"][0]["history"]["place_m"].get<double>();
+  };
+  const std::string history = R"("history": {"sine": {"frequency": 200, "cycles": 2}})";
+  const std::string sides = R"({"edge": "top", "hold": "normal"}, {"edge": "bottom", "hold": "normal"})";
+  const std::string loaded = R"("loads": [{"edge": "left", "pressure": 1, )" + history + "}], ";
+  EXPECT_NEAR(place_of(loaded + R"("supports": [)" + sides + "],", "[5, 3.4]"), 5, 1e-9);
+  EXPECT_NEAR(place_of(loaded + R"("supports": [)" + sides + "],", "[9, 0.4]"), 9, 1e-9);
+  std::string moved;
+  for (const char* block : {"g 1.1", "g 2.1", "g 3.1", "g 4.1"})
+    moved += fmt::format(R"({{"block": "{}", "velocity": [1e-3, 0], {}}}, )", block, history);
+  EXPECT_NEAR(place_of(R"("supports": [)" + moved + sides + "],", "[6, 1.4]"), 5, 1e-9) << "from the face at 1 m";
 }
 
 // What keeps the wanted error does when it is asked about again, and half as much again does not.

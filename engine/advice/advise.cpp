@@ -169,7 +169,7 @@ class Adviser {
     }
   }
 
-  // Of directions that look the same in the mesh one is asked about, which stands for the others.
+  // Directions that look the same in the mesh stand for each other: one of them is asked about.
   [[nodiscard]] bool is_from_face(const Lattice& lattice, const Vec2& direction) const {
     const Vec2& face = load_->face;
     if (face.isZero(0)) return false;

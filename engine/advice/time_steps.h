@@ -26,11 +26,11 @@ struct TimeSteps {
     const Complex square = integrator ? stepped_square(*integrator, dt, s) : s * s;
     return damping.acts() ? (square + damping.mass * s) / (1.0 + damping.stiffness * s) : square;
   }
-  // Of a load, what elastic forces carry: the others are those of damping.
+  // The share of a load that elastic forces carry; damping carries the rest.
   [[nodiscard]] Complex elastic_share(Complex s) const { return 1.0 / (1.0 + damping.stiffness * s); }
 };
 
-// Of the material and of velocities, which lose the share 1 - exp(-a dt) in a step.
+// The damping of the material, and that of velocities, which lose the share 1 - exp(-a dt) in a step.
 MaterialDamping damping_of(const Stage& stage);
 
 }  // namespace dda

@@ -143,5 +143,29 @@ TEST_P(ChangedRock, GoesOnToTheSameBitsAndBalancesItsEnergy) {
 INSTANTIATE_TEST_SUITE_P(Kinds, ChangedRock, testing::ValuesIn(kinds),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
+// Where nothing can change a stage adds up forces from those that it finds at its start; a bolt makes the next one sum
+// them up from blocks and joints. The joint of a block that has come in beside neighbours under stress has a gap, which
+// makes forces on strains by the moduli of the moment: where only one of the two knew these, 1.7e-4 of the energy was
+// lost in between.
+TEST(ChangedModuli, GoOnWithTheSameForcesWhereABoltComesIn) {
+  const json bonded_grid = {{"name", "g"}, {"columns", 4}, {"rows", 4}, {"block_width", 1}, {"block_height", 1}};
+  const json still = {{"integrator", "static"}, {"kinematics", "small"}};
+  json taken_out = still, changed = still;
+  taken_out["remove"] = changed["add"] = {"g 3.3"};
+  changed["materials"] = {{"rock", {{"young", "3 GPa"}}}};
+  const json scene = {
+      {"dda", 1},
+      {"gravity", 9.81},
+      {"materials", {{"rock", {{"density", 2650}, {"young", "5 GPa"}, {"poisson", 0.2}}}}},
+      {"joints", {{"default", {{"bonded", true}}}}},
+      {"blocks", {{"grid", bonded_grid}}},
+      {"supports", {{{"edge", "bottom"}}}},
+      {"steps", {still, taken_out, changed, {{"kinematics", "small"}, {"dt", "0.1 ms"}, {"duration", "5 ms"}}}},
+      {"bolts", {{{"from", {0.5, 0.5}}, {"to", {0.5, 2.5}}, {"stiffness", 1e8}, {"from_stage", "stage 4"}}}}};
+  Simulation simulation(parse_scene(scene.dump(), "scene.json"));
+  while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+}
+
 }  // namespace
 }  // namespace dda

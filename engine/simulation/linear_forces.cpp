@@ -63,7 +63,9 @@ void LinearForces::set_up() {
 void LinearForces::begin() {
   BlockSystem& s = system;
   const bool corrections_end = softening_ends(s);
-  if (corrections_end) sum_forces_of_states();
+  // The softening of jumps between strains exerts forces between blocks at rest too. A stage without it would keep
+  // those it finds for good, and its balance would be another than that of the same loads from the start (ADR 24).
+  if (corrections_end) sum_forces_of_states(s);
   if (s.plan.loads) s.loads_at(s.state.time, s.forces.load_old);
   for (Eigen::VectorXd* vector : {&momentum, &inertia_force, &elastic_force, &internal_at_rest})
     vector->setZero(scratch_.size());
@@ -136,16 +138,6 @@ Eigen::VectorXd LinearForces::initial_acceleration() const {
                             : operators->inertia;
   HeldCouplings().take_out(s.held, inertia);
   return acceleration_of(inertia, inertia_force);
-}
-
-// The softening of jumps between strains exerts forces between blocks at rest too. A stage without it would keep those
-// it finds for good, and its balance would be another than that of the same loads from the start (ADR 24).
-void LinearForces::sum_forces_of_states() {
-  BlockSystem& s = system;
-  const std::vector<InterfaceState> at_rest = s.contacts.states;
-  write_linear_states(s);
-  s.sum_internal_forces(s.forces.internal_old);
-  s.contacts.states = at_rest;
 }
 
 void LinearForces::sum_internal_forces(Eigen::VectorXd& force) {

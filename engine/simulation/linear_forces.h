@@ -59,7 +59,6 @@ struct LinearForces {
   [[nodiscard]] Eigen::VectorXd initial_acceleration() const;
   [[nodiscard]] double contact_energy() const;
   void make_jumps();
-  void sum_forces_of_states();
 
   Eigen::VectorXd scratch_;  // 6 entries a block
 };

@@ -18,6 +18,14 @@ void write_linear_states(BlockSystem& system) {
   for (std::size_t i = 0; i < states.size(); ++i) states[i] = linear_interface_state(system, i);
 }
 
+void sum_forces_of_states(BlockSystem& system) {
+  if (!system.plan.linear) return system.sum_internal_forces(system.forces.internal_old);
+  const std::vector<InterfaceState> at_rest = system.contacts.states;
+  write_linear_states(system);
+  system.sum_internal_forces(system.forces.internal_old);
+  system.contacts.states = at_rest;
+}
+
 void keep_gap_at_rest(const State& state, const InterfaceElement& element, InterfaceState& own) {
   own.gap -= element.rows_a * state.displacement[static_cast<std::size_t>(element.block_a)] +
              element.rows_b * state.displacement[static_cast<std::size_t>(element.block_b)];

@@ -15,6 +15,10 @@ InterfaceState linear_interface_state(const BlockSystem& system, std::size_t ind
 // Writes the states of all contacts as they are now.
 void write_linear_states(BlockSystem& system);
 
+// Sums up the internal forces of the moment anew from what blocks and contacts are, where what has been added up since
+// the start does not hold any more: the moduli have changed, or corrections have ended. In any stage.
+void sum_forces_of_states(BlockSystem& system);
+
 // Goes the other way for all contacts, or for one: from states as they are now to gaps at zero displacement.
 void keep_gaps_at_rest(BlockSystem& system);
 void keep_gap_at_rest(const State& state, const InterfaceElement& element, InterfaceState& own);

@@ -82,8 +82,7 @@ void change_rock(bool contacts_move, BlockSystem& s) {
   const double contact =
       change_springs(other_springs(joints_before, !rock.materials.empty(), s.model.joints), contacts_move, s);
   s.audit.rock_changed(kinetic_energy(s.terms, s.state) - kinetic, strain_energy(s.terms, s.state) - strain, contact);
-  const bool has_same_moduli = std::ranges::equal(materials_before, s.model.materials, have_same_moduli);
-  if (!has_same_moduli && !s.plan.linear) s.sum_internal_forces(s.forces.internal_old);
+  if (!std::ranges::equal(materials_before, s.model.materials, have_same_moduli)) sum_forces_of_states(s);
 }
 
 }  // namespace dda

@@ -63,8 +63,8 @@ TEST(Rocks, SettleWhereHundredsOfContactsChangeInAStep) {
 }
 
 // Faces that touch as cut carry their blocks' stresses until the blocks part. Seeds 7, 9 and 22 have slivers of up to a
-// ten-thousandth of their neighbours, which sank into them while short stretches gave way by the width of a block. In
-// seed 22, a slope of which eight blocks come loose and are named, a pair ends in each other.
+// ten-thousandth of their neighbours, which sank into them while short stretches, and those closed over a small part,
+// gave way by the width of a block. Seed 22 is a slope of which eight blocks come loose and are named.
 TEST(Rocks, SettleAndMoveUnderTheProjectedLaw) {
   for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U, 9U, 22U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);

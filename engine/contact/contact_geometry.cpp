@@ -32,11 +32,7 @@ void keep_gaps(const Model& model, const State& state, ContactSet& contacts) {
     InterfaceState& own = contacts.states[i];
     if (element.law != InterfaceLaw::projected) continue;
     set_geometry(model, acting_frame(model, state, contacts.interfaces[i], element.law), element);
-    InterfaceState measured = own;
-    measured.status = {ContactStatus::locked, ContactStatus::locked};
-    measured.broken = {false, false};  // gaps as they are, whatever they answer
-    measure_gap(model, state, contacts.interfaces[i], element, measured);
-    const Vec4 more = measured.gap - own.gap;
+    const Vec4 more = gap_as_it_lies(model, state, contacts.interfaces[i], element, own) - own.gap;
     for (const std::size_t end : {0U, 1U}) {
       own.seat[end] += more(static_cast<Eigen::Index>(2 * end));
       own.slip[end] += more(static_cast<Eigen::Index>(2 * end) + 1);

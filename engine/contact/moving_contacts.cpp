@@ -109,9 +109,9 @@ InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& e
   return state;
 }
 
-// Chooses between the contact that one was and another of its corner that has ended (-1: none): the load of the one
-// that presses more goes on, or it would be lost. Loads do not add up, as one spring that carries two stores more than
-// both.
+// Where corners that face each other were two contacts and one has `ended` (-1: none), the one that goes on takes the
+// load of the one that presses more, which would be lost otherwise. Loads do not add up: one spring that carries both
+// stores more than the two did.
 std::ptrdiff_t heavier(std::ptrdiff_t earlier, std::ptrdiff_t ended, std::size_t first,
                        const std::vector<InterfaceState>& states) {
   if (ended < 0 || earlier < 0) return earlier;

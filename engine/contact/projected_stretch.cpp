@@ -133,6 +133,13 @@ void measure_projected(const Model& model, const State& state, const Interface& 
   press_in_part(element, own);
 }
 
+Vec4 gap_as_it_lies(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
+                    InterfaceState own) {
+  own.broken = {false, false};  // one that has not broken answers in any gap
+  measure_projected(model, state, interface, element, ends_apart(model, state, interface), own);
+  return own.gap;
+}
+
 void count_free_slip(const InterfaceElement& element, const Vec4& gap, InterfaceState& own) {
   if (element.law != InterfaceLaw::projected || !gapes_throughout(own)) return;
   own.slip[0] += gap(1);

@@ -46,6 +46,10 @@ bool touch_there_alone(const Model& model, const Interface& interface);
 void measure_projected(const Model& model, const State& state, const Interface& interface,
                        const InterfaceElement& element, const EndsApart& ends, InterfaceState& own);
 
+// Returns what the gaps of a stretch are where its blocks lie, whether anything presses there or not.
+Vec4 gap_as_it_lies(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
+                    InterfaceState own);
+
 // At the end of a step that moved the gaps to `gap`: what an open stretch has gone along its tangent.
 void count_free_slip(const InterfaceElement& element, const Vec4& gap, InterfaceState& own);
 

@@ -49,9 +49,7 @@ void find_gaps(const InterfaceElement& element, InterfaceState& own) {
 // The gaps that are measured where blocks lie count from where they give those of `own`.
 void count_from_here(const Model& model, const State& state, const Interface& interface, const InterfaceState& own,
                      InterfaceElement& element) {
-  InterfaceState measured = own;
-  measure_projected(model, state, interface, element, ends_apart(model, state, interface), measured);
-  element.gap_at_start += measured.gap - own.gap;
+  element.gap_at_start += gap_as_it_lies(model, state, interface, element, own) - own.gap;
 }
 
 void renew_projected(const Model& model, const State& state, const Interface& interface, bool gaps_are_measured,
@@ -60,11 +58,8 @@ void renew_projected(const Model& model, const State& state, const Interface& in
   if (renewed.stiffness == element.stiffness) return;
   const double lever = element.lever;
   element.stiffness = renewed.stiffness;
-  // One that has broken at one end alone presses end by end: its points stay where they are.
-  if (own.broken[0] == own.broken[1]) {
-    element.lever = renewed.lever;
-    element.spread = renewed.spread;
-  }
+  element.lever = renewed.lever;
+  element.spread = renewed.spread;
   for (const Eigen::Index row : {0, 1}) {
     move_points(lever / element.lever, row, own.force);
     move_points(element.lever / lever, row, element.rows_a);

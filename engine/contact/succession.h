@@ -28,8 +28,9 @@ class Succession {
   // Says for each that was found the index of the known one that it continues, or -1. Each is continued once.
   [[nodiscard]] const std::vector<std::ptrdiff_t>& earlier() const { return earlier_; }
 
-  // Two corners above each other may be two contacts, each the vertex of one. Returns for a found one, whose other has
-  // ended, the index of that other; -1: there is none. Each is given once.
+  // Two corners that face each other can be two contacts: the vertex of one on the edge of the other, and the other way
+  // round. Where one of them has ended, returns its index among the known ones for the one that goes on; -1: there is
+  // none. Each is given once.
   [[nodiscard]] std::ptrdiff_t ended_beside(const VertexContact& contact);
 
   // Returns the known contact nearest to a new one of those in line with it, at its vertex or on its edge; -1 where

@@ -82,13 +82,14 @@ std::optional<double> highest_frequency(const TimeFunction& history) {
   return std::isfinite(shortest) ? std::optional(0.25 / shortest) : std::nullopt;
 }
 
-// Hz, of the steepest change of a history, of which one from zero to its largest value is a quarter of a period. Many
-// points in a smooth table do not make it fast, as a sine of f in a table is (pi/2) f.
+// The frequency of the steepest change of a history, Hz. A change by as much as the history ever leaves its first value
+// is a quarter of a period, so that many points in a smooth table do not make it fast (a sine of f in a table is
+// (pi/2) f), nor a preload slow.
 std::optional<double> steepest_frequency(const TimeFunction& history) {
   const auto* table = std::get_if<PiecewiseLinear>(&history);
   if (table == nullptr) return highest_frequency(history);
   double largest = 0, steepest = 0;
-  for (const double value : table->values) largest = std::max(largest, std::abs(value));
+  for (const double value : table->values) largest = std::max(largest, std::abs(value - table->values.front()));
   for (std::size_t i = 1; i < table->times.size(); ++i)
     if (table->values[i] != table->values[i - 1])
       steepest = std::max(steepest,

@@ -126,14 +126,16 @@ double round_off_of_gaps(const BlockSystem& system) {
 
 // What a force on each block is measured by, N per m of thickness: the largest that acts, and less for blocks whose own
 // weight and load are next to nothing beside it. Linear stages, in which blocks stay where they are, know the first.
-std::vector<double> measures(const BlockSystem& system, double largest) {
-  std::vector<double> all(system.terms.area.size(), largest);
-  if (!system.plan.gravity || system.plan.linear) return all;
-  const Eigen::VectorXd own = system.forces.load_old + system.external.weight();
+void set_measures(const BlockSystem& system, double largest, std::vector<double>& measures) {
+  measures.assign(system.terms.area.size(), largest);
+  if (!system.plan.gravity || system.plan.linear) return;
   const double least = round_off_of_gaps(system);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (const double force = largest_of(system, own, i); force > least) all[i] = std::min(largest, force / least_share);
-  return all;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const auto place = static_cast<Eigen::Index>(6 * i);
+    const Vec6 own = system.forces.load_old.segment<6>(place) + system.external.weight().segment<6>(place);
+    const double force = largest_entry(own, system.terms.area[i]);
+    if (force > least) measures[i] = std::min(largest, force / least_share);
+  }
 }
 
 // Unbalanced forces as shares of these, those of held blocks zero. What is no more than round-off of prescribed motions
@@ -145,7 +147,8 @@ Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_forc
   if (no_load_acts && largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
   const double largest = largest_acting(system, in_situ_force);
   if (!(largest > 0)) return unbalanced;
-  const std::vector<double> measure = measures(system, largest);
+  std::vector<double> measure;
+  set_measures(system, largest, measure);
   for (std::size_t i = 0; i < measure.size(); ++i)
     unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)) /= measure[i];
   return unbalanced;
@@ -162,7 +165,7 @@ void note_asked_balance(BlockSystem& system, double in_situ_force) {
   std::vector<double>& asked = system.forces.asked_balance;
   asked.clear();
   if (!system.plan.is_static || system.plan.linear || system.stage().equilibrium == 0) return;
-  asked = measures(system, largest_acting(system, in_situ_force));
+  set_measures(system, largest_acting(system, in_situ_force), asked);
   for (double& each : asked) each *= margin * system.stage().equilibrium;
 }
 

@@ -132,12 +132,19 @@ bool FrictionPasses::find_balance(Iterate& at) {
   double work = 0;  // since then, in passes over all blocks
   int for_more = 0;
   for (int pass = 0; !is_balanced(at) || (for_more++ < most_passes_for_more && is_asked_for_more(at)); ++pass) {
-    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > most_work) return false;
-    if (pass > 0 && prepare_pass(at, changed) != Status::ok) return false;
+    const bool balanced = is_balanced(at);  // and asked for more: what cannot be had leaves the step as it is
+    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > most_work ||
+        (pass > 0 && prepare_pass(at, changed) != Status::ok)) {
+      if (balanced) break;
+      return false;
+    }
     ++at.costs.counters.open_close_iterations;
     const double enough =
-        is_balanced(at) ? all_digits : last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
-    if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) return false;
+        balanced ? all_digits : last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
+    if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) {
+      if (balanced) break;
+      return false;
+    }
     const bool one_by_one = changes_one_by_one(pass - best_pass);
     if (!one_by_one && goes_in_circles(pass - best_pass)) step_ /= 2;
     take_newton_step(at, pass >= free_passes, one_by_one);
@@ -181,7 +188,6 @@ bool FrictionPasses::is_asked_for_more(const Iterate& at) const {
 // Contacts of blocks that are asked for more than the others, as they are so light, are asked for more as well.
 PieceRule FrictionPasses::rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at) const {
   const std::span<const double> asked = at.problem->asked_balance;
-  if (asked.empty()) return rule;
   const double of_blocks =
       std::min(asked[static_cast<std::size_t>(contact.block_a)], asked[static_cast<std::size_t>(contact.block_b)]);
   if (of_blocks >= largest_asked_) return rule;
@@ -311,22 +317,23 @@ void FrictionPasses::take_newton_step(Iterate& at, bool strictly, bool one_by_on
     residual_ -= image_;
   }
   bool one_changes = false;
+  const bool all_are_asked_alike = at.problem->asked_balance.empty();
   const auto move_contacts = [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       LiveContact& contact = live_[taken_[i]];
       const EndStrength& strength = at.contacts.strength(contact.trial);
       InterfaceTrial& trial = at.contacts[contact.trial];
+      const PieceRule own_rule = all_are_asked_alike ? rule : rule_of(contact, rule, at);
       const Vec4 force_before = trial.force;
       const ContactPieces pieces_before = contact.pieces;
       const Vec4 moved = gap(contact, step_);
       trial.gap += moved;
       respond_with_friction(contact.springs, strength, trial);
-      contact.between =
-          keep_to_bordering_pieces(contact.springs, strength, rule_of(contact, rule, at), trial, contact.pieces);
+      contact.between = keep_to_bordering_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       contact.changes = contact.pieces != pieces_before;
       if (one_by_one && contact.changes && std::exchange(one_changes, true)) {
         contact.pieces = pieces_before;
-        contact.between = stay_on_pieces(contact.springs, strength, rule_of(contact, rule, at), trial, contact.pieces);
+        contact.between = stay_on_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       }
       if (is_local_) follow_residual(at, contact, moved, force_before);
     }

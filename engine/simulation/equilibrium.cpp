@@ -124,19 +124,28 @@ double round_off_of_gaps(const BlockSystem& system) {
   return round_off_of_places * system.model.length_tolerance * stiffest;
 }
 
-// What a force on each block is measured by, N per m of thickness: the largest that acts, and less for blocks whose own
+// What a force on a block is measured by, N per m of thickness: the largest that acts, and less for blocks whose own
 // weight and load are next to nothing beside it. Linear stages, in which blocks stay where they are, know the first.
-void set_measures(const BlockSystem& system, double largest, std::vector<double>& measures) {
-  measures.assign(system.terms.area.size(), largest);
-  if (!system.plan.gravity || system.plan.linear) return;
-  const double least = round_off_of_gaps(system);
-  for (std::size_t i = 0; i < measures.size(); ++i) {
-    const auto place = static_cast<Eigen::Index>(6 * i);
-    const Vec6 own = system.forces.load_old.segment<6>(place) + system.external.weight().segment<6>(place);
-    const double force = largest_entry(own, system.terms.area[i]);
-    if (force > least) measures[i] = std::min(largest, force / least_share);
+class Measure {
+ public:
+  Measure(const BlockSystem& system, double largest)
+      : system_(system), largest_(largest), is_one_for_all_(!system.plan.gravity || system.plan.linear) {
+    if (!is_one_for_all_) least_ = round_off_of_gaps(system);
   }
-}
+
+  [[nodiscard]] double of(std::size_t block) const {
+    if (is_one_for_all_) return largest_;
+    const auto place = static_cast<Eigen::Index>(6 * block);
+    const Vec6 own = system_.forces.load_old.segment<6>(place) + system_.external.weight().segment<6>(place);
+    const double force = largest_entry(own, system_.terms.area[block]);
+    return force > least_ ? std::min(largest_, force / least_share) : largest_;
+  }
+
+ private:
+  const BlockSystem& system_;
+  double largest_, least_ = 0;
+  bool is_one_for_all_;
+};
 
 // Unbalanced forces as shares of these, those of held blocks zero. What is no more than round-off of prescribed motions
 // is none.
@@ -147,10 +156,9 @@ Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_forc
   if (no_load_acts && largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
   const double largest = largest_acting(system, in_situ_force);
   if (!(largest > 0)) return unbalanced;
-  std::vector<double> measure;
-  set_measures(system, largest, measure);
-  for (std::size_t i = 0; i < measure.size(); ++i)
-    unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)) /= measure[i];
+  const Measure measure(system, largest);
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i)
+    unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)) /= measure.of(i);
   return unbalanced;
 }
 
@@ -165,8 +173,9 @@ void note_asked_balance(BlockSystem& system, double in_situ_force) {
   std::vector<double>& asked = system.forces.asked_balance;
   asked.clear();
   if (!system.plan.is_static || system.plan.linear || system.stage().equilibrium == 0) return;
-  set_measures(system, largest_acting(system, in_situ_force), asked);
-  for (double& each : asked) each *= margin * system.stage().equilibrium;
+  const Measure measure(system, largest_acting(system, in_situ_force));
+  asked.resize(system.terms.area.size());
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i] = margin * system.stage().equilibrium * measure.of(i);
 }
 
 double out_of_balance(const BlockSystem& system, double in_situ_force) {

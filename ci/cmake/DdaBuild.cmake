@@ -50,6 +50,15 @@ function(dda_fast_to_compile TARGET)
   set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 endfunction()
 
+# dda_same_kernels(TEST): OpenBLAS chooses its kernels by the processor; this test has those that all processors with AVX2
+# have, as what it compares hangs on round-off.
+function(dda_same_kernels TEST)
+  file(STRINGS /proc/cpuinfo processor REGEX "avx2" LIMIT_COUNT 1)
+  if(processor)
+    set_tests_properties(${TEST} PROPERTIES ENVIRONMENT OPENBLAS_CORETYPE=Haswell)
+  endif()
+endfunction()
+
 # dda_compile_together(TARGET): in a unity build (the sanitized one, ADR 31) its sources are compiled a few at a time, in
 # batches without two that declare the same name. DDA_ALONE names batches that do not go together all the same.
 set(DDA_ALONE "" CACHE STRING "Batches of a unity build whose sources are compiled one by one, e.g. exact_test_0")

@@ -54,17 +54,10 @@ ChainQuestion ChainQuestion::with_dt(double dt) const {
   return question;
 }
 
-TimeSteps ChainQuestion::time_of(Causes causes) const {
-  if (!has_steps(causes)) return {};
-  return {stage_.integrator, stage_.dt, causes == Causes::all ? damping_of(stage_) : MaterialDamping{}};
-}
-
 const Chain& ChainQuestion::chain(Causes causes) const {
   auto& chain = chains_[static_cast<std::size_t>(std::min(causes, Causes::time))];  // damping changes no matrix
   if (chain) return *chain;
-  Stage stage = stage_;
-  if (!has_steps(causes)) stage.correct_time_dispersion = false;
-  chain = std::make_shared<const Chain>(*model_, path_, stage, causes == Causes::blocks);
+  chain = std::make_shared<const Chain>(*model_, path_, stage_of(stage_, causes), causes == Causes::blocks);
   return *chain;
 }
 
@@ -84,7 +77,7 @@ Complex ChainQuestion::ratio(Causes causes, double omega, double growth, int lay
 
 // A place that is moved moves on whatever damping makes of the forces that it takes.
 Complex ChainQuestion::force(Causes causes, Complex s, int layers) const {
-  const TimeSteps time = time_of(causes);
+  const TimeSteps time = time_of(stage_, causes);
   const Complex force = chain(causes).force(time.square(s), joint_, layers);
   return path_.is_moved ? force : time.elastic_share(s) * force;
 }
@@ -129,13 +122,9 @@ std::optional<TotalErrors> ChainQuestion::total_steady_errors(double frequency) 
 }
 
 std::optional<SteadyErrors> ChainQuestion::steady_errors(double frequency) const {
-  const auto all = steady(Causes::all, frequency);
-  const auto time = damping_of(stage_).acts() ? steady(Causes::time, frequency) : all;
-  const auto space = steady(Causes::space, frequency);
-  const auto blocks = steady(Causes::blocks, frequency);
-  if (!all || !time || !space || !blocks) return std::nullopt;
-  return SteadyErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
-                      terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude)};
+  const auto readings = read_by_cause(stage_, true, [&](Causes causes) { return steady(causes, frequency); });
+  if (!readings) return std::nullopt;
+  return SteadyErrors{readings->speed(), readings->amplitude()};
 }
 
 // What comes at the joint, and what should.
@@ -220,15 +209,9 @@ std::optional<TotalErrors> ChainQuestion::total_history_errors(const LoadHistory
 }
 
 std::optional<HistoryErrors> ChainQuestion::history_errors(const LoadHistory& load) const {
-  const auto all = read(Causes::all, load);
-  if (!all) return std::nullopt;
-  const auto time = damping_of(stage_).acts() ? read(Causes::time, load) : all;
-  const auto space = read(Causes::space, load);
-  const auto blocks = read(Causes::blocks, load);
-  if (!time || !space || !blocks) return std::nullopt;
-  return HistoryErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
-                       terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude), *all, place(),
-                       true};
+  const auto readings = read_by_cause(stage_, true, [&](Causes causes) { return read(causes, load); });
+  if (!readings) return std::nullopt;
+  return HistoryErrors{readings->speed(), readings->amplitude(), readings->all, place(), true};
 }
 
 }  // namespace dda

@@ -39,7 +39,6 @@ class ChainQuestion {
   };
   struct Traces;
 
-  [[nodiscard]] TimeSteps time_of(Causes causes) const;
   [[nodiscard]] const Chain& chain(Causes causes) const;
   [[nodiscard]] double fastest() const;
   [[nodiscard]] int layers_for(double window) const;

@@ -19,26 +19,15 @@ bool has_springs(const Lattice& lattice) {
                      [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
 }
 
-TimeSteps time_of(const WaveQuestion& question, Causes causes) {
-  if (!has_steps(causes)) return {};
-  return {question.stage.integrator, question.stage.dt,
-          causes == Causes::all ? damping_of(question.stage) : MaterialDamping{}};
-}
-
-Stage stage_of(const WaveQuestion& question, Causes causes) {
-  Stage stage = question.stage;
-  if (!has_steps(causes)) stage.correct_time_dispersion = false;
-  return stage;
-}
-
 Lattice lattice_of(const WaveQuestion& question, Causes causes) {
   return causes == Causes::blocks && has_springs(question.lattice) ? with_consistent_joints(question.lattice)
                                                                    : question.lattice;
 }
 
 std::optional<TotalErrors> steady(const WaveQuestion& question, double omega, Causes causes) {
-  const WaveSolver solver(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
-  const auto wave = solver.steady(time_of(question, causes), omega);
+  const WaveSolver solver(lattice_of(question, causes), stage_of(question.stage, causes), question.kind,
+                          question.direction);
+  const auto wave = solver.steady(time_of(question.stage, causes), omega);
   if (!wave) return std::nullopt;
   const double exact = omega / continuum_speed(question.lattice.material, question.kind);
   return TotalErrors{exact / wave->wavenumber.real() - 1, std::expm1(wave->wavenumber.imag() * question.distance)};
@@ -48,8 +37,8 @@ std::optional<TotalErrors> steady(const WaveQuestion& question, double omega, Ca
 class Path {
  public:
   Path(const WaveQuestion& question, Causes causes)
-      : solver_(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction),
-        time_(time_of(question, causes)),
+      : solver_(lattice_of(question, causes), stage_of(question.stage, causes), question.kind, question.direction),
+        time_(time_of(question.stage, causes)),
         distance_(question.distance),
         slowness_(Complex(0, -1) / continuum_speed(question.lattice.material, question.kind)) {}
 
@@ -138,8 +127,8 @@ Trace trace_of(const WaveQuestion& question, const LoadHistory& load, const Plac
     return {spectrum.through(Path(question, causes)), spectrum.interval()};
   }
   const auto row =
-      HalfRow::make(lattice_of(question, causes), stage_of(question, causes), question.kind, question.direction);
-  const TimeSteps time = time_of(question, causes);
+      HalfRow::make(lattice_of(question, causes), stage_of(question.stage, causes), question.kind, question.direction);
+  const TimeSteps time = time_of(question.stage, causes);
   const LoadSpectrum spectrum = spectrum_of(question, load, place, row->load_filter());
   const auto transfer = [&](Complex s) { return time.elastic_share(s) * row->traction(time.square(s), place.joint); };
   return {spectrum.through(transfer), spectrum.interval()};
@@ -187,20 +176,23 @@ double window_of(const LoadHistory& load, double on_time, const Lags& lags) {
   return is_seen(load, on_time, lags) ? std::min(passed, load.run) : passed;
 }
 
-ErrorTerms terms_of(double blocks, double space, double time, double all) {
-  return {blocks, space - blocks, time - space, all - time};
+TimeSteps time_of(const Stage& stage, Causes causes) {
+  if (!has_steps(causes)) return {};
+  return {stage.integrator, stage.dt, causes == Causes::all ? damping_of(stage) : MaterialDamping{}};
+}
+
+Stage stage_of(Stage stage, Causes causes) {
+  if (!has_steps(causes)) stage.correct_time_dispersion = false;
+  return stage;
 }
 
 std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double frequency) {
   const double omega = 2 * std::numbers::pi * frequency;
   if (omega * question.stage.dt >= std::numbers::pi) return std::nullopt;
-  const auto all = steady(question, omega, Causes::all);
-  const auto time = damping_of(question.stage).acts() ? steady(question, omega, Causes::time) : all;
-  const auto space = steady(question, omega, Causes::space);
-  const auto blocks = steady(question, omega, Causes::blocks);
-  if (!all || !time || !space || !blocks) return std::nullopt;
-  return SteadyErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
-                      terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude)};
+  const auto read = [&](Causes causes) { return steady(question, omega, causes); };
+  const auto readings = read_by_cause(question.stage, has_springs(question.lattice), read);
+  if (!readings) return std::nullopt;
+  return SteadyErrors{readings->speed(), readings->amplitude()};
 }
 
 PredictedTrace predict_trace(const WaveQuestion& question, const LoadHistory& load) {
@@ -223,15 +215,11 @@ std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, co
 
 std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const LoadHistory& load) {
   const Reader reader(question, load);
-  const auto all = reader.read(Causes::all);
-  if (!all) return std::nullopt;
-  const auto time = damping_of(question.stage).acts() ? reader.read(Causes::time) : all;
-  const auto space = reader.read(Causes::space);
-  const auto blocks = has_springs(question.lattice) ? reader.read(Causes::blocks) : space;
-  if (!time || !space || !blocks) return std::nullopt;
-  return HistoryErrors{terms_of(blocks->speed, space->speed, time->speed, all->speed),
-                       terms_of(blocks->amplitude, space->amplitude, time->amplitude, all->amplitude), *all,
-                       reader.place().distance, reader.place().with_end};
+  const auto readings =
+      read_by_cause(question.stage, has_springs(question.lattice), [&](Causes causes) { return reader.read(causes); });
+  if (!readings) return std::nullopt;
+  return HistoryErrors{readings->speed(), readings->amplitude(), readings->all, reader.place().distance,
+                       reader.place().with_end};
 }
 
 }  // namespace dda

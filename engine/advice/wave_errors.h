@@ -10,6 +10,7 @@
 #include "engine/advice/arrival.h"
 #include "engine/advice/lattice.h"
 #include "engine/advice/plane_wave.h"
+#include "engine/advice/time_steps.h"
 
 namespace dda {
 
@@ -40,8 +41,39 @@ std::optional<SteadyErrors> steady_errors(const WaveQuestion& question, double f
 
 // Causes in the order in which they are added.
 enum class Causes { blocks, space, time, all };
-ErrorTerms terms_of(double blocks, double space, double time, double all);
 inline bool has_steps(Causes causes) { return causes == Causes::time || causes == Causes::all; }
+
+// The time steps, and the corrections for them, that a stage has as far as these causes go.
+TimeSteps time_of(const Stage& stage, Causes causes);
+Stage stage_of(Stage stage, Causes causes);
+
+// Errors of speed and amplitude with one cause after the other.
+template <typename Reading>
+struct ByCause {
+  Reading blocks, space, time, all;
+
+  [[nodiscard]] ErrorTerms speed() const { return terms(&Reading::speed); }
+  [[nodiscard]] ErrorTerms amplitude() const { return terms(&Reading::amplitude); }
+
+ private:
+  [[nodiscard]] ErrorTerms terms(double Reading::*error) const {
+    return {blocks.*error, space.*error - blocks.*error, time.*error - space.*error, all.*error - time.*error};
+  }
+};
+
+// Takes the readings of all causes by `read`, each only where it differs from the next. Nothing where one has none.
+template <typename Read>
+auto read_by_cause(const Stage& stage, bool has_springs, const Read& read) {
+  using Reading = typename decltype(read(Causes::all))::value_type;
+  std::optional<ByCause<Reading>> readings;
+  const auto all = read(Causes::all);
+  if (!all) return readings;
+  const auto time = damping_of(stage).acts() ? read(Causes::time) : all;
+  const auto space = read(Causes::space);
+  const auto blocks = has_springs ? read(Causes::blocks) : space;
+  if (time && space && blocks) readings = {*blocks, *space, *time, *all};
+  return readings;
+}
 
 // What blocks, interfaces and time steps make together, for a fifth of the work or less.
 struct TotalErrors {

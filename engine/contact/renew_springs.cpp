@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "engine/contact/interface_frame.h"
 #include "engine/contact/make_element.h"
 #include "engine/contact/no_tension_bed.h"
 #include "engine/contact/projected_law.h"
@@ -46,12 +45,6 @@ void find_gaps(const InterfaceElement& element, InterfaceState& own) {
   own.gap(2) = gaps(1);
 }
 
-// The gaps that are measured where blocks lie count from where they give those of `own`.
-void count_from_here(const Model& model, const State& state, const Interface& interface, const InterfaceState& own,
-                     InterfaceElement& element) {
-  element.gap_at_start += gap_as_it_lies(model, state, interface, element, own) - own.gap;
-}
-
 void renew_projected(const Model& model, const State& state, const Interface& interface, bool gaps_are_measured,
                      InterfaceElement& element, InterfaceState& own) {
   const InterfaceElement renewed = make_element(model, interface, InterfaceLaw::projected);
@@ -67,7 +60,8 @@ void renew_projected(const Model& model, const State& state, const Interface& in
   }
   move_points(element.lever / lever, 0, own.gap);  // counts where nothing presses
   find_gaps(element, own);
-  if (gaps_are_measured) count_from_here(model, state, interface, own, element);
+  // Gaps that are measured where blocks lie count from where they give those of `own`.
+  if (gaps_are_measured) element.gap_at_start += gap_as_it_lies(model, state, interface, element, own) - own.gap;
 }
 
 }  // namespace

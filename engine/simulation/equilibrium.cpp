@@ -110,12 +110,18 @@ double largest_load(const BlockSystem& system, double in_situ_force) {
   return std::max({load, largest_of_all(system, system.external.weight()), largest_held_weight(system)});
 }
 
-// The largest force that acts, N per m of thickness. Prescribed motions and pretensions act by the forces that they
-// make blocks exchange. The same where nothing acts, and the rock comes to rest from what an earlier stage has left.
-double largest_acting(const BlockSystem& system, double in_situ_force) {
+// The largest force that acts, N per m of thickness, and whether only loads do. Prescribed motions and pretensions act
+// by the forces that they make blocks exchange. The same where nothing acts, and the rock comes to rest from what an
+// earlier stage has left.
+struct Acting {
+  double largest;
+  bool as_loads;
+};
+
+Acting largest_acting(const BlockSystem& system, double in_situ_force) {
   const double load = largest_load(system, in_situ_force);
-  if (load > 0 && !acts_without_load(system)) return load;
-  return std::max({load, exchanged_now(system), share_remembered * system.forces.most_exchanged});
+  if (load > 0 && !acts_without_load(system)) return {load, true};
+  return {std::max({load, exchanged_now(system), share_remembered * system.forces.most_exchanged}), false};
 }
 
 double round_off_of_gaps(const BlockSystem& system) {
@@ -152,11 +158,10 @@ class Measure {
 Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_force) {
   Eigen::VectorXd unbalanced = system.unbalanced_forces();
   system.held.clear(unbalanced);
-  const bool no_load_acts = !(largest_load(system, in_situ_force) > 0) || acts_without_load(system);
-  if (no_load_acts && largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
-  const double largest = largest_acting(system, in_situ_force);
-  if (!(largest > 0)) return unbalanced;
-  const Measure measure(system, largest);
+  const Acting acting = largest_acting(system, in_situ_force);
+  if (!acting.as_loads && largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
+  if (!(acting.largest > 0)) return unbalanced;
+  const Measure measure(system, acting.largest);
   for (std::size_t i = 0; i < system.terms.area.size(); ++i)
     unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)) /= measure.of(i);
   return unbalanced;
@@ -173,7 +178,7 @@ void note_asked_balance(BlockSystem& system, double in_situ_force) {
   std::vector<double>& asked = system.forces.asked_balance;
   asked.clear();
   if (!system.plan.is_static || system.plan.linear || system.stage().equilibrium == 0) return;
-  const Measure measure(system, largest_acting(system, in_situ_force));
+  const Measure measure(system, largest_acting(system, in_situ_force).largest);
   asked.resize(system.terms.area.size());
   for (std::size_t i = 0; i < asked.size(); ++i) asked[i] = margin * system.stage().equilibrium * measure.of(i);
 }

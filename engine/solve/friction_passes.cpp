@@ -132,19 +132,12 @@ bool FrictionPasses::find_balance(Iterate& at) {
   double work = 0;  // since then, in passes over all blocks
   int for_more = 0;
   for (int pass = 0; !is_balanced(at) || (for_more++ < most_passes_for_more && is_asked_for_more(at)); ++pass) {
-    const bool balanced = is_balanced(at);  // and asked for more: what cannot be had leaves the step as it is
-    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > most_work ||
-        (pass > 0 && prepare_pass(at, changed) != Status::ok)) {
-      if (balanced) break;
-      return false;
-    }
+    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > most_work) break;
+    if (pass > 0 && prepare_pass(at, changed) != Status::ok) break;
     ++at.costs.counters.open_close_iterations;
     const double enough =
-        balanced ? all_digits : last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
-    if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) {
-      if (balanced) break;
-      return false;
-    }
+        is_balanced(at) ? all_digits : last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
+    if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) break;
     const bool one_by_one = changes_one_by_one(pass - best_pass);
     if (!one_by_one && goes_in_circles(pass - best_pass)) step_ /= 2;
     take_newton_step(at, pass >= free_passes, one_by_one);
@@ -154,6 +147,7 @@ bool FrictionPasses::find_balance(Iterate& at) {
     best_pass = pass;
     work = 0;
   }
+  if (!is_balanced(at)) return false;  // one that is and was asked for more stays what it is
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     if (at.contacts.is_whole(k)) at.contacts.measure(k, at.increment);
   return true;

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 
 namespace dda::benchmarks {
 namespace {

@@ -89,11 +89,15 @@ InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_
   return state;
 }
 
+Vec2 carried_force(const InterfaceElement& element, const Vec4& force) {
+  const bool has_two_ends = !has_stress_rows(element) && !is_lone_vertex(element);
+  return has_two_ends ? Vec2(force.head<2>() + force.tail<2>()) : Vec2(force.head<2>());
+}
+
 Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,
                    const InterfaceState& state) {
   if (element.length == 0) return Vec2::Zero();
-  Vec2 force = state.force.head<2>();
-  if (!has_stress_rows(element)) force += state.force.tail<2>();
+  Vec2 force = carried_force(element, state.force);
   if (element.law == InterfaceLaw::cubic) {
     const double unit = side_free_modulus(model.material_of(interface.block_a)) * element.length /
                         cubic_half_distance(model, interface);

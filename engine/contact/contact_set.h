@@ -37,6 +37,9 @@ struct ContactSet {
 InterfaceState linear_state(const InterfaceElement& element, const Vec4& gap_at_rest, const Vec6& displacement_a,
                             const Vec6& displacement_b, const Vec3& stress_a, const Vec3& stress_b);
 
+// Normal and shear force of all ends together, of what `force` has for each row.
+Vec2 carried_force(const InterfaceElement& element, const Vec4& force);
+
 // Mean normal and shear traction over the interface, Pa, tension positive; the cubic law's normal value is the one its
 // reconstruction has at the interface. Zero where blocks touch in a point.
 Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,

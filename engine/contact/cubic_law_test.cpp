@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/builder/generators.h"
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
 #include "engine/contact/cubic_pair_models.h"
 #include "engine/contact/make_contacts.h"
-#include "engine/scene/generators.h"
 #include "engine/terms/potential_check.h"
 
 namespace dda {

@@ -71,6 +71,14 @@ inline bool has_stress_rows(const InterfaceSprings& springs) {
   return springs.law == InterfaceLaw::consistent || springs.law == InterfaceLaw::cubic;
 }
 
+// Those that carry their blocks' stresses are linear until they break, and then are no longer what they were.
+inline bool can_open_or_slide(const InterfaceSprings& springs) { return !has_stress_rows(springs); }
+
+// N/m per m of thickness, of all ends together against blocks that move straight towards each other.
+inline double normal_stiffness(const InterfaceSprings& springs) {
+  return has_stress_rows(springs) ? springs.stiffness(0) : springs.stiffness(0) + springs.stiffness(2);
+}
+
 template <typename Self, typename Archive>
 void InterfaceElement::visit(Self& self, Archive& archive) {
   // A member more, and this no longer compiles: it must be visited too.

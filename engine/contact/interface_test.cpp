@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/builder/generators.h"
 #include "engine/contact/contact_models.h"
-#include "engine/scene/generators.h"
 
 namespace dda {
 namespace {

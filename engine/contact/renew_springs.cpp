@@ -72,4 +72,10 @@ void renew_springs(const Model& model, const State& state, const Interface& inte
   if (element.law == InterfaceLaw::projected) renew_projected(model, state, interface, gaps_are_measured, element, own);
 }
 
+void renew_strain_rows(const Mat3& elasticity_a, const Mat3& elasticity_b, InterfaceElement& element) {
+  if (!has_stress_rows(element)) return;
+  element.strain_rows_a = element.stress_rows_a * elasticity_a;
+  element.strain_rows_b = element.stress_rows_b * elasticity_b;
+}
+
 }  // namespace dda

@@ -22,4 +22,8 @@ namespace dda {
 void renew_springs(const Model& model, const State& state, const Interface& interface, bool gaps_are_measured,
                    InterfaceElement& element, InterfaceState& own);
 
+// What interfaces that carry their blocks' stresses add to these blocks' strains, by the elasticities of the two that
+// are in force now. Others are left alone.
+void renew_strain_rows(const Mat3& elasticity_a, const Mat3& elasticity_b, InterfaceElement& element);
+
 }  // namespace dda

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "engine/builder/generators.h"
 #include "engine/contact/contact_models.h"
 #include "engine/contact/contact_set.h"
 #include "engine/contact/make_contacts.h"
-#include "engine/scene/generators.h"
 
 namespace dda {
 namespace {

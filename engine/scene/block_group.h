@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "engine/builder/generators.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
-#include "engine/scene/generators.h"
 
 namespace dda {
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "engine/builder/ground_plan.h"
 #include "engine/core/types.h"
 #include "engine/model/time_function.h"
 #include "engine/scene/field.h"
-#include "engine/scene/ground_plan.h"
 
 namespace dda {
 

@@ -132,6 +132,11 @@ std::size_t Field::choice(const std::vector<std::string>& words) const {
                    meant.empty() || words.size() == 1 ? "" : fmt::format(" (perhaps \"{}\")", meant)));
 }
 
+int Field::choice(const Names& names) const {
+  if (const auto index = names.find(text())) return *index;
+  return static_cast<int>(choice(names.all()));  // throws, as none is it
+}
+
 void Field::fail(const std::string& expected) const { fail(shown_value(*value_), expected); }
 
 void Field::fail(const std::string& value, const std::string& expected) const {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/builder/names.h"
 #include "engine/core/quantity.h"
 #include "engine/core/types.h"
 
@@ -42,6 +43,7 @@ class Field {
 
   // The position of the text in `words`.
   [[nodiscard]] std::size_t choice(const std::vector<std::string>& words) const;
+  [[nodiscard]] int choice(const Names& names) const;  // the first that is called so
 
   // "PATH is VALUE, expected EXPECTED".
   [[noreturn]] void fail(const std::string& expected) const;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/builder/free_outline.h"
 #include "engine/core/error.h"
 #include "engine/geometry/polygon.h"
 #include "engine/model/tolerance.h"
-#include "engine/scene/free_outline.h"
 #include "engine/scene/places.h"
 #include "engine/scene/present_blocks.h"
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/builder/ground_plan.h"
 #include "engine/cutting/rock_plan.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
-#include "engine/scene/ground_plan.h"
 
 namespace dda {
 

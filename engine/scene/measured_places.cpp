@@ -97,7 +97,7 @@ void MeasuredPlaces::place_in_block(const Field& field, Measurement& measurement
     refuse(field, {"point", "block", "side"}, "beside group");
     measurement.blocks = sets_.members(*group);
   } else if (!field.has("point") && field.has("block")) {
-    measurement.block = plan_.names().choice(field.at("block"));
+    measurement.block = field.at("block").choice(plan_.names());
     measurement.point = model_.blocks[static_cast<std::size_t>(measurement.block)].moments.centroid;
   } else {
     measurement.point = field.at("point").vector(Dimension::length);
@@ -130,7 +130,7 @@ void MeasuredPlaces::place_on_joint(const Field& field, Measurement& measurement
 // The link nearest to the point, where one is given.
 void MeasuredPlaces::place_on_bolt(const Field& field, Measurement& measurement) const {
   if (model_.bolts.empty()) field.at("bolt").fail("the name of a bolt, of which there is none");
-  measurement.bolt = bolts_.choice(field.at("bolt"));
+  measurement.bolt = field.at("bolt").choice(bolts_);
   const auto point = field.find("point");
   if (!point) return;
   measurement.point = point->vector(Dimension::length);
@@ -146,7 +146,7 @@ void MeasuredPlaces::place_on_bolt(const Field& field, Measurement& measurement)
 // The element nearest to the point, where one is given.
 void MeasuredPlaces::place_on_lining(const Field& field, Measurement& measurement) const {
   if (model_.linings.empty()) field.at("lining").fail("the name of a lining, of which there is none");
-  measurement.lining = linings_.choice(field.at("lining"));
+  measurement.lining = field.at("lining").choice(linings_);
   const auto point = field.find("point");
   if (!point) return;
   measurement.point = point->vector(Dimension::length);
@@ -211,7 +211,7 @@ void MeasuredPlaces::place_between(const Field& field, Measurement& measurement)
 
 // All joints, one of them, or those along a line, judged by their own strengths or by one that is given.
 void MeasuredPlaces::place_along_joints(const Field& field, Measurement& measurement) const {
-  if (const auto joint = field.find("joint")) measurement.joint = joints_.choice(*joint);
+  if (const auto joint = field.find("joint")) measurement.joint = joint->choice(joints_);
   if (const auto angle = field.find("friction_angle"))
     measurement.friction_angle = angle->not_negative(Dimension::angle);
   if (const auto cohesion = field.find("cohesion")) measurement.cohesion = cohesion->not_negative(Dimension::stress);

@@ -4,11 +4,11 @@
 
 #include <optional>
 
+#include "engine/builder/ground_plan.h"
+#include "engine/builder/names.h"
 #include "engine/model/model.h"
 #include "engine/scene/block_sets.h"
 #include "engine/scene/field.h"
-#include "engine/scene/ground_plan.h"
-#include "engine/scene/names.h"
 
 namespace dda {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "engine/builder/free_outline.h"
 #include "engine/core/error.h"
 #include "engine/model/tolerance.h"
-#include "engine/scene/free_outline.h"
 #include "engine/scene/named_blocks.h"
 
 namespace dda {
@@ -84,9 +84,9 @@ ExponentialDecay read_decay(const Field& field) {
 
 }  // namespace
 
-int read_joint_reference(const Field& field, const Model& model) { return Names(model.joints).choice(field); }
+int read_joint_reference(const Field& field, const Model& model) { return field.choice(Names(model.joints)); }
 
-int read_stage_reference(const Field& field, const Model& model) { return Names(model.stages).choice(field); }
+int read_stage_reference(const Field& field, const Model& model) { return field.choice(Names(model.stages)); }
 
 PiecewiseLinear read_table(const Field& field) {
   PiecewiseLinear table;
@@ -130,7 +130,7 @@ PlacedPoint read_point(const Field& owner, const GroundPlan& plan, const Model& 
   const std::vector<int> blocks = plan.blocks_at(point);
   if (blocks.empty()) field.fail(written(point) + " and outside all blocks", "a point of a block; " + extent(plan));
   if (const auto name = owner.find("block")) {
-    const int block = plan.names().choice(*name);
+    const int block = name->choice(plan.names());
     if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) return {block, point};
     name->fail("a block at " + written(point) + ": " + listed(blocks, model));
   }
@@ -151,7 +151,7 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
 void keep_named_block(const Field& owner, const GroundPlan& plan, std::vector<Stretch>& stretches) {
   const auto name = owner.find("block");
   if (!name) return;
-  keep_only(plan.names().choice(*name), stretches);
+  keep_only(name->choice(plan.names()), stretches);
   if (stretches.empty()) name->fail("a block with a side along this edge");
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/builder/ground_plan.h"
 #include "engine/model/time_function.h"
 #include "engine/scene/field.h"
-#include "engine/scene/ground_plan.h"
 #include "engine/scene/record_files.h"
 
 namespace dda {

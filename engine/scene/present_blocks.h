@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/builder/ground_plan.h"
 #include "engine/model/model.h"
-#include "engine/scene/ground_plan.h"
 
 namespace dda {
 

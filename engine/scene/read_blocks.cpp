@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/builder/generators.h"
 #include "engine/core/error.h"
 #include "engine/scene/block_group.h"
 #include "engine/scene/cut_remarks.h"
-#include "engine/scene/generators.h"
 #include "engine/scene/read_rock.h"
 #include "engine/scene/sections.h"
 

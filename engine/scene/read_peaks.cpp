@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/free_outline.h"
+#include "engine/builder/free_outline.h"
 #include "engine/scene/places.h"
 #include "engine/scene/sections.h"
 

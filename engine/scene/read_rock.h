@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/builder/generators.h"
 #include "engine/cutting/cut_rock.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
-#include "engine/scene/generators.h"
 
 namespace dda {
 

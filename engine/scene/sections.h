@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/builder/ground_plan.h"
+#include "engine/builder/scheme.h"
 #include "engine/cutting/rock_plan.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
-#include "engine/scene/ground_plan.h"
 #include "engine/scene/record_files.h"
-#include "engine/scene/scheme.h"
 #include "engine/scene/stress_field.h"
 
 namespace dda {

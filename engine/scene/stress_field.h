@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "engine/builder/ground_plan.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
-#include "engine/scene/ground_plan.h"
 
 namespace dda {
 

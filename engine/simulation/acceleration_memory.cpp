@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "engine/simulation/open_contact.h"
+#include "engine/contact/closure.h"
 
 namespace dda {
 namespace {

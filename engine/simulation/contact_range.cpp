@@ -7,13 +7,13 @@
 #include <cstddef>
 #include <limits>
 
+#include "engine/contact/closure.h"
 #include "engine/contact/interface_frame.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
 #include "engine/model/current_outline.h"
 #include "engine/simulation/block_extent.h"
-#include "engine/simulation/open_contact.h"
 
 namespace dda {
 namespace {

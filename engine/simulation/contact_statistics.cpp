@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/contact/closure.h"
 #include "engine/simulation/block_system.h"
 
 namespace dda {

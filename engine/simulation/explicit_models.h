@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/contact/make_contacts.h"
+#include "engine/linear/dense_modes.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/stability_limit.h"
@@ -34,20 +35,13 @@ inline Eigen::MatrixXd dense(const BlockMatrix& matrix) {
   return whole;
 }
 
-struct DenseModes {
-  Eigen::VectorXd squares;  // omega^2, ascending
-  Eigen::MatrixXd shapes;   // a column each
-};
-
 // Returns the modes of the first stage.
-inline DenseModes dense_modes(const Model& model) {
+inline DenseModes modes_of(const Model& model) {
   const ContactSet contacts = make_contacts(model);
   const LinearOperators operators(model, make_block_terms(model, model.stages[0]), contacts,
                                   make_supports(model, initial_state(model)),
                                   WaveCorrections(model, model.stages[0], contacts));
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(dense(operators.stiffness),
-                                                                         dense(operators.inertia));
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  return dense_modes(dense(operators.stiffness), dense(operators.inertia));
 }
 
 // Bonded rectangles of random sizes in a row, a grid or a running bond, with loads at least; `with_all`: gravity,

@@ -55,7 +55,7 @@ TEST(ExplicitStep, KeepsAModeOfABarToRoundOff) {
     Model model = bar_of(6, bond(law));
     model.stages = {explicit_stage(1e-4, 400)};
     finish_model(model);
-    const DenseModes modes = dense_modes(model);
+    const DenseModes modes = modes_of(model);
     const Eigen::Index last = modes.squares.size() - 1;
     for (const Eigen::Index mode : {Eigen::Index{3}, last / 2, last}) {  // the first three are rigid motion
       const Eigen::VectorXd shape = modes.shapes.col(mode);

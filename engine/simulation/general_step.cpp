@@ -91,7 +91,7 @@ void GeneralStep::list_contacts() {
   changing_.clear();
   bonded_.clear();
   for (std::size_t i = 0; i < system_.contacts.elements.size(); ++i) {
-    const bool can_change = system_.plan.contacts_judged && !has_stress_rows(system_.contacts.elements[i]);
+    const bool can_change = system_.plan.contacts_judged && can_open_or_slide(system_.contacts.elements[i]);
     (can_change ? changing_ : bonded_).push_back(static_cast<int>(i));
   }
 }

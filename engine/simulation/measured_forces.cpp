@@ -234,8 +234,7 @@ Eigen::Vector4d contact_force(const Simulation& simulation, const Measurement& m
   const std::vector<InterfaceElement>& elements = simulation.contacts().elements;
   visit_cut(simulation, measurement, cut, [&](std::size_t i, int, const Vec3& force, const Vec4& carried) {
     sum.head<2>() += force.head<2>();
-    sum.tail<2>() += carried.head<2>();
-    if (!has_stress_rows(elements[i]) && !is_lone_vertex(elements[i])) sum.tail<2>() += carried.tail<2>();
+    sum.tail<2>() += carried_force(elements[i], carried);
   });
   return sum;
 }

@@ -28,9 +28,6 @@ struct Penetration {
 // Beyond this share a run is doubtful: joints are too soft for what presses them, or a step too long for an impact.
 inline constexpr double tolerated_penetration = 0.01;
 
-// m, at the end that is in deeper; not positive where nothing is pressed. `stress`: of all blocks, Pa.
-double penetration_depth(const InterfaceElement& element, const Vec4& gap, const std::vector<Vec3>& stress);
-
 // Takes note of contacts that are pressed in deeper than any before.
 void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, const State& state, Penetration& deepest);
 

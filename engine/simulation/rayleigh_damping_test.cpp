@@ -1,7 +1,6 @@
 // Damping in proportion to inertia and stiffness: every vibration of a scene fades as the oscillator that it is.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,6 +8,7 @@
 #include <random>
 
 #include "engine/contact/make_contacts.h"
+#include "engine/linear/dense_modes.h"
 #include "engine/simulation/linear_operators.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/support_set.h"
@@ -47,19 +47,18 @@ Eigen::VectorXd exact_displacement(const Model& model, double time) {
   const ContactSet contacts = make_contacts(model);
   const LinearOperators operators(model, make_block_terms(model), contacts, make_supports(model, initial_state(model)),
                                   WaveCorrections(model, model.stages[0], contacts));
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(dense(operators.stiffness),
-                                                                        dense(operators.inertia));
+  const DenseModes modes = dense_modes(dense(operators.stiffness), dense(operators.inertia));
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(operators.inertia.unknowns());
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     velocity.segment<2>(static_cast<Eigen::Index>(6 * i)) = model.blocks[i].initial_velocity;
-  Eigen::VectorXd amplitude = modes.eigenvectors().transpose() * dense(operators.inertia) * velocity;
+  Eigen::VectorXd amplitude = modes.shapes.transpose() * dense(operators.inertia) * velocity;
   for (Eigen::Index k = 0; k < amplitude.size(); ++k) {
-    const double omega = std::sqrt(modes.eigenvalues()(k));
+    const double omega = std::sqrt(modes.squares(k));
     const double rate = (mass_damping + stiffness_damping * omega * omega) / 2;  // r w
     const std::complex<double> damped = std::sqrt(std::complex<double>(omega * omega - rate * rate));
     amplitude(k) *= std::exp(-rate * time) * (std::sin(damped * time) / damped).real();
   }
-  return modes.eigenvectors() * amplitude;
+  return modes.shapes * amplitude;
 }
 
 double error_at_end(double dt, const Integrator& integrator) {

@@ -14,13 +14,10 @@ namespace dda {
 namespace {
 
 // What joints add to their blocks' strains goes by the moduli too.
-void renew_strain_rows(BlockSystem& s) {
+void renew_all_strain_rows(BlockSystem& s) {
   const auto elasticity = [&s](int block) { return s.terms.elasticity[static_cast<std::size_t>(block)]; };
-  for (InterfaceElement& element : s.contacts.elements) {
-    if (!has_stress_rows(element)) continue;
-    element.strain_rows_a = element.stress_rows_a * elasticity(element.block_a);
-    element.strain_rows_b = element.stress_rows_b * elasticity(element.block_b);
-  }
+  for (InterfaceElement& element : s.contacts.elements)
+    renew_strain_rows(elasticity(element.block_a), elasticity(element.block_b), element);
 }
 
 // The joints whose springs, or the dashpots beside them, are others than they were; these go by masses too.
@@ -38,7 +35,7 @@ double change_springs(const std::vector<bool>& others, bool gaps_are_measured, B
   for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
     if (!others[static_cast<std::size_t>(s.contacts.interfaces[i].joint)]) continue;
     InterfaceElement& element = s.contacts.elements[i];
-    if (has_stress_rows(element)) continue;
+    if (!can_open_or_slide(element)) continue;  // has no springs
     InterfaceState own = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
     stored -= interface_energy(element, own);
     renew_springs(s.model, s.state, s.contacts.interfaces[i], gaps_are_measured, element, own);
@@ -68,7 +65,7 @@ void take_rock_in_force(BlockSystem& s) {
   set_elasticity(s.model, s.terms);
   set_masses(s.model, s.excavated.absent, s.terms);
   s.external.weigh(s.model, s.excavated.absent);
-  renew_strain_rows(s);
+  renew_all_strain_rows(s);
 }
 
 void change_rock(bool contacts_move, BlockSystem& s) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/contact/closure.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
@@ -15,7 +16,6 @@
 #include "engine/model/current_outline.h"
 #include "engine/model/held_flags.h"
 #include "engine/simulation/block_extent.h"
-#include "engine/simulation/open_contact.h"
 
 namespace dda {
 namespace {

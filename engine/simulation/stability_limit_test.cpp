@@ -23,8 +23,8 @@ TEST(StabilityLimit, IsThatOfTheLargestFrequency) {
   for (int scene = 0; scene < 200; ++scene) {
     const RandomBondedScene drawn(random, true);
     const Model model = drawn.with(drawn.random_stage(random, 0.7 * drawn.stable_dt(), 1));
-    if (!model.held_blocks.empty()) continue;  // of those dense_modes() knows nothing
-    const double exact = 2 / std::sqrt(dense_modes(model).squares.maxCoeff());
+    if (!model.held_blocks.empty()) continue;  // of those modes_of() knows nothing
+    const double exact = 2 / std::sqrt(modes_of(model).squares.maxCoeff());
     const double limit = stability_limit(model, 0);
     EXPECT_LT(limit, 0.99505 * exact) << "scene " << scene;
     EXPECT_GT(limit, 0.9945 * exact) << "scene " << scene;
@@ -60,7 +60,7 @@ TEST(StabilityLimit, IsKeptByRuns) {
     constexpr int steps = 20'000;
     Model model = drawn.with(explicit_stage(0.999 * drawn.stable_dt(), steps));
     model.edge_loads.clear();
-    const DenseModes modes = dense_modes(model);
+    const DenseModes modes = modes_of(model);
     Eigen::VectorXd start = Eigen::VectorXd::Zero(modes.squares.size());
     for (Eigen::Index mode = 3; mode < start.size(); ++mode) start += velocity(random) * modes.shapes.col(mode);
     set_in_motion(start, model);

@@ -74,9 +74,7 @@ double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, dou
   double largest = 0;
   for (const InterfaceElement& element : contacts.elements) {
     const double mass = least_mass(terms, element.block_a, element.block_b);
-    const double normal_stiffness =
-        !has_stress_rows(element) ? element.stiffness(0) + element.stiffness(2) : element.stiffness(0);
-    largest = std::max(largest, normal_stiffness * dt * dt / mass);
+    largest = std::max(largest, normal_stiffness(element) * dt * dt / mass);
   }
   return largest;
 }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -12,6 +11,7 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/make_contacts.h"
+#include "engine/linear/dense_modes.h"
 #include "engine/terms/inertia.h"
 #include "engine/waves/cubic_inertia.h"
 #include "engine/waves/mesh_correction.h"
@@ -163,7 +163,7 @@ double least_share(const Model& model) {
       added.block<6, 6>(6L * k, 6L * i) = coupling(corrected.inertia, i, k).transpose();
     }
   }
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(own + added, own).eigenvalues().minCoeff();
+  return dense_modes(own + added, own).squares.minCoeff();
 }
 
 // A row of blocks of two lengths and one in between, of two materials, under steps that a wave needs for a twentieth of

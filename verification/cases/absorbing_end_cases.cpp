@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scheme.h"
+#include "engine/builder/scheme.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/end_reflection.h"
 #include "verification/cases/jointed_bar.h"

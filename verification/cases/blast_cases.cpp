@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/free_outline.h"
+#include "engine/builder/free_outline.h"
 
 #include "verification/cases/bar_case.h"
 #include "verification/cases/cavity_mesh.h"

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "verification/exact/wave_speeds.h"
 
 namespace verify {

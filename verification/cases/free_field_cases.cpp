@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "verification/cases/bar_case.h"
 #include "verification/harness/histories.h"
 #include "verification/harness/recorded_run.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "engine/builder/generators.h"
 #include "engine/contact/interface_element.h"
 #include "engine/contact/make_element.h"
-#include "engine/scene/generators.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/recorded_run.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "engine/simulation/simulation.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/swing.h"

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "engine/scene/free_outline.h"
+#include "engine/builder/free_outline.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/cavity_mesh.h"
 #include "verification/cases/opening_mesh.h"

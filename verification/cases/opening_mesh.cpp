@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "engine/scene/free_outline.h"
+#include "engine/builder/free_outline.h"
 #include "verification/cases/cavity_mesh.h"
 #include "verification/exact/kirsch.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "verification/cases/bar_case.h"
 #include "verification/cases/swing.h"
 #include "verification/exact/wave_speeds.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "verification/cases/bar_case.h"
 #include "verification/exact/viscous_reflection.h"
 #include "verification/harness/histories.h"

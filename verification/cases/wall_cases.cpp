@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "verification/cases/contact_rig.h"
 #include "verification/exact/brick_wall.h"
 #include "verification/suite/expect.h"

@@ -1,6 +1,6 @@
 #include "verification/harness/cavity.h"
 
-#include "engine/scene/free_outline.h"
+#include "engine/builder/free_outline.h"
 
 namespace verify {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "engine/scene/scheme.h"
+#include "engine/builder/scheme.h"
 #include "engine/simulation/block_terms.h"
 #include "verification/precision/bar_run.h"
 #include "verification/precision/grid.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "verification/exact/wave_speeds.h"
 #include "verification/harness/recorded_run.h"
 #include "verification/precision/scheme_settings.h"

@@ -5,11 +5,11 @@
 #include <map>
 #include <utility>
 
+#include "engine/contact/closure.h"
 #include "engine/contact/no_tension_bed.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/overlap.h"
 #include "engine/model/current_outline.h"
-#include "engine/simulation/penetration.h"
 
 namespace verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 
 namespace verify {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "engine/scene/ground_plan.h"
+#include "engine/builder/ground_plan.h"
 #include "verification/harness/cavity.h"
 
 namespace verify {

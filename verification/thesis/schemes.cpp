@@ -3,7 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "engine/scene/scheme.h"
+#include "engine/builder/scheme.h"
 
 namespace verify {
 namespace {

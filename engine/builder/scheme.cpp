@@ -1,4 +1,4 @@
-#include "engine/scene/scheme.h"
+#include "engine/builder/scheme.h"
 
 namespace dda {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "engine/builder/ground_plan.h"
 #include "engine/model/model.h"
-#include "engine/scene/ground_plan.h"
 
 namespace dda {
 

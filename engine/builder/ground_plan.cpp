@@ -1,4 +1,4 @@
-#include "engine/scene/ground_plan.h"
+#include "engine/builder/ground_plan.h"
 
 #include <algorithm>
 #include <cmath>

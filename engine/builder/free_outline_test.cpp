@@ -1,4 +1,4 @@
-#include "engine/scene/free_outline.h"
+#include "engine/builder/free_outline.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 #include "engine/scene/scene.h"
 
 namespace dda {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "engine/builder/names.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/near_shapes.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/model.h"
-#include "engine/scene/names.h"
 
 namespace dda {
 

@@ -7,8 +7,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/scene/field.h"
-
 namespace dda {
 
 class Names {
@@ -32,11 +30,8 @@ class Names {
     return found == index_.end() ? std::nullopt : std::optional(static_cast<int>(found->second));
   }
 
-  // The index of the name that the field holds; fails with a list of all names where it is none of them.
-  [[nodiscard]] int choice(const Field& field) const {
-    if (const auto index = find(field.text())) return *index;
-    return static_cast<int>(field.choice(list_));
-  }
+  // All of them, in the order of their indices.
+  [[nodiscard]] const std::vector<std::string>& all() const { return list_; }
 
  private:
   std::vector<std::string> list_;

@@ -1,4 +1,4 @@
-#include "engine/scene/free_outline.h"
+#include "engine/builder/free_outline.h"
 
 #include <algorithm>
 #include <cmath>

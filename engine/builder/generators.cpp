@@ -1,4 +1,4 @@
-#include "engine/scene/generators.h"
+#include "engine/builder/generators.h"
 
 #include <fmt/format.h>
 

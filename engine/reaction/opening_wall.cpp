@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/contact/interface.h"
+#include "engine/model/common_centroid.h"
 
 namespace dda {
 namespace {
@@ -43,17 +44,6 @@ std::vector<WallPoint> last_crossings(const OpeningWall& wall, const Vec2& direc
   return points;
 }
 
-Vec2 centroid_of(const std::vector<int>& blocks, const Model& model) {
-  double area = 0;
-  Vec2 sum = Vec2::Zero();
-  for (const int block : blocks) {
-    const AreaMoments& moments = model.blocks[static_cast<std::size_t>(block)].moments;
-    area += moments.area;
-    sum += moments.area * moments.centroid;
-  }
-  return sum / area;
-}
-
 double inward_at(WallPlace place, const OpeningWall& wall, const auto& moved) {
   const std::vector<WallPoint>& points = wall.places[static_cast<std::size_t>(place)];
   if (points.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -77,7 +67,7 @@ OpeningWall wall_of(const std::vector<int>& opening, const std::vector<bool>& ab
     return !is_taken[i] && (absent.empty() || !absent[i]);
   };
   OpeningWall wall;
-  wall.centroid = centroid_of(opening, model);
+  wall.centroid = common_centroid(opening, model);
   for (const Interface& face : find_interfaces(model)) {
     if (face.length == 0) continue;  // corners that touch have no wall between them
     const bool a_is_taken = is_taken[static_cast<std::size_t>(face.block_a)];

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/error.h"
+#include "engine/model/common_centroid.h"
 #include "engine/scene/places.h"
 #include "engine/scene/sections.h"
 
@@ -128,17 +129,6 @@ void append_held(HeldBlock held, const std::vector<int>& blocks, const Field& na
   }
 }
 
-Vec2 centroid_of(const std::vector<int>& blocks, const Model& model) {
-  double area = 0;
-  Vec2 sum = Vec2::Zero();
-  for (const int block : blocks) {
-    const AreaMoments& moments = model.blocks[static_cast<std::size_t>(block)].moments;
-    area += moments.area;
-    sum += moments.area * moments.centroid;
-  }
-  return sum / area;
-}
-
 // A turn goes with a displacement, a spin with a velocity; either may stand alone.
 void read_turn(const Field& field, RecordFiles& records, HeldBlock& held) {
   const bool alone = held.amplitude.isZero(0) && amplitude_of(field).path() == field.path();
@@ -167,7 +157,7 @@ void read_held_blocks(const Field& field, const std::vector<std::string>& groups
   read_motion(field, records, held);
   read_turn(field, records, held);
   held.about =
-      value_or(field, "about", centroid_of(blocks, model), [](const Field& f) { return f.vector(Dimension::length); });
+      value_or(field, "about", common_centroid(blocks, model), [](const Field& f) { return f.vector(Dimension::length); });
   append_held(held, blocks, name, model);
 }
 

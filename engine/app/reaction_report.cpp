@@ -36,6 +36,12 @@ Json loose_json(const std::vector<UnbalancedBlock>& loose, const Model& model) {
   return list;
 }
 
+Json names_of(const std::vector<int>& blocks, const Model& model) {
+  Json list = Json::array();
+  for (const int block : blocks) list.push_back(name_of(block, model));
+  return list;
+}
+
 Json point_json(const ReactionPoint& point, double pressure, const Model& model) {
   return {{"share", point.share},
           {"pressure", point.share * pressure},
@@ -90,6 +96,12 @@ std::vector<std::string> remarks_on(const ReactionCurve& curve, const Model& mod
         fmt::format("With all of its support left nothing holds {} any more: that does not end the curve, and the "
                     "wall is followed without.",
                     named_with_places(model, curve.loose_at_full_share)));
+  if (!curve.removed_with_it.empty())
+    remarks.push_back(fmt::format("{} that the same stage takes out let{} go to the same share.",
+                                  curve.removed_with_it.size() == 1
+                                      ? "Another block"
+                                      : fmt::format("{} other blocks", curve.removed_with_it.size()),
+                                  curve.removed_with_it.size() == 1 ? "s" : ""));
   if (!curve.left_out.empty())
     remarks.push_back(
         fmt::format("Left out, as support that comes with the opening or later: {}.", fmt::join(curve.left_out, ", ")));
@@ -117,6 +129,7 @@ std::string reaction_json(const ReactionCurve& curve, const std::string& opening
             {"fails_at", failure ? Json(failure->share) : Json()},
             {"remarks", remarks_on(curve, model)},
             {"left_out", curve.left_out},
+            {"removed_with_it", names_of(curve.removed_with_it, model)},
             {"loose_in_situ", loose_json(curve.loose_in_situ, model)},
             {"loose_at_full_share", loose_json(curve.loose_at_full_share, model)},
             {"points", Json::array()}};

@@ -60,6 +60,7 @@ struct EdgeLoad {
   TimeFunction history;
   StageSpan stages = {};     // in which it acts
   Vec2 rise = Vec2::Zero();  // Pa, by which it is more than the mean at `to`, and less at `from`; in a straight line
+  bool follows = false;      // turns with its stretch, as the pressure of a gas does; else directions stay as drawn
 };
 
 // A spring between a material point of a block and a point that moves as prescribed (or stands still).

@@ -25,14 +25,23 @@ struct Settled {
   std::vector<UnbalancedBlock> loose;  // of all stages so far, and at a share of 1
 };
 
+// Which blocks are not there before the last stage, or are taken out by it.
+std::vector<bool> no_longer_there(const Model& model) {
+  std::vector<bool> away = model.absent_in(model.stages.size() - 2);
+  away.resize(model.blocks.size(), false);
+  for (const int block : model.stages.back().removal.blocks) away[static_cast<std::size_t>(block)] = true;
+  return away;
+}
+
 // The mean normal stress that the opening exerts on what stays, over its wall, Pa, positive in compression.
 double mean_pressure(const Simulation& simulation, const std::vector<int>& opening, const OpeningWall& wall) {
+  const std::vector<bool> away = no_longer_there(simulation.model());
   Measurement force;
   force.quantity = Quantity::contact_force;
   force.others = opening;
   std::ranges::sort(force.others);
-  for (std::size_t i = 0; i < simulation.model().blocks.size(); ++i)
-    if (!std::ranges::binary_search(force.others, static_cast<int>(i))) force.blocks.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < away.size(); ++i)
+    if (!away[i]) force.blocks.push_back(static_cast<int>(i));
   constexpr Eigen::Index normal = 2;
   return -contact_force(simulation, force, make_cut(simulation, force))(normal) / wall.length;
 }
@@ -118,7 +127,8 @@ ReactionCurve ground_reaction(const Model& model, const ReactionQuestion& questi
   const Model& scene = unloading.model;
   ReactionCurve curve;
   curve.left_out = unloading.left_out;
-  curve.wall = wall_of(question.opening, scene.absent_in(scene.stages.size() - 2), scene);
+  curve.removed_with_it = unloading.removed_with_it;
+  curve.wall = wall_of(question.opening, no_longer_there(scene), scene);
   if (curve.wall.faces.empty())
     throw InputError("", "the opening", "without faces along blocks that stay", "one that the rock touches");
   Settled settled = settle(scene, question.opening, curve.wall);

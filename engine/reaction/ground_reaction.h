@@ -19,7 +19,7 @@
 namespace dda {
 
 struct ReactionQuestion {
-  std::vector<int> opening;    // blocks, in a run taken out by one stage or by none
+  std::vector<int> opening;    // blocks, in a run taken out by one stage, others beside them or not, or by none
   std::vector<double> shares;  // from 1 to 0, decreasing
 };
 
@@ -47,6 +47,7 @@ struct ReactionCurve {
   // counted in the motion of the wall.
   std::vector<UnbalancedBlock> loose_at_full_share;
   std::vector<std::string> left_out;  // names of bolts and linings that come with the opening or later
+  std::vector<int> removed_with_it;   // blocks that the same stage takes out, which let go to the same share
 };
 
 // `progress` is called with every point. Throws InputError (without a file) as unloading_of does, and where the opening

@@ -147,12 +147,38 @@ TEST(GroundReaction, LeavesOutSupportOfLaterStagesBehindOneOfOurOwn) {
   EXPECT_EQ(unloading.left_out, std::vector<std::string>{"late"});
 }
 
-TEST(GroundReaction, OfBlocksThatNoStageTakesOutAloneIsRefused) {
+TEST(GroundReaction, OfBlocksThatSeveralStagesTakeOutIsRefused) {
   Model model = rings_around_core(16);
   model.stages[1].removal.blocks = {0, 1};
-  EXPECT_THROW((void)ground_reaction(model, {{0}, {0}}), InputError);
-  EXPECT_THROW((void)ground_reaction(model, {{0, 1, 2}, {0}}), InputError);
+  try {
+    (void)ground_reaction(model, {{0, 1, 2}, {0}});
+    FAIL() << "block 2 stays";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.value(), "of 3 blocks, of which stage \"" + model.stages[1].name + "\" removes 2");
+  }
   EXPECT_NO_THROW((void)ground_reaction(model, {{0, 1}, {0}}));
+}
+
+// The wall of an opening taken out together with another is what it has of the rock that stays, and comes in as the
+// wall of both does there.
+TEST(GroundReaction, OfAnOpeningTakenOutWithAnotherLetsBothGo) {
+  Model model = rings_around_core(16);
+  model.stages[1].removal.blocks = {0, 1, 2};
+  const ReactionCurve both = ground_reaction(model, {{0, 1, 2}, {1, 0.4, 0}});
+  const ReactionCurve core = ground_reaction(model, {{0}, {1, 0.4, 0}});
+  const ReactionCurve others = ground_reaction(model, {{1, 2}, {1, 0.4, 0}});
+  EXPECT_EQ(core.removed_with_it, (std::vector<int>{1, 2}));
+  EXPECT_EQ(others.removed_with_it, std::vector<int>{0});
+  EXPECT_TRUE(both.removed_with_it.empty());
+  EXPECT_EQ(core.wall.faces.size(), 14U);
+  EXPECT_NEAR(core.wall.length + others.wall.length, both.wall.length, 1e-12);
+  EXPECT_NEAR(core.pressure / pressure, 1, 1e-12);  // round-off: the stress in situ is uniform
+  ASSERT_EQ(core.points.size(), 3U);
+  for (std::size_t i = 0; i < core.points.size(); ++i) {
+    ASSERT_TRUE(core.points[i].settles()) << core.points[i].reason;
+    EXPECT_NEAR(core.points[i].motion.mean * core.wall.length + others.points[i].motion.mean * others.wall.length,
+                both.points[i].motion.mean * both.wall.length, 1e-12 * both.points.back().motion.mean);
+  }
 }
 
 TEST(OpeningWall, HasItsPlacesWhereRaysFromTheMiddleLeaveIt) {

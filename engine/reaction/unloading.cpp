@@ -30,21 +30,32 @@ Stage static_stage(const std::string& name, const Stage& like) {
   return stage;
 }
 
+bool has(const std::vector<int>& blocks, int block) { return std::ranges::find(blocks, block) != blocks.end(); }
+
+std::string blocks_counted(std::size_t count) { return fmt::format("{} block{}", count, count == 1 ? "" : "s"); }
+
 // Returns the stage that takes the opening out, or the number of stages where none does.
 std::size_t stage_of(const std::vector<int>& opening, const Model& model) {
-  const auto is_of_opening = [&](int block) { return std::ranges::find(opening, block) != opening.end(); };
+  const auto is_of_opening = [&](int block) { return has(opening, block); };
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
-    const std::vector<int>& removed = model.stages[i].removal.blocks;
-    const auto common = static_cast<std::size_t>(std::ranges::count_if(removed, is_of_opening));
+    const auto common =
+        static_cast<std::size_t>(std::ranges::count_if(model.stages[i].removal.blocks, is_of_opening));
     if (common == 0) continue;
-    if (common != opening.size() || common != removed.size())
+    if (common != opening.size())
       throw InputError("", "the opening",
-                       fmt::format("of {} blocks, {} of which stage \"{}\" removes, and {} others", opening.size(),
-                                   common, model.stages[i].name, removed.size() - common),
-                       "one that a single stage removes, and nothing else with it");
+                       fmt::format("of {}, of which stage \"{}\" removes {}", blocks_counted(opening.size()),
+                                   model.stages[i].name, common),
+                       "one that a single stage removes");
     return i;
   }
   return model.stages.size();
+}
+
+// What the stage that takes the opening out removes beside it.
+std::vector<int> removed_with(const std::vector<int>& opening, const Stage& stage) {
+  std::vector<int> others = stage.removal.blocks;
+  std::erase_if(others, [&](int block) { return has(opening, block); });
+  return others;
 }
 
 // Returns how many of the scene's own stages are kept.
@@ -67,7 +78,7 @@ int keep_stages_in_situ(const std::vector<int>& opening, Model& model) {
   }
   Stage last = static_stage(is_taken_out ? like.name : "opening", is_taken_out ? like : model.stages.back());
   last.duration = fade;
-  last.removal = {opening, fading_to(1)};
+  last.removal = {is_taken_out ? like.removal.blocks : opening, fading_to(1)};
   if (is_taken_out) last.rock = like.rock;
   model.stages.push_back(std::move(last));
   return static_cast<int>(kept);
@@ -121,6 +132,7 @@ Unloading unloading_of(Model model, const std::vector<int>& opening) {
   refuse_free_field_sides(model);
   Unloading unloading;
   const int kept = keep_stages_in_situ(opening, model);
+  unloading.removed_with_it = removed_with(opening, model.stages.back());
   leave_out_support(kept, model.bolts, unloading.left_out);
   leave_out_support(kept, model.linings, unloading.left_out);
   leave_out_late_loads(kept, model, model.point_loads, unloading.left_out);

@@ -29,7 +29,7 @@ StageSpan read_stages_of(const Field& field, const Model& model) {
 }
 
 void read_point_load(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
-  refuse(field, {"traction", "pressure"}, "for a point, which takes a force");
+  refuse(field, {"traction", "pressure", "follows"}, "for a point, which takes a force");
   const auto [block, point] = read_point(field, plan, model);
   model.point_loads.push_back({block, point, field.at("force").vector(Dimension::force),
                                read_history(field, Dimension::force, records), read_stages_of(field, model)});
@@ -67,11 +67,26 @@ std::vector<Stretch> read_loaded_faces(const Field& field, const GroundPlan& pla
   return faces;
 }
 
-void add_pressure(const FacePressure& pressure, const Stretch& s, const TimeFunction& history, const StageSpan& stages,
-                  Model& model) {
-  for (const PressedPart& part : pressure.on(s))
-    model.edge_loads.push_back({s.block, part.from, part.to, (part.at_from + part.at_to) / 2 * s.inward, history,
-                                stages, (part.at_to - part.at_from) / 2 * s.inward});
+// Whether a pressure stays square to faces that turn, which only stages of finite kinematics see.
+bool read_follows(const Field& load, const StageSpan& stages, const Model& model) {
+  const auto field = load.find("follows");
+  if (!field || !field->truth()) return false;
+  for (std::size_t i = 0; i < model.stages.size(); ++i)
+    if (stages.has(i) && model.stages[i].kinematics == Kinematics::finite) return true;
+  field->fail("true in stages of small kinematics, in which faces stay as drawn", "a stage of finite kinematics");
+}
+
+void read_pressure(const Field& field, const std::vector<Stretch>& stretches, const TimeFunction& history,
+                   const StageSpan& stages, Model& model) {
+  const FacePressure pressure(field.at("pressure"));
+  const bool follows = read_follows(field, stages, model);
+  const std::size_t before = model.edge_loads.size();
+  for (const Stretch& s : stretches)
+    for (const PressedPart& part : pressure.on(s))
+      model.edge_loads.push_back({s.block, part.from, part.to, (part.at_from + part.at_to) / 2 * s.inward, history,
+                                  stages, (part.at_to - part.at_from) / 2 * s.inward, follows});
+  if (model.edge_loads.size() == before)
+    field.at("pressure").fail("nowhere on the edge above 0", "a pressure on some part of it");
 }
 
 void read_edge_load(const Field& field, const GroundPlan& plan, const std::vector<std::string>& groups,
@@ -82,12 +97,10 @@ void read_edge_load(const Field& field, const GroundPlan& plan, const std::vecto
   const Field value = field.at(kind);
   const TimeFunction history = read_history(field, kind == "force" ? Dimension::force : Dimension::stress, records);
   if (kind == "pressure") {
-    const FacePressure pressure(value);
-    const std::size_t before = model.edge_loads.size();
-    for (const Stretch& s : stretches) add_pressure(pressure, s, history, stages, model);
-    if (model.edge_loads.size() == before) value.fail("nowhere on the edge above 0", "a pressure on some part of it");
+    read_pressure(field, stretches, history, stages, model);
     return;
   }
+  refuse(field, {"follows"}, "beside a traction or force, which keeps its direction");
   const bool in_situ = kind == "traction" && value.is_text();  // the schema knows one text
   Vec2 traction = Vec2::Zero();
   if (kind == "traction" && !in_situ) traction = value.vector(Dimension::stress);

@@ -11,6 +11,13 @@ namespace {
 
 const TimeFunction always = Constant{};
 
+// The load whose stretch lies between these offsets from the centroid of its block.
+Vec6 force_of(const EdgeLoad& load, const Vec2& from, const Vec2& to) {
+  if (!load.follows) return edge_load(from, to, load.traction, load.rise);
+  const auto turned = [&](const Vec2& traction) { return turned_with_edge(load.to - load.from, to - from, traction); };
+  return edge_load(from, to, turned(load.traction), turned(load.rise));
+}
+
 }  // namespace
 
 ExternalForces::ExternalForces(const Model& model, const State& state, const WaveCorrections& waves) {
@@ -61,8 +68,7 @@ void ExternalForces::update_geometry(const Model& model, const State& state) {
   for (const PointLoad& load : model.point_loads)
     loads_[next++].force = point_load(offset(load.block, load.point), load.force);
   for (const EdgeLoad& load : model.edge_loads)
-    loads_[next++].force =
-        edge_load(offset(load.block, load.from), offset(load.block, load.to), load.traction, load.rise);
+    loads_[next++].force = force_of(load, offset(load.block, load.from), offset(load.block, load.to));
   for (const Reaction& reaction : reactions_) {
     const PointSupport& support = model.supports[reaction.support];
     loads_[next++].force = point_load(offset(support.block, support.point), reaction.force);

@@ -13,6 +13,15 @@ inline Vec6 edge_load(const Vec2& from, const Vec2& to, const Vec2& traction) {
   return point_load((from + to) / 2, (to - from).norm() * traction);
 }
 
+// Turns with an edge drawn from end to end as `drawn`, which is `now` now: what a traction has along and across the
+// edge it keeps along and across it.
+inline Vec2 turned_with_edge(const Vec2& drawn, const Vec2& now, const Vec2& traction) {
+  const double size = drawn.norm() * now.norm();
+  const double cosine = drawn.dot(now) / size;
+  const double sine = (drawn.x() * now.y() - drawn.y() * now.x()) / size;
+  return {cosine * traction.x() - sine * traction.y(), sine * traction.x() + cosine * traction.y()};
+}
+
 // One that goes in a straight line from traction - rise to traction + rise: with x from -1 to 1 along the edge, the
 // integral of rise x (middle + half x) is that of a couple, rise times half of the edge times a third of its length.
 inline Vec6 edge_load(const Vec2& from, const Vec2& to, const Vec2& traction, const Vec2& rise) {

@@ -47,6 +47,9 @@ std::string blast_json(const BlastStudy& study) {
   for (const BlastResult& result : study.results) json["results"].push_back(json_of(result));
   for (const DecayResult& d : study.decays)
     json["decays"].push_back({{"decay_time", d.decay_time}, {"H1", json_of(d.level)}, {"V1", json_of(d.upright)}});
+  json["edges"] = Json::array();
+  for (const EdgeResult& edge : study.edges)
+    json["edges"].push_back({{"name", edge.name}, {"point", edge.point}, {"difference", edge.difference}});
   return json.dump(1) + "\n";
 }
 
@@ -61,6 +64,8 @@ BlastStudy blast_from_json(std::string_view text) {
     for (const Json& result : json.at("results")) study.results.push_back(result_from(result));
     for (const Json& d : json.at("decays"))
       study.decays.push_back({d.at("decay_time"), reading_from(d.at("H1")), reading_from(d.at("V1"))});
+    for (const Json& e : json.at("edges"))
+      study.edges.push_back({e.at("name"), e.at("point"), e.at("difference")});
     return study;
   } catch (const Json::exception&) {
     throw dda::InputError("blast.json", "its content", "no blast study",

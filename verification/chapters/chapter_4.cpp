@@ -162,6 +162,8 @@ Statement stress_is_reproduced(const BlastStudy& study, bool level) {
                      }));
 }
 
+constexpr double visible_reflection = 0.05;  // share of the peak
+
 Statement upright_over_level(const BlastStudy& study) {
   const double printed = thesis_blast().upright_stress / thesis_blast().level_stress;
   return judged_over(
@@ -173,12 +175,18 @@ Statement upright_over_level(const BlastStudy& study) {
       }));
 }
 
-Statement no_reflections() {
-  Statement statement = open_statement("4-no-reflections", "There are no reflected waves from the boundaries", "none",
-                                       "The study keeps peaks, not histories, and ends as reflections come back. What "
-                                       "viscous edges send back is asserted in the catalogue for known angles.");
-  statement.ours = std::string("not judged");
-  return statement;
+Statement no_reflections(const BlastStudy& study) {
+  std::vector<Reading> all;
+  for (const EdgeResult& edge : study.edges)
+    all.push_back({edge.name, edge.difference <= visible_reflection,
+                   fmt::format("{:.1f} % of the peak, at {}", 100 * edge.difference, edge.point)});
+  return judged_over(
+      open_statement("4-no-reflections", "There are no reflected waves from the boundaries", "none",
+                     "Velocities at the points up to edges 23 m away against those in rock to 39 m, until 9 ms, so "
+                     "that waves from the nearer edges are back and none from the farther ones. Tolerance: 5 % of the "
+                     "peak, which a figure of histories shows as nothing. The thesis' edges are farther away, so that "
+                     "weaker waves reach them."),
+      all);
 }
 
 Table readings_table(const BlastStudy& study) {
@@ -203,7 +211,7 @@ Chapter chapter_4(const BlastStudy& study) {
   chapter.statements = {
       times_are_reproduced(study),        mid_range_errors(study),    near_errors_are_larger(study),
       upright_is_better(study),           falls_with_distance(study), stress_is_reproduced(study, true),
-      stress_is_reproduced(study, false), upright_over_level(study),  no_reflections()};
+      stress_is_reproduced(study, false), upright_over_level(study),  no_reflections(study)};
   chapter.assumptions = {
       "runs: `dry` (corner springs of 10 E, friction 45 deg, Eq. 5: the thesis' text), `element` (the same, pressed "
       "through the text's element of eight blocks, whose inner edges are half as long), `glued` (the same springs, "

@@ -98,6 +98,14 @@ TEST(Chapter4, TheThesisTableConfirmsItself) {
   EXPECT_EQ(verdict(chapter, "4-no-reflections"), std::nullopt);
 }
 
+TEST(Chapter4, EdgesAreJudgedByWhatComesBack) {
+  BlastStudy study = printed_blast();
+  study.edges = {{"dry", "H1", 0.02}, {"glued", "V2", 0.049}, {"continuous", "H2", 0.06}};
+  EXPECT_EQ(verdict(chapter_4(study), "4-no-reflections"), true);
+  study.edges[1].difference = 0.051;
+  EXPECT_EQ(verdict(chapter_4(study), "4-no-reflections"), false);
+}
+
 TEST(Chapter4, WrongTimesAndStressesAreSeen) {
   BlastStudy study = printed_blast();
   std::vector<BlastReading>& readings = study.results.front().readings;
@@ -113,6 +121,7 @@ TEST(Chapter4, WrongTimesAndStressesAreSeen) {
 TEST(Chapter4, AStudyIsReadAsItWasWritten) {
   BlastStudy study = printed_blast();
   study.decays.push_back({4e-3, {1, 2, 3}, {4, 5, 6}});
+  study.edges.push_back({"dry", "H1", 0.125});
   const BlastStudy read = blast_from_json(blast_json(study));
   EXPECT_EQ(blast_json(read), blast_json(study));
   EXPECT_EQ(read.points.size(), study.points.size());

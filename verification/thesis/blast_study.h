@@ -29,10 +29,19 @@ struct DecayResult {
   BlastReading level, upright;
 };
 
+// What the viscous edges of a small domain send back: the largest difference of velocities to those in a domain twice as
+// far each way, from which nothing has come back by then, over the peak there.
+struct EdgeResult {
+  std::string name;       // of the scheme
+  std::string point;      // with the largest difference
+  double difference = 0;  // share of the peak
+};
+
 struct BlastStudy {
   std::vector<PrintedArrival> points;
   std::vector<BlastResult> results;
   std::vector<DecayResult> decays;
+  std::vector<EdgeResult> edges;
   int blocks = 0;
   double dt = 0;        // s
   double duration = 0;  // s
@@ -42,6 +51,7 @@ struct BlastOptions {
   BlastMesh mesh;
   double duration = 22e-3;                                                // s
   std::vector<double> decay_times{0.364e-3, 0.729e-3, 2e-3, 4e-3, 8e-3};  // s, on a small mesh
+  double duration_of_edges = 9e-3;                                        // s, of a small mesh and one twice as large
 };
 
 // Throws std::runtime_error, saying when and why, if a run fails.

@@ -15,7 +15,7 @@ namespace {
 
 // To 15 m each way, until H1 and V1 have passed.
 const BlastStudy& small_study() {
-  static const BlastStudy study = run_blast_study(thesis_blast(), {{1, 1}, 3.5e-3, {4e-3}});
+  static const BlastStudy study = run_blast_study(thesis_blast(), {{1, 1}, 3.5e-3, {4e-3}, 0});
   return study;
 }
 

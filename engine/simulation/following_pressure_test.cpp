@@ -78,8 +78,8 @@ TEST(FollowingPressure, AllAroundABlockThatTurnsOnlyPressesIt) {
     Simulation simulation = simulation_of(std::move(model));
     run(simulation, 1500);
     const State& state = simulation.state();
-    // Round-off of 1e6 N a side, on a ton and more, over 0.3 s. Pressure as drawn has moments of its size on a block
-    // that has turned, and brings up to 1e3 rad/s.
+    // Round-off of 1e6 N a side, on a ton and more, over 0.3 s. Pressure that keeps its directions has moments on a
+    // block that has turned, and changes these spins by up to 100 rad/s.
     EXPECT_LT((state.velocity[0].head<2>() - velocity).norm(), 1e-9) << seed;
     // A spin of 20 rad/s stretches the block by rho omega^2 L^2/E, 1e-5.
     EXPECT_NEAR(state.velocity[0](2), spin, 2e-5 * std::abs(spin)) << seed;
@@ -89,7 +89,8 @@ TEST(FollowingPressure, AllAroundABlockThatTurnsOnlyPressesIt) {
   }
 }
 
-// The gas in a hole of a soft block that flies, spins and vibrates: its work is p dV.
+// The gas in a hole of a soft block that flies, spins and vibrates by some percent: its work is p dV. Forces of a step
+// act on the strains of its start, so this is of first order where it is strains that widen the hole.
 TEST(FollowingPressure, InAHoleWorksByItsPressureTimesTheGrowthOfTheHole) {
   std::mt19937 lot(11);
   for (int seed = 0; seed < 10; ++seed) {
@@ -119,7 +120,9 @@ TEST(FollowingPressure, InAHoleWorksByItsPressureTimesTheGrowthOfTheHole) {
       }
       EXPECT_GT(std::abs(simulation.state().displacement[0](2)), 1) << seed;
       EXPECT_LT(error, 2e-3 * most) << seed << ", dt " << dt;
-      if (coarser != 0) EXPECT_NEAR(std::log2(coarser / error), 2, 0.5) << seed;
+      if (coarser != 0) {
+        EXPECT_NEAR(std::log2(coarser / error), 1, 0.01) << seed;
+      }
       coarser = error;
     }
   }
@@ -152,10 +155,11 @@ TEST(FollowingPressure, OnOneSideOfAFreeBlockTurnsWithIt) {
       const Vec6& moved = simulation.state().displacement[0];
       EXPECT_GT(turning * end * end / 2, 2.5);
       const double error = (moved.head<2>() - place).norm() / place.norm();
-      const bool is_of_first_order = integrator.name == "thesis";
-      EXPECT_LT(error, is_of_first_order ? 1e-2 : 1e-4) << integrator.name << ", dt " << dt;
-      if (coarser != 0)
-        EXPECT_NEAR(std::log2(coarser / error), is_of_first_order ? 1 : 2, 0.3) << integrator.name;
+      EXPECT_LT(error, 1e-4) << integrator.name << ", dt " << dt;
+      // Of second order: the directions are those foreseen for the moment of the balance. Measured: 2.0000.
+      if (coarser != 0) {
+        EXPECT_NEAR(std::log2(coarser / error), 2, 0.01) << integrator.name;
+      }
       coarser = error;
     }
   }
@@ -177,16 +181,10 @@ TEST(FollowingPressure, HoldsAHangingFlapAside) {
     const double pressure = wanted * density * gravity * thickness;
     // From the left, so that the flap swings to the right; top of the face first, the block on the left of its way down.
     model.edge_loads = {pressed(0, {-thickness / 2, 0}, {-thickness / 2, -length}, pressure)};
-    Stage stage;
-    stage.name = "wind";
-    stage.integrator = static_integrator();
-    stage.kinematics = Kinematics::finite;
-    stage.equilibrium = 1e-9;
-    model.stages = {stage};
+    // Nothing but the weight turns it back, so steps are as long as inertia needs to be small beside that.
+    model.stages = {stage_of(static_integrator(), 0.1, 3000, Kinematics::finite)};
     Simulation simulation = simulation_of(std::move(model));
-    Status status = Status::ok;
-    while (status == Status::ok && !simulation.finished()) status = simulation.step();
-    ASSERT_EQ(status, Status::ok) << simulation.message();
+    run(simulation, 3000);
     // The pressure has its middle at half the length, but half a thickness beside the line from the hinge: no moment.
     // The hinge gives way by 1e-5 m, its force over its stiffness, and the flap strains by 1e-7.
     EXPECT_NEAR(std::sin(simulation.state().displacement[0](2)), wanted, 1e-6);

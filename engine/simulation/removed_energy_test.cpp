@@ -32,7 +32,7 @@ double removed_of(Block taken, const JointMaterial& joint) {
       if (locate(model.blocks[0].shape, {x + 0.5, y + 0.5}, 0) != Location::outside) continue;
       const bool is_outermost = x == 0 || x == 4 || y == 0 || y == 4;
       if (is_outermost) model.held_blocks.emplace_back().block = static_cast<int>(model.blocks.size());
-      model.blocks.push_back(rectangle("square", x, y, 1, 1));
+      model.blocks.emplace_back().shape.outer = box_ring(x, y, x + 1, y + 1);
     }
   for (Block& block : model.blocks) block.initial_stress = {-pressure, -pressure, 0};
   model.stages = {settled("in situ"), settled("taken out")};

@@ -59,7 +59,7 @@ Statement one_speed_explains(std::span<const Sensor> sensors) {
   for (const Pair& pair : pairs(sensors, true))
     readings.push_back(
         {pair.name(), pair.speed() > 0,
-         fmt::format("{} m/s: the farther one is triggered {:.0f} us {}", pair.speed() > 0 ? "positive" : "no",
+         fmt::format("{} speed: the farther one is triggered {:.0f} us {}", pair.speed() > 0 ? "a" : "no",
                      1e6 * std::abs(pair.far->trigger - pair.near->trigger), pair.speed() > 0 ? "later" : "earlier")});
   const std::vector<double> found = speeds(pairs(sensors, false));
   const double least = std::ranges::min(found);

@@ -30,6 +30,11 @@ Statement judged_over(Statement statement, const std::vector<Reading>& readings)
   const long yes = count(readings, true);
   const long no = count(readings, false);
   statement.confirmed = majority(yes, no);
+  if (readings.empty()) {
+    statement.ours = std::string("not judged");
+    statement.reason += " No run was made for it.";
+    return statement;
+  }
   statement.ours = fmt::format("confirmed for {} of {} readings", yes, yes + no);
   if (yes > 0 && yes <= no) statement.reason += listed(readings, true, "It holds in");
   if (no > 0) statement.reason += listed(readings, false, "It does not hold in");

@@ -29,6 +29,13 @@ TEST(Statement, IsOpenWhereReadingsAreEquallyDividedOrCannotTell) {
   EXPECT_EQ(judged({{"a", std::nullopt, ""}}).confirmed, std::nullopt);
 }
 
+TEST(Statement, SaysThatNothingWasRunForIt) {
+  const Statement s = judged({});
+  EXPECT_EQ(s.confirmed, std::nullopt);
+  EXPECT_EQ(std::get<std::string>(s.ours), "not judged");
+  EXPECT_EQ(s.reason, "Rule. No run was made for it.");
+}
+
 // The limit of 95 % for a linear trend over the stresses of Table 6.1 rests on the last two.
 TEST(LinearFit, TellsALineFromARootAndASquare) {
   const std::vector<double> stress{0, 10, 30, 50};

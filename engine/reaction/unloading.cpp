@@ -38,8 +38,7 @@ std::string blocks_counted(std::size_t count) { return fmt::format("{} block{}",
 std::size_t stage_of(const std::vector<int>& opening, const Model& model) {
   const auto is_of_opening = [&](int block) { return has(opening, block); };
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
-    const auto common =
-        static_cast<std::size_t>(std::ranges::count_if(model.stages[i].removal.blocks, is_of_opening));
+    const auto common = static_cast<std::size_t>(std::ranges::count_if(model.stages[i].removal.blocks, is_of_opening));
     if (common == 0) continue;
     if (common != opening.size())
       throw InputError("", "the opening",

@@ -21,8 +21,8 @@ struct Unloading {
 // The scene's own stages before the opening is taken out go on as they are. Where none of them takes it out these are
 // the static stages that the scene begins with, or one of its own where there are none. Loads and prescribed motions
 // stay what they are when the opening is taken out. Bolts and linings that come with it or later are left out: they are
-// the support to be chosen, and those that were there before belong to the rock. Other blocks that the scene takes out in
-// the same stage let go to the same share. Throws InputError (without a file) where a stage takes out parts of the
+// the support to be chosen, and those that were there before belong to the rock. Other blocks that the scene takes out
+// in the same stage let go to the same share. Throws InputError (without a file) where a stage takes out parts of the
 // opening, or as finish_model does.
 [[nodiscard]] Unloading unloading_of(Model model, const std::vector<int>& opening);
 

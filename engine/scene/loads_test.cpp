@@ -40,16 +40,16 @@ TEST(Loads, PressureFollowsFacesWhereItIsAsked) {
 
 TEST(Loads, NothingElseFollowsFaces) {
   EXPECT_EQ(refusal_of(R"({"edge": "left", "pressure": 1, "follows": true, "from_stage": "flight"})"), "accepted");
-  for (const char* load :
-       {R"({"edge": "left", "traction": [1, 0], "follows": true})", R"({"edge": "left", "force": [1, 0], "follows": true})",
-        R"({"point": [0, 0.5], "force": [1, 0], "follows": true})",
-        R"({"edge": "left", "pressure": 1, "follows": true, "until_stage": "rest"})"}) {
+  for (const char* load : {R"({"edge": "left", "traction": [1, 0], "follows": true})",
+                           R"({"edge": "left", "force": [1, 0], "follows": true})",
+                           R"({"point": [0, 0.5], "force": [1, 0], "follows": true})",
+                           R"({"edge": "left", "pressure": 1, "follows": true, "until_stage": "rest"})"}) {
     const std::string sentence = refusal_of(load);
     EXPECT_NE(sentence.find("loads[0].follows is true"), std::string::npos) << sentence;
   }
-  EXPECT_NE(refusal_of(R"({"edge": "left", "pressure": 1, "follows": true, "until_stage": "rest"})")
-                .find("small kinematics"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal_of(R"({"edge": "left", "pressure": 1, "follows": true, "until_stage": "rest"})").find("small kinematics"),
+      std::string::npos);
 }
 
 }  // namespace

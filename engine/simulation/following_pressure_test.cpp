@@ -128,7 +128,8 @@ TEST(FollowingPressure, InAHoleWorksByItsPressureTimesTheGrowthOfTheHole) {
   }
 }
 
-// A stiff block that a jet on a part of one side pushes and turns: the moment about its centroid stays, the force turns.
+// A stiff block that a jet on a part of one side pushes and turns: the moment about its centroid stays, the force
+// turns.
 TEST(FollowingPressure, OnOneSideOfAFreeBlockTurnsWithIt) {
   constexpr double pressure = 3e3, end = 1.5, width = 1.2, height = 0.8;
   for (const Integrator& integrator : dynamic_integrators()) {
@@ -156,7 +157,7 @@ TEST(FollowingPressure, OnOneSideOfAFreeBlockTurnsWithIt) {
       EXPECT_GT(turning * end * end / 2, 2.5);
       const double error = (moved.head<2>() - place).norm() / place.norm();
       EXPECT_LT(error, 1e-4) << integrator.name << ", dt " << dt;
-      // Of second order: the directions are those foreseen for the moment of the balance. Measured: 2.0000.
+      // The directions are those foreseen for the moment of the balance: second order. Measured: 2.0000.
       if (coarser != 0) {
         EXPECT_NEAR(std::log2(coarser / error), 2, 0.01) << integrator.name;
       }
@@ -179,7 +180,8 @@ TEST(FollowingPressure, HoldsAHangingFlapAside) {
     hinge.stiffness = support;
     model.supports = {hinge};
     const double pressure = wanted * density * gravity * thickness;
-    // From the left, so that the flap swings to the right; top of the face first, the block on the left of its way down.
+    // From the left, so that the flap swings to the right; top of the face first, the block on the left of its way
+    // down.
     model.edge_loads = {pressed(0, {-thickness / 2, 0}, {-thickness / 2, -length}, pressure)};
     // Nothing but the weight turns it back, so steps are as long as inertia needs to be small beside that.
     model.stages = {stage_of(static_integrator(), 0.1, 3000, Kinematics::finite)};

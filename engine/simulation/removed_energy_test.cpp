@@ -58,8 +58,8 @@ TEST(RemovedEnergy, OfProjectedJointsIsThatOfTheStrains) {
 }
 
 // Two blocks that could touch elsewhere as well have springs (ADR 67): here the corner and the square in its notch, on
-// two faces of 1 m. Each gives way by F/k, k = 100 E/t a metre with t the square's area over its diagonal, and so stores
-// p^2 t/(200 E): for both faces 0.33 % of what the strains do.
+// two faces of 1 m. Each gives way by F/k, k = 100 E/t a metre with t the square's area over its diagonal, and so
+// stores p^2 t/(200 E): for both faces 0.33 % of what the strains do.
 TEST(RemovedEnergy, HasThatOfSpringsWhereProjectedJointsCannotBe) {
   const double springs = 2 * pressure * pressure / (200 * young * std::sqrt(2.0));
   const double removed = removed_of(corner_block(), dry_projected(1));

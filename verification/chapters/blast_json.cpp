@@ -64,8 +64,7 @@ BlastStudy blast_from_json(std::string_view text) {
     for (const Json& result : json.at("results")) study.results.push_back(result_from(result));
     for (const Json& d : json.at("decays"))
       study.decays.push_back({d.at("decay_time"), reading_from(d.at("H1")), reading_from(d.at("V1"))});
-    for (const Json& e : json.at("edges"))
-      study.edges.push_back({e.at("name"), e.at("point"), e.at("difference")});
+    for (const Json& e : json.at("edges")) study.edges.push_back({e.at("name"), e.at("point"), e.at("difference")});
     return study;
   } catch (const Json::exception&) {
     throw dda::InputError("blast.json", "its content", "no blast study",

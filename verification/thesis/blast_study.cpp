@@ -98,8 +98,8 @@ DecayResult run_decay(const ThesisBlast& blast, double decay_time) {
 // Velocities at the points inside this mesh, with the blast minus without.
 std::vector<std::vector<double>> velocities(const ThesisBlast& blast, const Variant& variant, const BlastMesh& mesh,
                                             double duration) {
-  BlastRun run{variant.joint, variant.integrator, blast.time_step, duration, equation_18(blast),
-               true,          mesh,               variant.element};
+  BlastRun run{variant.joint, variant.integrator, blast.time_step, duration, equation_18(blast), true,
+               mesh,          variant.element};
   const RecordedRun with = record_run(blast_scene(blast, run));
   run.loaded = false;
   const RecordedRun without = record_run(blast_scene(blast, run));

@@ -29,8 +29,8 @@ struct DecayResult {
   BlastReading level, upright;
 };
 
-// What the viscous edges of a small domain send back: the largest difference of velocities to those in a domain twice as
-// far each way, from which nothing has come back by then, over the peak there.
+// What the viscous edges of a small domain send back: the largest difference of velocities to those in a domain twice
+// as far each way, from which nothing has come back by then, over the peak there.
 struct EdgeResult {
   std::string name;       // of the scheme
   std::string point;      // with the largest difference

@@ -69,6 +69,21 @@ TEST_F(ReactionCommand, SaysFromWhereOnRockFalls) {
   EXPECT_TRUE(contains(text("out/reaction.svg"), "no rest at a share of"));
 }
 
+TEST_F(ReactionCommand, NamesWhatTheSameStageTakesOut) {
+  nlohmann::json scene = nlohmann::json::parse(keystone);
+  scene["loads"].clear();
+  scene["steps"][1]["remove"] = {"tunnel", "key"};
+  write("scene.json", scene.dump());
+  const Outcome outcome =
+      call({"reaction", path("scene.json"), "--opening", "tunnel", "--steps", "1", "--out", path("out")});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.out, "Another block that the same stage takes out lets go to the same share."))
+      << outcome.out;
+  const nlohmann::json report = nlohmann::json::parse(text("out/reaction.json"));
+  EXPECT_EQ(report["removed_with_it"], nlohmann::json::array({"key"}));
+  EXPECT_NEAR(report["wall_length"].get<double>(), 3, 1e-12);  // without the face that is the key's
+}
+
 // A stone in the air, which nothing holds from the start, is no rock that the opening lets fall.
 TEST_F(ReactionCommand, OfRockWithLooseStonesGoesOnToZero) {
   nlohmann::json scene = nlohmann::json::parse(keystone);

@@ -65,18 +65,26 @@ std::vector<double> difference(const std::vector<double>& with, const std::vecto
   return result;
 }
 
-BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const BlastOptions& options) {
-  BlastRun run{variant.joint, variant.integrator, blast.time_step, options.duration, equation_18(blast),
-               true,          options.mesh,       variant.element};
-  const RecordedRun with = record_run(blast_scene(blast, run));
+struct BlastedAndNot {
+  RecordedRun with, without;
+};
+
+BlastedAndNot run_both(const ThesisBlast& blast, const Variant& variant, const BlastMesh& mesh, double duration) {
+  BlastRun run{variant.joint, variant.integrator, blast.time_step, duration, equation_18(blast), true,
+               mesh,          variant.element};
+  RecordedRun with = record_run(blast_scene(blast, run));
   run.loaded = false;
-  const RecordedRun without = record_run(blast_scene(blast, run));
+  return {std::move(with), record_run(blast_scene(blast, run))};
+}
+
+BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const BlastOptions& options) {
+  const auto [with, without] = run_both(blast, variant, options.mesh, options.duration);
   BlastResult result{variant.name, variant.description, {}, 0, with.cpu_s};
   for (std::size_t i = 0; i + 1 < with.histories.size(); i += 2) {
     for (const double velocity : without.histories[i])
       result.largest_without = std::max(result.largest_without, std::abs(velocity));
     result.readings.push_back(reading_of(difference(with.histories[i], without.histories[i]),
-                                         difference(with.histories[i + 1], without.histories[i + 1]), run.dt));
+                                         difference(with.histories[i + 1], without.histories[i + 1]), blast.time_step));
   }
   return result;
 }
@@ -98,11 +106,7 @@ DecayResult run_decay(const ThesisBlast& blast, double decay_time) {
 // Velocities at the points inside this mesh, with the blast minus without.
 std::vector<std::vector<double>> velocities(const ThesisBlast& blast, const Variant& variant, const BlastMesh& mesh,
                                             double duration) {
-  BlastRun run{variant.joint, variant.integrator, blast.time_step, duration, equation_18(blast), true,
-               mesh,          variant.element};
-  const RecordedRun with = record_run(blast_scene(blast, run));
-  run.loaded = false;
-  const RecordedRun without = record_run(blast_scene(blast, run));
+  const auto [with, without] = run_both(blast, variant, mesh, duration);
   std::vector<std::vector<double>> all;
   for (std::size_t i = 0; i < with.histories.size(); i += 2)
     all.push_back(difference(with.histories[i], without.histories[i]));

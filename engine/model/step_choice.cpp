@@ -69,32 +69,55 @@ double typical(const std::vector<const Block*>& blocks, const Size& size) {
 
 double side_of(const Block& block) { return std::sqrt(block.moments.area); }
 
-// Hz, of the fastest change of a history, taken for a quarter of a period; none of one that does not change.
+// Where a table turns back by more than a little, and its ends: between two of these it rises or falls.
+std::vector<std::size_t> turns_of(const PiecewiseLinear& table, double little) {
+  std::vector<std::size_t> turns{0};
+  std::size_t low = 0, high = 0;  // since the last turn
+  for (std::size_t i = 1; i < table.values.size(); ++i) {
+    if (table.values[i] > table.values[high]) high = i;
+    if (table.values[i] < table.values[low]) low = i;
+    const bool falls = table.values[high] - table.values[i] > little && high != turns.back();
+    const bool rises = table.values[i] - table.values[low] > little && low != turns.back();
+    if (!falls && !rises) continue;
+    turns.push_back(falls ? high : low);
+    low = high = turns.back();
+    (falls ? low : high) = i;
+  }
+  const std::size_t last = high != turns.back() ? high : low;
+  if (last != turns.back()) turns.push_back(last);
+  return turns;
+}
+
+// Hz, of a table: what it would change by between two of its turns, all at its steepest there, is a quarter of a
+// period. So many points in a smooth table do not make it fast (a sine of f in a table is (pi/2) f), and neither does a
+// preload make slow what follows it. Ripples of a twentieth of the whole change count for nothing.
+std::optional<double> table_frequency(const PiecewiseLinear& table) {
+  constexpr double ripple = 0.05;
+  double largest = 0;
+  for (const double value : table.values) largest = std::max(largest, std::abs(value - table.values.front()));
+  if (largest == 0) return std::nullopt;
+  const double little = ripple * largest;
+  const std::vector<std::size_t> turns = turns_of(table, little);
+  double highest = 0;
+  for (std::size_t turn = 1; turn < turns.size(); ++turn) {
+    const double change = std::abs(table.values[turns[turn]] - table.values[turns[turn - 1]]);
+    if (change <= little) continue;
+    double steepest = 0;
+    for (std::size_t i = turns[turn - 1] + 1; i <= turns[turn]; ++i)
+      steepest =
+          std::max(steepest, std::abs(table.values[i] - table.values[i - 1]) / (table.times[i] - table.times[i - 1]));
+    highest = std::max(highest, 0.25 * steepest / change);
+  }
+  return highest;
+}
+
+// Hz, of the fastest change of a history; none of one that does not change.
 std::optional<double> highest_frequency(const TimeFunction& history) {
   if (const auto* sine = std::get_if<SineCycles>(&history)) return sine->frequency;
   if (const auto* decay = std::get_if<ExponentialDecay>(&history))
     return 0.25 / (decay->rise > 0 ? std::min(decay->rise, decay->decay_time) : decay->decay_time);
   const auto* table = std::get_if<PiecewiseLinear>(&history);
-  if (table == nullptr) return std::nullopt;
-  double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < table->times.size(); ++i)
-    if (table->values[i] != table->values[i - 1]) shortest = std::min(shortest, table->times[i] - table->times[i - 1]);
-  return std::isfinite(shortest) ? std::optional(0.25 / shortest) : std::nullopt;
-}
-
-// The frequency of the steepest change of a history, Hz. A change by as much as the history ever leaves its first value
-// is a quarter of a period, so that many points in a smooth table do not make it fast (a sine of f in a table is
-// (pi/2) f), nor a preload slow.
-std::optional<double> steepest_frequency(const TimeFunction& history) {
-  const auto* table = std::get_if<PiecewiseLinear>(&history);
-  if (table == nullptr) return highest_frequency(history);
-  double largest = 0, steepest = 0;
-  for (const double value : table->values) largest = std::max(largest, std::abs(value - table->values.front()));
-  for (std::size_t i = 1; i < table->times.size(); ++i)
-    if (table->values[i] != table->values[i - 1])
-      steepest = std::max(steepest,
-                          std::abs(table->values[i] - table->values[i - 1]) / (table->times[i] - table->times[i - 1]));
-  return largest > 0 ? std::optional(0.25 * steepest / largest) : std::nullopt;
+  return table == nullptr ? std::nullopt : table_frequency(*table);
 }
 
 std::vector<const TimeFunction*> histories_of(const Model& model) {
@@ -110,12 +133,11 @@ std::vector<const TimeFunction*> histories_of(const Model& model) {
 
 // Hz, of loads and prescribed motions or as it is given; 0 where nothing changes. Recordings have their samples
 // instead.
-template <typename Frequency>
-double fastest_change(const Model& model, const Frequency& frequency_of) {
+double fastest_change(const Model& model) {
   if (model.expected.frequency) return *model.expected.frequency;
   double highest = 0;
   for (const TimeFunction* history : histories_of(model))
-    highest = std::max(highest, frequency_of(*history).value_or(0));
+    highest = std::max(highest, highest_frequency(*history).value_or(0));
   return highest;
 }
 
@@ -136,7 +158,7 @@ void limit_by_waves(const Model& model, const Stage& stage, Limit& limit) {
   for (const TimeFunction* history : histories_of(model))
     if (const auto* record = std::get_if<Recorded>(history))
       tighten(limit, record->recording->mean_interval(), "the interval of a recording's samples");
-  if (const double highest = fastest_change(model, highest_frequency); highest > 0)
+  if (const double highest = fastest_change(model); highest > 0)
     tighten(limit, dt_for_wave(model, stage.integrator, highest), fmt::format("waves of {:.3g} Hz", highest));
 }
 
@@ -236,7 +258,7 @@ StepErrors step_errors(const Integrator& i, double theta) {
 }
 
 std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt) {
-  const double frequency = fastest_change(model, steepest_frequency);
+  const double frequency = fastest_change(model);
   if (frequency <= 0) return std::nullopt;
   return FastestWave{frequency, step_errors(stage.integrator, 2 * std::numbers::pi * frequency * dt)};
 }

@@ -6,7 +6,8 @@
 //
 //   waves     time steps may change speed and amplitude of a wave of the highest frequency of loads and prescribed
 //             motions (or of `target_frequency`) by 0.2 % on its way across the scene, by the integrator's own
-//             amplification of an oscillator
+//             amplification of an oscillator. In a table a rise or fall, as steep all along as it is at its steepest,
+//             is a quarter of a period
 //   records   no longer than the interval of a recording's samples
 //   fall      where blocks can part: 1 % of the time sqrt(size/g) in which a block topples or falls by its size
 //   flight    where blocks can part: 1 % of the time in which the fastest block flies its size; blocks start with their
@@ -36,7 +37,7 @@ StepErrors step_errors(const Integrator& integrator, double theta);
 
 // The fastest change of loads and prescribed motions (or `target_frequency`) as a wave; nothing where none changes.
 struct FastestWave {
-  double frequency = 0;  // Hz; a straight line of a table counts as a quarter of a period
+  double frequency = 0;  // Hz; a rise or fall of a table, as if steepest all along, is a quarter of a period
   StepErrors errors;     // by the integrator and dt of a stage
 };
 std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <variant>
 
 namespace dda {
 namespace {
@@ -173,6 +175,48 @@ TEST(StepChoice, OfWavesFollowsTheFrequencyAndTheIntegrator) {
   const double slow = chosen(model);
   model.expected.frequency = 200;
   EXPECT_NEAR(chosen(model) / slow, 0.5, 0.11);  // but for the rounding to 1, 2 and 5
+}
+
+// Samples of sin(2 pi f t) from `start` on, over one period, raised by `preload` over a tenth of a second before.
+PiecewiseLinear sampled_sine(double frequency, int points, double size, double preload) {
+  PiecewiseLinear table{{0}, {0}};
+  const double start = preload > 0 ? 0.1 : 0;
+  if (preload > 0) {
+    table.times.push_back(start);
+    table.values.push_back(preload);
+  }
+  for (int i = 1; i <= points; ++i) {
+    table.times.push_back(start + i / (points * frequency));
+    table.values.push_back(preload + size * std::sin(2 * std::numbers::pi * i / points));
+  }
+  return table;
+}
+
+// A table is as fast as what it draws, and not as the lines that it is made of: a sine of 100 Hz counts as 157 Hz, from
+// 20 points (which gave a third of the step once, and 1,000 points a hundredth) to as many as there may be.
+TEST(StepChoice, OfTablesDoesNotDependOnTheirPoints) {
+  Model model = row_of_squares(true);
+  model.edge_loads = {{0, {0, 0}, {0, 1}, {1e6, 0}, SineCycles{157, 1, 0}}};
+  const double of_sine = chosen(model);
+  for (const int points : {20, 100, 1000, 10000}) {
+    model.edge_loads[0].history = sampled_sine(100, points, 1, 0);
+    EXPECT_EQ(chosen(model), of_sine) << points;
+    model.edge_loads[0].history = sampled_sine(100, points, 0.2, 1);  // on a preload
+    EXPECT_EQ(chosen(model), of_sine) << points << ", behind a preload";
+  }
+  model.edge_loads[0].history = PiecewiseLinear{{0, 0.25 / 157, 1}, {0, 1, 1}};
+  EXPECT_EQ(chosen(model), of_sine);  // a ramp is a quarter of a period, as before
+}
+
+TEST(StepChoice, OfTablesLeavesRipplesOut) {
+  Model model = row_of_squares(true);
+  model.edge_loads = {{0, {0, 0}, {0, 1}, {1e6, 0}, sampled_sine(80, 1000, 1, 0)}};
+  const double smooth = chosen(model);
+  auto& table = std::get<PiecewiseLinear>(model.edge_loads[0].history);
+  for (std::size_t i = 1; i < table.values.size(); i += 2) table.values[i] += 1e-5;  // a third of a line at most
+  EXPECT_EQ(chosen(model), smooth);
+  table.values[1] = -1e-12;  // round-off before the rise
+  EXPECT_EQ(chosen(model), smooth);
 }
 
 TEST(StepChoice, StaysWithinItsBounds) {

@@ -16,6 +16,7 @@
 #include "engine/advice/held_blocks_acted_on.h"
 #include "engine/advice/joint_remarks.h"
 #include "engine/advice/lining_remarks.h"
+#include "engine/advice/spin_remarks.h"
 #include "engine/advice/springs_around_openings.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/geometry/box.h"
@@ -371,12 +372,16 @@ void remark_on_changed_rock(const Model& model, const ContactSet& /*contacts*/, 
   for (std::string& sentence : changed_rock_remarks(model)) remarks.push_back(std::move(sentence));
 }
 
-constexpr auto all_remarks = {remark_on_holding,     remark_on_gravity,      remark_on_tension,
-                              remark_on_materials,   remark_on_sizes,        remark_on_gaps,
-                              remark_on_steps,       remark_on_coarse_steps, remark_on_loads,
-                              remark_on_joints,      remark_on_chatter,      remark_on_chatter_on_slopes,
-                              remark_on_linings,     remark_on_held_blocks,  remark_on_damping_rate,
-                              remark_on_coordinates, remark_on_springs,      remark_on_changed_rock};
+void remark_on_spins(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  for (std::string& sentence : spin_remarks(model, contacts)) remarks.push_back(std::move(sentence));
+}
+
+constexpr auto all_remarks = {
+    remark_on_holding, remark_on_gravity,      remark_on_tension,      remark_on_materials,
+    remark_on_sizes,   remark_on_gaps,         remark_on_steps,        remark_on_coarse_steps,
+    remark_on_loads,   remark_on_joints,       remark_on_chatter,      remark_on_chatter_on_slopes,
+    remark_on_linings, remark_on_held_blocks,  remark_on_damping_rate, remark_on_coordinates,
+    remark_on_springs, remark_on_changed_rock, remark_on_spins};
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "engine/simulation/settling_drag.h"
@@ -18,7 +19,8 @@ constexpr double pressing = 1e-9;
 // Motion in a step, in the block's own size, that an acceleration must stand for before it can do harm.
 constexpr double harmful = 1e-4;
 
-// Stiffness of a block's contacts times dt^2 over its mass from which on a step does not resolve how they let go.
+// Stiffness of a block's contacts times dt^2 over its mass, or of its strains over their inertia, from which on a step
+// does not resolve how it lets go.
 constexpr double unresolved = 1;
 
 // N per m of thickness.
@@ -52,6 +54,26 @@ std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing
   return stiffness;
 }
 
+// Which blocks nothing but contacts without a bond can hold: no others begin with a stress that is let go.
+std::vector<bool> blocks_without_bonds(const BlockSystem& system) {
+  std::vector<bool> are_free(system.terms.area.size(), true);
+  for (std::size_t i = 0; i < system.contacts.elements.size(); ++i) {
+    const std::array<bool, 2>& broken = system.contacts.states[i].broken;
+    if (broken[0] && broken[1]) continue;
+    are_free[static_cast<std::size_t>(system.contacts.elements[i].block_a)] = false;
+    are_free[static_cast<std::size_t>(system.contacts.elements[i].block_b)] = false;
+  }
+  return are_free;
+}
+
+double stiffness_number(const Mat6& stiffness, const Mat6& mass, double dt) {
+  return dt * dt * stiffness.topLeftCorner<2, 2>().trace() / mass(0, 0);
+}
+
+double stiffness_number_of_strains(const Mat3& stiffness, const Mat6& mass, double dt) {
+  return dt * dt * stiffness.trace() / mass.bottomRightCorner<3, 3>().trace();
+}
+
 // Blocks that spin and have no stress yet begin to swing. An integrator's acceleration belongs to a moment that is
 // t = (gamma - 1/2) dt away from that of the state (ADR 30), where the swing has a0 cos(Omega t) of it left, close to
 // a0/(1 + (Omega t)^2/2); so (M + t^2 K/2) a = F. With M alone rho_inf = 0 would begin with too much energy.
@@ -72,17 +94,20 @@ void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& sys
   const Eigen::VectorXd unbalanced = accelerating_forces(system);
   std::vector<Mat6> stiffness =
       stiffness_of_pressed_contacts(changing, system, pressing * largest_of_free_blocks(unbalanced, system));
+  const std::vector<bool> are_free = blocks_without_bonds(system);
   const double dt = system.coefficients.dt;
   for (std::size_t i = 0; i < system.state.acceleration.size(); ++i) {
     const Inertia& inertia = system.terms.inertia[i];
     if (inertia.mass == 0) continue;  // held
     const Mat6 mass = mass_matrix(inertia);
+    const Mat3 elasticity = system.terms.area[i] * system.terms.elasticity[i];
     const auto force = unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i));
     Vec6& acceleration = system.state.acceleration[i];
     acceleration = mass.llt().solve(force);
-    const double chi = dt * dt * stiffness[i].topLeftCorner<2, 2>().trace() / inertia.mass;
-    if (chi > unresolved && motion_share(dt * dt * acceleration, system.terms.area[i]) > harmful) {
-      stiffness[i].bottomRightCorner<3, 3>() += system.terms.area[i] * system.terms.elasticity[i];
+    const bool is_unresolved = stiffness_number(stiffness[i], mass, dt) > unresolved ||
+                               (are_free[i] && stiffness_number_of_strains(elasticity, mass, dt) > unresolved);
+    if (is_unresolved && motion_share(dt * dt * acceleration, system.terms.area[i]) > harmful) {
+      stiffness[i].bottomRightCorner<3, 3>() += elasticity;
       acceleration = (mass + dt * dt * stiffness[i]).llt().solve(force);
     }
     acceleration += centrifugal_acceleration(mass, i, system);

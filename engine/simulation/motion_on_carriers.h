@@ -14,9 +14,9 @@ namespace dda {
 
 struct BlockSystem;
 
-// Of each block the motion that the increments of a step make, in its own size (motion_share): against that of the
-// block with which it goes best, or against nothing where that is less. Blocks carry each other that press on each
-// other where the trials of the step have come to, or whose joint is among the `bonded` (places among all contacts).
+// How far the increments of a step move each block, in its own size (motion_share): against the block with which it
+// goes best, or against nothing where that is less. Blocks carry each other that press on each other where the trials
+// of the step have come to, or whose joint is among the `bonded` (places among all contacts).
 std::vector<double> motion_on_carriers(const BlockSystem& system, const InterfaceTrials& trials,
                                        std::span<const int> bonded);
 

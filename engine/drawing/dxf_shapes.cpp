@@ -110,7 +110,7 @@ void add_corners(const DxfEntity& entity, const DxfPlacement& placement, const s
   pencil.add(std::move(line));
 }
 
-void add_light_polyline(const DxfEntity& entity, const DxfPlacement& placement, Pencil& pencil) {
+bool add_light_polyline(const DxfEntity& entity, const DxfPlacement& placement, Pencil& pencil) {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   std::vector<Corner> corners;
   for (const DxfGroup& group : entity.groups()) {
@@ -126,7 +126,9 @@ void add_light_polyline(const DxfEntity& entity, const DxfPlacement& placement, 
   const auto said = static_cast<std::size_t>(std::max(0, entity.whole(90, static_cast<int>(corners.size()))));
   if (said != corners.size())
     fail(entity, fmt::format("of {} corners, and says that it has {}", corners.size(), said), "as many as it says");
+  if (corners.size() == 1) return false;
   add_corners(entity, placement, corners, (entity.whole(70) & 1) != 0, pencil);
+  return true;
 }
 
 // The old form: vertices are entities of their own, up to SEQEND. Corners of the frame of a smoothed line are not on
@@ -144,7 +146,7 @@ std::size_t add_old_polyline(std::span<const DxfEntity> entities, const DxfPlace
   }
   if (taken == entities.size() || entities[taken].type() != "SEQEND")
     fail(head, fmt::format("a polyline of {} vertices without an end", taken - 1), "SEQEND after its vertices");
-  if ((head.whole(70) & mesh_or_faces) != 0) return 0;
+  if ((head.whole(70) & mesh_or_faces) != 0 || corners.size() == 1) return 0;
   add_corners(head, placement, corners, (head.whole(70) & closed) != 0, pencil);
   return taken + 1;
 }
@@ -235,7 +237,7 @@ std::size_t draw_shape(std::span<const DxfEntity> entities, const DxfPlacement& 
   else if (type == "ELLIPSE")
     add_ellipse(entity, placement, pencil);
   else if (type == "LWPOLYLINE")
-    add_light_polyline(entity, placement, pencil);
+    return add_light_polyline(entity, placement, pencil) ? 1 : 0;
   else if (type == "SPLINE")
     add_spline(entity, placement, pencil);
   else

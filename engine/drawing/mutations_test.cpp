@@ -3,6 +3,7 @@
 #include "engine/cutting/cut_rock.h"
 #include "engine/drawing/drawing_test_support.h"
 #include "engine/drawing/read_formats.h"
+#include "engine/drawing/run_data.h"
 #include "engine/drawing/write_blocks.h"
 #include "engine/drawing/xlsx_test_support.h"
 
@@ -94,6 +95,35 @@ TEST(Mutations, OfDc) {
       read_mutations("0.001\n6 0\n1\n0\n2\n1\n1\n0\n0 0 4 0 1\n4 0 4 4 1\n4 4 0 4 1\n0 4 0 0 1\n-0.5 2 4.5 2 2\n"
                      "2 -0.5 2 4.5 3\n0 1 4 1 2\n1 0.5 3 0.5\n1 3 1 3\n3.5 1\n0.5 0.5\n",
                      0, read_dc, 10000));
+}
+
+TEST(Mutations, OfBlck) {
+  expect_both(read_mutations(
+      "2 0 16\n1 1 1\n1 1 4\n2 9 12\n1 0 0\n1 4 0\n2 4 1\n1 0 1\n1 0 0\n0 4 0\n0 8 2\n0 0 0\n2 0 1\n2 2 1\n"
+      "1 2 3\n1 0 3\n2 0 1\n0 4 0\n0 4 8\n0 0 0\n0.5 0 1\n1 3 2\n1 1 2\n",
+      0, read_blck, 10000));
+}
+
+// Numbers of both layouts.
+TEST(Mutations, OfRunData) {
+  const std::string materials = "2600 25506 2e10 0.25\n-1 -2 0.5 0 0 0\n0.1 0.2 0.3\n35 0 0\n20 1e5 0\n";
+  Tally tally;
+  for (const std::string& seed :
+       {"1\n20\n1\n2\n0.005\n0.01\n" + materials, "0\n20\n1\n2\n0.005\n0\n0\n0 2\n0 0 0\n1 0 -5\n" + materials}) {
+    Mutator mutator(7);
+    for (std::uint64_t i = 0; i < number_from_environment("DDA_FUZZ_INPUTS", 5000); ++i) {
+      const InputWatch watch(i);
+      const std::string text = mutator.text(seed, 0);
+      try {
+        read_run_data(text, "run.df", 2);
+        ++tally.taken;
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        ++tally.refused;
+      }
+    }
+  }
+  expect_both(tally);
 }
 
 TEST(Mutations, OfGeoJson) {

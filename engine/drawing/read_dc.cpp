@@ -10,71 +10,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "engine/core/error.h"
-#include "engine/drawing/number_text.h"
+#include "engine/drawing/number_list.h"
 #include "engine/drawing/read_formats.h"
 #include "engine/geometry/segment_crossing.h"
 
 namespace dda {
 namespace {
-
-constexpr int most_counted = 1'000'000;  // of anything in a file; also the largest number of a material
-
-// Numbers of a text, one after the other, and on which line they are.
-class Numbers {
- public:
-  Numbers(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
-
-  [[nodiscard]] std::string here() const { return fmt::format("{} line {}", name_, line_); }
-
-  [[nodiscard]] bool at_end() {
-    skip_blanks();
-    return rest_.empty();
-  }
-
-  std::string_view word() {
-    skip_blanks();
-    const std::size_t end = std::min(rest_.find_first_of(" \t\r\n,"), rest_.size());
-    const std::string_view found = rest_.substr(0, end);
-    rest_.remove_prefix(end);
-    return found;
-  }
-
-  double number(const char* what) {
-    if (at_end()) throw InputError("", here(), fmt::format("the end of the file, before {}", what), "all its numbers");
-    const std::string_view found = word();
-    const auto number = number_in<double>(found);
-    if (!number)
-      throw InputError("", here(), fmt::format("\"{}\" for {}", readable(found.substr(0, 40)), what),
-                       "a finite number");
-    return *number;
-  }
-
-  // 0 or more.
-  int whole(const char* what) {
-    const double value = number(what);
-    if (value != std::floor(value) || value < 0 || value > most_counted)
-      throw InputError("", here(), fmt::format("{:g} for {}", value, what),
-                       fmt::format("a whole number from 0 to {}", most_counted));
-    return static_cast<int>(value);
-  }
-
- private:
-  void skip_blanks() {
-    while (!rest_.empty() && std::string_view(" \t\r\n,").find(rest_.front()) != std::string_view::npos) {
-      if (rest_.front() == '\n') ++line_;
-      rest_.remove_prefix(1);
-    }
-  }
-
-  std::string_view rest_;
-  const std::string& name_;
-  int line_ = 1;
-};
 
 struct Counts {
   int lines = 0, material_lines = 0, fixed = 0, loads = 0, measured = 0, holes = 0;
@@ -95,10 +39,8 @@ class DcReader {
     for (int i = 0; i < counts.loads; ++i) read_point("load point");
     for (int i = 0; i < counts.measured; ++i) read_point("measure point");
     for (int i = 0; i < counts.holes; ++i) read_point("hole point");
-    if (!numbers_.at_end())
-      throw InputError("", numbers_.here(),
-                       fmt::format("\"{}\" behind the last point", readable(numbers_.word()).substr(0, 40)),
-                       "as many numbers as the counts at the top ask for; files of other versions of dc have others");
+    numbers_.expect_end("the last point",
+                        "as many numbers as the counts at the top ask for; files of other versions of dc have others");
     return std::move(drawing_);
   }
 
@@ -162,7 +104,7 @@ class DcReader {
     for (const double share : shares) pencil_.add(DrawnPoint{"fix point", numbers_.here(), point_at(fixed, share)});
   }
 
-  Numbers numbers_;
+  NumberList numbers_;
   double metres_;
   LineDrawing drawing_;
   Pencil pencil_{drawing_};

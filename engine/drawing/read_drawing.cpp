@@ -26,10 +26,14 @@ constexpr auto formats = std::to_array<Format>({{".dxf", read_dxf},
                                                 {".xlsx", read_xlsx},
                                                 {".geojson", read_geojson, true},
                                                 {".dc", read_dc},
-                                                {".geo", read_dc}});
+                                                {".geo", read_dc},
+                                                {".blck", read_blck},
+                                                {".blk", read_blck}});
 
+// dc gives its blocks a name without an extension.
 const Format* format_of(const std::filesystem::path& file) {
-  const std::string extension = in_lower_case(file.extension().string());
+  const bool is_of_dc = in_lower_case(file.filename().string()) == "blck";
+  const std::string extension = is_of_dc ? ".blck" : in_lower_case(file.extension().string());
   const auto found = std::ranges::find(formats, std::string_view(extension), &Format::extension);
   return found == formats.end() ? nullptr : found;
 }
@@ -37,6 +41,11 @@ const Format* format_of(const std::filesystem::path& file) {
 }  // namespace
 
 bool is_drawing(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+
+bool is_of_dc(const std::filesystem::path& file) {
+  const Format* format = format_of(file);
+  return format != nullptr && (format->read == read_dc || format->read == read_blck);
+}
 
 std::string drawing_extensions() {
   std::string list;

@@ -8,10 +8,14 @@
 
 namespace dda {
 
-// Whether the name of the file says that it holds a drawing: .dxf, .csv, .xlsx, .geojson, .dc, .geo.
+// Whether the name of the file says that it holds a drawing: .dxf, .csv, .xlsx, .geojson, .dc, .geo, .blck, .blk,
+// or is blck.
 bool is_drawing(const std::filesystem::path& file);
 
-// ".dxf, .csv, .xlsx, .geojson, .dc or .geo".
+// Whether it says that dc of the original DDA reads or writes it: its joints and materials have numbers.
+bool is_of_dc(const std::filesystem::path& file);
+
+// ".dxf, .csv, .xlsx, .geojson, .dc, .geo, .blck or .blk".
 std::string drawing_extensions();
 
 // Reads a drawing in the format its name says. `name` stands for it in messages; `metres` is a unit of its coordinates,

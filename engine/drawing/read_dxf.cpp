@@ -41,7 +41,7 @@ class DxfDraughtsman {
     if (taken > 0) return taken;
     const std::string_view type = entities.front().type();
     const bool belongs_to_another = type == "SEQEND" || type == "VERTEX";
-    if (!belongs_to_another) ++drawing_.passed_over[readable(type)];
+    if (!belongs_to_another) ++drawing_.passed_over[type == "LWPOLYLINE" ? "LWPOLYLINE of one point" : readable(type)];
     return 1;
   }
 

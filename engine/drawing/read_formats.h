@@ -17,4 +17,7 @@ LineDrawing read_geojson(std::string_view text, const std::string& name, double 
 // The lines that dl writes and dc cuts in the original DDA.
 LineDrawing read_dc(std::string_view text, const std::string& name, double metres);
 
+// The blocks that dc writes and df reads.
+LineDrawing read_blck(std::string_view text, const std::string& name, double metres);
+
 }  // namespace dda

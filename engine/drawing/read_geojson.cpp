@@ -76,10 +76,11 @@ class GeoJsonReader {
       ++drawing_.passed_over["feature without geometry"];
       return;
     }
-    const json& layer = member(member(feature, "properties"), "layer");
+    const json& properties = member(feature, "properties");
+    const json& layer = member(properties, properties.contains("layer") ? "layer" : "Layer");  // as GDAL writes it
     if (!layer.is_string()) fail("without a layer", "\"properties\": {\"layer\": NAME}");
     layer_ = text_of(layer);
-    material_ = text_of(member(member(feature, "properties"), "material"));
+    material_ = text_of(member(properties, "material"));
     read_geometry(member(feature, "geometry"));
   }
 

@@ -84,7 +84,8 @@ inline constexpr auto cut_details =
     "Examples:\n"
     "  dda cut tunnel.json --out blocks                                 then open blocks/cut.svg\n"
     "  dda cut plan.dxf --out blocks --export blocks.dxf\n"
-    "  dda cut arch.dxf --out blocks --layer \"bed joints=rock\" --layer notes=ignored\n";
+    "  dda cut arch.dxf --out blocks --layer \"bed joints=rock\" --layer notes=ignored\n"
+    "  dda cut slope.blck --out blocks --run-data slope.df              what dc made and df read of the original DDA\n";
 
 inline constexpr auto schema_details =
     "Name the file in \"$schema\" of a scene, and editors complete keys and underline mistakes.\n\n"

@@ -211,7 +211,7 @@ void add_report(CLI::App& app, ReportOptions& options) {
 void add_cut(CLI::App& app, Arguments& arguments) {
   CLI::App* cut = app.add_subcommand("cut", "Cut the rock of a scene or a drawing into blocks")->footer(cut_details);
   cut->add_option("scene", arguments.scene,
-                  "scene file (JSON) with rock, or a drawing (.dxf, .csv, .xlsx, .geojson, .dc)")
+                  "scene file (JSON) with rock, or a drawing (.dxf, .csv, .xlsx, .geojson, .dc, .blck)")
       ->required()
       ->type_name("SCENE.json|DRAWING");
   cut->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");

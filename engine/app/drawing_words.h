@@ -16,6 +16,7 @@ namespace dda {
 struct DrawingOptions {
   std::vector<std::string> layers;  // NAME=MEANING
   std::string unit;
+  std::string run_data;  // file of df
 };
 
 void add_drawing_options(CLI::App& command, DrawingOptions& options);

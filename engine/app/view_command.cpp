@@ -107,7 +107,7 @@ void refuse_options_without_picture(const ViewOptions& options) {
 }
 
 void refuse_options_of_drawings(const ViewOptions& options) {
-  for (const char* name : {"--layer", "--unit"})
+  for (const char* name : {"--layer", "--unit", "--run-data"})
     if (is_given(options, name)) throw InputError("", name, "given beside a run", "a drawing, in place of the run");
 }
 

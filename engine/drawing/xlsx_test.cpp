@@ -24,7 +24,8 @@ TEST(ReadXlsx, IsADrawingByItsExtension) {
 TEST(ReadDrawing, AFileWithoutAnExtensionIsNone) {
   for (const char* name : {"plan", "", ".", "plan.", "plan.xls"}) {
     EXPECT_FALSE(is_drawing(name)) << name;
-    expect_refused([&] { read_drawing(name, name); }, "expected a .dxf, .csv, .xlsx, .geojson, .dc or .geo file");
+    expect_refused([&] { read_drawing(name, name); },
+                   "expected a .dxf, .csv, .xlsx, .geojson, .dc, .geo, .blck or .blk file");
   }
 }
 

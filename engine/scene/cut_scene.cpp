@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <future>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -83,9 +85,10 @@ struct NewScene {
 
 class Cutter {
  public:
-  // `alone` when the document is only what stands around a drawing.
-  Cutter(json document, bool alone, const std::function<void(std::string_view)>& progress)
-      : document_(std::move(document)), alone_(alone), progress_(progress) {}
+  // `finish` adds to the new scene what the blocks of its first rock ask for; it may be empty.
+  using Finish = std::function<void(const Rock&, const std::vector<Block>&, json&)>;
+  Cutter(json document, Finish finish, const std::function<void(std::string_view)>& progress)
+      : document_(std::move(document)), finish_(std::move(finish)), progress_(progress) {}
 
   NewScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
     const Field scene(document_, "");
@@ -98,7 +101,7 @@ class Cutter {
     for (const JointMaterial& joint : model_.joints) result_.joint_names.push_back(joint.name);
     for (const Material& material : model_.materials) result_.material_names.push_back(material.name);
     json cut = with_polygons();
-    if (alone_) add_marked_places(result_.entries.front().rock, blocks_, cut);
+    if (finish_) finish_(result_.entries.front().rock, blocks_, cut);
     move_records(cut, from, to);
     return {std::move(result_), std::move(cut)};
   }
@@ -163,7 +166,7 @@ class Cutter {
   }
 
   json document_;
-  bool alone_;
+  Finish finish_;
   const std::function<void(std::string_view)>& progress_;
   Model model_;
   CutScene result_;
@@ -176,7 +179,7 @@ NewScene cut_document(const std::filesystem::path& file, const std::filesystem::
   try {
     json document = parse_json(text);
     check_schema(document);
-    return Cutter(std::move(document), false, progress).cut(file.parent_path(), folder);
+    return Cutter(std::move(document), {}, progress).cut(file.parent_path(), folder);
   } catch (const InputError& error) {
     throw error.in_file(file.string());
   }
@@ -196,7 +199,11 @@ InputError in_words_of_drawing(const InputError& error, const std::string& drawi
 NewScene cut_drawing(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
                      const std::function<void(std::string_view)>& progress) {
   try {
-    return Cutter(scene_around(file, words), true, progress).cut({}, folder);
+    const std::optional<RunData> data = run_data_for(file, words);
+    const auto finish = [&data](const Rock& rock, const std::vector<Block>& blocks, json& scene) {
+      add_marked_places(rock, blocks, data, scene);
+    };
+    return Cutter(scene_around(file, words, data), finish, progress).cut({}, folder);
   } catch (const InputError& error) {
     throw in_words_of_drawing(error, file.string(), words);
   }

@@ -9,11 +9,13 @@
 
 #include "engine/core/error.h"
 #include "engine/drawing/layers.h"
+#include "engine/drawing/read_drawing.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/diameter.h"
 #include "engine/geometry/segment.h"
 #include "engine/scene/read_drawn_plan.h"
+#include "engine/scene/run_data_scene.h"
 
 namespace dda {
 namespace {
@@ -29,8 +31,8 @@ json position(const Vec2& point) { return {point.x(), point.y()}; }
 
 class MarkedPlaces {
  public:
-  MarkedPlaces(const Rock& rock, const std::vector<Block>& blocks, json& scene)
-      : plan_(rock.plan), blocks_(blocks), scene_(scene), index_(boxes_of(blocks)) {
+  MarkedPlaces(const Rock& rock, const std::vector<Block>& blocks, const std::optional<RunData>& data, json& scene)
+      : plan_(rock.plan), blocks_(blocks), data_(data), scene_(scene), index_(boxes_of(blocks)) {
     std::vector<Vec2> corners;
     for (const Block& block : blocks) corners.insert(corners.end(), block.shape.outer.begin(), block.shape.outer.end());
     bottom_ = bounding_box(corners).lower.y();
@@ -39,20 +41,15 @@ class MarkedPlaces {
 
   void add() {
     for (const PlanPoint& point : plan_.points) {
-      if (point.layer == word(LayerRole::fix_point)) hold(point);
+      if (point.layer == word(LayerRole::fix_point)) hold(point, next_table());
+      if (point.layer == word(LayerRole::load_point)) load(point, next_table());
       if (point.layer == word(LayerRole::measure_point)) measure(point);
     }
     for (const PlanMark& mark : plan_.marks) absorb(mark);
-    if (scene_.contains("supports"))
-      held_ = "held at its fix points";
-    else if (scene_.contains("viscous_boundaries"))
-      leave_alone("without gravity, as nothing but edges that absorb waves holds it");
+    if (data_)
+      describe_data();
     else
-      hold_bottom();
-    scene_["description"] =
-        "Cut from a drawing. Assumed, until what is known takes its place: rock of 2.6 t/m3 and 20 GPa, "
-        "joints of 35 deg without cohesion, 1 s of motion; " +
-        held_ + "." + loads();
+      hold_and_describe();
   }
 
  private:
@@ -74,9 +71,26 @@ class MarkedPlaces {
     return names;
   }
 
-  void hold(const PlanPoint& point) {
-    for (const std::string& block : blocks_at(point))
-      scene_["supports"].push_back({{"point", position(point.at)}, {"block", block}});
+  // Fixed points of the drawing come before load points, as their tables do.
+  PointTable next_table() {
+    if (!data_ || data_->points.empty()) return {};
+    return data_->points.at(tables_taken_++);
+  }
+
+  void hold(const PlanPoint& point, const PointTable& table) {
+    for (const std::string& block : blocks_at(point)) {
+      const json place = {{"point", position(point.at)}, {"block", block}};
+      if (table.rows.empty())
+        scene_["supports"].push_back(place);
+      else
+        add_moved_supports(table, place, scene_);
+    }
+  }
+
+  // Of a load on several blocks each would have all.
+  void load(const PlanPoint& point, const PointTable& table) {
+    if (!table.rows.empty())
+      add_loads(table, {{"point", position(point.at)}, {"block", blocks_at(point).front()}}, scene_);
   }
 
   void measure(const PlanPoint& point) {
@@ -92,6 +106,28 @@ class MarkedPlaces {
     for (std::size_t i = 1; i < mark.points.size(); ++i)
       scene_["viscous_boundaries"].push_back(
           {{"edge", {{"from", position(mark.points[i - 1])}, {"to", position(mark.points[i])}}}});
+  }
+
+  void hold_and_describe() {
+    if (scene_.contains("supports"))
+      held_ = "held at its fix points";
+    else if (scene_.contains("viscous_boundaries"))
+      leave_alone("without gravity, as nothing but edges that absorb waves holds it");
+    else
+      hold_bottom();
+    scene_["description"] =
+        "Cut from a drawing. Assumed, until what is known takes its place: rock of 2.6 t/m3 and 20 GPa, "
+        "joints of 35 deg without cohesion, 1 s of motion; " +
+        held_ + "." + loads();
+  }
+
+  void describe_data() {
+    take_steps_and_state(*data_, blocks_, scene_);
+    scene_["description"] = fmt::format(
+        "Cut from a drawing, with {} of df: numbers in the units that the file has, steps as long as df begins with, "
+        "plane "
+        "stress; contacts and integrator as in df (scheme thesis).{}",
+        data_->name, data_->points.empty() ? loads() : "");
   }
 
   // A bottom that is level but for the tolerance, as where a gap in it was closed, is no side of the box to the scene.
@@ -137,10 +173,12 @@ class MarkedPlaces {
 
   const RockPlan& plan_;
   const std::vector<Block>& blocks_;
+  const std::optional<RunData>& data_;
   json& scene_;
   BoxIndex index_;
   double bottom_ = 0;
   double tolerance_ = 0;
+  std::size_t tables_taken_ = 0;
   std::string held_;
 };
 
@@ -150,7 +188,12 @@ json assumed_joint() { return {{"friction_angle", "35 deg"}}; }
 
 }  // namespace
 
-json scene_around(const std::filesystem::path& drawing, const DrawingWords& words) {
+std::optional<RunData> run_data_for(const std::filesystem::path& drawing, const DrawingWords& words) {
+  if (words.run_data.empty()) return std::nullopt;
+  return read_run_data(words.run_data, fixed_and_loaded(read_drawing(drawing, drawing.string())));
+}
+
+json scene_around(const std::filesystem::path& drawing, const DrawingWords& words, const std::optional<RunData>& data) {
   json file = {{"file", drawing.string()}, {"layers", words.layers}};
   if (!words.unit.empty()) file["unit"] = words.unit;
   json rock = {{"drawing", std::move(file)}};
@@ -161,23 +204,26 @@ json scene_around(const std::filesystem::path& drawing, const DrawingWords& word
   if (materials.size() > 1) rock["material"] = materials.begin().key();
   json joints = {{"default", assumed_joint()}};
   for (const std::string& name : names.joints) joints[name] = assumed_joint();
-  return {{"dda", 1},
-          {"title", readable(drawing.stem().string())},
-          {"gravity", "9.81 m/s2"},
-          {"materials", std::move(materials)},
-          {"joints", std::move(joints)},
-          {"blocks", {{"rock", std::move(rock)}}},
-          {"steps",
-           {{{"name", "gravity"},
-             {"integrator", "static"},
-             {"strength", "unlimited"},
-             {"dt", "0.1 s"},
-             {"duration", "4 s"}},
-            {{"name", "motion"}, {"dt", "1 ms"}, {"duration", "1 s"}}}}};
+  json scene = {{"dda", 1},
+                {"title", readable(drawing.stem().string())},
+                {"gravity", "9.81 m/s2"},
+                {"materials", std::move(materials)},
+                {"joints", std::move(joints)},
+                {"blocks", {{"rock", std::move(rock)}}},
+                {"steps",
+                 {{{"name", "gravity"},
+                   {"integrator", "static"},
+                   {"strength", "unlimited"},
+                   {"dt", "0.1 s"},
+                   {"duration", "4 s"}},
+                  {{"name", "motion"}, {"dt", "1 ms"}, {"duration", "1 s"}}}}};
+  if (data) take_materials_and_joints(*data, read_drawing(drawing, drawing.string()), scene);
+  return scene;
 }
 
-void add_marked_places(const Rock& rock, const std::vector<Block>& blocks, json& scene) {
-  MarkedPlaces(rock, blocks, scene).add();
+void add_marked_places(const Rock& rock, const std::vector<Block>& blocks, const std::optional<RunData>& data,
+                       json& scene) {
+  MarkedPlaces(rock, blocks, data, scene).add();
 }
 
 }  // namespace dda

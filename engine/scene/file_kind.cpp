@@ -49,14 +49,15 @@ std::string drawing_kind(const std::string& extension) {
   if (extension == ".csv") return "a table (CSV)";
   if (extension == ".xlsx") return "a workbook (XLSX)";
   if (extension == ".dc" || extension == ".geo") return "a drawing (lines of dc)";
+  if (extension == ".blck" || extension == ".blk" || extension.empty()) return "a drawing (blocks of dc)";
   return fmt::format("a drawing ({})", extension == ".dxf" ? "DXF" : "GeoJSON");
 }
 
 // Files that nothing but their name tells from others: they hold numbers alone.
 std::optional<FileKind> kind_by_name(const std::string& extension) {
-  if (extension != ".df") return std::nullopt;
-  return FileKind{"data of a run for df, which are not read as their versions cannot be told apart",
-                  fmt::format("dda cut reads drawings ({})", drawing_extensions())};
+  if (extension != ".df" && extension != ".ana") return std::nullopt;
+  return FileKind{"data of a run for df",
+                  "dda cut BLOCKS.blck --run-data FILE.df --out DIR reads it beside blocks or lines of dc"};
 }
 
 // Drawings are JSON in one of their formats.

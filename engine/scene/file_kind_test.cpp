@@ -37,7 +37,8 @@ TEST(FileKind, DrawingsAreCut) {
         std::tuple("export.txt", "999\nby a program\n  0\nSECTION\n", "a drawing (DXF)"),
         std::tuple("plan.csv", "layer,x1,y1,x2,y2\n", "a table (CSV)"),
         std::tuple("plan.geojson", R"({"type": "FeatureCollection"})", "a drawing (GeoJSON)"),
-        std::tuple("plan.dc", "0.001\n6 0\n", "a drawing (lines of dc)")}) {
+        std::tuple("plan.dc", "0.001\n6 0\n", "a drawing (lines of dc)"),
+        std::tuple("blck", "1 0 8\n", "a drawing (blocks of dc)")}) {
     const std::string said = complaint(name, content);
     EXPECT_NE(said.find("the scene file is " + std::string(what) + advice), std::string::npos) << said;
   }
@@ -53,12 +54,13 @@ TEST(FileKind, FilesOfRunsAndOfOtherPrograms) {
 }
 
 // They hold numbers alone, and are no JSON.
-TEST(FileKind, DataOfRunsForDfAreNotRead) {
+TEST(FileKind, DataOfRunsForDfGoBesideBlocks) {
   const std::string said =
-      "the scene file is data of a run for df, which are not read as their versions cannot be told "
-      "apart, expected a scene (JSON); dda cut reads drawings (.dxf, .csv, .xlsx, .geojson, .dc or "
-      ".geo)";
-  for (const char* name : {"x.df", "RUN.DF"}) EXPECT_EQ(complaint(name, "0\n1 2 3\n"), std::string(name) + ": " + said);
+      "the scene file is data of a run for df, expected a scene (JSON); dda cut BLOCKS.blck --run-data FILE.df --out "
+      "DIR "
+      "reads it beside blocks or lines of dc";
+  for (const char* name : {"x.df", "RUN.DF", "x.ana"})
+    EXPECT_EQ(complaint(name, "0\n1 2 3\n"), std::string(name) + ": " + said);
 }
 
 // Whatever their names: what is wrong with them is said as of any scene.

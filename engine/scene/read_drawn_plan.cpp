@@ -164,6 +164,7 @@ DrawnPlan read_drawn_plan(const Field& field, const std::filesystem::path& folde
   const LineDrawing drawing = read_drawing(folder / file, file, metres);
   DrawnPlan drawn;
   drawn.name = drawing.name;
+  drawn.has_hatches = drawing.passed_over.contains("HATCH");
   for (const DrawnLine& line : drawing.lines) drawn.layers.insert(line.layer);
   for (const DrawnPoint& point : drawing.points) drawn.layers.insert(point.layer);
   drawn.remarks = remarks_on(drawing, metres);
@@ -189,10 +190,12 @@ void refuse_without_boundary(const DrawnPlan& drawn) {
     layers.resize(most);
     layers.emplace_back("...");
   }
-  throw InputError("", drawn.name,
-                   fmt::format("without a line on a layer boundary; its layers are {}", fmt::join(layers, ", ")),
-                   "lines around the rock that close, on a layer boundary or on one that is said to be it: --layer "
-                   "\"NAME=boundary\", in a scene \"layers\": {\"NAME\": \"boundary\"}");
+  const char* hatches = drawn.has_hatches ? ", and it has hatches, whose outlines are to be drawn as lines" : "";
+  throw InputError(
+      "", drawn.name,
+      fmt::format("without a line on a layer boundary; its layers are {}{}", fmt::join(layers, ", "), hatches),
+      "lines around the rock that close, on a layer boundary or on one that is said to be it: --layer "
+      "\"NAME=boundary\", in a scene \"layers\": {\"NAME\": \"boundary\"}");
 }
 
 DrawnNames drawn_names(const std::filesystem::path& file, const std::string& name) {

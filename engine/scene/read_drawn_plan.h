@@ -14,6 +14,7 @@ namespace dda {
 
 struct DrawnPlan {
   std::string name;              // of the drawing, for messages
+  bool has_hatches = false;      // which are passed over, outlines too
   std::set<std::string> layers;  // on which something is drawn
   RockPlan plan;
   std::vector<std::string> remarks;  // what the drawing left unsaid, and what of it was passed over

@@ -264,7 +264,7 @@ TEST(RockOfADrawing, WhatDoesNotFitIsRefusedInOneSentence) {
   const std::vector<Wrong> all{
       {"", R"({"drawing": "plan.dxf"})", "rock.json: plan.dxf is missing, expected a drawing"},
       {"", R"({"drawing": "plan.pdf"})",
-       "rock.json: the drawing is \"plan.pdf\", expected a .dxf, .csv, .xlsx, .geojson, .dc or .geo file"},
+       "rock.json: the drawing is \"plan.pdf\", expected a .dxf, .csv, .xlsx, .geojson, .dc, .geo, .blck or .blk file"},
       {"", R"({"joint_sets": []})", "rock.json: blocks.rock.boundary is missing, expected it, or a drawing"},
       {square_with_joint, R"({"drawing": "plan.csv"})",
        "rock.json: plan.csv line 2 is on the unknown layer \"Umriss\""},

@@ -87,7 +87,7 @@ class MarkedPlaces {
     }
   }
 
-  // Of a load on several blocks each would have all.
+  // A load on several blocks would act on each of them in full.
   void load(const PlanPoint& point, const PointTable& table) {
     if (!table.rows.empty())
       add_loads(table, {{"point", position(point.at)}, {"block", blocks_at(point).front()}}, scene_);

@@ -156,8 +156,8 @@ void read_held_blocks(const Field& field, const std::vector<std::string>& groups
   held.name = value_or(field, "name", std::string(), [](const Field& f) { return f.name(); });
   read_motion(field, records, held);
   read_turn(field, records, held);
-  held.about =
-      value_or(field, "about", common_centroid(blocks, model), [](const Field& f) { return f.vector(Dimension::length); });
+  held.about = value_or(field, "about", common_centroid(blocks, model),
+                        [](const Field& f) { return f.vector(Dimension::length); });
   append_held(held, blocks, name, model);
 }
 

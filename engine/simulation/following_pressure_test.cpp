@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/geometry/rotation.h"
-#include "engine/simulation/block_system.h"
+#include "engine/model/state.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {

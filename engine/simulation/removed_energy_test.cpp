@@ -2,7 +2,7 @@
 // and where springs close their joints that of the springs.
 #include <gtest/gtest.h>
 
-#include <cstddef>
+#include <cmath>
 #include <utility>
 
 #include "engine/simulation/projected_models.h"

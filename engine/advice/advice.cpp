@@ -30,6 +30,8 @@ std::string WaveAdvice::cause() const {
   const double blocks = weight(&ErrorTerms::blocks);
   const double interfaces = weight(&ErrorTerms::interfaces);
   const double time = weight(&ErrorTerms::time);
+  const double sides = weight(&ErrorTerms::sides);
+  if (sides > std::max({blocks, interfaces, time, weight(&ErrorTerms::damping)})) return "sides";
   if (weight(&ErrorTerms::damping) > std::max({blocks, interfaces, time})) return "damping";
   if (time >= std::max(blocks, interfaces)) return "time steps";
   return interfaces >= blocks ? "interfaces" : "block size";

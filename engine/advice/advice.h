@@ -38,8 +38,8 @@ struct WaveAdvice {
   // The terms that count: of the load history where there is one.
   [[nodiscard]] const ErrorTerms* speed_error() const;
   [[nodiscard]] const ErrorTerms* amplitude_error() const;
-  // "block size", "interfaces", "time steps" or "damping": the largest term of speed and amplitude; empty where nothing
-  // arrives.
+  // "block size", "interfaces", "time steps", "damping" or "sides": the largest term of speed and amplitude; empty
+  // where nothing arrives.
   [[nodiscard]] std::string cause() const;
 };
 

@@ -10,11 +10,8 @@ using Json = nlohmann::ordered_json;
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json to_json(const ErrorTerms& terms) {
-  return {{"total", terms.total()},
-          {"blocks", terms.blocks},
-          {"interfaces", terms.interfaces},
-          {"time", terms.time},
-          {"damping", terms.damping}};
+  return {{"total", terms.total()}, {"blocks", terms.blocks},   {"interfaces", terms.interfaces},
+          {"time", terms.time},     {"damping", terms.damping}, {"sides", terms.sides}};
 }
 
 Json to_json(const HistoryErrors& history) {

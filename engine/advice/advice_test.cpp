@@ -141,6 +141,23 @@ TEST(Advice, NamesTheLargestCause) {
   EXPECT_EQ(advise(bar(bonded(InterfaceLaw::consistent)), question).stages[0].waves[0].cause(), "block size");
 }
 
+// A push across a bar bends it: no history, and no blocks and steps that it would need.
+TEST(Advice, NoLimitsOfWhatCannotBeForetold) {
+  const auto wave_of = [](const Vec2& traction) {
+    Model model = row_of_blocks(bonded(InterfaceLaw::consistent), 1, 30);
+    model.stages[0].duration = 0.05;
+    model.edge_loads.push_back({0, {0, 0.8}, {0, 0}, traction, SineCycles{20, 1, 0}});
+    finish_model(model);
+    AdviceQuestion question;
+    question.distance = 15;
+    return advise(Simulation(model), question).stages[0].waves.at(0);
+  };
+  EXPECT_TRUE(wave_of({1, 0}).limits.has_value());
+  const WaveAdvice bent = wave_of({0, 1});
+  EXPECT_NE(bent.not_foretold.find("cannot be foretold"), std::string::npos) << bent.not_foretold;
+  EXPECT_FALSE(bent.limits.has_value());
+}
+
 std::vector<std::string> kinds_of_waves(const Model& model) {
   AdviceQuestion question;
   question.limits = false;

@@ -30,8 +30,9 @@ class Text {
 
 std::string split(const ErrorTerms& terms) {
   const std::string damping = terms.damping != 0 ? ", damping " + percent(terms.damping) : "";
-  return fmt::format("{} = block size {}, interfaces {}, time steps {}{}", percent(terms.total()),
-                     percent(terms.blocks), percent(terms.interfaces), percent(terms.time), damping);
+  const std::string sides = terms.sides != 0 ? ", sides " + percent(terms.sides) : "";
+  return fmt::format("{} = block size {}, interfaces {}, time steps {}{}{}", percent(terms.total()),
+                     percent(terms.blocks), percent(terms.interfaces), percent(terms.time), damping, sides);
 }
 
 void add_steady(const Advice& advice, const WaveAdvice& wave, Text& text) {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "engine/advice/chain_errors.h"
 #include "engine/advice/explicit_offer.h"
 #include "engine/advice/load_history.h"
+#include "engine/advice/near_sides.h"
 #include "engine/advice/springs_in_waves.h"
 #include "engine/advice/sudden_loads.h"
 #include "engine/advice/unseen_loads.h"
@@ -60,6 +62,11 @@ double coarsest_dt(double period, double stable_dt) {
 
 // Steps in a period, and blocks in a wavelength, of a load's main frequency: with fewer, what comes is no wave like it.
 constexpr double least_in_period = 4;
+
+// Share of a wave that may be in steps beside jumps.
+constexpr double most_of_jumps = 0.01;
+
+constexpr const char* nothing_comes = "nothing arrives that resembles it within half a period of when it is due";
 
 class Adviser {
  public:
@@ -122,12 +129,14 @@ class Adviser {
     if (question_.limits) advice.explicit_instead = explicit_offer(model_, index, size, advice.cost);
     if (stage.integrator.is_static || !frequency_) return advice;
     if (stage.material_damping.acts()) advice.damping_ratio = stage.material_damping.ratio_at(*frequency_);
-    if (way_) advice.waves.push_back(along_way(stage, advice.stable_dt));
+    const Course course{stage, index, advice.stable_dt,
+                        advice.cost.seconds / static_cast<double>(std::max<std::int64_t>(1, advice.cost.steps))};
+    if (way_) advice.waves.push_back(along_way(course));
     if (way_ && way_->kind == WaveKind::bar) return advice;
     for (const Lattice& lattice : lattices_)
       for (const WaveKind kind : lattice.row ? std::vector{WaveKind::bar} : std::vector{WaveKind::p, WaveKind::s})
         for (const Direction& direction : directions_for(lattice))
-          advice.waves.push_back(of_wave(lattice, stage, kind, direction, advice.stable_dt));
+          advice.waves.push_back(of_wave(lattice, course, kind, direction));
     return advice;
   }
 
@@ -141,6 +150,8 @@ class Adviser {
     };
     if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return concerns(each) && !each.leaves_figures; }))
       return "it jumps, which no mesh and dt carry without overshoot and ringing: no figures";
+    if (const double share = share_of_jumps(*load_, stage.dt); share > most_of_jumps)
+      return fmt::format("its velocity jumps, and {:.2g} % of it is in the steps beside: no figures", 100 * share);
     if (std::ranges::any_of(unseen_, concerns)) return "steps of this dt see too little of it: no figures";
     if (stage.dt > load_->history.period / least_in_period)
       return fmt::format("too short for steps of {:g} s, {:.2g} in a period of its main frequency: no figures",
@@ -151,22 +162,53 @@ class Adviser {
     return "";
   }
 
-  // What is assumed of the mesh, or of a load on it, is no foretelling.
-  void foretell_history(const WaveQuestion& question, const Lattice& lattice, WaveAdvice& advice) const {
-    if (way_) {
-      advice.not_foretold = "the way from where it is driven is foretold for itself";
-    } else if (lattice.assumed || (!why_no_way_.empty() && (lattice.row || lattices_.size() > 1))) {
-      advice.not_foretold =
-          fmt::format("cannot be foretold: {}", why_no_way_.empty() ? "blocks are not alike" : why_no_way_);
-    } else {
-      advice.history = history_errors(question, load_->history);
-      if (!advice.history) {
-        advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
-      } else if (!advice.history->with_end && is_from_face(lattice, question.direction)) {
-        advice.history.reset();
-        advice.not_foretold = "cannot be foretold: the blocks on the face that is loaded are cut askew";
+  // What is assumed of the mesh, or of a load on it, is no foretelling. A sentence where it cannot be.
+  [[nodiscard]] std::string why_not_foretold(const Lattice& lattice) const {
+    if (way_) return "the way from where it is driven is foretold for itself";
+    const bool moved = static_cast<bool>(load_->history.displacement);
+    if (lattice.assumed || (!why_no_way_.empty() && (lattice.row || moved || lattices_.size() > 1)))
+      return fmt::format("cannot be foretold: {}", why_no_way_.empty() ? "blocks are not alike" : why_no_way_);
+    return "";
+  }
+
+  void foretell_history(const WaveQuestion& question, const Course& course, WaveAdvice& advice) const {
+    advice.history = history_errors(question, load_->history);
+    if (!advice.history) {
+      advice.not_foretold = nothing_comes;
+    } else if (is_from_face(question.lattice, question.direction)) {
+      if (!advice.history->with_end) {
+        cannot_foretell("the blocks on the face that is loaded are cut askew", advice);
+      } else if (!is_row() && is_along(question.kind, load_->face)) {
+        const MeshPlace place{load_->face, question.kind, advice.history->place,
+                              load_->motion.dot(polarization(question.kind, load_->face))};
+        count_sides(course, place, window_of(question, load_->history), advice, [&](const std::vector<double>& trace) {
+          return read_other(question, load_->history, trace, course.stage.dt);
+        });
       }
     }
+  }
+
+  static void cannot_foretell(const std::string& why, WaveAdvice& advice) {
+    advice.history.reset();
+    advice.not_foretold = "cannot be foretold: " + why;
+  }
+
+  // Whether what drives the scene moves particles as such a wave does.
+  [[nodiscard]] bool is_along(WaveKind kind, const Vec2& direction) const {
+    return std::abs(load_->motion.dot(polarization(kind, direction))) > (1 - 1e-6) * load_->motion.norm();
+  }
+
+  // Adds to a history foretold what sides of a mesh that are near make of it.
+  void count_sides(const Course& course, const MeshPlace& place, double window, WaveAdvice& advice,
+                   const ReadTrace& read) const {
+    const BetweenSides found = NearSides(model_, drawn_, *load_, course).count(*advice.history, place, window, read);
+    advice.history = found.history;
+    if (!found.why_not.empty()) cannot_foretell(found.why_not, advice);
+  }
+
+  [[nodiscard]] bool is_row() const {
+    if (way_) return way_->layers.size() == model_.blocks.size();
+    return std::ranges::any_of(lattices_, [](const Lattice& lattice) { return lattice.row; });
   }
 
   // Directions that look the same in the mesh stand for each other: one of them is asked about.
@@ -186,7 +228,8 @@ class Adviser {
     }
   }
 
-  [[nodiscard]] WaveAdvice along_way(const Stage& stage, double stable_dt) const {
+  [[nodiscard]] WaveAdvice along_way(const Course& course) const {
+    const Stage& stage = course.stage;
     const ChainQuestion question(model_, *way_, stage, way_distance());
     WaveAdvice advice;
     for (const Material& material : model_.materials) {
@@ -210,10 +253,30 @@ class Adviser {
     if (advice.not_foretold = why_no_figures(stage, wavelength, advice.block_size); !advice.not_foretold.empty())
       return advice;
     advice.history = question.history_errors(load_->history);
-    if (!advice.history)
-      advice.not_foretold = "nothing arrives that resembles it within half a period of when it is due";
-    if (question_.limits) advice.limits = limits_of(question, stage, stable_dt);
+    if (!advice.history) {
+      advice.not_foretold = nothing_comes;
+    } else {
+      const MeshPlace place{way_->direction, way_->kind, advice.history->place, unit_of_way()};
+      if (!is_row()) {
+        const ChainQuestion::OtherTrace other = question.other_trace(load_->history);
+        count_sides(course, place, other.window, advice, other.read);
+      }
+    }
+    if (question_.limits && has_limits(advice)) advice.limits = limits_of(question, course, advice);
     return advice;
+  }
+
+  // Pa, of a wave along the way as it sets out.
+  [[nodiscard]] double unit_of_way() const {
+    const double motion = load_->motion.dot(polarization(way_->kind, way_->direction));
+    if (!way_->is_moved) return motion;
+    const ChainLayer& first = way_->layers[way_->driven_as_whole ? 1 : 0];
+    return motion * first.impedance / first.width;
+  }
+
+  // A mesh and steps that nothing comes through have limits to keep; what cannot be foretold has none.
+  static bool has_limits(const WaveAdvice& advice) {
+    return advice.not_foretold.empty() || advice.not_foretold == nothing_comes;
   }
 
   // And the way from where it is driven, where that is another and has no layers of its own.
@@ -236,12 +299,14 @@ class Adviser {
   }
 
   // Layers stay as they are: they belong to the scene.
-  [[nodiscard]] WaveLimits limits_of(const ChainQuestion& question, const Stage& stage, double stable_dt) const {
+  [[nodiscard]] WaveLimits limits_of(const ChainQuestion& question, const Course& course,
+                                     const WaveAdvice& advice) const {
     const auto error_of = [&](double dt, double scale) -> std::optional<double> {
       if (scale != 1) return std::nullopt;
-      return largest(question.with_dt(dt).total_history_errors(load_->history));
+      return largest(question.with_dt(dt).total_history_errors(load_->history), advice);
     };
-    return find_limits(error_of, stage.dt, {coarsest_dt(load_->history.period, stable_dt), 1}, question_.error);
+    return find_limits(error_of, course.stage.dt, {coarsest_dt(load_->history.period, course.stable_dt), 1},
+                       question_.error);
   }
 
   // A plane wave from a loaded edge has gone square to it; from elsewhere, or in other directions, straight there.
@@ -258,8 +323,9 @@ class Adviser {
     return farthest > 0 ? farthest : wavelength;
   }
 
-  [[nodiscard]] WaveAdvice of_wave(const Lattice& lattice, const Stage& stage, WaveKind kind,
-                                   const Direction& direction, double stable_dt) const {
+  [[nodiscard]] WaveAdvice of_wave(const Lattice& lattice, const Course& course, WaveKind kind,
+                                   const Direction& direction) const {
+    const Stage& stage = course.stage;
     WaveAdvice advice;
     advice.material = lattice.material.name;
     advice.kind = to_text(kind);
@@ -274,35 +340,33 @@ class Adviser {
     advice.steady = steady_errors(question, *frequency_);
     advice.asked_history = load_.has_value();
     if (load_) advice.not_foretold = why_no_figures(stage, advice.speed * load_->history.period, advice.block_size);
+    if (load_ && advice.not_foretold.empty()) advice.not_foretold = why_not_foretold(lattice);
     if (!advice.not_foretold.empty()) return advice;
-    if (load_) foretell_history(question, lattice, advice);
-    if (question_.limits) advice.limits = limits_of(question, advice, stable_dt);
+    if (load_) foretell_history(question, course, advice);
+    if (question_.limits && has_limits(advice)) advice.limits = limits_of(question, course, advice);
     return advice;
   }
 
-  [[nodiscard]] WaveLimits limits_of(const WaveQuestion& question, const WaveAdvice& advice, double stable_dt) const {
+  [[nodiscard]] WaveLimits limits_of(const WaveQuestion& question, const Course& course,
+                                     const WaveAdvice& advice) const {
     const auto error_of = [&](double dt, double scale) -> std::optional<double> {
       WaveQuestion changed = question;
       changed.stage.dt = dt;
       if (scale != 1) changed.lattice = scaled(question.lattice, scale);
-      return load_ ? history_error(changed) : steady_error(changed);
+      return load_ ? largest(total_history_errors(changed, load_->history), advice)
+                   : largest(total_steady_errors(changed, *frequency_), advice);
     };
     const double period = load_ ? load_->history.period : 1 / *frequency_;
-    const CoarseBounds coarse{coarsest_dt(period, stable_dt), advice.speed * period / 4 / advice.block_size};
+    const CoarseBounds coarse{coarsest_dt(period, course.stable_dt), advice.speed * period / 4 / advice.block_size};
     return find_limits(error_of, question.stage.dt, coarse, question_.error);
   }
 
-  [[nodiscard]] std::optional<double> steady_error(const WaveQuestion& question) const {
-    return largest(total_steady_errors(question, *frequency_));
-  }
-
-  [[nodiscard]] std::optional<double> history_error(const WaveQuestion& question) const {
-    return largest(total_history_errors(question, load_->history));
-  }
-
-  static std::optional<double> largest(const std::optional<TotalErrors>& errors) {
+  // What sides add neither blocks nor steps take away.
+  static std::optional<double> largest(const std::optional<TotalErrors>& errors, const WaveAdvice& advice) {
     if (!errors) return std::nullopt;
-    return std::max(std::abs(errors->speed), std::abs(errors->amplitude));
+    const double speed = advice.history ? advice.history->speed.sides : 0;
+    const double amplitude = advice.history ? advice.history->amplitude.sides : 0;
+    return std::max(std::abs(errors->speed + speed), std::abs(errors->amplitude + amplitude));
   }
 
   const Simulation& simulation_;

@@ -150,32 +150,46 @@ double ChainQuestion::fastest() const {
   return fastest;
 }
 
+// s, between samples of what comes.
+double ChainQuestion::interval_for(double window) const {
+  return std::max(1.0, std::ceil(window / stage_.dt / most_samples)) * stage_.dt;
+}
+
+// s: a wave that is early is compared with what should come after the window.
+double ChainQuestion::beyond(const LoadHistory& load, const Lags& lags) const {
+  return load.period / 2 - lags.earliest;
+}
+
 ChainQuestion::Traces ChainQuestion::traces(Causes causes, const LoadHistory& load, const Lags& lags) const {
-  const double due = path_.time_to(joint_);
   const double window = window_for(load, lags);
-  const double interval = std::max(1.0, std::ceil(window / stage_.dt / most_samples)) * stage_.dt;
-  // A wave that is early is compared with what should come after the window.
-  const double beyond = load.period / 2 - lags.earliest;
-  const int layers = layers_for(window + beyond);
+  const double interval = interval_for(window);
+  const int layers = layers_for(window + beyond(load, lags));
   const LoadSpectrum spectrum(sampled(drive(causes, load), window, interval), interval);
   Traces traces;
   traces.interval = interval;
   traces.found = spectrum.through([&](Complex s) { return integral(causes, s) * force(causes, s, layers); });
+  traces.exact = exact(load, lags);
+  return traces;
+}
+
+// What should come.
+std::function<double(double)> ChainQuestion::exact(const LoadHistory& load, const Lags& lags) const {
+  const double window = window_for(load, lags);
+  const int layers = layers_for(window + beyond(load, lags));
   if (path_.is_of_one_rock(layers)) {
     // Tables of displacements have velocities that jump: their mean over a quarter of a step.
-    const double wide = stage_.dt / 8;
-    traces.exact = [&load, due, wide, moved = path_.is_moved](double t) {
+    return [&load, due = path_.time_to(joint_), wide = stage_.dt / 8, moved = path_.is_moved](double t) {
       if (t <= due) return 0.0;
       if (!moved) return load.value(t - due);
       return (load.displacement(t - due + wide) - load.displacement(t - due - wide)) / (2 * wide);
     };
-    return traces;
   }
-  const LoadSpectrum fine(sampled(load.value, window + beyond, interval / finer), interval / finer);
-  traces.exact = Sampled(
-      fine.through([&](Complex s) { return (path_.is_moved ? 1.0 / s : 1.0) * exact_force(path_, s, joint_, layers); }),
-      interval / finer);
-  return traces;
+  const double fine = interval_for(window) / finer;
+  const LoadSpectrum spectrum(sampled(load.value, window + beyond(load, lags), fine), fine);
+  return Sampled(spectrum.through([&](Complex s) {
+    return (path_.is_moved ? 1.0 / s : 1.0) * exact_force(path_, s, joint_, layers);
+  }),
+                 fine);
 }
 
 // What the run is driven by: the load as it filters it; the velocity of what moves, under steps that of the whole step.
@@ -196,10 +210,22 @@ Complex ChainQuestion::integral(Causes causes, Complex s) const {
 }
 
 std::optional<ArrivalErrors> ChainQuestion::read(Causes causes, const LoadHistory& load) const {
-  const Lags lags = phase(causes, 2 * std::numbers::pi / load.period).lags;
-  const Traces found = traces(causes, load, lags);
-  return read_arrival(found.found, found.interval, found.exact, path_.time_to(joint_), load.period, lags,
+  const Lags between = lags(causes, load);
+  const Traces found = traces(causes, load, between);
+  return read_arrival(found.found, found.interval, found.exact, path_.time_to(joint_), load.period, between,
                       load.seen_until());
+}
+
+Lags ChainQuestion::lags(Causes causes, const LoadHistory& load) const {
+  return phase(causes, 2 * std::numbers::pi / load.period).lags;
+}
+
+ChainQuestion::OtherTrace ChainQuestion::other_trace(const LoadHistory& load) const {
+  const Lags between = lags(Causes::all, load);
+  return {window_for(load, between), [this, &load, between](const std::vector<double>& trace) {
+            return read_arrival(trace, stage_.dt, exact(load, between), path_.time_to(joint_), load.period, between,
+                                load.seen_until());
+          }};
 }
 
 std::optional<TotalErrors> ChainQuestion::total_history_errors(const LoadHistory& load) const {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/advice/chain.h"
 #include "engine/advice/wave_errors.h"
@@ -30,6 +31,13 @@ class ChainQuestion {
   [[nodiscard]] std::optional<TotalErrors> total_steady_errors(double frequency) const;
   [[nodiscard]] std::optional<TotalErrors> total_history_errors(const LoadHistory& load) const;
 
+  // How long that stress is looked at, s, and the same readings of another trace of it, which has the stage's dt.
+  struct OtherTrace {
+    double window = 0;
+    std::function<std::optional<ArrivalErrors>(const std::vector<double>&)> read;
+  };
+  [[nodiscard]] OtherTrace other_trace(const LoadHistory& load) const;
+
  private:
   // Compares a steady wave with what it should be: the angle that it is late (rad), the ratio of amplitudes, and the
   // lags on the way up to its frequency, of phases and of groups.
@@ -49,6 +57,10 @@ class ChainQuestion {
   [[nodiscard]] std::optional<TotalErrors> steady(Causes causes, double frequency) const;
   [[nodiscard]] std::function<double(double)> drive(Causes causes, const LoadHistory& load) const;
   [[nodiscard]] Complex integral(Causes causes, Complex s) const;
+  [[nodiscard]] Lags lags(Causes causes, const LoadHistory& load) const;
+  [[nodiscard]] double interval_for(double window) const;
+  [[nodiscard]] double beyond(const LoadHistory& load, const Lags& lags) const;
+  [[nodiscard]] std::function<double(double)> exact(const LoadHistory& load, const Lags& lags) const;
   [[nodiscard]] Traces traces(Causes causes, const LoadHistory& load, const Lags& lags) const;
   [[nodiscard]] std::optional<ArrivalErrors> read(Causes causes, const LoadHistory& load) const;
 

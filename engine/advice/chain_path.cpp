@@ -117,7 +117,8 @@ class Layering {
     const bool is_last = number + 1 == static_cast<int>(layers_.size());
     if (number > 0 && std::abs(before - layer.width) > slack) return false;
     if (!is_last && std::abs(behind - layer.width) > slack) return false;
-    if (number > 0 && std::abs(path_.layers.back().width - layer.width) > slack) return false;
+    const bool on_base = number == 1 && model_.is_held(load_.block);  // which moves all of the layer alike
+    if (number > 0 && !on_base && std::abs(path_.layers.back().width - layer.width) > slack) return false;
     int beside = 0;
     for (const ChainNeighbour& neighbour : layer.neighbours) {
       if (neighbour.layer != number) continue;
@@ -178,7 +179,11 @@ class Layering {
       loaded += (load.to - load.from).norm();
       driven = true;
     }
-    for (const PointLoad& load : model_.point_loads) driven = driven || load.block == first;
+    for (const PointLoad& load : model_.point_loads) {
+      if (load.block != first || std::holds_alternative<Constant>(load.history)) continue;
+      if (!is_row()) return fail("a load at a point spreads to all sides of a mesh");
+      driven = true;
+    }
     for (std::size_t i = 0; i < model_.supports.size(); ++i) {
       if (model_.supports[i].block != first || is_still(model_.supports[i])) continue;
       path_.supports.push_back(i);

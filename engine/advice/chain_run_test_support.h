@@ -48,6 +48,7 @@ struct Row {
   int columns = 1;
   double width = 1;  // m, of a block
   bool running_bond = false;
+  bool free_sides = false;                     // in place of what leaves a plane wave its motion
   double angle = 0;                            // of the way against x
   double unit = 0;                             // s
   double joint_stiffness = 0;                  // Pa/m; 0: as the scheme has it
@@ -56,6 +57,7 @@ struct Row {
   double cycles = 2;                           // that the load lasts
   std::function<double(double)> shape = tone;  // of the load, by the share of its time that is over
   std::string drive = "force";                 // or "displacement", "velocity"
+  bool on_base = false;                        // what is moved is one held block below all columns, not the face
   std::string steps;                           // JSON members of the stage, dt apart
   std::string scheme = "accurate";
   double dt = 0;
@@ -118,6 +120,9 @@ class Drawing {
 
 inline std::string blocks_of(const Row& row, const Drawing& drawing) {
   std::string blocks;
+  if (row.on_base)
+    blocks = fmt::format(R"({{"polygon": {{"name": "base", "material": "r0", "vertices": {}}}}})",
+                         drawing.box(-1, 0, 0, row.height()));
   double x = 0;
   for (std::size_t i = 0; i < row.blocks.size(); ++i) {
     const bool shifted = row.running_bond && i % 2 == 1;
@@ -135,7 +140,7 @@ inline std::string blocks_of(const Row& row, const Drawing& drawing) {
 
 // Sides that hold what a plane wave does not move: what is across its particles.
 inline std::string sides_of(const Row& row, const Drawing& drawing, double end) {
-  if (row.wave == 'b') return "";
+  if (row.wave == 'b' || row.free_sides) return "";
   const char* hold = row.wave == 'p' ? R"("normal")" : (std::abs(std::sin(row.angle)) < 0.5 ? R"("x")" : R"("y")");
   std::string sides;
   for (const double y : {0.0, row.height()})
@@ -168,8 +173,9 @@ inline std::string scene_of(const Row& row) {
   if (row.drive == "force") {
     loads = fmt::format(R"({{"edge": {}, "traction": {}, "history": {}}})", face, motion, history_of(row));
   } else {
-    supports += fmt::format(R"({}{{"edge": {}, "hold": "normal", "{}": {}, "history": {}}})",
-                            supports.empty() ? "" : ", ", face, row.drive, motion, history_of(row));
+    const std::string place = row.on_base ? R"("block": "base")" : fmt::format(R"("edge": {}, "hold": "normal")", face);
+    supports += fmt::format(R"({}{{{}, "{}": {}, "history": {}}})", supports.empty() ? "" : ", ", place, row.drive,
+                            motion, history_of(row));
   }
   const double y = (std::floor(row.columns / 2.0) + 0.4) * row.width;
   return fmt::format(

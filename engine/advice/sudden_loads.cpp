@@ -210,7 +210,37 @@ std::vector<Drive> motions_of(const Motion& motion) {
           drive("the velocity of the motion", &MotionFactors::velocity, turns)};
 }
 
+// A velocity between its jumps, of s since it began.
+double square_mean(const LoadHistory& history) {
+  constexpr int samples = 4000;
+  double sum = 0;
+  for (int i = 0; i < samples; ++i) sum += std::pow(history.value((i + 0.5) / samples * history.run), 2);
+  return sum / samples;
+}
+
 }  // namespace
+
+double share_of_jumps(const SceneLoad& load, double dt) {
+  constexpr double stairs = 0.3;  // of the largest velocity: 20 points in the period of a sine have such steps
+  if (!load.history.displacement) return 0;
+  const double half = jumps[1].time * dt / 2;
+  std::vector<double> changes;
+  double largest = 0;
+  std::vector<double> corners = corners_of(*load.source);
+  corners.erase(std::ranges::unique(corners).begin(), corners.end());
+  for (const double corner : corners) {
+    const double t = corner - load.history.start;
+    if (t < 0 || t + half > load.history.run) continue;
+    const double before = load.history.value(t - half), after = load.history.value(t + half);
+    largest = std::max({largest, std::abs(before), std::abs(after)});
+    changes.push_back(after - before);
+  }
+  double squares = 0;
+  for (const double change : changes)
+    if (std::abs(change) > stairs * largest) squares += change * change;
+  const double whole = square_mean(load.history) * load.history.run;
+  return whole > 0 ? squares * dt / 2 / whole : 0;
+}
 
 std::vector<LoadFinding> sudden_loads(const Model& model) {
   Search search(model);

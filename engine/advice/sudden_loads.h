@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/advice/load_finding.h"
+#include "engine/advice/load_history.h"
 #include "engine/model/model.h"
 
 namespace dda {
@@ -14,5 +15,10 @@ namespace dda {
 // of sines and records, decays without a rise. Of motions the velocity counts, as a wave carries it; that of a place
 // which begins to swing as a sine jumps once, and the swing that follows is as foretold.
 std::vector<LoadFinding> sudden_loads(const Model& model);
+
+// Of a place whose displacement is given: how much of its velocity, squared and over all the time, is in half a step
+// beside each jump of it. A wave is read in rows of dt, and what a row has of a jump depends on how it is read: so do
+// amplitude and speed by about this share. 0 for loads.
+double share_of_jumps(const SceneLoad& load, double dt);
 
 }  // namespace dda

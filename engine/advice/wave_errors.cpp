@@ -106,9 +106,13 @@ double on_time(const WaveQuestion& question, const Place& place) {
 }
 
 // `filter`: of the load, as a run applies it.
+double window_at(const WaveQuestion& question, const LoadHistory& load, const Place& place) {
+  return window_of(load, on_time(question, place), lags_of(question, place.distance, load.period));
+}
+
 LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place,
                          const LoadFilter& filter) {
-  const double window = window_of(load, on_time(question, place), lags_of(question, place.distance, load.period));
+  const double window = window_at(question, load, place);
   const double stride = std::max(1.0, std::ceil(window / question.stage.dt / most_samples));
   const double interval = stride * question.stage.dt;
   std::vector<double> samples(static_cast<std::size_t>(std::floor(window / interval + 1e-6)) + 1);
@@ -142,9 +146,13 @@ class Reader {
   [[nodiscard]] const Place& place() const { return place_; }
 
   [[nodiscard]] std::optional<ArrivalErrors> read(Causes causes) const {
+    return read(causes, trace_of(question_, load_, place_, causes));
+  }
+
+  // `causes`: that have made the trace.
+  [[nodiscard]] std::optional<ArrivalErrors> read(Causes causes, const Trace& trace) const {
     const double due = on_time(question_, place_);
     const auto exact = [&](double t) { return t > due ? load_.value(t - due) : 0.0; };
-    const Trace trace = trace_of(question_, load_, place_, causes);
     return read_arrival(trace.values, trace.interval, exact, due, load_.period,
                         lags_of(changed(causes), place_.distance, load_.period), load_.seen_until());
   }
@@ -211,6 +219,23 @@ std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, co
   const auto read = Reader(question, load).read(Causes::time);
   if (!read) return std::nullopt;
   return TotalErrors{read->speed, read->amplitude};
+}
+
+std::optional<ArrivalErrors> read_other(const WaveQuestion& question, const LoadHistory& load,
+                                        const std::vector<double>& trace, double interval) {
+  return Reader(question, load).read(Causes::all, {trace, interval});
+}
+
+double window_of(const WaveQuestion& question, const LoadHistory& load) {
+  return window_at(question, load, place_of(question));
+}
+
+HistoryErrors HistoryErrors::with_sides(const ArrivalErrors& readings) const {
+  HistoryErrors errors = *this;
+  errors.speed.sides = readings.speed - speed.total();
+  errors.amplitude.sides = readings.amplitude - amplitude.total();
+  errors.arrival = readings;
+  return errors;
 }
 
 std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const LoadHistory& load) {

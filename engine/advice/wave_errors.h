@@ -24,11 +24,11 @@ struct WaveQuestion {
 
 // What each cause adds to a relative error, in this order: `blocks` is the error in continuous time with the accurate
 // law of the joints, or their own when it is not springs; `interfaces` what springs add; `time` what time steps add;
-// `damping` what damping of the material and of velocities adds.
+// `damping` what damping of the material and of velocities adds; `sides` what those of a mesh add that are near.
 struct ErrorTerms {
-  double blocks = 0, interfaces = 0, time = 0, damping = 0;
+  double blocks = 0, interfaces = 0, time = 0, damping = 0, sides = 0;
 
-  [[nodiscard]] double total() const { return blocks + interfaces + time + damping; }
+  [[nodiscard]] double total() const { return blocks + interfaces + time + damping + sides; }
 };
 
 struct SteadyErrors {
@@ -57,7 +57,7 @@ struct ByCause {
 
  private:
   [[nodiscard]] ErrorTerms terms(double Reading::*error) const {
-    return {blocks.*error, space.*error - blocks.*error, time.*error - space.*error, all.*error - time.*error};
+    return {blocks.*error, space.*error - blocks.*error, time.*error - space.*error, all.*error - time.*error, 0};
   }
 };
 
@@ -106,6 +106,9 @@ struct HistoryErrors {
   ArrivalErrors arrival;        // all readings of all causes together
   double place = 0;             // m, of the joint where the wave is looked at
   bool with_end = false;        // counts what the loaded end does; else the way alone
+
+  // The same with the readings of a mesh whose sides count as well.
+  [[nodiscard]] HistoryErrors with_sides(const ArrivalErrors& readings) const;
 };
 
 // Nothing where what arrives does not resemble the load (see read_arrival). Stress at the joint nearest to the distance
@@ -113,6 +116,11 @@ struct HistoryErrors {
 std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const LoadHistory& load);
 
 std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, const LoadHistory& load);
+
+// The same readings of another trace of that stress, at 0, interval, ... (s), and how long it is looked at, s.
+std::optional<ArrivalErrors> read_other(const WaveQuestion& question, const LoadHistory& load,
+                                        const std::vector<double>& trace, double interval);
+double window_of(const WaveQuestion& question, const LoadHistory& load);
 
 // The stress there that the blocks, interfaces and time steps make of the load, over the load's amplitude.
 struct PredictedTrace {

@@ -215,7 +215,8 @@ TEST(StepChoice, OfTablesLeavesRipplesOut) {
   auto& table = std::get<PiecewiseLinear>(model.edge_loads[0].history);
   for (std::size_t i = 1; i < table.values.size(); i += 2) table.values[i] += 1e-5;  // a third of a line at most
   EXPECT_EQ(chosen(model), smooth);
-  table.values[1] = -1e-12;  // round-off before the rise
+  table.times.insert(table.times.begin() + 1, 1e-9);  // round-off before the rise
+  table.values.insert(table.values.begin() + 1, -1e-12);
   EXPECT_EQ(chosen(model), smooth);
 }
 

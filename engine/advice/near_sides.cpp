@@ -1,0 +1,225 @@
+#include "engine/advice/near_sides.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "engine/advice/chain_path.h"
+#include "engine/contact/joint_stiffness.h"
+#include "engine/simulation/simulation.h"
+
+namespace dda {
+namespace {
+
+constexpr double tolerance = 1e-6;  // of lengths, over those of the block; of cosines
+constexpr double most_seconds = 1;  // of CPU time that steps may take
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+Range range_of(const Block& block, const Vec2& direction) {
+  Range range;
+  for (const Vec2& vertex : block.shape.outer) range.include(direction.dot(vertex));
+  return range;
+}
+
+Range range_of(const Model& model, const Vec2& direction) {
+  Range range;
+  for (const Block& block : model.blocks) {
+    const Range of_block = range_of(block, direction);
+    range.include(of_block.low);
+    range.include(of_block.high);
+  }
+  return range;
+}
+
+// Rollers hold what is across the wave's motion and leave it its motion.
+bool is_roller(const PointSupport& support, const Vec2& particles) {
+  if (!is_still(support) || support.partner || support.last_stage >= 0) return false;
+  if (!support.direction.isZero(0)) return std::abs(support.direction.dot(particles)) < tolerance;
+  return (!support.holds_x || std::abs(particles.x()) < tolerance) &&
+         (!support.holds_y || std::abs(particles.y()) < tolerance);
+}
+
+bool is_springs(const JointMaterial& joint, const Stage& stage) {
+  return joint.law == InterfaceLaw::classical ||
+         (stage.kinematics == Kinematics::finite && is_springs_where_blocks_move(joint));
+}
+
+// As waves are foretold: closed, stuck, and of the law that acts.
+void close(JointMaterial& joint, const Stage& stage) {
+  if (is_springs(joint, stage))
+    joint.law = InterfaceLaw::classical;
+  else if (joint.law == InterfaceLaw::projected)
+    joint.law = InterfaceLaw::consistent;
+  joint.bonded = true;
+  joint.contact_damping = 0;
+}
+
+bool has_several_stages_parts(const Model& model) {
+  return !model.bolts.empty() || !model.linings.empty() || !model.free_field_sides.empty() || model.removes_blocks() ||
+         model.adds_blocks() || changes_materials(model) || changes_joints(model);
+}
+
+template <typename Load>
+void keep_waves(std::vector<Load>& loads, std::size_t stage) {
+  std::erase_if(loads, [&](const Load& load) {
+    return std::holds_alternative<Constant>(load.history) || !load.stages.has(stage);
+  });
+  for (Load& load : loads) load.stages = {};
+}
+
+}  // namespace
+
+BetweenSides NearSides::count(const HistoryErrors& history, const MeshPlace& place, double window,
+                              const ReadTrace& read) const {
+  if (!are_felt(place, window)) return {history, ""};
+  const double cost = course_.step_cost * (load_.history.start + window) / stage_.dt;
+  const auto trace = cost > most_seconds ? std::nullopt : stepped(place, window);
+  if (trace) {
+    const auto readings = read(*trace);
+    if (!readings) return {history, "its sides are near, and what comes resembles nothing that should"};
+    return {history.with_sides(*readings), ""};
+  }
+  // What springs give way by across a P wave is of the order of Poisson's ratio squared.
+  if (distance(place) >= place.distance || (place.kind == WaveKind::p && are_rollers(place))) return {history, ""};
+  return {history, fmt::format("its sides are {:.3g} m from the way, nearer than the {:.3g} m that it runs, and change "
+                               "it there",
+                               distance(place), place.distance)};
+}
+
+double NearSides::distance(const MeshPlace& place) const {
+  const Vec2 across = left_of(place.direction);
+  const Range sides = range_of(model_, across);
+  const double here = across.dot(load_.looked_at);
+  return std::max(0.0, std::min(here - sides.low, sides.high - here));
+}
+
+bool NearSides::are_felt(const MeshPlace& place, double window) const {
+  double fastest = 0;
+  for (const Block& block : model_.blocks)
+    fastest = std::max(fastest, p_wave_speed(model_.materials[at(block.material)]));
+  if (std::hypot(place.distance, distance(place)) >= fastest * window) return false;
+  return has_springs() || !are_rollers(place);
+}
+
+bool NearSides::has_springs() const {
+  return std::ranges::any_of(model_.joints, [&](const JointMaterial& joint) { return is_springs(joint, stage_); });
+}
+
+// All along both sides.
+bool NearSides::are_rollers(const MeshPlace& place) const {
+  const Vec2 across = left_of(place.direction);
+  const Vec2 particles = polarization(place.kind, place.direction);
+  std::set<std::pair<int, bool>> rolling;  // block and side
+  for (const PointSupport& support : model_.supports) {
+    if (!is_roller(support, particles)) continue;
+    const double side = across.dot(support.point - model_.blocks[at(support.block)].moments.centroid);
+    rolling.emplace(support.block, side > 0);
+  }
+  const Range sides = range_of(model_, across);
+  for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
+    if (model_.is_held(static_cast<int>(i))) continue;
+    const Range block = range_of(model_.blocks[i], across);
+    const double slack = tolerance * (block.high - block.low);
+    if (block.low < sides.low + slack && !rolling.contains({static_cast<int>(i), false})) return false;
+    if (block.high > sides.high - slack && !rolling.contains({static_cast<int>(i), true})) return false;
+  }
+  return true;
+}
+
+// Where the way begins: the face of the block that is driven, or behind it where it is driven as a whole.
+double NearSides::start_along(const MeshPlace& place) const {
+  const Range block = range_of(model_.blocks[at(load_.block)], place.direction);
+  return model_.is_held(load_.block) ? block.high : block.low;
+}
+
+// Of the joints across the wave at the place, that nearest to where it is looked at.
+std::optional<std::size_t> NearSides::interface_at(const MeshPlace& place) const {
+  const double wanted = start_along(place) + place.distance;
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < drawn_.interfaces.size(); ++i) {
+    const Interface& interface = drawn_.interfaces[i];
+    if (interface.length == 0 || std::abs(interface.normal.dot(place.direction)) < 1 - tolerance) continue;
+    const Vec2 middle = (interface.from + interface.to) / 2;
+    if (std::abs(place.direction.dot(middle) - wanted) > 1e-3 * interface.length) continue;
+    const double beside = std::abs(left_of(place.direction).dot(middle - load_.looked_at));
+    if (beside >= least) continue;
+    least = beside;
+    nearest = i;
+  }
+  return nearest;
+}
+
+// The scene as far as the wave goes: what is at rest stays out of it.
+std::optional<Model> NearSides::closed_scene(double duration) const {
+  for (std::size_t i = 0; i < course_.index; ++i)
+    if (model_.stages[i].duration > 0) return std::nullopt;
+  if (has_several_stages_parts(model_)) return std::nullopt;
+  Model scene = model_;
+  scene.gravity.setZero();
+  scene.measurements.clear();
+  scene.peaks.reset();
+  for (JointMaterial& joint : scene.joints) close(joint, stage_);
+  for (Block& block : scene.blocks) {
+    block.initial_stress.setZero();
+    block.initial_velocity.setZero();
+    block.initial_spin = 0;
+    block.initial_strain_rate.setZero();
+  }
+  keep_waves(scene.point_loads, course_.index);
+  keep_waves(scene.edge_loads, course_.index);
+  const auto index = static_cast<int>(course_.index);
+  std::erase_if(scene.supports,
+                [&](const PointSupport& each) { return each.last_stage >= 0 && each.last_stage < index; });
+  for (PointSupport& support : scene.supports) support.last_stage = -1;
+  std::erase_if(scene.viscous_edges, [&](const ViscousEdge& each) { return each.first_stage > index; });
+  for (ViscousEdge& edge : scene.viscous_edges) edge.first_stage = 0;
+  scene.stages = {stage_};
+  scene.stages.front().kinematics = Kinematics::small;
+  scene.stages.front().duration = duration;
+  return scene;
+}
+
+std::optional<std::vector<double>> NearSides::stepped(const MeshPlace& place, double window) const {
+  const auto index = interface_at(place);
+  const auto before = static_cast<std::int64_t>(std::llround(load_.history.start / stage_.dt));
+  const auto steps = static_cast<std::int64_t>(std::floor(window / stage_.dt + tolerance));
+  auto scene = closed_scene(static_cast<double>(before + steps) * stage_.dt);
+  if (!scene || !index) return std::nullopt;
+  Simulation simulation(std::move(*scene));
+  const Interface& interface = simulation.contacts().interfaces[*index];
+  const Vec2 particles = polarization(place.kind, place.direction);
+  const Vec2& normal = interface.normal;
+  const double sign = normal.dot(place.direction) > 0 ? -1 : 1;  // of the force on the block behind the joint
+  const Vec2 weights = sign / place.unit * Vec2(particles.dot(normal), particles.dot(left_of(normal)));
+  std::vector<double> trace;
+  if (before == 0) trace.push_back(0);
+  for (std::int64_t step = 1; step <= before + steps; ++step) {
+    if (simulation.step() != Status::ok) return std::nullopt;
+    if (step < before) continue;
+    trace.push_back(weights.dot(mean_traction(simulation.model(), interface, simulation.contacts().elements[*index],
+                                              simulation.interface_state(*index))));
+  }
+  return trace;
+}
+
+}  // namespace dda

@@ -87,7 +87,7 @@ class MarkedPlaces {
     }
   }
 
-  // A load on several blocks would act on each of them in full.
+  // One block has the load: each of several would have all of it.
   void load(const PlanPoint& point, const PointTable& table) {
     if (!table.rows.empty())
       add_loads(table, {{"point", position(point.at)}, {"block", blocks_at(point).front()}}, scene_);

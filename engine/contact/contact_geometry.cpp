@@ -5,6 +5,7 @@
 #include "engine/contact/interface_frame.h"
 #include "engine/contact/make_element.h"
 #include "engine/contact/projected_stretch.h"
+#include "engine/contact/tied_sides.h"
 
 namespace dda {
 
@@ -23,7 +24,9 @@ void update_geometry(const Model& model, const State& state, const State& acting
     set_geometry(model, acting_frame(model, acting, contacts.interfaces[i], element.law), element);
     measure_gap(model, state, contacts.interfaces[i], element, contacts.states[i]);
   }
-  if (!contacts.outline_compliance.empty()) take_off_blocks(model.blocks.size(), contacts);
+  if (contacts.outline_compliance.empty()) return;
+  take_off_blocks(model.blocks.size(), contacts);
+  take_off_tied_blocks(model, contacts);
 }
 
 void keep_gaps(const Model& model, const State& state, ContactSet& contacts) {

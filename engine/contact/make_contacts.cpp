@@ -7,6 +7,7 @@
 #include "engine/contact/in_situ_force.h"
 #include "engine/contact/make_element.h"
 #include "engine/contact/row_bending.h"
+#include "engine/contact/tied_sides.h"
 
 namespace dda {
 namespace {
@@ -57,6 +58,7 @@ ContactSet make_contacts(const Model& model) {
 void fit_to_neighbours(const Model& model, ContactSet& contacts) {
   stiffen_rows(model, contacts);
   take_off_blocks(model.blocks.size(), contacts);
+  take_off_tied_blocks(model, contacts);
 }
 
 }  // namespace dda

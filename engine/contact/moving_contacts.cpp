@@ -15,6 +15,7 @@
 #include "engine/contact/projected_stretch.h"
 #include "engine/contact/shared_face.h"
 #include "engine/contact/succession.h"
+#include "engine/contact/tied_sides.h"
 #include "engine/model/rock_change.h"
 #include "engine/model/tolerance.h"
 
@@ -393,7 +394,9 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   }
   contacts.states = std::move(states);
   known_ = found;
-  if (!contacts.outline_compliance.empty()) take_off_blocks(model.blocks.size(), contacts);
+  if (contacts.outline_compliance.empty()) return;
+  take_off_blocks(model.blocks.size(), contacts);
+  take_off_tied_blocks(model, contacts);
 }
 
 }  // namespace dda

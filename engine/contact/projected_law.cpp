@@ -11,8 +11,6 @@
 namespace dda {
 namespace {
 
-using Mat23 = Eigen::Matrix<double, 2, 3>;
-
 // w/(2 D) R^T R of the header in terms of stress, m/Pa for each m of outline: what a penalty of 1 takes.
 Mat3 unit_compliance(const Model& model, int block, const Vec2& normal) {
   const double modulus = plane_modulus(model.material_of(block));

@@ -37,6 +37,8 @@
 
 namespace dda {
 
+using Mat23 = Eigen::Matrix<double, 2, 3>;
+
 // The least penalty makes a free bar of equal blocks correct to fourth order (ADR 24).
 inline constexpr double least_penalty = 3;
 

@@ -22,7 +22,6 @@ void check_stages_of(const Item& item, const Model& model) {
       item.fail("law", fmt::format("projected, with an integrator that damps nothing in stage \"{}\"", stage.name),
                 "one that damps, or the classical law");
   }
-  if (!model.free_field_sides.empty()) item.fail("law", "projected, beside free-field sides", "the classical law");
 }
 
 }  // namespace

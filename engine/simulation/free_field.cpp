@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/contact/block_across.h"
+#include "engine/contact/tied_sides.h"
+#include "engine/geometry/box.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/branch.h"
 #include "engine/terms/viscous_boundary.h"
@@ -11,6 +14,11 @@ namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double width_of(const Model& model, int block) {
+  const Box box = bounding_box(model.blocks[at(block)].shape);
+  return box.upper.x() - box.lower.x();
+}
 
 // Calls act(edge, outward, contact) for the edges of all sides and their contacts.
 template <typename Contacts, typename Act>
@@ -32,6 +40,7 @@ FreeField::FreeField(const Model& model, const State& state, FreeFieldColumns&& 
                   contact.block = edge.block;
                   contact.ties = columns.ties[next];
                   contact.column_block = columns.blocks[next++];
+                  contact.wider = width_of(model, contact.block) / width_of(columns_.model(), contact.column_block);
                 });
   read_columns();
   update_geometry(model, state, 0);
@@ -60,7 +69,22 @@ FreeField::Motion FreeField::motion_of(const Contact& contact) const {
     motion.force -= tie.stiffness * tie.gap;
     motion.force_rate -= tie.stiffness * (tie.rows * motion.velocity);
   }
+  if (const auto sides = tied_sides(columns_.model(), contact.column_block, Vec2::UnitX()))
+    add_on_strains(contact, *sides, motion);
   return motion;
+}
+
+// What a projected joint does to the strains of a block beside it, softness times length times what it carries beyond
+// the block's own traction: nothing, but for what the column gives way between its sides.
+void FreeField::add_on_strains(const Contact& contact, const TiedSides& sides, Motion& motion) const {
+  const Mat3 elasticity = elasticity_matrix(columns_.model().material_of(contact.column_block));
+  const Mat23 rows = traction_rows(Vec2::UnitX());
+  const auto on_strains = [&](const Vec2& force, const Vec3& stress) -> Vec3 {
+    const Vec2 beyond = force - sides.length * (rows * stress);
+    return -contact.wider * sides.softness / 2 * (elasticity * (rows.transpose() * beyond));
+  };
+  motion.on_strains = on_strains(motion.force, columns_.state().stress[at(contact.column_block)]);
+  motion.on_strains_rate = on_strains(motion.force_rate, elasticity * motion.velocity.tail<3>());
 }
 
 // A static stage that has come to rest ends before its time: what was reached last says nothing of where a step begins.
@@ -82,6 +106,7 @@ bool FreeField::begin_stage(const Model& model, const State& state, std::size_t 
   for_each_edge(model, contacts_, [&](const ViscousEdge& edge, double, Contact& contact) {
     if (at(edge.first_stage) != stage || stage == 0) return;
     contact.force_before = contact.now.force;
+    contact.on_strains_before = contact.now.on_strains;
     any = true;
   });
   if (any) update_geometry(model, state, stage);
@@ -119,11 +144,14 @@ void FreeField::add_loads_at(double time, double stiffness_damping, Eigen::Vecto
   const double share = std::clamp(passed, 0.0, 1.0);
   for (const Contact& contact : contacts_) {
     const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
-    const Vec2 tied = (1 - share) * contact.old.force + share * contact.now.force - contact.force_before;
-    const Vec2 rate = (1 - share) * contact.old.force_rate + share * contact.now.force_rate;
+    const auto now = [&](auto part) { return ((1 - share) * contact.old.*part + share * contact.now.*part).eval(); };
+    const Vec2 tied = now(&Motion::force) - contact.force_before;
+    const Vec2 rate = now(&Motion::force_rate);
     auto own = force.segment<6>(6 * contact.block);
     own.noalias() += contact.dashpots * velocity;
     own.noalias() += contact.middle * (tied + stiffness_damping * rate);
+    own.tail<3>() += now(&Motion::on_strains) - contact.on_strains_before;
+    own.tail<3>() += stiffness_damping * now(&Motion::on_strains_rate);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "engine/contact/contact_geometry.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/tied_sides.h"
 #include "engine/core/status.h"
 #include "engine/core/types.h"
 #include "engine/model/model.h"
@@ -58,13 +59,15 @@ class FreeField {
  private:
   struct Motion {
     Vec6 velocity = Vec6::Zero();
-    Vec2 force = Vec2::Zero();       // N, on the right side of the block
-    Vec2 force_rate = Vec2::Zero();  // N/s, by which the velocity changes it
+    // N, on the right side of the block, and N m, on its strains, where the joint there is of the projected law: half
+    // of what both sides do to them. And by how much the velocity changes these each second.
+    Vec2 force = Vec2::Zero(), force_rate = Vec2::Zero();
+    Vec3 on_strains = Vec3::Zero(), on_strains_rate = Vec3::Zero();
 
     template <typename Self, typename Archive>
     static void visit(Self& self, Archive& archive) {
-      auto& [velocity, force, force_rate] = self;
-      archive(velocity, force, force_rate);
+      auto& [velocity, force, force_rate, on_strains, on_strains_rate] = self;
+      archive(velocity, force, force_rate, on_strains, on_strains_rate);
     }
   };
 
@@ -75,19 +78,22 @@ class FreeField {
     std::size_t ties = 0;          // the first of the two supports that tie its sides
     Mat6 dashpots = Mat6::Zero();  // times the column's velocity
     Eigen::Matrix<double, 6, 2> middle = Eigen::Matrix<double, 6, 2>::Zero();  // of the edge, times the ties' force
+    double wider = 1;                                                          // than the column's block
     Vec2 force_before = Vec2::Zero();                                          // N, when the side began to act
+    Vec3 on_strains_before = Vec3::Zero();                                     // N m
     Motion old, now;                                                           // at the ends of the columns' last step
 
     template <typename Self, typename Archive>
     static void visit(Self& self, Archive& archive) {
-      auto& [block, column_block, ties, dashpots, middle, force_before, old, now] = self;
-      archive(dashpots, middle, force_before, old, now);  // the others are the drawing's
+      auto& [block, column_block, ties, dashpots, middle, wider, force_before, on_strains_before, old, now] = self;
+      archive(dashpots, middle, force_before, on_strains_before, old, now);  // the others are the drawing's
     }
   };
 
   FreeField(const Model& model, const State& state, FreeFieldColumns&& columns);
   void read_columns();
   [[nodiscard]] Motion motion_of(const Contact& contact) const;
+  void add_on_strains(const Contact& contact, const TiedSides& sides, Motion& motion) const;
   void place(const Model& model, const State& state, const ViscousEdge& edge, double outward, Contact& contact);
 
   std::vector<Contact> contacts_;  // of the edges of all sides, one after the other

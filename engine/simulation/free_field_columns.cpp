@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/contact/tied_sides.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/free_field_side.h"
@@ -81,16 +82,20 @@ class Column {
     const std::size_t number = model().blocks.size() + 1;  // in case that a block has two edges along a side
     block.name = fmt::format("{} (free field {})", block.name, number);
     block.shape = {{{left_, lower}, {right, lower}, {right, upper}, {left_, upper}}, {}};
+    block.moments = area_moments(block.shape);
     model().blocks.push_back(std::move(block));
     return static_cast<int>(model().blocks.size()) - 1;
   }
 
-  // Classical springs of vertical joints give way, as they do between the blocks inside. The forces that the ground to
-  // the left and right exerts under the initial stress are in the ties from the start.
+  // Vertical joints with classical springs, or of the projected law, give way as they do between the blocks inside. The
+  // forces that the ground to the left and right exerts under the initial stress are in the ties from the start.
   void tie_sides(int original, int block, double height) {
     const Block& own = model().blocks[at(block)];
-    const Vec2 force = height * Vec2(own.initial_stress(0), own.initial_stress(2));
-    const Vec2 springs = springs_beside(original);
+    const Vec2 traction(own.initial_stress(0), own.initial_stress(2));
+    join_sides(original, block);
+    const auto sides = tied_sides(model(), block, Vec2::UnitX());
+    const Vec2 springs = sides ? sides->stiffness : springs_beside(original);
+    const double by_stress = sides ? sides->softness : 0;
     columns_.ties.push_back(model().supports.size());
     const double rigid = tie_over_young * model().material_of(block).young * height / width_;
     for (const int axis : {0, 1}) {
@@ -100,23 +105,47 @@ class Column {
       tie.partner = Vec2(left_, tie.point.y());
       tie.direction = Vec2::Unit(axis);
       tie.stiffness = springs(axis) > 0 ? springs(axis) : rigid;
-      tie.amplitude = force(axis) / tie.stiffness * tie.direction;
+      tie.amplitude = (height / tie.stiffness - by_stress) * traction(axis) * tie.direction;
       model().supports.push_back(std::move(tie));
     }
+  }
+
+  // Where all vertical joints of a block are of the projected law it has such a joint with itself, with the compliance
+  // that such joints of its width would have here: half as far apart they give way half as much each.
+  void join_sides(int original, int block) {
+    const JointMaterial* joint = nullptr;
+    for (std::size_t i = 0; i < contacts_.interfaces.size(); ++i) {
+      if (!is_beside(original, contacts_.interfaces[i])) continue;
+      if (contacts_.elements[i].law != InterfaceLaw::projected) return;
+      joint = &whole_.joints[at(contacts_.interfaces[i].joint)];
+    }
+    if (joint == nullptr) return;
+    model().joint_of_block_pair[{block, block}] = static_cast<int>(model().joints.size());
+    JointMaterial& own = model().joints.emplace_back(*joint);
+    own.normal_stiffness *= wider(original);
+    own.shear_stiffness *= wider(original);
+  }
+
+  [[nodiscard]] static bool is_beside(int block, const Interface& interface) {
+    return (interface.block_a == block || interface.block_b == block) && std::abs(interface.normal.x()) >= 0.7;
+  }
+
+  // Than the column.
+  [[nodiscard]] double wider(int original) const {
+    const Box box = bounding_box(whole_.blocks[at(original)].shape);
+    return (box.upper - box.lower).x() / width_;
   }
 
   // Normal and shear stiffness (N/m) of the classical springs in the vertical joints of a block, for the width here.
   [[nodiscard]] Vec2 springs_beside(int original) const {
     Vec2 sum = Vec2::Zero();
     for (std::size_t i = 0; i < contacts_.interfaces.size(); ++i) {
-      const Interface& found = contacts_.interfaces[i];
-      if ((found.block_a != original && found.block_b != original) || std::abs(found.normal.x()) < 0.7) continue;
+      if (!is_beside(original, contacts_.interfaces[i])) continue;
       const InterfaceElement& element = contacts_.elements[i];
       if (element.law != InterfaceLaw::classical) return Vec2::Zero();
       sum += Vec2(element.stiffness(0) + element.stiffness(2), element.stiffness(1) + element.stiffness(3));
     }
-    const Box box = bounding_box(whole_.blocks[at(original)].shape);
-    return (box.upper - box.lower).x() / width_ * sum;
+    return wider(original) * sum;
   }
 
   // The joint that two blocks of the whole have at `place`, between two blocks here.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "engine/contact/tied_sides.h"
 #include "engine/geometry/rotation.h"
 
 namespace dda {
@@ -25,7 +26,10 @@ Vec2 missed_by_rows(const Vec6& increments, double ahead, const Vec2& offset) {
 Vec2 measured_gap(const Model& model, const State& state, std::size_t index, const SupportElement& support) {
   const PointSupport& prescription = model.supports[index];
   Vec2 gap = point_displacement(model, state, support.block, prescription.point) - support.prescribed - support.rest;
-  if (prescription.partner) gap -= point_displacement(model, state, support.block, *prescription.partner);
+  if (!prescription.partner) return gap;
+  gap -= point_displacement(model, state, support.block, *prescription.partner);
+  if (const auto sides = tied_sides(model, prescription))
+    gap += gap_by_stress(*sides, prescription) * state.stress[static_cast<std::size_t>(support.block)];
   return gap;
 }
 
@@ -57,8 +61,12 @@ void update_geometry(const Model& model, const State& state, std::vector<Support
     const Vec2 centroid = current_centroid(model, state, block);
     supports[i].offset = current_position(model, state, block, model.supports[i].point) - centroid;
     supports[i].rows = displacement_rows(supports[i].offset);
-    if (const auto& partner = model.supports[i].partner)
-      supports[i].rows -= displacement_rows(current_position(model, state, block, *partner) - centroid);
+    const PointSupport& prescription = model.supports[i];
+    if (!prescription.partner) continue;
+    supports[i].rows -= displacement_rows(current_position(model, state, block, *prescription.partner) - centroid);
+    if (const auto sides = tied_sides(model, prescription))
+      supports[i].rows.rightCols<3>() +=
+          gap_by_stress(*sides, prescription) * elasticity_matrix(model.material_of(block));
   }
 }
 

@@ -24,9 +24,7 @@ void update_geometry(const Model& model, const State& state, const State& acting
     set_geometry(model, acting_frame(model, acting, contacts.interfaces[i], element.law), element);
     measure_gap(model, state, contacts.interfaces[i], element, contacts.states[i]);
   }
-  if (contacts.outline_compliance.empty()) return;
-  take_off_blocks(model.blocks.size(), contacts);
-  take_off_tied_blocks(model, contacts);
+  if (!contacts.outline_compliance.empty()) take_off_blocks(model, contacts);
 }
 
 void keep_gaps(const Model& model, const State& state, ContactSet& contacts) {

@@ -57,8 +57,7 @@ ContactSet make_contacts(const Model& model) {
 
 void fit_to_neighbours(const Model& model, ContactSet& contacts) {
   stiffen_rows(model, contacts);
-  take_off_blocks(model.blocks.size(), contacts);
-  take_off_tied_blocks(model, contacts);
+  take_off_blocks(model, contacts);
 }
 
 }  // namespace dda

@@ -394,9 +394,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   }
   contacts.states = std::move(states);
   known_ = found;
-  if (contacts.outline_compliance.empty()) return;
-  take_off_blocks(model.blocks.size(), contacts);
-  take_off_tied_blocks(model, contacts);
+  if (!contacts.outline_compliance.empty()) take_off_blocks(model, contacts);
 }
 
 }  // namespace dda

@@ -36,7 +36,8 @@ Mat23 gap_by_stress(const TiedSides& sides, const PointSupport& tie) {
   return -sides.softness * tie.direction * tie.direction.transpose() * traction_rows(way_of(tie).normalized());
 }
 
-void take_off_tied_blocks(const Model& model, ContactSet& contacts) {
+void take_off_blocks(const Model& model, ContactSet& contacts) {
+  take_off_blocks(model.blocks.size(), contacts);
   for (const PointSupport& tie : model.supports) {
     const auto sides = tied_sides(model, tie);
     if (!sides) continue;

@@ -32,7 +32,7 @@ std::optional<TiedSides> tied_sides(const Model& model, const PointSupport& tie)
 // What a stress of the block, Pa, makes of the way that the spring goes by, m.
 Mat23 gap_by_stress(const TiedSides& sides, const PointSupport& tie);
 
-// Takes off the blocks what these joints take off them; after take_off_blocks().
-void take_off_tied_blocks(const Model& model, ContactSet& contacts);
+// What projected stretches take off each block, and what these joints do.
+void take_off_blocks(const Model& model, ContactSet& contacts);
 
 }  // namespace dda

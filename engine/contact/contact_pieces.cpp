@@ -151,7 +151,7 @@ Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& str
     const Eigen::Index n = 2 * end;
     if (!slides(pieces[e]) || trial.rule.sticks || trial.active(n + 1) != 0) continue;
     const double friction = strength.friction_now(trial.residual[e]);
-    const Vec2 pressing = pressing_slope(springs, trial.force, normal_slopes(springs, trial), end);
+    const Vec2 pressing = pressing_slope(springs, trial.force + trial.before, normal_slopes(springs, trial), end);
     slopes.row(end) = -direction_of(pieces[e]) * friction * pressing.transpose();
   }
   return slopes;

@@ -121,7 +121,7 @@ InterfaceElement make_element(const Model& model, const Interface& interface, In
     element.softness = projected_softness(model, interface);
   }
   const double damping = model.joints[static_cast<std::size_t>(interface.joint)].contact_damping;
-  if (damping > 0 && law == InterfaceLaw::classical) {
+  if (damping > 0 && (law == InterfaceLaw::classical || law == InterfaceLaw::projected)) {
     const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));
     element.dashpot = 2 * damping * (element.stiffness * mass).cwiseSqrt();
   }

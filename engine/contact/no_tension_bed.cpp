@@ -1,7 +1,9 @@
 #include "engine/contact/no_tension_bed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace dda {
 namespace {
@@ -73,6 +75,65 @@ Resultants pressed_in_part(const Bed& of, const Opening& opening) {
 // G/|T| at which so much is closed.
 double ratio_at(double bed, double closed) { return 1 - closed * (2 - (1 - bed) * closed); }
 
+// Gauss and Legendre's twelve places on a way of length 1.
+struct PlaceOfQuadrature {
+  double place, weight;
+};
+constexpr std::array<PlaceOfQuadrature, 12> quadrature{{
+    {0.0092196828766403782, 0.023587668193255917},
+    {0.047941371814762601, 0.053469662997659088},
+    {0.11504866290284765, 0.080039164271673166},
+    {0.20634102285669126, 0.10158371336153292},
+    {0.31608425050090994, 0.11674626826917739},
+    {0.43738329574426554, 0.12457352290670144},
+    {0.56261670425573451, 0.12457352290670144},
+    {0.68391574949909006, 0.11674626826917739},
+    {0.79365897714330869, 0.10158371336153292},
+    {0.88495133709715235, 0.080039164271673166},
+    {0.95205862818523745, 0.053469662997659088},
+    {0.99078031712335957, 0.023587668193255917},
+}};
+
+// Where the formula of the answer changes on a straight way of the gaps, as shares of the way: where the bed closes or
+// opens, and where the closed part begins to spread its load.
+class WayOverBed {
+ public:
+  WayOverBed(const Bed& of, const Opening& from, const Opening& to) {
+    const double bed = bed_of(of.lever);
+    add(from.turn, to.turn);
+    for (const double ratio : {-bed, 1.0, ratio_at(bed, of.spread)})
+      for (const double side : {ratio, -ratio}) add(from.mean - side * from.turn, to.mean - side * to.turn);
+    grade(from, to);
+    corners_[count_++] = 1;
+    std::sort(corners_.begin(), corners_.begin() + static_cast<std::ptrdiff_t>(count_));
+  }
+  [[nodiscard]] std::size_t pieces() const { return count_; }
+  [[nodiscard]] double corner(std::size_t i) const { return corners_[i]; }
+
+ private:
+  // A number that goes from one value to the other vanishes there.
+  void add(double from, double to) {
+    if ((from < 0) != (to < 0) && from != to) corners_[count_++] = std::clamp(from / (from - to), 0.0, 1.0);
+  }
+
+  // Near the gaps where nothing is left of the force its slopes change the faster the nearer the way passes: pieces are
+  // shorter there.
+  void grade(const Opening& from, const Opening& to) {
+    const double mean = to.mean - from.mean, turn = to.turn - from.turn;
+    const double square = mean * mean + turn * turn;
+    if (square == 0) return;
+    const double nearest = -(from.mean * mean + from.turn * turn) / square;
+    const double distance = std::abs(from.mean * turn - from.turn * mean) / square;
+    for (const double times : {-16.0, -4.0, -1.0, 0.0, 1.0, 4.0, 16.0}) {
+      const double share = nearest + times * distance;
+      if (share > 0 && share < 1) corners_[count_++] = share;
+    }
+  }
+
+  std::array<double, 16> corners_{0};
+  std::size_t count_ = 1;
+};
+
 // The closed part under a force that is `arm` half lengths from the middle, |M|/|N|: (1 - arm) 3/2 in a column, all of
 // it where the arm is a third or less. A stiffer bed has no closed form; the arm falls as more is closed, since the
 // potential is convex.
@@ -103,6 +164,22 @@ BedAnswer press_bed(const Bed& bed, const Vec2& gaps) {
   const double pair = sum.moment / bed.lever;
   return {Vec2(sum.normal - pair, sum.normal + pair) / 2,
           Vec2(sum.by_mean - mixed + by_turn, sum.by_mean + mixed + by_turn) / 4, (sum.by_mean - by_turn) / 4};
+}
+
+BedAnswer mean_of_bed(const Bed& bed, const Vec2& from, const Vec2& to) {
+  BedAnswer mean{Vec2::Zero(), Vec2::Zero(), 0};
+  const WayOverBed way(bed, opening_of(bed.lever, from), opening_of(bed.lever, to));
+  for (std::size_t i = 0; i + 1 < way.pieces(); ++i) {
+    const double start = way.corner(i), length = way.corner(i + 1) - start;
+    for (std::size_t k = 0; k < quadrature.size(); ++k) {
+      const double share = start + length * quadrature[k].place, weight = length * quadrature[k].weight;
+      const BedAnswer there = press_bed(bed, from + share * (to - from));
+      mean.force += weight * there.force;
+      mean.slope += weight * share * there.slope;
+      mean.coupling += weight * share * there.coupling;
+    }
+  }
+  return mean;
 }
 
 Vec2 gaps_of_bed(const Bed& of, const Vec2& force) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "engine/contact/bed_in_step.h"
 #include "engine/contact/end_answer.h"
 #include "engine/contact/no_tension_bed.h"
 #include "engine/contact/projected_law.h"
@@ -27,10 +28,10 @@ Eigen::Index normal_row(int end) { return 2 * end; }
 Vec2 normal_gaps(const InterfaceTrial& trial) { return {trial.normal_gap(0), trial.normal_gap(1)}; }
 
 double capacity_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end) {
-  const Eigen::Index n = normal_row(end);
   if (trial.rule.sticks) return touched(springs, trial, end) ? std::numeric_limits<double>::infinity() : 0;
   const bool residual = trial.residual[static_cast<std::size_t>(end)];
-  if (trial.rule.conserves_energy) return 2 * strength.capacity((trial.force(n) + trial.before(n)) / 2, residual);
+  if (trial.rule.conserves_energy)
+    return 2 * strength.capacity(pressing_force(springs, (trial.force + trial.before) / 2, end), residual);
   return strength.capacity(pressing_force(springs, trial.force, end), residual);
 }
 
@@ -42,7 +43,7 @@ void respond_normal(const InterfaceSprings& springs, int end, InterfaceTrial& tr
 }
 
 void press_on_bed(const InterfaceSprings& springs, InterfaceTrial& trial) {
-  const BedAnswer bed = press_bed(bed_of(springs), normal_gaps(trial));
+  const BedAnswer bed = answer_of_bed(springs, trial, normal_gaps(trial));
   for (const int end : {0, 1}) {
     trial.force(normal_row(end)) = bed.force(end);
     trial.active(normal_row(end)) = bed.slope(end) / springs.stiffness(0);
@@ -74,6 +75,17 @@ void follow_pressure(const InterfaceSprings& springs, const EndStrength& strengt
   respond_normals(springs, trial);
   set_capacity(springs, strength, trial);
   for (int end = 0; end < ends_of(springs); ++end) respond_tangent(springs, end, trial);
+}
+
+// The normal forces of the springs alone.
+Vec2 normals_of_springs(const InterfaceSprings& springs, const InterfaceTrial& trial) {
+  if (press_together(springs, trial.broken)) return press_bed(bed_of(springs), normal_gaps(trial)).force;
+  Vec2 force = Vec2::Zero();
+  for (int end = 0; end < ends_of(springs); ++end) {
+    const Row normal = row_of(springs, trial, normal_row(end));
+    force(end) = spring(trial.rule, normal.stiffness, normal.start, trial.normal_gap(end)).force;
+  }
+  return force;
 }
 
 bool slides(const InterfaceTrial& trial, int end) {
@@ -232,7 +244,7 @@ double force_along(const InterfaceSprings& springs, const InterfaceTrial& trial,
   const bool on_bed = press_together(springs, trial.broken);
   if (on_bed) {
     const Vec2 turn(trial.direction(0), trial.direction(2));
-    along = turn.dot(press_bed(bed_of(springs), normal_gaps(trial) + t * turn).force);
+    along = turn.dot(answer_of_bed(springs, trial, normal_gaps(trial) + t * turn).force);
   }
   for (int end = 0; end < ends_of(springs); ++end) {
     const Eigen::Index n = normal_row(end);
@@ -296,16 +308,18 @@ bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, In
 
 Vec4 dashpot_force(const InterfaceSprings& springs, const InterfaceTrial& trial) {
   Vec4 force = Vec4::Zero();
-  if (trial.rule.dashpot_rate == 0 || springs.dashpot.isZero(0)) return force;
+  if (!has_dashpots(springs, trial)) return force;
+  const Vec2 of_springs = normals_of_springs(springs, trial);
+  const bool presses_as_one = press_together(springs, trial.broken) && !of_springs.isZero(0);
   for (int end = 0; end < ends_of(springs); ++end) {
     const Eigen::Index n = normal_row(end);
     const Row normal = row_of(springs, trial, n);
     const Row tangent = row_of(springs, trial, n + 1);
     if (!normal.broken) continue;
-    force(n) = trial.force(n) - spring(trial.rule, normal.stiffness, normal.start, trial.normal_gap(end)).force;
+    force(n) = trial.force(n) - of_springs(end);
     if (trial.active(n + 1) >= 1)
       force(n + 1) = tangent.dashpot * (trial.gap(n + 1) - tangent.start);
-    else if (!trial.rule.conserves_energy && trial.normal_gap(end) < 0)
+    else if (!trial.rule.conserves_energy && (trial.normal_gap(end) < 0 || presses_as_one))
       force(n + 1) = trial.force(n + 1) - shear_kept(springs, trial, end);
   }
   return force;
@@ -344,7 +358,12 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
   state.residual = trial.residual;
   if (has_stress_rows(springs)) return state;
   const bool on_bed = press_together(springs, trial.broken);
-  const bool presses = presses_together(springs, trial.broken, trial.force);
+  if (on_bed && (has_dashpots(springs, trial) || trial.rule.conserves_energy)) {
+    const Vec2 of_springs = normals_of_springs(springs, trial);
+    state.force(0) = of_springs(0);
+    state.force(2) = of_springs(1);
+  }
+  const bool presses = presses_together(springs, trial.broken, state.force);
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);

@@ -135,9 +135,19 @@ TEST(ProjectedJoint, IsRefusedWhereItIsNotAvailable) {
   const auto expect_refused = [&](const auto& change, const std::string& reason) {
     EXPECT_NE(refusal(change).find(reason), std::string::npos) << reason << ": " << refusal(change);
   };
-  expect_refused([](Model& m) { m.stages[0].integrator = trapezoidal_integrator(); }, "damps nothing");
-  expect_refused([](Model& m) { m.stages[0].integrator = energy_conserving_integrator(); }, "damps nothing");
-  expect_refused([](Model& m) { m.joints[0].contact_damping = 0.1; }, "contact damping");
+  for (const Integrator& integrator : {trapezoidal_integrator(), energy_conserving_integrator()})
+    expect_refused(
+        [&](Model& m) {
+          m.stages[0].integrator = integrator;
+          m.joints[0].contact_damping = 0.1;
+        },
+        "contact damping and an integrator that damps nothing");
+  expect_refused(
+      [](Model& m) {
+        m.stages[0].integrator = energy_conserving_integrator();
+        m.stages[0].kinematics = Kinematics::finite;
+      },
+      "finite kinematics and an integrator that damps nothing");
   expect_refused([](Model& m) { m.joints[0].dilation_angle = 0.1; }, "dilation");
 }
 

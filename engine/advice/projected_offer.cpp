@@ -8,10 +8,13 @@
 namespace dda {
 
 bool stages_can_have_projected_joints(const Model& model) {
-  const auto conserves = [](const Stage& stage) { return with_contacts(stage.integrator).conserves_contact_energy; };
-  return model.free_field_sides.empty() && std::ranges::none_of(model.stages, conserves);
+  const auto refuses = [](const Stage& stage) {
+    return stage.kinematics == Kinematics::finite && with_contacts(stage.integrator).conserves_contact_energy;
+  };
+  return std::ranges::none_of(model.stages, refuses);
 }
 
+// Joints with dashpots can have the law as well, but what is foretold of it knows no dashpots.
 bool could_be_projected(const Model& model, const JointMaterial& joint) {
   if (joint.bonded || joint.contact_damping > 0 || joint.dilation_angle > 0) return false;
   return joint.law == InterfaceLaw::classical || (has_finite_kinematics(model) && is_springs_where_blocks_move(joint));

@@ -58,7 +58,13 @@ TEST(SpringsInWaves, HasNothingToSayOfWhatIsNoSpring) {
   }
 }
 
-// A stiffness that is given is the joint's own, and damped contacts cannot have the law.
+TEST(SpringsInWaves, NamesTheLawToIntegratorsThatDampNothingInSmallKinematics) {
+  Model conserving = dry_squares(InterfaceLaw::classical, Kinematics::small);
+  conserving.stages[0].integrator = trapezoidal_integrator();
+  EXPECT_NE(advice_on(conserving).springs.find("projected"), std::string::npos);
+}
+
+// A stiffness that is given is the joint's own, and of damped contacts nothing is foretold.
 TEST(SpringsInWaves, DoesNotNameItWhereItIsNotMeantOrNotToBeHad) {
   Model stiffness = dry_squares(InterfaceLaw::classical, Kinematics::finite);
   stiffness.joints[0].normal_stiffness = 1e11;

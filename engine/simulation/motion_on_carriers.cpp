@@ -41,8 +41,11 @@ class Carriers {
 
   // From block to block, beginning at those that rest by themselves.
   std::vector<double> follow() {
-    for (std::size_t next = 0; next < resting_.size(); ++next)
-      for (const int block : neighbours_[at(resting_[next])]) measure(block, resting_[next]);
+    while (!resting_.empty()) {
+      const int carrier = resting_.back();
+      resting_.pop_back();
+      for (const int block : neighbours_[at(carrier)]) measure(block, carrier);
+    }
     return std::move(motion_);
   }
 
@@ -68,7 +71,7 @@ class Carriers {
   const BlockSystem& system_;
   std::vector<std::vector<int>> neighbours_;
   std::vector<double> motion_;  // shares of each block's size
-  std::vector<int> resting_;    // in the order found
+  std::vector<int> resting_;    // whose neighbours have yet to be measured
 };
 
 }  // namespace

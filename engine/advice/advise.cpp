@@ -64,7 +64,7 @@ double coarsest_dt(double period, double stable_dt) {
 constexpr double least_in_period = 4;
 
 // Share of a wave that may be in steps beside jumps.
-constexpr double most_of_jumps = 0.01;
+constexpr double most_of_jumps = 0.004;
 
 constexpr const char* nothing_comes = "nothing arrives that resembles it within half a period of when it is due";
 

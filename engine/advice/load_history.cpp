@@ -41,6 +41,18 @@ double duration_of(const std::vector<double>& samples, double interval) {
   return static_cast<double>(last) * interval;
 }
 
+// s, of which the steepest rise to the largest value is a quarter: what rises and stays has no frequency of its own.
+// Infinite for what does not stay.
+double period_of_rise(const std::vector<double>& samples, double interval) {
+  double largest = 0, steepest = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    largest = std::max(largest, std::abs(samples[i]));
+    if (i > 0) steepest = std::max(steepest, std::abs(samples[i] - samples[i - 1]) / interval);
+  }
+  const bool stays = !samples.empty() && std::abs(samples.back()) > largest / 2;
+  return stays && steepest > 0 ? 4 * largest / steepest : std::numeric_limits<double>::infinity();
+}
+
 // s, up to which a history is zero. What a load does before it begins says nothing of its wave, and would be counted as
 // a part of it: after a static stage that may be the longest part by far.
 double start_of(const TimeFunction& function) {
@@ -83,8 +95,8 @@ LoadHistory history_of(const Model& model, const TimeFunction& function, const V
   const double last = sine != nullptr ? begun - start + sine->cycles / sine->frequency : duration_of(samples, interval);
   history.duration = std::min(last, end);
   const double slowest = history.duration > 0 ? 0.5 / history.duration : 0.5 / end;
-  history.period =
-      1 / (sine != nullptr ? sine->frequency : std::max(LoadSpectrum(samples, interval).main_frequency(), slowest));
+  const double frequency = sine != nullptr ? sine->frequency : LoadSpectrum(samples, interval).main_frequency();
+  history.period = frequency > slowest ? 1 / frequency : std::min(1 / slowest, period_of_rise(samples, interval));
   return history;
 }
 

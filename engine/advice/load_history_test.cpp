@@ -103,5 +103,12 @@ TEST(LoadHistory, APulseOfOneSign) {
   EXPECT_NEAR(load->history.period, 0.04, 1e-3);
 }
 
+// It was twice the run, and waves were looked for as far from where they are due.
+TEST(LoadHistory, ARiseThatStaysIsAQuarterOfAPeriod) {
+  Model model = two_blocks();
+  model.edge_loads.push_back({0, {0, 0}, {0, 1}, {1, 0}, PiecewiseLinear{{0, 0.01, 1}, {0, 1, 1}}});
+  EXPECT_NEAR(scene_load(model)->history.period, 0.04, 1e-3);
+}
+
 }  // namespace
 }  // namespace dda

@@ -47,7 +47,7 @@ double period_of_rise(const std::vector<double>& samples, double interval) {
   double largest = 0, steepest = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     largest = std::max(largest, std::abs(samples[i]));
-    if (i > 0) steepest = std::max(steepest, std::abs(samples[i] - samples[i - 1]) / interval);
+    if (i > 0) steepest = std::max(steepest, (std::abs(samples[i]) - std::abs(samples[i - 1])) / interval);
   }
   const bool stays = !samples.empty() && std::abs(samples.back()) > largest / 2;
   return stays && steepest > 0 ? 4 * largest / steepest : std::numeric_limits<double>::infinity();

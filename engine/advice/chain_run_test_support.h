@@ -38,9 +38,23 @@ struct TestLayer {
   int units;  // of travel time
 };
 
+// What drives a row.
+struct RowDrive {
+  double frequency = 0;                        // Hz
+  double cycles = 2;                           // that the load lasts
+  std::function<double(double)> shape = tone;  // of the load, by the share of its time that is over
+  std::string drive = "force";                 // or "displacement", "velocity"
+  bool on_base = false;                        // what is moved is one held block below all columns, not the face
+
+  [[nodiscard]] double load(double t) const {
+    const double share = t * frequency / cycles;
+    return share <= 0 || share >= 1 ? 0 : shape(share);
+  }
+};
+
 // Layers one behind the other, each of `columns` blocks beside each other (in a running bond: every second layer is
 // shifted by half a block), between sides that leave a plane wave its motion. One column of a bar has free sides.
-struct Row {
+struct Row : RowDrive {
   std::string name;
   std::vector<LayerRock> rocks = {{2400, 25e9}, {2700, 60e9}};
   std::vector<TestLayer> blocks;
@@ -48,26 +62,17 @@ struct Row {
   int columns = 1;
   double width = 1;  // m, of a block
   bool running_bond = false;
-  bool free_sides = false;                     // in place of what leaves a plane wave its motion
-  double angle = 0;                            // of the way against x
-  double unit = 0;                             // s
-  double joint_stiffness = 0;                  // Pa/m; 0: as the scheme has it
-  std::string joint_law;                       // JSON members of the joint: `, "law": ...`
-  double frequency = 0;                        // Hz
-  double cycles = 2;                           // that the load lasts
-  std::function<double(double)> shape = tone;  // of the load, by the share of its time that is over
-  std::string drive = "force";                 // or "displacement", "velocity"
-  bool on_base = false;                        // what is moved is one held block below all columns, not the face
-  std::string steps;                           // JSON members of the stage, dt apart
+  bool free_sides = false;     // in place of what leaves a plane wave its motion
+  double angle = 0;            // of the way against x
+  double unit = 0;             // s
+  double joint_stiffness = 0;  // Pa/m; 0: as the scheme has it
+  std::string joint_law;       // JSON members of the joint: `, "law": ...`
+  std::string steps;           // JSON members of the stage, dt apart
   std::string scheme = "accurate";
   double dt = 0;
   int joint = 0;  // that is looked at
   double duration = 0;
 
-  [[nodiscard]] double load(double t) const {
-    const double share = t * frequency / cycles;
-    return share <= 0 || share >= 1 ? 0 : shape(share);
-  }
   [[nodiscard]] double speed(int rock) const {
     const double modulus = wave == 'b' ? 1 : (wave == 'p' ? 1 / 0.96 : 1 / 2.4);  // over Young's, plane stress
     return std::sqrt(modulus * rock_of(rock).young / rock_of(rock).density);

@@ -151,7 +151,7 @@ double NearSides::start_along(const MeshPlace& place) const {
   return model_.is_held(load_.block) ? block.high : block.low;
 }
 
-// Of the joints across the wave at the place, that nearest to where it is looked at.
+// The joint across the wave at the place that is nearest to where the wave is looked at.
 std::optional<std::size_t> NearSides::interface_at(const MeshPlace& place) const {
   const double wanted = start_along(place) + place.distance;
   std::optional<std::size_t> nearest;

@@ -16,9 +16,9 @@ namespace dda {
 // which begins to swing as a sine jumps once, and the swing that follows is as foretold.
 std::vector<LoadFinding> sudden_loads(const Model& model);
 
-// Of a place whose displacement is given: how much of its velocity, squared and over all the time, is in half a step
-// beside each jump of it. A wave is read in rows of dt, and what a row has of a jump depends on how it is read: so do
-// amplitude and speed by about this share. 0 for loads.
+// Where the displacement of a place is given: how much of its velocity, squared and over all the time, is in half a
+// step beside each jump of it. A wave is read in rows of dt, and what a row has of a jump depends on how it is read: so
+// do amplitude and speed by about this share. 0 for loads.
 double share_of_jumps(const SceneLoad& load, double dt);
 
 }  // namespace dda

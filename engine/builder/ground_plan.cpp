@@ -41,11 +41,16 @@ GroundPlan::GroundPlan(const Model& model)
       index_(outlines_of(model.blocks)),
       tolerance_(point_tolerance(model)) {
   for (const Box& box : boxes_) box_ = expanded(expanded(box_, box.lower), box.upper);
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    if (corner_count(model.blocks[i].shape) >= corners_worth_an_index)
+      edges_.try_emplace(static_cast<int>(i), model.blocks[i].shape);
 }
 
 bool GroundPlan::holds(int block, const Vec2& point, double tolerance) const {
   if (!overlap(expanded(boxes_[at(block)], tolerance), Box{point, point})) return false;
-  return locate(model_->blocks[at(block)].shape, point, tolerance) != Location::outside;
+  const auto large = edges_.find(block);
+  return (large == edges_.end() ? locate(model_->blocks[at(block)].shape, point, tolerance)
+                                : large->second.locate(point, tolerance)) != Location::outside;
 }
 
 std::vector<int> GroundPlan::blocks_at(const Vec2& point) const {
@@ -66,14 +71,12 @@ std::optional<int> GroundPlan::block_towards(const std::vector<int>& candidates,
   return {};
 }
 
-void GroundPlan::append_stretches(const Ring& ring, int block, const Segment& line, std::vector<Stretch>& found) const {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Segment edge{ring[i], ring[(i + 1) % ring.size()]};
-    const auto common = collinear_overlap(edge, line, tolerance_);
-    if (!common) continue;
-    const Vec2 along = (edge.end - edge.start).normalized();
-    found.push_back({block, common->first, common->second, {-along.y(), along.x()}});  // material lies on the left
-  }
+void GroundPlan::append_stretch(const Segment& edge, int block, const Segment& line,
+                                std::vector<Stretch>& found) const {
+  const auto common = collinear_overlap(edge, line, tolerance_);
+  if (!common) return;
+  const Vec2 along = (edge.end - edge.start).normalized();
+  found.push_back({block, common->first, common->second, {-along.y(), along.x()}});  // material lies on the left
 }
 
 std::vector<Stretch> GroundPlan::stretches_along(const Segment& line) const {
@@ -86,10 +89,15 @@ std::vector<Stretch> GroundPlan::stretches_at(const Segment& line, const Vec2& p
 
 std::vector<Stretch> GroundPlan::stretches_of(const std::vector<int>& blocks, const Segment& line) const {
   std::vector<Stretch> found;
+  const Box near_line = expanded(expanded(expanded(Box{}, line.start), line.end), 2 * tolerance_);
   for (const int block : blocks) {
-    const Polygon& shape = model_->blocks[at(block)].shape;
-    append_stretches(shape.outer, block, line, found);
-    for (const Ring& hole : shape.holes) append_stretches(hole, block, line, found);
+    if (const auto large = edges_.find(block); large != edges_.end()) {
+      for (const int i : large->second.near(near_line))
+        append_stretch(large->second.edges()[at(i)], block, line, found);
+    } else {
+      for_each_edge(model_->blocks[at(block)].shape,
+                    [&](const Segment& edge) { append_stretch(edge, block, line, found); });
+    }
   }
   return found;
 }

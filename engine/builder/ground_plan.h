@@ -3,10 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/builder/names.h"
 #include "engine/geometry/box.h"
+#include "engine/geometry/edge_index.h"
 #include "engine/geometry/near_shapes.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/model.h"
@@ -58,12 +60,13 @@ class GroundPlan {
  private:
   [[nodiscard]] bool holds(int block, const Vec2& point, double tolerance) const;
   [[nodiscard]] std::vector<Stretch> stretches_of(const std::vector<int>& blocks, const Segment& line) const;
-  void append_stretches(const Ring& ring, int block, const Segment& line, std::vector<Stretch>& found) const;
+  void append_stretch(const Segment& edge, int block, const Segment& line, std::vector<Stretch>& found) const;
 
   const Model* model_;
   Names names_;
   std::vector<Box> boxes_;  // of the blocks
   ShapeIndex index_;
+  std::unordered_map<int, EdgeIndex> edges_;  // of blocks with many corners
   Box box_;
   double tolerance_;
 };

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/edge_index.h"
 #include "engine/geometry/segment.h"
 
 // With E(B) the part of B deeper than the tolerance, A and E(B) meet if and only if an edge of A meets E(B) or, no edge
@@ -64,60 +64,30 @@ Interval within_strip(const Segment& line, const Segment& core, double radius) {
   return hull(beside, hull(within_disc(line, core.start, radius), within_disc(line, core.end, radius)));
 }
 
-std::vector<Segment> edges_of(const Polygon& polygon) {
-  std::vector<Segment> edges;
-  const auto add = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-  };
-  add(polygon.outer);
-  for (const Ring& hole : polygon.holes) add(hole);
-  return edges;
-}
-
 Box box_of(const Segment& segment) { return expanded(expanded(Box{}, segment.start), segment.end); }
 
 struct Shape {
   explicit Shape(const Polygon& given)
       : polygon(normalized(given)), edges(edges_of(polygon)), box(bounding_box(given)) {}
 
-  void make_index() {
-    std::vector<Box> boxes;
-    for (const Segment& edge : edges) boxes.push_back(box_of(edge));
-    index.emplace(std::move(boxes));
-  }
+  void make_index() { index.emplace(polygon); }
 
   // Whether `holds` for an edge, of those whose box meets `near` at least; each is asked until one does.
   template <typename Condition>
   bool any_edge(const Box& near, const Condition& holds) const {
     if (!index) return std::any_of(edges.begin(), edges.end(), holds);
-    const std::vector<int> found = index->overlapping(near);
+    const std::vector<int> found = index->near(near);
     return std::any_of(found.begin(), found.end(), [&](int i) { return holds(edges[static_cast<std::size_t>(i)]); });
   }
 
   Polygon polygon;
   std::vector<Segment> edges;  // material on the left
   Box box;
-  std::optional<BoxIndex> index;  // of the edges
+  std::optional<EdgeIndex> index;
 };
 
-// As `locate` does it: not on an edge, and by the edges that a ray to the right crosses.
-bool is_inside_by_index(const Shape& shape, const Vec2& point) {
-  const Box there{point, point};
-  const Box ray{point, Vec2(std::max(point.x(), shape.box.upper.x()), point.y())};
-  if (shape.any_edge(there, [&](const Segment& edge) { return distance(edge, point) <= 0; })) return false;
-  bool inside = false;
-  shape.any_edge(ray, [&](const Segment& edge) {
-    const auto& [a, b] = edge;
-    if ((a.y() > point.y()) == (b.y() > point.y())) return false;
-    const double side = cross(Vec2(b - a), Vec2(point - a));
-    if ((b.y() > a.y()) == (side > 0)) inside = !inside;
-    return false;
-  });
-  return inside;
-}
-
 bool is_inside(const Shape& shape, const Vec2& point) {
-  return shape.index ? is_inside_by_index(shape, point) : locate(shape.polygon, point) == Location::inside;
+  return (shape.index ? shape.index->locate(point) : locate(shape.polygon, point)) == Location::inside;
 }
 
 // A point of each piece of `segment` that is farther than `tolerance` from all edges of `shape` and inside it.
@@ -216,12 +186,9 @@ Overlaps::~Overlaps() = default;
 
 // Returns the index of polygon `i`, or nullptr where its corners are so few that looking at all edges costs less.
 const Overlaps::Indexed* Overlaps::indexed(int i) {
-  constexpr std::size_t many = 64;
   const Polygon& polygon = *polygons_[static_cast<std::size_t>(i)];
   auto& indexed = indexed_[static_cast<std::size_t>(i)];
-  std::size_t corners = polygon.outer.size();
-  for (const Ring& hole : polygon.holes) corners += hole.size();
-  if (!indexed && corners >= many) indexed = std::make_unique<const Indexed>(polygon);
+  if (!indexed && corner_count(polygon) >= corners_worth_an_index) indexed = std::make_unique<const Indexed>(polygon);
   return indexed.get();
 }
 

@@ -9,22 +9,13 @@
 #include <utility>
 
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/edge_index.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {
 
 using Intervals = std::vector<std::pair<double, double>>;  // m along an edge
-
-std::vector<Segment> edges_of(const Polygon& shape) {
-  std::vector<Segment> edges;
-  const auto append = [&edges](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-  };
-  append(shape.outer);
-  for (const Ring& hole : shape.holes) append(hole);
-  return edges;
-}
 
 std::vector<std::vector<int>> neighbours_of(const Model& model, double tolerance) {
   std::vector<Box> boxes;

@@ -34,9 +34,8 @@ void add_drawing_options(CLI::App& command, DrawingOptions& options) {
   command.add_option("--unit", options.unit, "of a drawing's coordinates, e.g. mm; default what it says, else m")
       ->type_name("UNIT");
   command
-      .add_option(
-          "--run-data", options.run_data,
-          "beside blocks or lines of dc: materials, joints, loads and steps that df of the original DDA is given")
+      .add_option("--run-data", options.run_data,
+                  "beside blocks or lines of dc: materials, joints, loads and steps as df has them")
       ->type_name("FILE.df");
 }
 

@@ -21,7 +21,6 @@
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/kinematic_update.h"
-#include "engine/simulation/motion_on_carriers.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
@@ -151,7 +150,7 @@ void GeneralStep::pose(double end) {
 // True when the step must be solved again, with drag on loose blocks or contacts looked for from further away.
 bool GeneralStep::moves_further_than_seen() {
   const bool is_far = system_.plan.is_static && largest_motion(system_) > ContactSearch::reach / 2;
-  if (is_far && system_.drag.raise(system_.held, motion_on_carriers(system_, solver_.contacts(), bonded_))) {
+  if (is_far && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
     base_is_current_ = false;
     return true;
   }
@@ -334,8 +333,7 @@ void GeneralStep::accept() {
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
   given_friction_.settled(s);
   if (given_friction_.was_given()) ++s.costs.counters.steps_of_given_friction;
-  const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.drags_any() &&
-                              s.drag.follow(motion_on_carriers(s, solver_.contacts(), bonded_));
+  const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
   if (cushion_.wears() || more_are_loose) base_is_current_ = false;
   accept_bonded(bonded_, s);  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);

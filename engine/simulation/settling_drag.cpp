@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "engine/simulation/held_blocks.h"
 #include "engine/terms/inertia.h"
 
 namespace dda {
 namespace {
+
+// Blocks may move by this share of their size in a static step: contacts still turn little in such a step.
+constexpr double most_motion = 0.02;
 
 // How far, in its own size, a block goes under drag before it is loose.
 constexpr double most_travel = 0.5;
@@ -42,13 +44,14 @@ bool SettlingDrag::ease() {
   return changed;
 }
 
-bool SettlingDrag::raise(const HeldUnknowns& held, const std::vector<double>& motion) {
-  factors_.resize(motion.size(), 1.0);
-  moved_.resize(motion.size(), 0.0);
+bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, const Eigen::VectorXd& d) {
+  factors_.resize(terms.area.size(), 1.0);
+  moved_.resize(terms.area.size(), 0.0);
   bool raised = false;
   for (std::size_t i = 0; i < factors_.size(); ++i) {
     if (held.holds(static_cast<int>(i))) continue;
-    const double before = std::exchange(moved_[i], motion[i]);
+    const double before = moved_[i];
+    moved_[i] = motion_share(own(d, i), terms.area[i]);
     if (moved_[i] <= most_motion || (before > 0 && moved_[i] > carried * before)) continue;
     factors_[i] *= 2 * moved_[i] / most_motion;
     raised = true;
@@ -56,19 +59,15 @@ bool SettlingDrag::raise(const HeldUnknowns& held, const std::vector<double>& mo
   return raised;
 }
 
-bool SettlingDrag::follow(const std::vector<double>& motion) {
+bool SettlingDrag::follow(const BlockTerms& terms, const Eigen::VectorXd& d) {
   travelled_.resize(factors_.size(), 0.0);
   const std::size_t before = loose_.size();
   for (std::size_t i = 0; i < factors_.size(); ++i) {
     if (factors_[i] <= 1 || travelled_[i] > most_travel) continue;
-    travelled_[i] += motion[i];
+    travelled_[i] += motion_share(own(d, i), terms.area[i]);
     if (travelled_[i] > most_travel) loose_.push_back(static_cast<int>(i));
   }
   return loose_.size() > before;
-}
-
-bool SettlingDrag::drags_any() const {
-  return std::ranges::any_of(factors_, [](double factor) { return factor > 1; });
 }
 
 void SettlingDrag::hold_loose(std::size_t blocks, HeldUnknowns& held) const {

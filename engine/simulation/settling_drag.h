@@ -4,8 +4,7 @@
 // free fall over the whole step, which for a small loose block is many times its size. Such blocks get a drag: their
 // mass counts so many times that they move by a small share of their size, and find what they come to lie on. As it
 // multiplies the motion of the step alone, the drag is nothing once the motion has died down: equilibrium is the same
-// with it and without it. What counts is a block's motion against those that it lies on. A block that its neighbours
-// carry along without pressing on it, as one that bolts hold, goes with them all the same, since against their
+// with it and without it. A block that its neighbours carry along goes with them all the same, since against their
 // stiffness its mass is nothing; it is recognized by that and left alone.
 #pragma once
 
@@ -30,24 +29,16 @@ double motion_share(const Vec6& increments, double area);
 
 class SettlingDrag {
  public:
-  // Blocks may go this share of their size in a static step: contacts still turn little in such a step.
-  static constexpr double most_motion = 0.02;
-
   // Begins a step: what drag there was fades. True when the step's matrix is another for it.
   bool ease();
 
-  // Raises the drag of what goes too far by `motion`, that of each block against what carries it
-  // (motion_on_carriers.h), and is not held. True when there was any: the step is to be solved anew.
-  bool raise(const HeldUnknowns& held, const std::vector<double>& motion);
+  // Raises the drag of what moves too far by increments `d` and would not without what it is carried by. True when
+  // there was any: the step is to be solved anew.
+  bool raise(const BlockTerms& terms, const HeldUnknowns& held, const Eigen::VectorXd& d);
 
-  // Accepts a step of that motion. What has gone half of its size under drag will not find what it could come to lie
+  // Accepts a step of increments `d`. What has gone half of its size under drag will not find what it could come to lie
   // on: from then on it is loose, and to be held. True when there are more of these.
-  bool follow(const std::vector<double>& motion);
-
-  [[nodiscard]] bool drags(int block) const {
-    return !factors_.empty() && factors_[static_cast<std::size_t>(block)] > 1;
-  }
-  [[nodiscard]] bool drags_any() const;
+  bool follow(const BlockTerms& terms, const Eigen::VectorXd& d);
   [[nodiscard]] const std::vector<int>& loose() const { return loose_; }
   // Adds the loose to the blocks that are held, of `blocks` in all.
   void hold_loose(std::size_t blocks, HeldUnknowns& held) const;

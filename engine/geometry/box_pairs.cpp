@@ -66,7 +66,7 @@ class GridLevels {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       if (is_empty(boxes_[i])) continue;
       for (int level = cells_[i].level; level < level_count; ++level) {
-        if (level_used_[static_cast<std::size_t>(level)]) append_partners(i, level, found);
+        if (!level_members_[static_cast<std::size_t>(level)].empty()) append_partners(i, level, found);
       }
     }
     return ordered(found, boxes_.size());
@@ -76,10 +76,15 @@ class GridLevels {
     std::vector<int> found;
     if (!overlap(box, bounds_)) return found;
     const Box inside{box.lower.cwiseMax(bounds_.lower), box.upper.cwiseMin(bounds_.upper)};
-    if (cells_reached_by(inside) > static_cast<double>(boxes_.size())) return look_at_all(inside);
-    for (int level = 0; level < level_count; ++level)
-      if (level_used_[static_cast<std::size_t>(level)])
-        visit_overlapping(inside, level, [&](std::size_t j) { found.push_back(static_cast<int>(j)); });
+    const auto take = [&](std::size_t j) { found.push_back(static_cast<int>(j)); };
+    for (int level = 0; level < level_count; ++level) {
+      const std::vector<std::size_t>& members = level_members_[static_cast<std::size_t>(level)];
+      if (members.empty()) continue;
+      if (cells_reached_by(inside, level) > static_cast<double>(members.size()))
+        look_at_all(inside, members, take);
+      else
+        visit_overlapping(inside, level, take);
+    }
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -131,7 +136,7 @@ class GridLevels {
     members_.assign(cells_.size(), 0);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       members_[next[bucket(cells_[i])]++] = i;
-      level_used_[static_cast<std::size_t>(cells_[i].level)] = true;
+      level_members_[static_cast<std::size_t>(cells_[i].level)].push_back(i);
     }
   }
 
@@ -159,22 +164,17 @@ class GridLevels {
     });
   }
 
-  // On all levels; the boxes of a cell start in it, so those of one cell before the box can reach into it too.
-  [[nodiscard]] double cells_reached_by(const Box& box) const {
-    double cells = 0;
-    for (int level = 0; level < level_count; ++level) {
-      if (!level_used_[static_cast<std::size_t>(level)]) continue;
-      const Vec2 across = (box.upper - box.lower) / std::ldexp(smallest_cell_, level) + Vec2::Constant(2);
-      cells += across.x() * across.y();
-    }
-    return cells;
+  // The boxes of a cell start in it, so those of one cell before the box can reach into it too. A box of ordinary size
+  // reaches millions of cells of a level that is there for a few tiny boxes: these are looked at one by one.
+  [[nodiscard]] double cells_reached_by(const Box& box, int level) const {
+    const Vec2 across = (box.upper - box.lower) / std::ldexp(smallest_cell_, level) + Vec2::Constant(2);
+    return across.x() * across.y();
   }
 
-  [[nodiscard]] std::vector<int> look_at_all(const Box& box) const {
-    std::vector<int> found;
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      if (overlap(box, boxes_[i]) && !is_empty(boxes_[i])) found.push_back(static_cast<int>(i));
-    return found;
+  template <typename Visit>
+  void look_at_all(const Box& box, const std::vector<std::size_t>& members, const Visit& visit) const {
+    for (const std::size_t j : members)
+      if (overlap(box, boxes_[j]) && !is_empty(boxes_[j])) visit(j);
   }
 
   std::span<const Box> boxes_;
@@ -184,7 +184,7 @@ class GridLevels {
   std::vector<Cell> cells_;
   std::vector<std::size_t> bucket_start_;  // bucket b holds members_[bucket_start_[b]] up to bucket_start_[b + 1]
   std::vector<std::size_t> members_;
-  std::array<bool, level_count> level_used_ = {};
+  std::array<std::vector<std::size_t>, level_count> level_members_;
 };
 
 }  // namespace

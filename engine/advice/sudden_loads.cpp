@@ -227,7 +227,7 @@ double share_of_jumps(const SceneLoad& load, double dt) {
   std::vector<double> changes;
   double largest = 0;
   std::vector<double> corners = corners_of(*load.source);
-  corners.erase(std::ranges::unique(corners).begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   for (const double corner : corners) {
     const double t = corner - load.history.start;
     if (t < 0 || t + half > load.history.run) continue;

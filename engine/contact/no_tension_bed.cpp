@@ -171,8 +171,8 @@ BedAnswer mean_of_bed(const Bed& bed, const Vec2& from, const Vec2& to) {
   const WayOverBed way(bed, opening_of(bed.lever, from), opening_of(bed.lever, to));
   for (std::size_t i = 0; i + 1 < way.pieces(); ++i) {
     const double start = way.corner(i), length = way.corner(i + 1) - start;
-    for (std::size_t k = 0; k < quadrature.size(); ++k) {
-      const double share = start + length * quadrature[k].place, weight = length * quadrature[k].weight;
+    for (const PlaceOfQuadrature& point : quadrature) {
+      const double share = start + length * point.place, weight = length * point.weight;
       const BedAnswer there = press_bed(bed, from + share * (to - from));
       mean.force += weight * there.force;
       mean.slope += weight * share * there.slope;

@@ -53,7 +53,7 @@ Vec2 inside_of(const Ring& block, const Vec2& at, double aside) {
   constexpr int directions = 16;
   for (int i = 0; i < directions; ++i) {
     const double angle = 2 * std::numbers::pi * i / directions;
-    const Vec2 place = at + aside * Vec2(std::cos(angle), std::sin(angle));
+    Vec2 place = at + aside * Vec2(std::cos(angle), std::sin(angle));
     if (locate(shape, place, aside / 4) == Location::inside) return place;
   }
   return at;

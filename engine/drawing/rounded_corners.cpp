@@ -66,7 +66,7 @@ Vec2 EdgeIndex::on_edge(const Vec2& corner) const {
     const Edge& other = edges_[static_cast<std::size_t>(i)];
     const Segment segment = edge(other.block, other.first);
     if ((segment.start - corner).norm() < reach_ || (segment.end - corner).norm() < reach_) continue;
-    if (const Vec2 place = closest_point(segment, corner); (place - corner).norm() < reach_) return place;
+    if (Vec2 place = closest_point(segment, corner); (place - corner).norm() < reach_) return place;
   }
   return corner;
 }

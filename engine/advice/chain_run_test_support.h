@@ -106,9 +106,9 @@ inline std::string history_of(const Row& row) {
 }
 
 // Turns and writes points and vectors as JSON.
-class Drawing {
+class TurnedRow {
  public:
-  explicit Drawing(double angle) : cos_(std::cos(angle)), sin_(std::sin(angle)) {}
+  explicit TurnedRow(double angle) : cos_(std::cos(angle)), sin_(std::sin(angle)) {}
   [[nodiscard]] std::string point(double x, double y) const {
     return fmt::format("[{:.12g}, {:.12g}]", cos_ * x - sin_ * y, sin_ * x + cos_ * y);
   }
@@ -123,7 +123,7 @@ class Drawing {
   double cos_, sin_;
 };
 
-inline std::string blocks_of(const Row& row, const Drawing& drawing) {
+inline std::string blocks_of(const Row& row, const TurnedRow& drawing) {
   std::string blocks;
   if (row.on_base)
     blocks = fmt::format(R"({{"polygon": {{"name": "base", "material": "r0", "vertices": {}}}}})",
@@ -144,7 +144,7 @@ inline std::string blocks_of(const Row& row, const Drawing& drawing) {
 }
 
 // Sides that hold what a plane wave does not move: what is across its particles.
-inline std::string sides_of(const Row& row, const Drawing& drawing, double end) {
+inline std::string sides_of(const Row& row, const TurnedRow& drawing, double end) {
   if (row.wave == 'b' || row.free_sides) return "";
   const char* hold = row.wave == 'p' ? R"("normal")" : (std::abs(std::sin(row.angle)) < 0.5 ? R"("x")" : R"("y")");
   std::string sides;
@@ -169,7 +169,7 @@ inline std::string joint_of(const Row& row) {
 }
 
 inline std::string scene_of(const Row& row) {
-  const Drawing drawing(row.angle);
+  const TurnedRow drawing(row.angle);
   double end = 0;
   for (std::size_t i = 0; i < row.blocks.size(); ++i) end += row.length(i);
   const std::string face = drawing.edge(0, 0, 0, row.height());

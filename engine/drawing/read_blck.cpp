@@ -136,7 +136,7 @@ class BlckReader {
 
   // Edges along which another block lies; an edge of two blocks is one line.
   void add_joints(const std::vector<Ring>& rings) {
-    const EdgeIndex edges(rings, rounding * metres_);
+    const BlockEdges edges(rings, rounding * metres_);
     for (std::size_t block = 0; block < rings.size(); ++block) {
       for (std::size_t i = 0; i < rings[block].size(); ++i) {
         const Entry& drawn = entry(ranges_[block].first + static_cast<int>(i));

@@ -17,7 +17,7 @@ using Place = std::pair<double, double>;
 bool move_corners(double reach, std::vector<Ring>& blocks) {
   std::map<Place, Vec2> moved;
   {
-    const EdgeIndex edges(blocks, reach);
+    const BlockEdges edges(blocks, reach);
     for (const Ring& block : blocks) {
       for (const Vec2& corner : block) moved.try_emplace({corner.x(), corner.y()}, edges.on_edge(corner));
     }
@@ -35,9 +35,10 @@ bool move_corners(double reach, std::vector<Ring>& blocks) {
 
 }  // namespace
 
-EdgeIndex::EdgeIndex(const std::vector<Ring>& blocks, double reach) : blocks_(blocks), reach_(reach), index_(boxes()) {}
+BlockEdges::BlockEdges(const std::vector<Ring>& blocks, double reach)
+    : blocks_(blocks), reach_(reach), index_(boxes()) {}
 
-std::vector<Box> EdgeIndex::boxes() {
+std::vector<Box> BlockEdges::boxes() {
   std::vector<Box> boxes;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     for (std::size_t first = 0; first < blocks_[block].size(); ++first) {
@@ -49,19 +50,19 @@ std::vector<Box> EdgeIndex::boxes() {
   return boxes;
 }
 
-Segment EdgeIndex::edge(std::size_t block, std::size_t first) const {
+Segment BlockEdges::edge(std::size_t block, std::size_t first) const {
   const Ring& ring = blocks_[block];
   return {ring[first], ring[(first + 1) % ring.size()]};
 }
 
-bool EdgeIndex::touches_another(std::size_t block, const Segment& own) const {
+bool BlockEdges::touches_another(std::size_t block, const Segment& own) const {
   return std::ranges::any_of(index_.overlapping(expanded(Box{own.start, own.start}, own.end)), [&](int i) {
     const Edge& other = edges_[static_cast<std::size_t>(i)];
     return other.block != block && collinear_overlap(own, edge(other.block, other.first), reach_).has_value();
   });
 }
 
-Vec2 EdgeIndex::on_edge(const Vec2& corner) const {
+Vec2 BlockEdges::on_edge(const Vec2& corner) const {
   for (const int i : index_.overlapping(Box{corner, corner})) {
     const Edge& other = edges_[static_cast<std::size_t>(i)];
     const Segment segment = edge(other.block, other.first);

@@ -16,9 +16,9 @@ namespace dda {
 void put_corners_on_edges(double reach, std::vector<Ring>& blocks);
 
 // The edges of blocks, found by where they are. Keeps a reference to the blocks.
-class EdgeIndex {
+class BlockEdges {
  public:
-  EdgeIndex(const std::vector<Ring>& blocks, double reach);
+  BlockEdges(const std::vector<Ring>& blocks, double reach);
 
   // From vertex `first` of the block.
   [[nodiscard]] Segment edge(std::size_t block, std::size_t first) const;

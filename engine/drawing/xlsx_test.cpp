@@ -53,7 +53,7 @@ TEST(ReadXlsx, WhatIsWrongIsSaidInOneSentence) {
   const std::string tables = text_of_fixture("tables.xlsx");
   std::string broken = tables;
   broken[broken.find("xl/worksheets/sheet2.xml") + 200] ^= 1;
-  Archive empty;
+  ZipFile empty;
   empty.add("readme", "nothing");
   const std::vector<std::pair<std::string, std::string>> all{
       {"", "a.xlsx is no archive, or cut off, expected an .xlsx file"},

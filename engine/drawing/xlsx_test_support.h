@@ -7,7 +7,7 @@
 namespace dda {
 
 // Puts a file into an archive that stores, with the checksum computed here, bit by bit (CRC-32 of ISO 3309).
-class Archive {
+class ZipFile {
  public:
   void add(const std::string& path, const std::string& text) {
     const std::uint32_t offset = static_cast<std::uint32_t>(bytes_.size());
@@ -46,7 +46,7 @@ class Archive {
 
 // A workbook of one sheet with these rows.
 inline std::string workbook(const std::string& rows) {
-  Archive archive;
+  ZipFile archive;
   archive.add("xl/workbook.xml",
               R"(<x:workbook xmlns:x="a" xmlns:r="b"><x:sheets><x:sheet name="S" r:id="i"/></x:sheets></x:workbook>)");
   archive.add("xl/_rels/workbook.xml.rels", R"(<Relationships><Relationship Id="i" Target="s.xml"/></Relationships>)");

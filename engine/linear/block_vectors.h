@@ -18,9 +18,9 @@ inline constexpr std::size_t stretch_worth_sharing = 1024;
 inline constexpr std::size_t blocks_of_plain_sum = 32'768;
 
 // Some consecutive blocks of vectors.
-class Stretch {
+class VectorStretch {
  public:
-  Stretch(std::size_t first, std::size_t last)
+  VectorStretch(std::size_t first, std::size_t last)
       : first_(static_cast<Eigen::Index>(6 * first)), length_(static_cast<Eigen::Index>(6 * (last - first))) {}
 
   template <typename Vector>
@@ -38,19 +38,19 @@ inline std::size_t blocks_of(Eigen::Index unknowns) { return static_cast<std::si
 template <typename Body>
 void in_stretches(Eigen::Index unknowns, const Body& body) {
   parallel_for(blocks_of(unknowns), stretch_worth_sharing,
-               [&body](std::size_t first, std::size_t last) { body(Stretch(first, last)); });
+               [&body](std::size_t first, std::size_t last) { body(VectorStretch(first, last)); });
 }
 
 // The sum of body(stretch).
 template <typename Body>
 double sum_of_stretches(Eigen::Index unknowns, const Body& body) {
   return parallel_sum(blocks_of(unknowns), blocks_of_plain_sum,
-                      [&body](std::size_t first, std::size_t last) { return body(Stretch(first, last)); });
+                      [&body](std::size_t first, std::size_t last) { return body(VectorStretch(first, last)); });
 }
 
 template <typename One, typename Other>
 double dot(const One& one, const Other& other) {
-  return sum_of_stretches(one.size(), [&](const Stretch& here) { return here.of(one).dot(here.of(other)); });
+  return sum_of_stretches(one.size(), [&](const VectorStretch& here) { return here.of(one).dot(here.of(other)); });
 }
 
 }  // namespace dda

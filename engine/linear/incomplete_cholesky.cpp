@@ -226,7 +226,7 @@ double IncompleteCholesky::largest_entry(const Eigen::VectorXd& r) const {
   const auto larger = [](double one, double other) { return std::max(one, other); };
   if (places_.size() == order_.size())
     return parallel_reduce(places_.size(), blocks_of_plain_sum, larger, [&r](std::size_t first, std::size_t last) {
-      return Stretch(first, last).of(r).cwiseAbs().maxCoeff();
+      return VectorStretch(first, last).of(r).cwiseAbs().maxCoeff();
     });
   double largest = 0;
   for (const int j : places_) largest = larger(largest, r.segment<6>(6 * order_[at(j)]).cwiseAbs().maxCoeff());

@@ -59,14 +59,14 @@ class ConjugateGradients {
         break;
       }
       const double step = norm / curvature;
-      in_stretches(x.size(), [&](const Stretch& here) {
+      in_stretches(x.size(), [&](const VectorStretch& here) {
         here.of(x) += step * here.of(direction_);
         here.of(residual_) -= step * here.of(image_);
       });
       const double previous = norm;
       norm = precondition(residual_, preconditioned_);
       const double keep = norm / previous;
-      in_stretches(x.size(), [&](const Stretch& here) {
+      in_stretches(x.size(), [&](const VectorStretch& here) {
         here.of(direction_) = here.of(preconditioned_) + keep * here.of(direction_);
       });
       ++result.iterations;
@@ -126,7 +126,7 @@ class Gmres {
       const Eigen::VectorXd& u = u_[static_cast<std::size_t>(j)];
       const double along = dot(v_[static_cast<std::size_t>(j)], work_);
       h(j, k) = along;
-      in_stretches(work_.size(), [&](const Stretch& here) { here.of(work_) -= along * here.of(u); });
+      in_stretches(work_.size(), [&](const VectorStretch& here) { here.of(work_) -= along * here.of(u); });
     }
     const double norm = std::sqrt(std::max(0.0, precondition(work_, v_[at + 1])));
     h(k + 1, k) = norm;

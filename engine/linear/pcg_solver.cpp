@@ -63,7 +63,7 @@ Status PcgSolver::do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
 // need not be checked again for a solution that took no more of them.
 Status PcgSolver::check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) {
   multiply(x, residual_);
-  in_stretches(rhs.size(), [&](const Stretch& here) { here.of(residual_) = here.of(rhs) - here.of(residual_); });
+  in_stretches(rhs.size(), [&](const VectorStretch& here) { here.of(residual_) = here.of(rhs) - here.of(residual_); });
   const double norm = do_precondition(residual_, preconditioned_);
   const double limit = options_.true_residual * options_.true_residual * do_precondition(rhs, preconditioned_);
   return norm <= limit ? Status::ok : Status::not_converged;

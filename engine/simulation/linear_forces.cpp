@@ -144,7 +144,7 @@ void LinearForces::sum_internal_forces(Eigen::VectorXd& force) {
   const BlockSystem& s = system;
   operators->stiffness_times.multiply(flat(s.state.displacement), elastic_force);
   in_stretches(force.size(),
-               [&](const Stretch& here) { here.of(force) = here.of(elastic_force) + here.of(internal_at_rest); });
+               [&](const VectorStretch& here) { here.of(force) = here.of(elastic_force) + here.of(internal_at_rest); });
   if (!s.plan.moving_supports) return;
   for (std::size_t i = 0; i < s.supports.size(); ++i) {
     const SupportElement& support = s.supports[i];

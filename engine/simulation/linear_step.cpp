@@ -54,7 +54,7 @@ void LinearStep::form_rhs() {
   const PhaseScope scope(Phase::right_hand_side);
   const StepCoefficients& c = system_.coefficients;
   const BlockForces& forces = system_.forces;
-  in_stretches(rhs_.size(), [&](const Stretch& here) {
+  in_stretches(rhs_.size(), [&](const VectorStretch& here) {
     here.of(rhs_) = c.mass_v * here.of(linear_.momentum) - here.of(forces.internal_old);
     if (c.mass_a != 0) here.of(rhs_) += c.mass_a * here.of(linear_.inertia_force);
     if (system_.plan.loads)
@@ -84,7 +84,7 @@ Status LinearStep::solve() {
 void LinearStep::foresee_increment() {
   const BlockSystem& s = system_;
   const double dt = s.coefficients.dt;
-  in_stretches(system_.increment.size(), [&](const Stretch& here) {
+  in_stretches(system_.increment.size(), [&](const VectorStretch& here) {
     here.of(system_.increment) =
         dt * here.of(flat(s.state.velocity)) + dt * dt / 2 * here.of(flat(s.state.acceleration));
   });
@@ -109,7 +109,7 @@ double LinearStep::follow_inertia_force() {
   const StepCoefficients& c = system_.coefficients;
   linear_.operators->inertia_times.multiply(flat(system_.state.velocity), next_momentum_);
   double work = (1 - c.weight_new_a) * dot(system_.increment, linear_.inertia_force);
-  in_stretches(linear_.inertia_force.size(), [&](const Stretch& here) {
+  in_stretches(linear_.inertia_force.size(), [&](const VectorStretch& here) {
     here.of(linear_.inertia_force) =
         (here.of(next_momentum_) - here.of(linear_.momentum) - c.v_a0 * here.of(linear_.inertia_force)) / c.v_a1;
   });

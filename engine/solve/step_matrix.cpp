@@ -74,7 +74,8 @@ Status StepMatrix::solve(const HeldUnknowns& held, Eigen::VectorXd& rhs, Eigen::
     return status;
   }
   // 0 times anything not finite is NaN, and so is a sum with a NaN: allFinite(), vectorized.
-  if (sum_of_stretches(x.size(), [&](const Stretch& here) { return (0 * here.of(x)).sum(); }) == 0) return Status::ok;
+  if (sum_of_stretches(x.size(), [&](const VectorStretch& here) { return (0 * here.of(x)).sum(); }) == 0)
+    return Status::ok;
   failure_ = Failure::not_finite;
   return Status::not_finite;
 }

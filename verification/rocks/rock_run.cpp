@@ -39,15 +39,15 @@ void judge(const Simulation& simulation, double motion, RockResult& result) {
   result.said = dda::warnings_of(simulation);
   if (!verdict.message.empty()) result.said.push_back(verdict.message);
   if (verdict.status != Status::ok) {
-    result.outcome = Outcome::stopped;
+    result.outcome = RunOutcome::stopped;
     result.message = std::string(to_string(verdict.status)) + ": " + verdict.message;
     return;
   }
   const bool holds = std::ranges::all_of(result.checks, &Check::holds);
-  result.outcome = holds ? Outcome::right : result.said.empty() ? Outcome::silent : Outcome::warned;
+  result.outcome = holds ? RunOutcome::right : result.said.empty() ? RunOutcome::silent : RunOutcome::warned;
 }
 
-void end_early(Outcome outcome, const std::string& why, RockResult& result) {
+void end_early(RunOutcome outcome, const std::string& why, RockResult& result) {
   result.outcome = outcome;
   result.message = why;
 }
@@ -80,11 +80,11 @@ void note(const Simulation& simulation, RockResult& result) {
 bool go_through(const Stopwatch& watch, double seconds, Simulation& simulation, RockResult& result) {
   while (!simulation.finished()) {
     if (const Status status = simulation.step(); status != Status::ok) {
-      end_early(Outcome::stopped, std::string(to_string(status)) + ": " + simulation.message(), result);
+      end_early(RunOutcome::stopped, std::string(to_string(status)) + ": " + simulation.message(), result);
       return false;
     }
     if (watch.seconds() > seconds) {
-      end_early(Outcome::late, dda::stages_done(simulation) == 0 ? "still settling" : "still moving", result);
+      end_early(RunOutcome::late, dda::stages_done(simulation) == 0 ? "still settling" : "still moving", result);
       return false;
     }
   }
@@ -106,22 +106,22 @@ void run(const RandomRock& rock, double seconds, const Stopwatch& watch, RockPic
 }  // namespace
 
 const OutcomeNames& rock_outcomes() {
-  static const OutcomeNames names = {{Outcome::right, "right"},     {Outcome::stopped, "stopped"},
-                                     {Outcome::refused, "refused"}, {Outcome::late, "late"},
-                                     {Outcome::warned, "warned"},   {Outcome::silent, "wrong"}};
+  static const OutcomeNames names = {{RunOutcome::right, "right"},     {RunOutcome::stopped, "stopped"},
+                                     {RunOutcome::refused, "refused"}, {RunOutcome::late, "late"},
+                                     {RunOutcome::warned, "warned"},   {RunOutcome::silent, "wrong"}};
   return names;
 }
 
 RockResult run_rock(const RandomRock& rock, double seconds, RockPicture* picture) {
   RockResult result;
-  result.outcome = Outcome::right;
+  result.outcome = RunOutcome::right;
   result.seed = rock.seed;
   result.kind = rock.kind;
   const Stopwatch watch;
   try {
     run(rock, seconds, watch, picture, result);
   } catch (const dda::InputError& error) {
-    end_early(Outcome::refused, error.what(), result);
+    end_early(RunOutcome::refused, error.what(), result);
   }
   result.cpu_s = watch.seconds();
   return result;

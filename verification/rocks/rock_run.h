@@ -12,7 +12,7 @@
 namespace verify {
 
 [[nodiscard]] const OutcomeNames& rock_outcomes();
-[[nodiscard]] inline const std::string& name_of(Outcome outcome) { return name_of(outcome, rock_outcomes()); }
+[[nodiscard]] inline const std::string& name_of(RunOutcome outcome) { return name_of(outcome, rock_outcomes()); }
 
 struct RockResult : JudgedRun {
   std::uint64_t seed = 0;

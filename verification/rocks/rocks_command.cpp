@@ -20,7 +20,7 @@ std::string text_of(const RandomRock& rock, double seconds) {
   RockPicture picture;
   const RockResult result = run_rock(rock, seconds, &picture);
   nlohmann::ordered_json json = json_of(result);
-  if (result.outcome == Outcome::right) json["picture"] = to_svg(picture);
+  if (result.outcome == RunOutcome::right) json["picture"] = to_svg(picture);
   return json.dump();
 }
 
@@ -73,14 +73,14 @@ int run_rocks(const RocksCommand& command, std::ostream& out, std::ostream& erro
     const auto json = nlohmann::ordered_json::parse(text);
     const RockResult& result = results.emplace_back(rock_result_from(json));
     keep_picture(result, json, command.folder);
-    if (result.outcome == Outcome::right) return;
+    if (result.outcome == RunOutcome::right) return;
     keep_scene(rock(i), command.folder);
     tell(result, errors);
   });
   dda::write_file(command.folder / "rocks.json", to_json(results));
   dda::write_file(command.folder / "rocks.md", to_page(results));
   out << counts_of(results, rock_outcomes());
-  return count_of(results, Outcome::silent) > 0 ? 1 : 0;
+  return count_of(results, RunOutcome::silent) > 0 ? 1 : 0;
 }
 
 StudyCommand rocks_command() {

@@ -84,7 +84,7 @@ Section gallery(const std::vector<RockResult>& results) {
                 "the others settled."});
   for (const RockKind kind : all_rock_kinds) {
     const auto shown = std::ranges::find_if(
-        results, [&](const RockResult& result) { return result.kind == kind && result.outcome == Outcome::right; });
+        results, [&](const RockResult& result) { return result.kind == kind && result.outcome == RunOutcome::right; });
     if (shown == results.end()) continue;
     const std::string caption = fmt::format("{}, seed {}, {} blocks", name_of(kind), shown->seed, shown->blocks);
     section.pieces.emplace_back(Figure{"images/" + picture_of(kind), caption});
@@ -95,7 +95,7 @@ Section gallery(const std::vector<RockResult>& results) {
 Section not_right(const std::vector<RockResult>& results) {
   Bullets bullets;
   for (const RockResult& result : results)
-    if (result.outcome != Outcome::right)
+    if (result.outcome != RunOutcome::right)
       bullets.items.push_back(fmt::format("**{}**, seed {} ({}, {} blocks): {}", name_of(result.outcome), result.seed,
                                           name_of(result.kind), result.blocks, result.reason()));
   if (bullets.items.empty()) bullets.items.emplace_back("none");

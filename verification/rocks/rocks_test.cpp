@@ -47,7 +47,7 @@ TEST(Rocks, AreLargerWhereAskedFor) {
 TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
   for (const unsigned seed : {1U, 4U, 5U, 15U, 16U, 24U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::dilating}), 60);
-    EXPECT_EQ(result.outcome, Outcome::right) << seed << ": " << result.reason();
+    EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
   }
 }
 
@@ -68,7 +68,7 @@ TEST(Rocks, SettleWhereHundredsOfContactsChangeInAStep) {
 TEST(Rocks, SettleAndMoveUnderTheProjectedLaw) {
   for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U, 9U, 22U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
-    EXPECT_EQ(result.outcome, Outcome::right) << seed << ": " << result.reason();
+    EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
   }
 }
 
@@ -115,7 +115,7 @@ TEST_F(ChecksOfRock, SeeABlockThatFlies) {
 TEST(Rocks, ReportsHaveEveryRockThatIsNotRight) {
   RockResult late;
   late.seed = 77;
-  late.outcome = Outcome::late;
+  late.outcome = RunOutcome::late;
   late.message = "still settling";
   EXPECT_NE(to_page({late}).find("**late**, seed 77"), std::string::npos);
   EXPECT_NE(to_json({late}).find("\"outcome\":\"late\""), std::string::npos);

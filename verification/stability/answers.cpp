@@ -186,10 +186,10 @@ class PileAnswer final : public Answer {
 
 std::unique_ptr<Answer> answer_of(const Setting& setting) {
   switch (setting.problem) {
-    case Problem::pulse: return std::make_unique<PulseAnswer>(setting);
-    case Problem::wall: return std::make_unique<WallAnswer>(setting);
-    case Problem::incline: return std::make_unique<InclineAnswer>(setting);
-    case Problem::pile: return std::make_unique<PileAnswer>(setting);
+    case ChartProblem::pulse: return std::make_unique<PulseAnswer>(setting);
+    case ChartProblem::wall: return std::make_unique<WallAnswer>(setting);
+    case ChartProblem::incline: return std::make_unique<InclineAnswer>(setting);
+    case ChartProblem::pile: return std::make_unique<PileAnswer>(setting);
   }
   return nullptr;
 }

@@ -45,7 +45,7 @@ class Watcher {
 
 // Ended early, or with a balance that does not add up. Both must say why.
 void stop(dda::Status status, const std::string& why, Cell& cell) {
-  cell.outcome = why.empty() ? Outcome::silent : Outcome::stopped;
+  cell.outcome = why.empty() ? RunOutcome::silent : RunOutcome::stopped;
   cell.message = std::string(to_string(status)) + ": " + why;
 }
 
@@ -65,9 +65,9 @@ void judge(const dda::Simulation& simulation, const Watcher& watcher, const std:
   cell.said.insert(cell.said.end(), remarks.begin(), remarks.end());
   cell.checks = watcher.checks(simulation);
   if (std::ranges::all_of(cell.checks, &Check::holds))
-    cell.outcome = Outcome::right;
+    cell.outcome = RunOutcome::right;
   else
-    cell.outcome = cell.said.empty() ? Outcome::silent : Outcome::warned;
+    cell.outcome = cell.said.empty() ? RunOutcome::silent : RunOutcome::warned;
 }
 
 void run(const Setting& setting, const std::string& scene, Cell& cell) {
@@ -85,11 +85,11 @@ void run(const Setting& setting, const std::string& scene, Cell& cell) {
 }  // namespace
 
 const OutcomeNames& cell_outcomes() {
-  static const OutcomeNames names = {{Outcome::right, "correct"},
-                                     {Outcome::warned, "warned"},
-                                     {Outcome::stopped, "stopped"},
-                                     {Outcome::refused, "refused"},
-                                     {Outcome::silent, "silently wrong"}};
+  static const OutcomeNames names = {{RunOutcome::right, "correct"},
+                                     {RunOutcome::warned, "warned"},
+                                     {RunOutcome::stopped, "stopped"},
+                                     {RunOutcome::refused, "refused"},
+                                     {RunOutcome::silent, "silently wrong"}};
   return names;
 }
 
@@ -100,7 +100,7 @@ Cell run_cell(const Setting& setting, const nlohmann::ordered_json& scene) {
   try {
     run(setting, scene.dump(), cell);
   } catch (const dda::InputError& error) {
-    cell.outcome = Outcome::refused;
+    cell.outcome = RunOutcome::refused;
     cell.message = error.what();
   }
   cell.cpu_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

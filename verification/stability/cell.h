@@ -10,9 +10,9 @@
 
 namespace verify {
 
-// "correct" is Outcome::right; cells are not timed out, so none is late.
+// "correct" is RunOutcome::right; cells are not timed out, so none is late.
 [[nodiscard]] const OutcomeNames& cell_outcomes();
-[[nodiscard]] inline const std::string& name_of(Outcome outcome) { return name_of(outcome, cell_outcomes()); }
+[[nodiscard]] inline const std::string& name_of(RunOutcome outcome) { return name_of(outcome, cell_outcomes()); }
 
 struct Cell : JudgedRun {
   Setting setting;

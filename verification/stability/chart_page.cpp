@@ -28,7 +28,7 @@ Table counts(const std::vector<Cell>& cells, const std::string& caption) {
   table.caption = caption;
   table.header = {"problem"};
   for (const auto& [outcome, name] : cell_outcomes()) table.header.push_back(name);
-  for (const Problem problem : all_problems) {
+  for (const ChartProblem problem : all_problems) {
     std::vector<std::string>& row = table.rows.emplace_back();
     row.push_back(name_of(problem));
     std::vector<Cell> of_problem;
@@ -46,7 +46,7 @@ std::string reason_of(const Cell& cell) {
 }
 
 // Every kind of reason with one example and how often it was given.
-Bullets reasons(const StabilityChart& chart, Outcome outcome) {
+Bullets reasons(const StabilityChart& chart, RunOutcome outcome) {
   std::map<std::string, std::pair<int, const Cell*>> kinds;
   for (const std::vector<Cell>* cells : {&chart.steps, &chart.blocks})
     for (const Cell& cell : *cells)
@@ -61,7 +61,7 @@ Bullets reasons(const StabilityChart& chart, Outcome outcome) {
   return bullets;
 }
 
-void add_reasons(const StabilityChart& chart, Outcome outcome, Document& document) {
+void add_reasons(const StabilityChart& chart, RunOutcome outcome, Document& document) {
   Bullets bullets = reasons(chart, outcome);
   if (bullets.items.empty()) return;
   document.sections.push_back({"Cells that are " + name_of(outcome), {std::move(bullets)}});
@@ -115,7 +115,7 @@ std::string to_page(const StabilityChart& chart) {
                                 counts(chart.blocks, "Cells")}});
   document.sections.push_back(problems());
   document.sections.push_back(meaning());
-  for (const Outcome outcome : {Outcome::silent, Outcome::warned, Outcome::stopped, Outcome::refused})
+  for (const RunOutcome outcome : {RunOutcome::silent, RunOutcome::warned, RunOutcome::stopped, RunOutcome::refused})
     add_reasons(chart, outcome, document);
   return to_markdown(document);
 }

@@ -11,14 +11,14 @@ constexpr int side = 12;  // px, of a cell
 constexpr int left_margin = 80, top_margin = 48, between = 14, bottom_margin = 64;
 
 // Okabe & Ito 2008, which colour-blind readers can tell apart.
-const char* colour_of(Outcome outcome) {
+const char* colour_of(RunOutcome outcome) {
   switch (outcome) {
-    case Outcome::right: return "#009E73";
-    case Outcome::warned: return "#F0E442";
-    case Outcome::stopped: return "#56B4E9";
-    case Outcome::refused: return "#999999";
-    case Outcome::silent: return "#D55E00";
-    case Outcome::late: break;  // cells are not timed out
+    case RunOutcome::right: return "#009E73";
+    case RunOutcome::warned: return "#F0E442";
+    case RunOutcome::stopped: return "#56B4E9";
+    case RunOutcome::refused: return "#999999";
+    case RunOutcome::silent: return "#D55E00";
+    case RunOutcome::late: break;  // cells are not timed out
   }
   return "";
 }
@@ -69,7 +69,7 @@ class Maps {
 
   // One path a colour: a file of some kB for thousands of cells.
   [[nodiscard]] std::string squares(const std::vector<Cell>& cells) const {
-    std::map<Outcome, std::string> paths;
+    std::map<RunOutcome, std::string> paths;
     for (const Cell& cell : cells) {
       const int x = left(index_in(grid_.integrators, cell.setting.integrator)) +
                     side * index_in(across_.values, cell.setting.*across_.value);

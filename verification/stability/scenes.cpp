@@ -141,7 +141,7 @@ Json pile(const Setting& setting) {
 
 }  // namespace
 
-double row_height(const Setting& setting) { return (setting.problem == Problem::wall ? 0.5 : 1) / setting.aspect; }
+double row_height(const Setting& setting) { return (setting.problem == ChartProblem::wall ? 0.5 : 1) / setting.aspect; }
 
 Extent slider_extent(const Setting& setting) {
   return {2 * std::sqrt(setting.aspect), 0.5 / std::sqrt(setting.aspect)};
@@ -151,10 +151,10 @@ Extent pile_scale(const Setting& setting) { return {std::sqrt(setting.aspect), 1
 
 nlohmann::ordered_json scene_of(const Setting& setting) {
   switch (setting.problem) {
-    case Problem::pulse: return pulse(setting);
-    case Problem::wall: return wall(setting);
-    case Problem::incline: return incline(setting);
-    case Problem::pile: return pile(setting);
+    case ChartProblem::pulse: return pulse(setting);
+    case ChartProblem::wall: return wall(setting);
+    case ChartProblem::incline: return incline(setting);
+    case ChartProblem::pile: return pile(setting);
   }
   return {};
 }

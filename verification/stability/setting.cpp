@@ -11,19 +11,19 @@ namespace verify {
 namespace {
 
 // s: two crossings of the pulse; vibrations of the wall; a metre of sliding; the pile's fall and rest.
-double duration_of(Problem problem) {
+double duration_of(ChartProblem problem) {
   switch (problem) {
-    case Problem::pulse: return 4e-3;
-    case Problem::wall: return 0.5;
-    case Problem::incline: return 1;
-    case Problem::pile: return 0.5;
+    case ChartProblem::pulse: return 4e-3;
+    case ChartProblem::wall: return 0.5;
+    case ChartProblem::incline: return 1;
+    case ChartProblem::pile: return 0.5;
   }
   return 0;
 }
 
-double ordinary_dt(Problem problem) { return problem == Problem::pulse ? 1e-5 : 1e-3; }
+double ordinary_dt(ChartProblem problem) { return problem == ChartProblem::pulse ? 1e-5 : 1e-3; }
 
-Setting ordinary(const ChartGrid& grid, Problem problem, const std::string& integrator) {
+Setting ordinary(const ChartGrid& grid, ChartProblem problem, const std::string& integrator) {
   Setting setting;
   setting.problem = problem;
   setting.integrator = integrator;
@@ -40,7 +40,7 @@ struct Axis {
 // Every problem and integrator with all pairs of values, the others being ordinary.
 std::vector<Setting> all_settings(const ChartGrid& grid, const Axis& outer, const Axis& inner) {
   std::vector<Setting> settings;
-  for (const Problem problem : all_problems)
+  for (const ChartProblem problem : all_problems)
     for (const std::string& integrator : grid.integrators) settings.push_back(ordinary(grid, problem, integrator));
   for (const Axis& axis : {outer, inner})
     settings = with_each(settings, axis.values, [&](double value, Setting& each) { each.*axis.quantity = value; });
@@ -49,18 +49,18 @@ std::vector<Setting> all_settings(const ChartGrid& grid, const Axis& outer, cons
 
 }  // namespace
 
-std::string name_of(Problem problem) {
+std::string name_of(ChartProblem problem) {
   switch (problem) {
-    case Problem::pulse: return "pulse";
-    case Problem::wall: return "wall";
-    case Problem::incline: return "incline";
-    case Problem::pile: return "pile";
+    case ChartProblem::pulse: return "pulse";
+    case ChartProblem::wall: return "wall";
+    case ChartProblem::incline: return "incline";
+    case ChartProblem::pile: return "pile";
   }
   return "";
 }
 
 int steps_of(const Setting& setting) {
-  const int most = setting.problem == Problem::pulse ? 10 * setting.most_steps : setting.most_steps;
+  const int most = setting.problem == ChartProblem::pulse ? 10 * setting.most_steps : setting.most_steps;
   const double steps = std::ceil(duration_of(setting.problem) / setting.dt * (1 - 1e-9));
   return static_cast<int>(std::clamp(steps, 10.0, static_cast<double>(most)));
 }

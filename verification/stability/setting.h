@@ -7,12 +7,13 @@
 
 namespace verify {
 
-enum class Problem { pulse, wall, incline, pile };
-inline constexpr std::array all_problems{Problem::pulse, Problem::wall, Problem::incline, Problem::pile};
-[[nodiscard]] std::string name_of(Problem problem);
+enum class ChartProblem { pulse, wall, incline, pile };
+inline constexpr std::array all_problems{ChartProblem::pulse, ChartProblem::wall, ChartProblem::incline,
+                                         ChartProblem::pile};
+[[nodiscard]] std::string name_of(ChartProblem problem);
 
 struct Setting {
-  Problem problem = Problem::pulse;
+  ChartProblem problem = ChartProblem::pulse;
   std::string integrator = "thesis";  // as scenes name it; with its parameter behind: "hht 0.1"
   double penalty = 10;                // contact spring over Young's modulus
   double dt = 1e-3;                   // s

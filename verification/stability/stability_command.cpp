@@ -23,7 +23,7 @@ Cell cell_from(const std::string& text, const Setting& setting) {
   const auto json = nlohmann::ordered_json::parse(text);
   Cell cell;
   cell.setting = setting;
-  cell.outcome = json.at("outcome").get<Outcome>();
+  cell.outcome = json.at("outcome").get<RunOutcome>();
   cell.cpu_s = json.at("cpu_s");
   read_reasons(json, cell);
   return cell;
@@ -36,7 +36,7 @@ std::vector<Cell> run_all(const std::vector<Setting>& settings, const std::strin
   const auto run = [&](std::size_t i) { return text_of(run_cell(settings[i], scene_of(settings[i]))); };
   run_jobs(settings.size(), command.jobs, run, [&](std::size_t i, const std::string& text) {
     Cell& cell = cells.emplace_back(cell_from(text, settings[i]));
-    if (cell.outcome == Outcome::right) return;
+    if (cell.outcome == RunOutcome::right) return;
     cell.scene = fmt::format("scenes/{}_{}.json", map, cells.size());
     dda::write_file(command.folder / cell.scene, scene_of(settings[i]).dump(1) + "\n");
   });
@@ -45,9 +45,9 @@ std::vector<Cell> run_all(const std::vector<Setting>& settings, const std::strin
 
 std::size_t tell_silent(const std::vector<Cell>& cells, std::ostream& errors) {
   for (const Cell& cell : cells)
-    if (cell.outcome == Outcome::silent)
+    if (cell.outcome == RunOutcome::silent)
       errors << fmt::format("dda-verify: silently wrong: {} ({})\n", words_for(cell.setting), cell.scene);
-  return count_of(cells, Outcome::silent);
+  return count_of(cells, RunOutcome::silent);
 }
 
 void write_chart(const StabilityChart& chart, const std::filesystem::path& folder) {

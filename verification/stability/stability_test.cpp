@@ -9,25 +9,25 @@
 namespace verify {
 namespace {
 
-Setting ordinary(Problem problem) {
+Setting ordinary(ChartProblem problem) {
   Setting setting;
   setting.problem = problem;
-  setting.dt = problem == Problem::pulse ? 1e-5 : 1e-3;
+  setting.dt = problem == ChartProblem::pulse ? 1e-5 : 1e-3;
   return setting;
 }
 
 // So what is said in other cells comes of what is extreme in them.
 TEST(Stability, OrdinaryScenesAreCorrectAndNothingIsSaidOfThem) {
-  for (const Problem problem : all_problems) {
+  for (const ChartProblem problem : all_problems) {
     const Cell cell = run_cell(ordinary(problem), scene_of(ordinary(problem)));
-    EXPECT_EQ(cell.outcome, Outcome::right) << name_of(problem) << ": " << cell.message;
+    EXPECT_EQ(cell.outcome, RunOutcome::right) << name_of(problem) << ": " << cell.message;
     EXPECT_TRUE(cell.said.empty()) << name_of(problem) << ": " << cell.said.front();
   }
 }
 
 // Answers that could not fail would make every cell green: each scene with one thing wrong that no run can know of.
 TEST(Stability, AWrongRunIsSilentlyWrong) {
-  const auto outcome = [](Problem problem, const auto& spoil) {
+  const auto outcome = [](ChartProblem problem, const auto& spoil) {
     const Setting setting = ordinary(problem);
     nlohmann::ordered_json scene = scene_of(setting);
     spoil(scene);
@@ -35,25 +35,27 @@ TEST(Stability, AWrongRunIsSilentlyWrong) {
     EXPECT_TRUE(cell.message.empty()) << cell.message;
     return cell.outcome;
   };
-  EXPECT_EQ(outcome(Problem::pulse, [](auto& scene) { scene["materials"]["heavy"]["young"] = 14e9; }), Outcome::silent);
-  EXPECT_EQ(outcome(Problem::wall, [](auto& scene) { scene["gravity"] = 9.7; }), Outcome::silent);
-  EXPECT_EQ(outcome(Problem::incline, [](auto& scene) { scene["joints"]["default"]["friction_angle"] = "15.2 deg"; }),
-            Outcome::silent);
-  EXPECT_EQ(outcome(Problem::pile, [](auto& scene) { scene["gravity"] = 11; }), Outcome::silent);
+  EXPECT_EQ(outcome(ChartProblem::pulse, [](auto& scene) { scene["materials"]["heavy"]["young"] = 14e9; }),
+            RunOutcome::silent);
+  EXPECT_EQ(outcome(ChartProblem::wall, [](auto& scene) { scene["gravity"] = 9.7; }), RunOutcome::silent);
+  EXPECT_EQ(
+      outcome(ChartProblem::incline, [](auto& scene) { scene["joints"]["default"]["friction_angle"] = "15.2 deg"; }),
+      RunOutcome::silent);
+  EXPECT_EQ(outcome(ChartProblem::pile, [](auto& scene) { scene["gravity"] = 11; }), RunOutcome::silent);
 }
 
 TEST(Stability, RefusedAndStoppedRunsKeepTheirReason) {
-  Setting setting = ordinary(Problem::incline);
+  Setting setting = ordinary(ChartProblem::incline);
   nlohmann::ordered_json scene = scene_of(setting);
   scene["joints"]["default"]["spring_over_young"] = -1;
   const Cell refused = run_cell(setting, scene);
-  EXPECT_EQ(refused.outcome, Outcome::refused);
+  EXPECT_EQ(refused.outcome, RunOutcome::refused);
   EXPECT_NE(refused.message.find("spring_over_young"), std::string::npos) << refused.message;
 
   scene = scene_of(setting);
   scene["steps"] = {{{"integrator", "static"}}};  // with the joints' own strength: blocks that slide find no rest
   const Cell stopped = run_cell(setting, scene);
-  EXPECT_EQ(stopped.outcome, Outcome::stopped);
+  EXPECT_EQ(stopped.outcome, RunOutcome::stopped);
   EXPECT_NE(stopped.message.find("not_in_equilibrium"), std::string::npos) << stopped.message;
 }
 

@@ -24,7 +24,7 @@ std::string first_failure(const std::vector<Check>& checks) {
              : fmt::format("{}: {:.3g}, {:.2g} is allowed", failed->what, failed->value, failed->allowed);
 }
 
-const std::string& name_of(Outcome outcome, const OutcomeNames& names) {
+const std::string& name_of(RunOutcome outcome, const OutcomeNames& names) {
   return std::ranges::find(names, outcome, &OutcomeNames::value_type::first)->second;
 }
 

@@ -24,7 +24,7 @@ struct Check {
 // What the first that does not hold says; empty where all hold.
 [[nodiscard]] std::string first_failure(const std::vector<Check>& checks);
 
-enum class Outcome {
+enum class RunOutcome {
   right,    // went through, and every check holds
   warned,   // went through, a check fails, and something was said
   stopped,  // ended early or with a failed balance, and said why
@@ -34,11 +34,11 @@ enum class Outcome {
 };
 
 // The outcomes that a study knows, in the order in which it lists them, as its pages call them.
-using OutcomeNames = std::vector<std::pair<Outcome, std::string>>;
-[[nodiscard]] const std::string& name_of(Outcome outcome, const OutcomeNames& names);
+using OutcomeNames = std::vector<std::pair<RunOutcome, std::string>>;
+[[nodiscard]] const std::string& name_of(RunOutcome outcome, const OutcomeNames& names);
 
 struct JudgedRun {
-  Outcome outcome = Outcome::silent;
+  RunOutcome outcome = RunOutcome::silent;
   std::string message;            // why it stopped, was refused or is late
   std::vector<Check> checks;      // of runs that went through
   std::vector<std::string> said;  // warnings and remarks
@@ -54,7 +54,7 @@ void read_reasons(const nlohmann::ordered_json& json, JudgedRun& run);
 [[nodiscard]] std::string count_line(std::size_t count, const std::string& name);
 
 template <typename Runs>
-[[nodiscard]] std::size_t count_of(const Runs& runs, Outcome outcome) {
+[[nodiscard]] std::size_t count_of(const Runs& runs, RunOutcome outcome) {
   std::size_t count = 0;
   for (const JudgedRun& run : runs) count += run.outcome == outcome ? 1 : 0;
   return count;

@@ -2,8 +2,8 @@
 
 namespace verify {
 
-const std::vector<Problem>& catalogue() {
-  static const std::vector<Problem> problems = {
+const std::vector<CatalogueProblem>& catalogue() {
+  static const std::vector<CatalogueProblem> problems = {
       {1, "Free fall"},
       {2, "Fall with velocities cut every step"},
       {3, "Free spin"},

@@ -7,7 +7,7 @@
 
 namespace verify {
 
-struct Problem {
+struct CatalogueProblem {
   int number;
   std::string_view title;
 };
@@ -20,7 +20,7 @@ struct Area {
 };
 
 // In the order of their numbers, from 1 without gaps.
-[[nodiscard]] const std::vector<Problem>& catalogue();
+[[nodiscard]] const std::vector<CatalogueProblem>& catalogue();
 
 // Every problem is in one of them, in order.
 [[nodiscard]] const std::vector<Area>& areas();

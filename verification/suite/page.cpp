@@ -90,7 +90,7 @@ std::string summary_text(const std::vector<Case>& cases, const Tables& tables) {
 }
 
 // A case stands under its first number; its other numbers point there.
-std::string section_text(const Problem& problem, const std::vector<Case>& cases, const Tables& tables) {
+std::string section_text(const CatalogueProblem& problem, const std::vector<Case>& cases, const Tables& tables) {
   std::string text;
   for (const Case& each : cases) {
     const auto& numbers = each.catalogue;
@@ -110,7 +110,7 @@ std::string coverage_text(std::size_t covered, std::size_t cases) {
 
 std::string uncovered_text(const std::set<int>& numbers) {
   std::string text;
-  for (const Problem& problem : catalogue())
+  for (const CatalogueProblem& problem : catalogue())
     if (!numbers.contains(problem.number)) text += fmt::format("- {} {}\n", problem.number, problem.title);
   return text.empty() ? "" : fmt::format("{}Not yet covered\n\n{}", section_mark, text);
 }
@@ -163,7 +163,7 @@ std::string page_of(const std::vector<Case>& cases, const Tables& tables) {
   const std::set<int> numbers = covered(cases);
   std::string text = head;
   text += fmt::format("\n{}\n\n{}\n", coverage_text(numbers.size(), cases.size()), summary_text(cases, tables));
-  for (const Problem& problem : catalogue()) text += section_text(problem, cases, tables);
+  for (const CatalogueProblem& problem : catalogue()) text += section_text(problem, cases, tables);
   return text + uncovered_text(numbers);
 }
 

@@ -153,7 +153,7 @@ TEST_F(TablePage, OpensWithASummaryByArea) {
 
 TEST_F(TablePage, SaysSoWhereNothingIsLeft) {
   std::vector<int> all;
-  for (const Problem& problem : catalogue()) all.push_back(problem.number);
+  for (const CatalogueProblem& problem : catalogue()) all.push_back(problem.number);
   const Case everything = case_of("incline", {assertion_of(2.1, 2, 0.1)}, CaseLabel::fast, all);
   measure({everything});
   ASSERT_EQ(table({everything}, false), 0) << errors_.str();

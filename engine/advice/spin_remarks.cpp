@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <cmath>
 #include <cstddef>
 #include <set>
+
+#include "engine/core/principal_stress.h"
+#include "engine/terms/inertia.h"
 
 namespace dda {
 namespace {
@@ -14,22 +15,13 @@ constexpr double little = 1e6;  // Pa: what weak rock bears in tension
 
 // Pa, the mean stress with which a block that spins freely is at rest in the frame that turns with it: its integral is
 // that of rho omega^2 r r'.
-Mat2 centrifugal_stress(const Model& model, std::size_t index) {
-  const Block& block = model.blocks[index];
-  const AreaMoments& moments = block.moments;
-  Mat2 squares;
-  squares << moments.xx, moments.xy, moments.xy, moments.yy;
-  const double density = model.materials[static_cast<std::size_t>(block.material)].density;
-  return density * block.initial_spin * block.initial_spin / moments.area * squares;
+Vec3 centrifugal_stress(const Model& model, int index) {
+  const Block& block = model.blocks[static_cast<std::size_t>(index)];
+  const double density = model.material_of(index).density;
+  return density * block.initial_spin * block.initial_spin * mean_squares(block.moments);
 }
 
-double largest_principal(const Mat2& stress) { return Eigen::SelfAdjointEigenSolver<Mat2>(stress).eigenvalues()[1]; }
-
-Mat2 stress_at_start(const Block& block) {
-  Mat2 stress;
-  stress << block.initial_stress[0], block.initial_stress[2], block.initial_stress[2], block.initial_stress[1];
-  return stress;
-}
+double largest_principal(const Vec3& stress) { return mean_stress(stress) + largest_shear(stress); }
 
 std::set<std::size_t> blocks_that_touch(const ContactSet& contacts) {
   std::set<std::size_t> touching;
@@ -52,8 +44,8 @@ std::vector<std::string> spin_remarks(const Model& model, const ContactSet& cont
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
     if (block.initial_spin == 0 || touching.contains(i)) continue;
-    const Mat2 stress = centrifugal_stress(model, i);
-    if (largest_principal(stress - stress_at_start(block)) < little) continue;
+    const Vec3 stress = centrifugal_stress(model, static_cast<int>(i));
+    if (largest_principal(stress - block.initial_stress) < little) continue;
     const bool damps = !with_contacts(stage.integrator).conserves_contact_energy;
     remarks.push_back(fmt::format(
         "block \"{}\" spins at {:.4g} rad/s, and the centrifugal force pulls it with {:.3g} MPa on average; as it "

@@ -105,11 +105,11 @@ double on_time(const WaveQuestion& question, const Place& place) {
   return place.distance / continuum_speed(question.lattice.material, question.kind);
 }
 
-// `filter`: of the load, as a run applies it.
 double window_at(const WaveQuestion& question, const LoadHistory& load, const Place& place) {
   return window_of(load, on_time(question, place), lags_of(question, place.distance, load.period));
 }
 
+// `filter`: of the load, as a run applies it.
 LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, const Place& place,
                          const LoadFilter& filter) {
   const double window = window_at(question, load, place);

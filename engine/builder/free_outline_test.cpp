@@ -6,17 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/builder/builder_models.h"
 #include "engine/builder/generators.h"
 #include "engine/scene/scene.h"
 
 namespace dda {
 namespace {
-
-Model with_rock() {
-  Model model;
-  model.materials = {{"rock", 1000, 1e9, 0.2, PlaneState::stress}};
-  return model;
-}
 
 void append_square(Model& model, double x, double y, double side) {
   append_grid(model, {.origin = {x, y}, .columns = 1, .rows = 1, .block_width = side, .block_height = side});

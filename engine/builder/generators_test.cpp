@@ -6,16 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/builder/builder_models.h"
 #include "engine/core/error.h"
 
 namespace dda {
 namespace {
-
-Model with_rock() {
-  Model model;
-  model.materials = {{"rock", 1000, 1e9, 0.2, PlaneState::stress}};
-  return model;
-}
 
 double total_area(const Model& model) {
   double area = 0;

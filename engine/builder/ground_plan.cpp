@@ -46,11 +46,15 @@ GroundPlan::GroundPlan(const Model& model)
       edges_.try_emplace(static_cast<int>(i), model.blocks[i].shape);
 }
 
+Location GroundPlan::location(int block, const Vec2& point, double tolerance) const {
+  const auto large = edges_.find(block);
+  return large == edges_.end() ? locate(model_->blocks[at(block)].shape, point, tolerance)
+                               : large->second.locate(point, tolerance);
+}
+
 bool GroundPlan::holds(int block, const Vec2& point, double tolerance) const {
   if (!overlap(expanded(boxes_[at(block)], tolerance), Box{point, point})) return false;
-  const auto large = edges_.find(block);
-  return (large == edges_.end() ? locate(model_->blocks[at(block)].shape, point, tolerance)
-                                : large->second.locate(point, tolerance)) != Location::outside;
+  return location(block, point, tolerance) != Location::outside;
 }
 
 std::vector<int> GroundPlan::blocks_at(const Vec2& point) const {
@@ -132,7 +136,7 @@ std::vector<Passage> GroundPlan::passages_of(const Segment& line) const {
       const double from = std::max(cuts[i - 1], 0.0);
       const double to = std::min(cuts[i], length);
       if (to - from <= tolerance_) continue;
-      if (locate(shape, line.start + (from + to) / 2 * along, model_->length_tolerance) == Location::inside)
+      if (location(block, line.start + (from + to) / 2 * along, model_->length_tolerance) == Location::inside)
         passages.push_back({block, from, to});
     }
   }

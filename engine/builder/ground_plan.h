@@ -58,6 +58,7 @@ class GroundPlan {
   [[nodiscard]] const Names& names() const { return names_; }
 
  private:
+  [[nodiscard]] Location location(int block, const Vec2& point, double tolerance) const;
   [[nodiscard]] bool holds(int block, const Vec2& point, double tolerance) const;
   [[nodiscard]] std::vector<Stretch> stretches_of(const std::vector<int>& blocks, const Segment& line) const;
   void append_stretch(const Segment& edge, int block, const Segment& line, std::vector<Stretch>& found) const;

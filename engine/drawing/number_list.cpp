@@ -46,7 +46,7 @@ double NumberList::number(const char* what) {
 int NumberList::whole(const char* what, int least) {
   const double value = number(what);
   if (value != std::floor(value) || value < least || value > most_counted)
-    throw InputError("", fmt::format("{} line {}", name_, line_), fmt::format("{:g} for {}", value, what),
+    throw InputError("", here(), fmt::format("{:g} for {}", value, what),
                      fmt::format("a whole number from {} to {}", least, most_counted));
   return static_cast<int>(value);
 }

@@ -125,8 +125,7 @@ class MarkedPlaces {
     take_steps_and_state(*data_, blocks_, scene_);
     scene_["description"] = fmt::format(
         "Cut from a drawing, with {} of df: numbers in the units that the file has, steps as long as df begins with, "
-        "plane "
-        "stress; contacts and integrator as in df (scheme thesis).{}",
+        "plane stress; contacts and integrator as in df (scheme thesis).{}",
         data_->name, data_->points.empty() ? loads() : "");
   }
 

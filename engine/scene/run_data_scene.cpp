@@ -24,6 +24,9 @@ constexpr double gravities_alike = 0.01;  // of the larger: unit weights and den
 std::string material_word(std::size_t number) { return fmt::format("material {}", number); }
 std::string joint_word(std::size_t number) { return fmt::format("joint {}", number); }
 
+// 3 of "material 3", "joint 3" and "joint joint 3".
+std::size_t number_at_end(const std::string& word) { return std::stoul(word.substr(word.rfind(' ') + 1)); }
+
 double gravity_of(const BlockMaterialData& material) { return material.unit_weight / material.density; }
 
 // A scene has one gravity.
@@ -55,7 +58,7 @@ std::map<std::string, std::size_t> joints_drawn(const RunData& data, const LineD
   for (const DrawnLine& line : drawing.lines) {
     const auto named = named_layer(line.layer);
     if (!named || named->role != LayerRole::rock || numbers.contains(line.layer)) continue;
-    const auto number = std::stoul(named->name.substr(named->name.rfind(' ') + 1));
+    const auto number = number_at_end(named->name);
     if (number > data.joints.size() || number == 0)
       throw InputError("", line.origin, fmt::format("of the joint material {}", number),
                        fmt::format("one of the {} of {}", data.joints.size(), data.name));
@@ -67,7 +70,7 @@ std::map<std::string, std::size_t> joints_drawn(const RunData& data, const LineD
 void check_materials(const RunData& data, const LineDrawing& drawing) {
   for (const DrawnLine& line : drawing.lines) {
     if (line.material.empty()) continue;
-    const auto number = std::stoul(line.material.substr(line.material.rfind(' ') + 1));
+    const auto number = number_at_end(line.material);
     if (number > data.materials.size())
       throw InputError("", line.origin, fmt::format("of the block material {}", number),
                        fmt::format("one of the {} of {}", data.materials.size(), data.name));
@@ -169,7 +172,7 @@ void take_steps_and_state(const RunData& data, const std::vector<Block>& blocks,
   for (json& entry : scene["blocks"]) {
     json& polygon = entry["polygon"];
     const std::string material = polygon.value("material", material_word(1));
-    add_state(data.materials.at(std::stoul(material.substr(material.rfind(' ') + 1)) - 1), polygon);
+    add_state(data.materials.at(number_at_end(material) - 1), polygon);
   }
 }
 

@@ -57,11 +57,13 @@ class GridLevels {
   explicit GridLevels(std::span<const Box> boxes) : boxes_(boxes), bucket_mask_(std::bit_ceil(boxes.size() * 2) - 1) {
     choose_scale();
     cells_.reserve(boxes_.size());
-    for (const Box& box : boxes_) cells_.push_back(cell_at(box.lower, is_empty(box) ? 0 : level_of(box)));
+    for (const Box& box : boxes_)
+      cells_.push_back(is_empty(box) || !has_cells() ? Cell{0, 0, 0} : cell_at(box.lower, level_of(box)));
     fill_buckets();
   }
 
   [[nodiscard]] Pairs pairs() const {
+    if (!has_cells()) return brute_force(boxes_);
     Pairs found;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       if (is_empty(boxes_[i])) continue;
@@ -80,7 +82,7 @@ class GridLevels {
     for (int level = 0; level < level_count; ++level) {
       const std::vector<std::size_t>& members = level_members_[static_cast<std::size_t>(level)];
       if (members.empty()) continue;
-      if (cells_reached_by(inside, level) > static_cast<double>(members.size()))
+      if (!has_cells() || cells_reached_by(inside, level) > static_cast<double>(members.size()))
         look_at_all(inside, members, take);
       else
         visit_overlapping(inside, level, take);
@@ -106,6 +108,9 @@ class GridLevels {
     smallest_cell_ = std::max(slack * smallest, std::ldexp(slack * extent, 1 - level_count));
     if (smallest_cell_ == 0) smallest_cell_ = 1;
   }
+
+  // Boxes that are farther apart than the largest number have no cells: each is compared with all.
+  [[nodiscard]] bool has_cells() const { return std::isfinite(size_of(bounds_)); }
 
   [[nodiscard]] int level_of(const Box& box) const {
     const double cells = slack * size_of(box) / smallest_cell_;

@@ -124,6 +124,16 @@ TEST(BoxIndex, OddQuestions) {
   EXPECT_EQ(index.overlapping({{0.05, 0.05}, {0.05, 0.05}}), std::vector<int>{0});
 }
 
+// The extent of these is no number, nor are the cells that it would be cut into. (Found by a fuzzer of files.)
+TEST(BoxIndex, BoxesFartherApartThanNumbersGo) {
+  std::vector<Box> boxes;
+  for (const double at : {-1.5e308, -1e300, 0.0, 1.0, 1.5e308})
+    for (int i = 0; i < 10; ++i) boxes.push_back({{at, at}, {at + i, at}});
+  const BoxIndex index(boxes);
+  for (const Box& own : boxes) EXPECT_EQ(index.overlapping(own), all_overlapping(boxes, own));
+  EXPECT_EQ(overlapping_pairs(boxes), brute_force(boxes));
+}
+
 RC_GTEST_PROP(BoxIndexProperty, AgreesWithLookingAtAll, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   const double decades = random::integer(0, 5);

@@ -3,7 +3,7 @@
 option(DDA_PRECOMPILE "Parse the headers that most sources share once" ON)
 
 set(DDA_LIBRARY_HEADERS <algorithm> <array> <chrono> <cmath> <complex> <filesystem> <functional> <map> <memory> <numeric>
-  <optional> <span> <string> <string_view> <utility> <vector> <Eigen/Dense> <fmt/format.h>)
+  <optional> <span> <string> <string_view> <utility> <vector> <Eigen/Dense> <fmt/format.h> <ci/cmake/common_types.h>)
 
 # GCC takes a precompiled header only under the options and macros it was made with, and says so as an error (-Winvalid-pch).
 function(dda_header_set NAME)
@@ -12,6 +12,7 @@ function(dda_header_set NAME)
   file(CONFIGURE OUTPUT "${source}" CONTENT "// ${NAME}: a target needs a source, this one is made for its headers.\n")
   add_library(${NAME} OBJECT "${source}")
   target_link_libraries(${NAME} PRIVATE dda_options Eigen3::Eigen fmt::fmt ${ARG_LINK})
+  target_include_directories(${NAME} PRIVATE "${CMAKE_SOURCE_DIR}")
   target_precompile_headers(${NAME} PRIVATE ${ARG_HEADERS})
   target_compile_options(${NAME} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()

@@ -111,7 +111,7 @@ struct InterfaceFrame {
 };
 
 // From a into b, as the rows have it.
-inline Vec2 normal_of(const InterfaceElement& element) { return element.rows_b.block<1, 2>(0, 0).transpose(); }
+inline Vec2 normal_of(const InterfaceElement& element) { return {element.rows_b(0, 0), element.rows_b(0, 1)}; }
 
 // Rows (normal, tangent): the local components of a global vector.
 Mat2 local_axes(const Vec2& normal);

@@ -19,11 +19,12 @@ struct Box {
   }
 };
 
-inline bool is_empty(const Box& box) { return (box.lower.array() > box.upper.array()).any(); }
+inline bool is_empty(const Box& box) { return box.lower.x() > box.upper.x() || box.lower.y() > box.upper.y(); }
 
 // Touching counts.
 inline bool overlap(const Box& a, const Box& b) {
-  return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
+  return a.lower.x() <= b.upper.x() && a.lower.y() <= b.upper.y() && b.lower.x() <= a.upper.x() &&
+         b.lower.y() <= a.upper.y();
 }
 
 inline Box expanded(const Box& box, const Vec2& point) {
@@ -35,11 +36,7 @@ inline Box expanded(const Box& box, double margin) {
   return {box.lower - Vec2::Constant(margin), box.upper + Vec2::Constant(margin)};
 }
 
-inline Box bounding_box(const Ring& ring) {
-  Box box;
-  for (const Vec2& vertex : ring) box = expanded(box, vertex);
-  return box;
-}
+Box bounding_box(const Ring& ring);
 
 inline Box bounding_box(const Polygon& polygon) { return bounding_box(polygon.outer); }
 

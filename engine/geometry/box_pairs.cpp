@@ -49,16 +49,15 @@ Pairs ordered(const Pairs& pairs, std::size_t count) {
 
 double size_of(const Box& box) { return (box.upper - box.lower).maxCoeff(); }
 
-// A grid for each level, cells doubling from level to level. A box belongs to the lowest level whose cells are larger
-// than it, and there to the one cell that holds its lower corner; so on any level the partners of a box start between
-// one cell before its lower corner and its upper corner.
+// A grid for each level, cells doubling from level to level. A box belongs to a level whose cells are larger than it,
+// the lowest where others lie near, and there to the one cell that holds its lower corner; so on any level the partners
+// of a box start between one cell before its lower corner and its upper corner.
 class GridLevels {
  public:
   explicit GridLevels(std::span<const Box> boxes) : boxes_(boxes), bucket_mask_(std::bit_ceil(boxes.size() * 2) - 1) {
     choose_scale();
-    cells_.reserve(boxes_.size());
-    for (const Box& box : boxes_)
-      cells_.push_back(is_empty(box) || !has_cells() ? Cell{0, 0, 0} : cell_at(box.lower, level_of(box)));
+    place_boxes();
+    if (has_cells()) join_levels();
     fill_buckets();
   }
 
@@ -93,6 +92,7 @@ class GridLevels {
 
  private:
   static constexpr int level_count = 24;
+  static constexpr Cell nowhere{-1, 0, 0};         // of empty boxes
   static constexpr double slack = 1 + 1.0 / 1024;  // cells exceed boxes by more than the round-off of cell indices
 
   void choose_scale() {
@@ -132,6 +132,51 @@ class GridLevels {
     return static_cast<std::size_t>(hash >> 32) & bucket_mask_;
   }
 
+  void place_boxes() {
+    cells_.assign(boxes_.size(), nowhere);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (is_empty(boxes_[i])) continue;
+      cells_[i] = has_cells() ? cell_at(boxes_[i].lower, level_of(boxes_[i])) : Cell{0, 0, 0};
+      level_members_[static_cast<std::size_t>(cells_[i].level)].push_back(i);
+    }
+  }
+
+  // Lines cut at random have edges of all sizes, the smaller the fewer. Small cells for boxes that lie far apart would
+  // be levels that every question has to ask in vain: where boxes lie apart in cells twice as large as well, they go
+  // there.
+  void join_levels() {
+    for (int level = 0; level + 1 < level_count; ++level) {
+      std::vector<std::size_t>& members = level_members_[static_cast<std::size_t>(level)];
+      if (members.empty() || !lie_apart(members, level + 1)) continue;
+      std::vector<std::size_t>& above = level_members_[static_cast<std::size_t>(level) + 1];
+      for (const std::size_t i : members) cells_[i] = cell_at(boxes_[i].lower, level + 1);
+      above.insert(above.end(), members.begin(), members.end());
+      members.clear();
+    }
+  }
+
+  // Whether boxes in cells of this level would have, in the mean over the boxes, less than one other in their cell.
+  [[nodiscard]] bool lie_apart(const std::vector<std::size_t>& boxes, int level) const {
+    const auto allowed = 2 * static_cast<double>(boxes.size());
+    if (static_cast<double>(boxes.size()) * static_cast<double>(boxes.size()) >
+        allowed * cells_reached_by(bounds_, level))
+      return false;  // were they spread as evenly as can be
+    std::vector<std::pair<int, int>> places;
+    places.reserve(boxes.size());
+    for (const std::size_t i : boxes) {
+      const Cell cell = cell_at(boxes_[i].lower, level);
+      places.emplace_back(cell.column, cell.row);
+    }
+    std::sort(places.begin(), places.end());
+    double companions = 0;
+    for (auto first = places.begin(); first != places.end();) {
+      const auto last = std::find_if(first, places.end(), [&](const auto& place) { return place != *first; });
+      companions += static_cast<double>((last - first) * (last - first));
+      first = last;
+    }
+    return companions <= allowed;
+  }
+
   // Counting sort of the boxes by bucket.
   void fill_buckets() {
     bucket_start_.assign(bucket_mask_ + 2, 0);
@@ -139,10 +184,7 @@ class GridLevels {
     for (std::size_t b = 1; b < bucket_start_.size(); ++b) bucket_start_[b] += bucket_start_[b - 1];
     std::vector<std::size_t> next(bucket_start_.begin(), bucket_start_.end() - 1);
     members_.assign(cells_.size(), 0);
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      members_[next[bucket(cells_[i])]++] = i;
-      level_members_[static_cast<std::size_t>(cells_[i].level)].push_back(i);
-    }
+    for (std::size_t i = 0; i < cells_.size(); ++i) members_[next[bucket(cells_[i])]++] = i;
   }
 
   // Calls visit(j) for the boxes of the level that overlap `box`.
@@ -159,7 +201,7 @@ class GridLevels {
     const std::size_t at = bucket(cell);
     for (std::size_t k = bucket_start_[at]; k < bucket_start_[at + 1]; ++k) {
       const std::size_t j = members_[k];
-      if (cells_[j] == cell && overlap(box, boxes_[j]) && !is_empty(boxes_[j])) visit(j);
+      if (cells_[j] == cell && overlap(box, boxes_[j])) visit(j);
     }
   }
 
@@ -179,7 +221,7 @@ class GridLevels {
   template <typename Visit>
   void look_at_all(const Box& box, const std::vector<std::size_t>& members, const Visit& visit) const {
     for (const std::size_t j : members)
-      if (overlap(box, boxes_[j]) && !is_empty(boxes_[j])) visit(j);
+      if (overlap(box, boxes_[j])) visit(j);
   }
 
   std::span<const Box> boxes_;

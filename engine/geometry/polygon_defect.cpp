@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/edge_index.h"
 #include "engine/geometry/nearness.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/segment.h"
@@ -68,7 +70,7 @@ Reason conflict(const Edge& a, const Edge& b, double tolerance) {
   return fmt::format("self-intersecting: {} crosses or touches {}", name_of(b.ring), name_of(a.ring));
 }
 
-std::vector<Edge> edges_of(const Polygon& polygon) {
+std::vector<Edge> edges_by_ring(const Polygon& polygon) {
   std::vector<Edge> edges;
   const std::vector<const Ring*> rings = rings_of(polygon);
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -81,7 +83,7 @@ std::vector<Edge> edges_of(const Polygon& polygon) {
 }
 
 Reason edge_defect(const Polygon& polygon, double tolerance) {
-  const std::vector<Edge> edges = edges_of(polygon);
+  const std::vector<Edge> edges = edges_by_ring(polygon);
   std::vector<Box> boxes;
   for (const Edge& edge : edges) boxes.push_back(edge_box(edge.segment, tolerance));
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
@@ -96,12 +98,15 @@ Reason edge_defect(const Polygon& polygon, double tolerance) {
 Reason nesting_defect(const Polygon& polygon) {
   if (polygon.holes.empty()) return std::nullopt;
   const Polygon solid = {polygon.outer, {}};
+  std::optional<EdgeIndex> edges;
+  if (corner_count(solid) >= corners_worth_an_index) edges.emplace(solid);
   std::vector<Box> boxes;
   for (const Ring& hole : polygon.holes) boxes.push_back(bounding_box(hole));
   const BoxIndex index(std::move(boxes));
   for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
     const Vec2& vertex = polygon.holes[i].front();
-    if (!contains(solid, vertex)) return fmt::format("inconsistent: hole {} lies outside the outer ring", i);
+    if ((edges ? edges->locate(vertex) : locate(solid, vertex)) == Location::outside)
+      return fmt::format("inconsistent: hole {} lies outside the outer ring", i);
     for (const int other : index.overlapping({vertex, vertex})) {
       const auto j = static_cast<std::size_t>(other);
       if (j == i || !contains({polygon.holes[j], {}}, vertex)) continue;

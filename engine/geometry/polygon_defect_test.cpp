@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -96,14 +97,26 @@ TEST(PolygonDefect, HolesInTheWrongPlace) {
   EXPECT_EQ(reason({square, {box(1.5, 1.5, 2, 2), box(1, 1, 3, 3)}}), "inconsistent: hole 0 lies inside hole 1");
 }
 
-TEST(PolygonDefect, ReadsManyVerticesQuickly) {
+Ring circle(int corners) {
   Ring ring;
-  constexpr int count = 100'000;  // all pairs of edges would take minutes
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * std::numbers::pi * i / count;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
     ring.push_back({std::cos(angle), std::sin(angle)});
   }
-  EXPECT_EQ(reason({ring, {}}), "valid");
+  return ring;
+}
+
+TEST(PolygonDefect, ReadsManyVerticesQuickly) {
+  EXPECT_EQ(reason({circle(100'000), {}}), "valid");  // all pairs of edges would take minutes
+}
+
+TEST(PolygonDefect, ReadsManyHolesInManyVerticesQuickly) {
+  Polygon sieve = {circle(100'000), {}};
+  for (double x = -0.6; x < 0.59; x += 0.01)  // each hole against each edge would take minutes
+    for (double y = -0.6; y < 0.59; y += 0.01) sieve.holes.push_back(box(x, y, x + 0.005, y + 0.005));
+  EXPECT_EQ(reason(sieve), "valid");
+  sieve.holes.push_back(box(0.8, 0.8, 0.81, 0.81));
+  EXPECT_EQ(reason(sieve), fmt::format("inconsistent: hole {} lies outside the outer ring", sieve.holes.size() - 1));
 }
 
 RC_GTEST_PROP(PolygonDefectProperty, StarsAreValidWhereverTheyLie, ()) {

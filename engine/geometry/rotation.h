@@ -8,28 +8,18 @@
 namespace dda {
 
 // Counter-clockwise rotation by `angle` (rad).
-inline Mat2 rotation(double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  Mat2 matrix;
-  matrix << c, -s, s, c;
-  return matrix;
-}
+Mat2 rotation(double angle);
 
 // Deformation gradient of one step whose strains are measured in the directions that the block has when it has turned
 // by `before` (rad): R(r0 - before) (I + E + E^2/2) R(before), E = [[ex, gxy/2], [gxy/2, ey]]. Strains in directions
 // that turn with the block are the increments of one symmetric tensor, whatever moment of the step shows them.
-inline Mat2 deformation_increment(const Vec6& dofs, double before) {
-  Mat2 strain;
-  strain << dofs[3], dofs[5] / 2, dofs[5] / 2, dofs[4];
-  return rotation(dofs[2] - before) * (Mat2::Identity() + strain + strain * strain / 2) * rotation(before);
-}
+Mat2 deformation_increment(const Vec6& dofs, double before);
 
 // The same in the directions of the middle of the step: R(r0/2) (I + E + E^2/2) R(r0/2). It is the exponential of the
 // step's displacement gradient to second order, so that a step and the same step back leave a block as it was to fourth
 // order, and many small steps there and back do as well; a pure rotation keeps every length. Shi's first-order update,
 // I + gradient, grows the area with 1 + r0^2. A point moves to centroid + (u0, v0) + F (point - centroid).
-inline Mat2 deformation_increment(const Vec6& dofs) { return deformation_increment(dofs, dofs[2] / 2); }
+Mat2 deformation_increment(const Vec6& dofs);
 
 // The components (xx, yy, xy) of a stress in a body turned counter-clockwise by `angle` (rad): R s R^T.
 inline Vec3 rotate_stress(const Vec3& stress, double angle) {

@@ -33,14 +33,6 @@ Model prepared(const Model& model, const ChainPath& path, const Stage& stage, bo
   return result;
 }
 
-// Force on block i by the unknowns of block j.
-Mat6 part(const BlockMatrix& matrix, int i, int j) {
-  if (i == j) return matrix.diagonal(i);
-  const int slot = matrix.slot(std::max(i, j), std::min(i, j));
-  if (slot < 0) return Mat6::Zero();
-  return i > j ? Mat6(matrix.offdiagonal(slot)) : Mat6(matrix.offdiagonal(slot).transpose());
-}
-
 // The force of a joint on one of its blocks, along the wave's motion.
 class JointForce {
  public:
@@ -90,8 +82,8 @@ void Chain::fold(const LinearOperators& operators) {
     const ChainLayer& layer = path_.layers[number];
     Layer stiffness, inertia;
     const auto add = [&](int block, Mat6 Layer::*where) {
-      stiffness.*where += part(operators.stiffness, layer.block, block);
-      inertia.*where += part(operators.inertia, layer.block, block);
+      stiffness.*where += operators.stiffness.block(layer.block, block);
+      inertia.*where += operators.inertia.block(layer.block, block);
     };
     add(layer.block, &Layer::own);
     for (const ChainNeighbour& neighbour : layer.neighbours) {

@@ -246,11 +246,6 @@ void set_tractions(const Model& model, const Interface& interface, const Interfa
   }
 }
 
-Mat6 force_by_neighbour(const BlockMatrix& matrix, int neighbour) {
-  const int slot = matrix.slot(neighbour, 0);
-  return slot < 0 ? Mat6(Mat6::Zero()) : Mat6(matrix.offdiagonal(slot).transpose());
-}
-
 }  // namespace
 
 std::vector<Vec2> Lattice::face_normals() const {
@@ -322,15 +317,15 @@ LatticeMatrices lattice_matrices(const Lattice& lattice, const Stage& stage, con
   const BlockTerms terms = make_block_terms(model, stage);
   const WaveCorrections waves(model, model.stages.front(), contacts);
   const LinearOperators operators(model, terms, contacts, {}, waves);
-  LatticeMatrices matrices{operators.stiffness.diagonal(0), operators.inertia.diagonal(0), {}, waves};
+  LatticeMatrices matrices{operators.stiffness.block(0, 0), operators.inertia.block(0, 0), {}, waves};
   const Vec2& centroid = model.blocks.front().moments.centroid;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     if (interface.block_a != 0 || interface.length == 0) continue;
     LatticeCoupling coupling;
     coupling.offset = model.blocks[static_cast<std::size_t>(interface.block_b)].moments.centroid - centroid;
-    coupling.stiffness = force_by_neighbour(operators.stiffness, interface.block_b);
-    coupling.inertia = force_by_neighbour(operators.inertia, interface.block_b);
+    coupling.stiffness = operators.stiffness.block(0, interface.block_b);
+    coupling.inertia = operators.inertia.block(0, interface.block_b);
     coupling.normal = interface.normal;
     coupling.middle = (interface.from + interface.to) / 2 - centroid;
     coupling.length = interface.length;

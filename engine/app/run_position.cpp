@@ -29,14 +29,9 @@ void save_run(const std::filesystem::path& path, const Simulation& simulation, c
   const Sizes sizes{position.history_rows, static_cast<std::int64_t>(position.frame_times.size()), position.energy_rows,
                     position.energy_time, static_cast<std::int64_t>(position.peaks.size())};
   const std::vector<std::byte> snapshot = save(simulation);
-  std::vector<std::byte> bytes;
-  bytes.reserve(sizeof sizes + frame_bytes(sizes) + position.peaks.size() + snapshot.size());
-  const auto append = [&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); };
-  append(std::as_bytes(std::span(&sizes, 1)));
-  append(std::as_bytes(std::span(position.frame_times)));
-  append(position.peaks);
-  append(snapshot);
-  save_checkpoint(path, simulation.model(), simulation.state(), bytes);
+  save_checkpoint(
+      path, simulation.model(), simulation.state(),
+      {std::as_bytes(std::span(&sizes, 1)), std::as_bytes(std::span(position.frame_times)), position.peaks, snapshot});
 }
 
 RunPosition load_run(const std::filesystem::path& path, Simulation& simulation) {

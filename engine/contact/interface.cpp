@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "engine/contact/surface_joints.h"
@@ -20,19 +21,37 @@ struct Edge {
   Box box;
 };
 
-std::vector<Edge> edges_of(const Polygon& shape, double tolerance) {
-  std::vector<Edge> edges;
-  const auto add_ring = [&](const Ring& ring) {
+// The edges of all blocks, one block after the other.
+class Edges {
+ public:
+  explicit Edges(const Model& model) : tolerance_(model.length_tolerance) {
+    starts_.reserve(model.blocks.size() + 1);
+    starts_.push_back(0);
+    for (const Block& block : model.blocks) {
+      add_ring(block.shape.outer);
+      for (const Ring& hole : block.shape.holes) add_ring(hole);
+      starts_.push_back(edges_.size());
+    }
+  }
+
+  [[nodiscard]] std::span<const Edge> of(int block) const {
+    const auto i = static_cast<std::size_t>(block);
+    return std::span(edges_).subspan(starts_[i], starts_[i + 1] - starts_[i]);
+  }
+
+ private:
+  void add_ring(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& end = ring[(i + 1) % ring.size()];
-      const Box box = expanded(expanded(expanded(Box{}, ring[i]), end), tolerance);
-      edges.push_back({{ring[i], end}, box});
+      const Box box = expanded(expanded(expanded(Box{}, ring[i]), end), tolerance_);
+      edges_.push_back({{ring[i], end}, box});
     }
-  };
-  add_ring(shape.outer);
-  for (const Ring& hole : shape.holes) add_ring(hole);
-  return edges;
-}
+  }
+
+  double tolerance_;
+  std::vector<Edge> edges_;
+  std::vector<std::size_t> starts_;  // one a block, and the end
+};
 
 Vec2 outward_normal(const Segment& edge) {
   const Vec2 along = (edge.end - edge.start).normalized();
@@ -42,12 +61,8 @@ Vec2 outward_normal(const Segment& edge) {
 // Collects the interfaces of one pair of blocks.
 class PairSearch {
  public:
-  PairSearch(const Model& model, int block_a, int block_b, const std::vector<std::vector<Edge>>& edges)
-      : model_(model),
-        a_(block_a),
-        b_(block_b),
-        edges_a_(edges[static_cast<std::size_t>(block_a)]),
-        edges_b_(edges[static_cast<std::size_t>(block_b)]) {}
+  PairSearch(const Model& model, int block_a, int block_b, const Edges& edges)
+      : model_(model), a_(block_a), b_(block_b), edges_a_(edges.of(block_a)), edges_b_(edges.of(block_b)) {}
 
   std::vector<Interface> run() {
     find_stretches();
@@ -82,7 +97,7 @@ class PairSearch {
   }
 
   // Vertices of `other` inside an edge of `owner` that are not an end of a stretch found before.
-  void find_vertices(int owner, int other, const std::vector<Edge>& owner_edges, const std::vector<Edge>& other_edges) {
+  void find_vertices(int owner, int other, std::span<const Edge> owner_edges, std::span<const Edge> other_edges) {
     for (const Edge& edge : owner_edges) {
       for (const Edge& start_here : other_edges) {
         const Vec2& vertex = start_here.segment.start;
@@ -107,25 +122,25 @@ class PairSearch {
   const Model& model_;
   int a_;
   int b_;
-  const std::vector<Edge>& edges_a_;
-  const std::vector<Edge>& edges_b_;
+  std::span<const Edge> edges_a_;
+  std::span<const Edge> edges_b_;
   std::vector<Interface> found_;
 };
 
 }  // namespace
 
 std::vector<Interface> find_interfaces(const Model& model) {
-  std::vector<std::vector<Edge>> edges;
+  const Edges edges(model);
   std::vector<Box> boxes;
-  for (const Block& block : model.blocks) {
-    edges.push_back(edges_of(block.shape, model.length_tolerance));
+  boxes.reserve(model.blocks.size());
+  for (const Block& block : model.blocks)
     boxes.push_back(expanded(bounding_box(block.shape), model.length_tolerance));
-  }
   std::vector<Interface> interfaces;
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
     const std::vector<Interface> found = PairSearch(model, a, b, edges).run();
     interfaces.insert(interfaces.end(), found.begin(), found.end());
   }
+  interfaces.shrink_to_fit();
   return interfaces;
 }
 

@@ -42,9 +42,8 @@ BlockMatrix::BlockMatrix(int blocks, std::vector<std::pair<int, int>> couplings)
   }
   build_pattern(blocks, couplings);
   build_places();
-  build_scalar_csc();
   build_shares();
-  values_.assign(36 * stored, 0.0);
+  set_zero();
 }
 
 void BlockMatrix::build_pattern(int blocks, const std::vector<std::pair<int, int>>& couplings) {
@@ -65,20 +64,6 @@ void BlockMatrix::build_places() {
     const int first = column_starts_[index(column)];
     const int last = column_starts_[index(column) + 1];
     for (int k = first; k < last; ++k) places_.push_back({36 * first + 6 * (k - first), 6 * (last - first)});
-  }
-}
-
-void BlockMatrix::build_scalar_csc() {
-  column_pointers_.reserve(index(unknowns()) + 1);
-  row_indices_.reserve(36 * block_rows_.size());
-  column_pointers_.push_back(0);
-  for (int column = 0; column < size(); ++column) {
-    for (int c = 0; c < 6; ++c) {
-      for (int k = column_starts_[index(column)]; k < column_starts_[index(column) + 1]; ++k) {
-        for (int r = 0; r < 6; ++r) row_indices_.push_back(6 * block_rows_[index(k)] + r);
-      }
-      column_pointers_.push_back(static_cast<int>(row_indices_.size()));
-    }
   }
 }
 
@@ -125,7 +110,7 @@ void BlockMatrix::add_coupling(int i, int j, const Mat6& stiffness) {
   }
 }
 
-void BlockMatrix::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+void BlockMatrix::set_zero() { values_.assign(36 * block_rows_.size(), 0.0); }
 
 void BlockMatrix::set_values(const BlockMatrix& same_pattern) {
   if (same_pattern.values_.size() != values_.size())

@@ -14,10 +14,8 @@
 namespace dda {
 
 // Symmetric block-sparse matrix of n x n blocks of 6x6; only the lower triangle is stored, as one dense column-major
-// panel per block column: its diagonal block on top, then the off-diagonal blocks (i > j) by ascending i. The panels
-// are at the same time a scalar CSC of the lower triangle (int32 indices, sorted, packed), in which the entries above
-// the diagonal of the diagonal blocks are surplus. The pattern is fixed at construction; vectors are plain VectorXd of
-// length 6n with block i in segment<6>(6 * i).
+// panel per block column: its diagonal block on top, then the off-diagonal blocks (i > j) by ascending i. The pattern
+// is fixed at construction; vectors are plain VectorXd of length 6n with block i in segment<6>(6 * i).
 class BlockMatrix {
  public:
   using Block = Eigen::Map<Mat6, Eigen::Unaligned, Eigen::OuterStride<>>;
@@ -50,6 +48,8 @@ class BlockMatrix {
   void add_coupling(int i, int j, const Mat6& stiffness);
 
   void set_zero();
+  // Gives the memory of the values back; set_zero() is to come before anything else.
+  void forget_values() { values_ = {}; }
   // Takes over the values of a matrix of the same pattern.
   void set_values(const BlockMatrix& same_pattern);
 
@@ -64,11 +64,6 @@ class BlockMatrix {
   // column_starts()[j + 1]), the first of them j itself.
   [[nodiscard]] std::span<const int> column_starts() const { return column_starts_; }
   [[nodiscard]] std::span<const int> block_rows() const { return block_rows_; }
-
-  // The scalar CSC: 6n + 1 column pointers, and a row index for every value.
-  [[nodiscard]] const double* values() const { return values_.data(); }
-  [[nodiscard]] const int* column_pointers() const { return column_pointers_.data(); }
-  [[nodiscard]] const int* row_indices() const { return row_indices_.data(); }
 
  private:
   // Where a block starts in values_, and the distance between its columns (the height of its panel).
@@ -91,7 +86,6 @@ class BlockMatrix {
   void multiply_where(const Meets& meets, const double* x, Vector& y) const;
   void build_pattern(int blocks, const std::vector<std::pair<int, int>>& couplings);
   void build_places();
-  void build_scalar_csc();
   void build_shares();
   [[nodiscard]] PanelProduct panel_product(int column, const double* x) const;
   void multiply_share(std::size_t share, const double* x, Vector& y) const;
@@ -100,8 +94,6 @@ class BlockMatrix {
   std::vector<int> block_rows_;
   std::vector<Place> places_;  // one for each entry of block_rows_
   std::vector<double> values_;
-  std::vector<int> column_pointers_;
-  std::vector<int> row_indices_;
 
   // The product in shares of consecutive rows. A share does the panels of its own columns; a block of these that lies
   // in the rows of a later share is gathered from here, and scattered by that one, which comes to it first: panels go

@@ -1,6 +1,8 @@
 #include "engine/linear/constant_operator.h"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/linear/block_vectors.h"
 #include "engine/linear/different_blocks.h"
@@ -73,17 +75,27 @@ MultiplyRows quickest() { return &multiply_two_at_a_time; }
 
 }  // namespace
 
-ConstantOperator::ConstantOperator(const BlockMatrix& matrix) : matrix_(matrix), row_starts_(at(matrix.size()) + 1, 0) {
+ConstantOperator::ConstantOperator(const BlockMatrix& matrix)
+    : matrix_(&matrix), couplings_(matrix.couplings()), row_starts_(at(matrix.size()) + 1, 0) {
   lay_out_rows();
   take_blocks();
+}
+
+ConstantOperator::ConstantOperator(BlockMatrix&& matrix) : ConstantOperator(std::as_const(matrix)) {
+  matrix_ = nullptr;
+  if (has_rows()) {
+    const BlockMatrix done = std::move(matrix);  // its memory is for what comes next
+  } else {
+    matrix_ = &own_.emplace(std::move(matrix));
+  }
 }
 
 // Entries say where in the matrix their blocks are: k, or -k - 1 for the transpose of k.
 void ConstantOperator::lay_out_rows() {
   const auto for_each_place = [this](const auto& put) {
-    for (int column = 0; column < matrix_.size(); ++column)
-      for (int k = matrix_.column_starts()[at(column)]; k < matrix_.column_starts()[at(column) + 1]; ++k) {
-        const int row = matrix_.block_rows()[at(k)];
+    for (int column = 0; column < matrix_->size(); ++column)
+      for (int k = matrix_->column_starts()[at(column)]; k < matrix_->column_starts()[at(column) + 1]; ++k) {
+        const int row = matrix_->block_rows()[at(k)];
         put(row, column, k);
         if (row != column) put(column, row, -k - 1);
       }
@@ -99,8 +111,8 @@ void ConstantOperator::lay_out_rows() {
 void ConstantOperator::take_blocks() {
   DifferentBlocks numbers(blocks_);
   for (Entry& entry : entries_) {
-    entry.block = entry.block >= 0 ? numbers.number_of(matrix_.offdiagonal(entry.block))
-                                   : numbers.number_of(matrix_.offdiagonal(-entry.block - 1).transpose());
+    entry.block = entry.block >= 0 ? numbers.number_of(matrix_->offdiagonal(entry.block))
+                                   : numbers.number_of(matrix_->offdiagonal(-entry.block - 1).transpose());
     if (blocks_.size() <= blocks_in_cache) continue;
     blocks_ = {};
     entries_ = {};
@@ -108,9 +120,42 @@ void ConstantOperator::take_blocks() {
   }
 }
 
+Mat6 ConstantOperator::block(int i, int j) const {
+  if (!has_rows()) {
+    if (i == j) return matrix_->diagonal(i);
+    const int slot = matrix_->slot(std::max(i, j), std::min(i, j));
+    if (slot < 0) return Mat6::Zero();
+    return i > j ? Mat6(matrix_->offdiagonal(slot)) : Mat6(matrix_->offdiagonal(slot).transpose());
+  }
+  const auto first = entries_.begin() + row_starts_[at(i)], last = entries_.begin() + row_starts_[at(i) + 1];
+  const auto found = std::ranges::lower_bound(first, last, j, {}, &Entry::column);
+  return found != last && found->column == j ? blocks_[at(found->block)] : Mat6::Zero();
+}
+
+BlockMatrix ConstantOperator::pattern() const {
+  std::vector<std::pair<int, int>> pairs;
+  pairs.reserve(at(couplings_));
+  for_each_block([&](int row, int column, const auto&) {
+    if (row != column) pairs.emplace_back(column, row);
+  });
+  return {size(), std::move(pairs)};
+}
+
+BlockMatrix ConstantOperator::matrix(double factor) const {
+  BlockMatrix matrix = pattern();
+  for_each_block([&](int row, int column, const auto& block) {
+    if (row == column) {
+      matrix.diagonal(row) = factor * block;
+    } else {
+      matrix.offdiagonal(matrix.slot(row, column)) = factor * block;
+    }
+  });
+  return matrix;
+}
+
 void ConstantOperator::multiply(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& y, Phase phase) const {
   if (!has_rows()) {
-    matrix_.multiply(x, y);
+    matrix_->multiply(x, y);
     return;
   }
   const PhaseScope scope(phase);

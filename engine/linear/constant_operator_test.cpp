@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
+#include "engine/linear/dense_solver.h"
 #include "engine/linear/random_system.h"
 
 namespace dda {
@@ -48,6 +51,47 @@ TEST(ConstantOperator, LeavesManyDifferentBlocksToTheMatrix) {
   EXPECT_FALSE(rows.has_rows());
   Eigen::VectorXd y(matrix.unknowns());
   rows.multiply(Eigen::VectorXd::Ones(matrix.unknowns()), y);
+  EXPECT_EQ(y.tail<6>(), Vec6::Constant(50'001));
+}
+
+// Its blocks are those of the matrix to the last bit, whether it has rows or the matrix.
+void expect_same_blocks(const ConstantOperator& constant, const BlockMatrix& matrix) {
+  EXPECT_EQ(constant.unknowns(), matrix.unknowns());
+  EXPECT_EQ(constant.couplings(), matrix.couplings());
+  EXPECT_EQ(to_dense(constant.matrix()), to_dense(matrix));
+  EXPECT_EQ(to_dense(constant.matrix(2)), 2 * to_dense(matrix));
+  EXPECT_TRUE(to_dense(constant.pattern()).isZero(0));
+  EXPECT_EQ(constant.pattern().couplings(), matrix.couplings());
+  const Eigen::MatrixXd dense = to_dense(matrix);
+  for (int i = 0; i < matrix.size(); ++i)
+    for (int j = 0; j < matrix.size(); ++j)
+      EXPECT_EQ(constant.block(i, j), (dense.block<6, 6>(6 * i, 6 * j))) << i << " " << j;
+}
+
+TEST(ConstantOperator, StandsForTheMatrixThatItTookOver) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const RandomSystem system = random_system(20, random_couplings(20, 30, seed), seed);
+    BlockMatrix given = system.matrix;
+    const ConstantOperator rows(std::move(given));
+    ASSERT_TRUE(rows.has_rows());
+    expect_same_blocks(rows, system.matrix);
+  }
+}
+
+TEST(ConstantOperator, KeepsTheMatrixWhereThereAreNoRows) {
+  BlockMatrix matrix(50'001, {{3, 1}});
+  for (int i = 0; i < matrix.size(); ++i) matrix.diagonal(i) = (1 + i) * Mat6::Identity();
+  const Mat6 coupling = Mat6::Random();
+  matrix.add_coupling(3, 1, coupling);
+  const ConstantOperator kept(std::move(matrix));
+  ASSERT_FALSE(kept.has_rows());
+  EXPECT_EQ(kept.block(3, 1), coupling);
+  EXPECT_EQ(kept.block(1, 3), coupling.transpose());
+  EXPECT_EQ(kept.block(4, 4), 5 * Mat6::Identity());
+  EXPECT_TRUE(kept.block(4, 1).isZero(0));
+  EXPECT_EQ(Mat6(kept.matrix(2).offdiagonal(kept.matrix().slot(3, 1))), 2 * coupling);
+  Eigen::VectorXd y(kept.unknowns());
+  kept.multiply(Eigen::VectorXd::Ones(kept.unknowns()), y);
   EXPECT_EQ(y.tail<6>(), Vec6::Constant(50'001));
 }
 

@@ -29,13 +29,11 @@ Status PcgSolver::do_factorize(const BlockMatrix& matrix) {
 // In double precision, which a few different blocks cost nothing.
 void PcgSolver::lay_out_inverse() {
   inverse_product_.reset();
-  inverse_.emplace(matrix_->size(), std::vector<std::pair<int, int>>());
+  BlockMatrix inverse(matrix_->size(), {});
   for (int i = 0; i < matrix_->size(); ++i)
-    inverse_->diagonal(i) = Mat6(matrix_->diagonal(i)).llt().solve(Mat6::Identity());
-  inverse_product_.emplace(*inverse_);
-  if (2 * inverse_product_->different_blocks() < static_cast<std::size_t>(matrix_->size())) return;
-  inverse_product_.reset();
-  inverse_.reset();
+    inverse.diagonal(i) = Mat6(matrix_->diagonal(i)).llt().solve(Mat6::Identity());
+  inverse_product_.emplace(std::move(inverse));
+  if (2 * inverse_product_->different_blocks() >= static_cast<std::size_t>(matrix_->size())) inverse_product_.reset();
 }
 
 void PcgSolver::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {

@@ -32,6 +32,7 @@ class PcgSolver final : public LinearSolver {
   explicit PcgSolver(const PcgOptions& options = {}) : options_(options) {}
 
   [[nodiscard]] bool takes_parts() const override { return true; }
+  [[nodiscard]] bool needs_matrix() const override { return !product_ || !product_->has_rows(); }
 
  private:
   void do_analyze(const BlockMatrix& matrix) override;
@@ -49,7 +50,6 @@ class PcgSolver final : public LinearSolver {
   IncompleteCholesky factor_;
   // A matrix that stays, laid out for products, and its diagonal blocks' inverses where these are the preconditioner.
   std::optional<ConstantOperator> product_;
-  std::optional<BlockMatrix> inverse_;
   std::optional<ConstantOperator> inverse_product_;
   int checked_iterations_ = -1;  // the most that a checked solution with this factor took
   ConjugateGradients iteration_;

@@ -18,8 +18,7 @@ struct SolverCounts {
 };
 
 // Call order: analyze once per pattern, factorize once per set of values, solve once per right-hand side. A call out of
-// order, or with vectors or a matrix of another size than analyzed, throws std::logic_error. The matrix given to
-// factorize must live, unchanged and in place, until the last solve with it: iterative solvers multiply by it. Once
+// order, or with vectors or a matrix of another size than analyzed, throws std::logic_error. Once
 // warm (a second factorize and solve after an analyze) nothing is allocated on the heap, unless the implementation says
 // otherwise.
 class LinearSolver {
@@ -44,6 +43,9 @@ class LinearSolver {
   // Solves for x, which comes in with 6n numbers: the starting guess of an iterative solver, ignored by a direct one.
   // `rhs` and `x` are different vectors. not_converged: x holds the last iterate; not_finite: x is of no use.
   [[nodiscard]] Status solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
+
+  // Whether solutions look at the matrix that was factored: it must then live, unchanged and in place, until the last.
+  [[nodiscard]] virtual bool needs_matrix() const { return true; }
 
   // z = P^-1 r and returns r . z, P being what the solver knows of the inverse: all of it where it factors, else its
   // preconditioner, symmetric positive definite.

@@ -19,6 +19,7 @@ namespace {
 constexpr double tolerance_of_extent = 1e-9;
 
 void fill_geometry(Model& model) {
+  model.blocks.shrink_to_fit();  // they are all there, and stay for the whole run
   for (Block& block : model.blocks) {
     block.shape = normalized(std::move(block.shape));
     block.moments = area_moments(block.shape);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -17,10 +18,10 @@ struct Checkpoint {
   std::vector<std::byte> extra;  // what others keep from step to step, e.g. contact states; theirs to understand
 };
 
-// Writes `state` and `extra` whole or not at all: on an error (std::runtime_error naming path and reason) an earlier
+// Writes `state` and the parts of `extra` whole or not at all: on an error (std::runtime_error naming path and reason) an earlier
 // checkpoint of that name stays. Every double keeps its bits.
 void save_checkpoint(const std::filesystem::path& path, const Model& model, const State& state,
-                     std::span<const std::byte> extra = {});
+                     std::initializer_list<std::span<const std::byte>> extra = {});
 
 // Reads it back. Throws InputError naming the file for one that is missing, not a checkpoint, of another version or
 // byte order, cut off, damaged, or of another scene.

@@ -76,7 +76,7 @@ std::vector<std::byte> some_bytes() {
 
 class CheckpointFile : public testing::Test {
  protected:
-  CheckpointFile() { save_checkpoint(path_, model_, state_, some_bytes()); }
+  CheckpointFile() { save_checkpoint(path_, model_, state_, {some_bytes()}); }
 
   std::string refusal() const {
     return message_of<InputError>([&] { load_checkpoint(path_, model_); });

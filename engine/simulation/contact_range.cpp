@@ -56,6 +56,7 @@ ContactRange::ContactRange(const Model& model, const std::vector<Interface>& int
 
 void ContactRange::leave_out(const std::vector<bool>& absent, const Model& model,
                              const std::vector<Interface>& interfaces) {
+  if (thickness_.empty()) return;
   absent_ = absent;
   list(model, interfaces);
 }

@@ -18,6 +18,7 @@ namespace dda {
 
 class ContactRange {
  public:
+  ContactRange() = default;  // of a scene in which nothing moves that far: it is never asked
   ContactRange(const Model& model, const std::vector<Interface>& interfaces);
 
   // Blocks that are absent, `absent` saying so of each, are left out from now on; `interfaces` are those of the others.

@@ -11,7 +11,7 @@ namespace {
 class Jump {
  public:
   Jump(const BlockSystem& system, const LinearOperators& operators, const RayleighDamping& damping, double dt)
-      : system_(system), operators_(operators), damping_(damping), dt_(dt), matrix_(operators.stiffness) {
+      : system_(system), operators_(operators), damping_(damping), dt_(dt), matrix_(operators.stiffness.pattern()) {
     StepCoefficients sum;  // M + dt C
     sum.mass = 1;
     sum.damping = dt;
@@ -44,7 +44,7 @@ class Jump {
   // dt C x
   [[nodiscard]] Eigen::VectorXd impulse_of(const Eigen::VectorXd& x) const {
     Eigen::VectorXd inertia(x.size()), force;
-    operators_.inertia_times.multiply(x, inertia);
+    operators_.inertia.multiply(x, inertia);
     damping_.force_of(operators_, x, inertia, force);
     return dt_ * force;
   }

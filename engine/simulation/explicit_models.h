@@ -41,7 +41,7 @@ inline DenseModes modes_of(const Model& model) {
   const LinearOperators operators(model, make_block_terms(model, model.stages[0]), contacts,
                                   make_supports(model, initial_state(model)),
                                   WaveCorrections(model, model.stages[0], contacts));
-  return dense_modes(dense(operators.stiffness), dense(operators.inertia));
+  return dense_modes(dense(operators.stiffness.matrix()), dense(operators.inertia.matrix()));
 }
 
 // Bonded rectangles of random sizes in a row, a grid or a running bond, with loads at least; `with_all`: gravity,

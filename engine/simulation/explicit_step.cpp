@@ -51,6 +51,8 @@ ExplicitStepSums& ExplicitStepSums::operator+=(const ExplicitStepSums& other) {
 void ExplicitStep::set_up(BlockMatrix pattern) {
   BlockSystem& s = system_;
   const Stage& stage = s.stage_in_force();
+  const Eigen::Index unknowns = pattern.unknowns();
+  pattern = BlockMatrix(0, {});  // no matrix to solve with: its memory is for the operators
   s.coefficients = step_coefficients(stage.integrator, stage.dt);
   linear_.set_up();
   mass_damping_ = stage.material_damping.mass;
@@ -59,13 +61,12 @@ void ExplicitStep::set_up(BlockMatrix pattern) {
   next_acceleration_.assign(s.state.acceleration.size(), Vec6::Zero());
   if (solver_.set_up(inertia_in_step(), s.held) != Status::ok) message_ = sentence(Failure::singular_matrix);
   if (solver_.is_by_blocks()) return;
-  for (Eigen::VectorXd* vector : {&rhs_, &acceleration_}) vector->setZero(pattern.unknowns());
+  for (Eigen::VectorXd* vector : {&rhs_, &acceleration_}) vector->setZero(unknowns);
 }
 
 BlockMatrix ExplicitStep::inertia_in_step() const {
   const double half = system_.coefficients.dt / 2;
-  BlockMatrix inertia = linear_.operators->inertia;
-  scale(1 + half * mass_damping_, inertia);
+  BlockMatrix inertia = linear_.operators->inertia.matrix(1 + half * mass_damping_);
   for (const Dashpot& each : dashpots_) inertia.diagonal(static_cast<int>(each.block)) += half * each.matrix;
   return inertia;
 }
@@ -95,7 +96,7 @@ void ExplicitStep::begin() {
 
 // Momenta of blocks on their own are not followed from step to step.
 void ExplicitStep::end() {
-  if (solver_.is_by_blocks()) linear_.operators->inertia_times.multiply(flat(system_.state.velocity), linear_.momentum);
+  if (solver_.is_by_blocks()) linear_.operators->inertia.multiply(flat(system_.state.velocity), linear_.momentum);
   system_.audit.kinetic_counted_as(linear_.stored_energy().kinetic);
 }
 

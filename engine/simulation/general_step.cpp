@@ -53,9 +53,11 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
 GeneralStep::GeneralStep(BlockSystem& system)
     : system_(system),
       solver_(system.costs),
-      range_(system.model, system.contacts.interfaces),
-      acting_(system.state),
       base_(0, {}) {
+  if (has_finite_kinematics(system.model)) {
+    range_ = ContactRange(system.model, system.contacts.interfaces);
+    acting_ = system.state;
+  }
   if (!contacts_move(system.model)) return;
   system.contacts.can_change = true;
   moving_.emplace(system.model, system.state, system.contacts);

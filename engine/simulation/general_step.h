@@ -95,9 +95,9 @@ class GeneralStep : public Step {
   BlockSystem& system_;
   ContactSolver solver_;
   std::optional<MovingContacts> moving_;  // only where blocks can move against each other
-  ContactRange range_;                    // looked at where they cannot; widths of blocks
+  ContactRange range_;                    // looked at where they cannot; widths of blocks; finite kinematics alone
   double moved_ = 0;                      // largest motion since the geometry was last followed, in block sizes
-  State acting_;                          // displacements and shapes of the blocks where the step's forces act
+  State acting_;  // displacements and shapes of the blocks where the step's forces act; in finite kinematics alone
   Penetration deepest_;
   SettlingCushion cushion_;       // of the stage
   GivenFriction given_friction_;  // of the stage

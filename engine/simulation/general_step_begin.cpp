@@ -50,6 +50,7 @@ void GeneralStep::set_blocks(const std::vector<bool>& absent, const std::vector<
   for (const int block : added) {
     const auto i = static_cast<std::size_t>(block);
     comes_in[i] = true;
+    if (acting_.displacement.empty()) continue;
     acting_.displacement[i] = s.state.displacement[i];
     acting_.deformation[i] = s.state.deformation[i];
   }

@@ -69,9 +69,9 @@ void LinearForces::begin() {
   if (s.plan.loads) s.loads_at(s.state.time, s.forces.load_old);
   for (Eigen::VectorXd* vector : {&momentum, &inertia_force, &elastic_force, &internal_at_rest})
     vector->setZero(scratch_.size());
-  operators->stiffness_times.multiply(flat(s.state.displacement), elastic_force);
+  operators->stiffness.multiply(flat(s.state.displacement), elastic_force);
   internal_at_rest = s.forces.internal_old - elastic_force;
-  operators->inertia_times.multiply(flat(s.state.velocity), momentum);
+  operators->inertia.multiply(flat(s.state.velocity), momentum);
   // Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole,
   // and those of later stages go on from the ledger, unless what it counts ends with the corrections.
   const double contact = s.clock.stage == 0 || corrections_end ? contact_energy() : s.audit.ledger().contact;
@@ -95,7 +95,7 @@ void LinearForces::begin() {
   if (rayleigh.acts() && !stands_beside_free_field(s)) make_jumps();
   const Eigen::VectorXd acceleration = initial_acceleration();
   unflatten(acceleration, s.state.acceleration);
-  operators->inertia_times.multiply(acceleration, inertia_force);
+  operators->inertia.multiply(acceleration, inertia_force);
 }
 
 MotionAtStart LinearForces::motion() const {
@@ -108,7 +108,7 @@ void LinearForces::make_jumps() {
   const auto [change, brought] = change_at_once(s, *operators, rayleigh, s.coefficients.dt, inertia_force);
   if (change.size() == 0) return;
   Eigen::VectorXd force(scratch_.size());
-  operators->inertia_times.multiply(change, scratch_);
+  operators->inertia.multiply(change, scratch_);
   s.audit.velocities_jumped(brought, dot(change, momentum) + dot(change, scratch_) / 2);
   rayleigh.force_of(*operators, change, scratch_, force);
   momentum += scratch_;
@@ -125,7 +125,7 @@ void LinearForces::set_consistent_weight() {
   Eigen::VectorXd fall = Eigen::VectorXd::Zero(scratch_.size());
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(scratch_.size());
   for (Eigen::Index block = 0; 6 * block < fall.size(); ++block) fall.segment<2>(6 * block) = system.model.gravity;
-  operators->inertia_times.multiply(fall, weight);
+  operators->inertia.multiply(fall, weight);
   system.external.set_weight(weight);
 }
 
@@ -135,14 +135,14 @@ Eigen::VectorXd LinearForces::initial_acceleration() const {
   const BlockSystem& s = system;
   BlockMatrix inertia = s.waves.leave_strains_without_inertia()
                             ? make_inertia(s.model, s.terms, s.contacts, s.waves.with_all_inertia())
-                            : operators->inertia;
+                            : operators->inertia.matrix();
   HeldCouplings().take_out(s.held, inertia);
   return acceleration_of(inertia, inertia_force);
 }
 
 void LinearForces::sum_internal_forces(Eigen::VectorXd& force) {
   const BlockSystem& s = system;
-  operators->stiffness_times.multiply(flat(s.state.displacement), elastic_force);
+  operators->stiffness.multiply(flat(s.state.displacement), elastic_force);
   in_stretches(force.size(),
                [&](const VectorStretch& here) { here.of(force) = here.of(elastic_force) + here.of(internal_at_rest); });
   if (!s.plan.moving_supports) return;

@@ -1,6 +1,7 @@
 #include "engine/simulation/linear_operators.h"
 
 #include <cstddef>
+#include <numeric>
 
 #include "engine/simulation/system_matrix.h"
 
@@ -14,35 +15,29 @@ StepCoefficients only_stiffness() {
   return step;
 }
 
-void add_scaled(double factor, const BlockMatrix& matrix, BlockMatrix& sum) {
-  for (int column = 0; column < matrix.size(); ++column) {
-    sum.diagonal(column) += factor * matrix.diagonal(column);
-    const auto first = static_cast<std::size_t>(matrix.column_starts()[static_cast<std::size_t>(column)]);
-    const auto last = static_cast<std::size_t>(matrix.column_starts()[static_cast<std::size_t>(column) + 1]);
-    for (std::size_t k = first + 1; k < last; ++k)
-      sum.add_coupling(matrix.block_rows()[k], column, factor * matrix.offdiagonal(static_cast<int>(k)));
-  }
+void add_scaled(double factor, const ConstantOperator& matrix, BlockMatrix& sum) {
+  matrix.for_each_block([&](int row, int column, const auto& block) {
+    if (row == column) {
+      sum.diagonal(row) += factor * block;
+    } else {
+      sum.add_coupling(row, column, factor * block);
+    }
+  });
 }
 
 BlockMatrix make_stiffness(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
                            const std::vector<SupportElement>& supports, const LiningSet& linings,
                            const WaveCorrections& waves) {
   BlockMatrix stiffness = make_system_matrix(static_cast<int>(terms.inertia.size()), contacts, linings.pairs());
-  const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
-  assemble(only_stiffness(), terms, {}, supports, contacts, all_rows, stiffness);
+  std::vector<int> all(contacts.elements.size());
+  std::iota(all.begin(), all.end(), 0);
+  assemble_base_matrix(only_stiffness(), terms, {}, supports, contacts, all, stiffness);
   linings.add_stiffness(1, stiffness);
   waves.add_to_stiffness(model, contacts, stiffness);
   return stiffness;
 }
 
 }  // namespace
-
-void scale(double factor, BlockMatrix& matrix) {
-  if (factor == 1) return;
-  const BlockMatrix before = matrix;
-  matrix.set_zero();
-  add_scaled(factor, before, matrix);
-}
 
 BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
                          const WaveCorrections& waves) {
@@ -57,9 +52,7 @@ LinearOperators::LinearOperators(const Model& model, const BlockTerms& terms, co
                                  const std::vector<SupportElement>& supports, const WaveCorrections& waves,
                                  const LiningSet& linings)
     : stiffness(make_stiffness(model, terms, contacts, supports, linings, waves)),
-      inertia(make_inertia(model, terms, contacts, waves)),
-      stiffness_times(stiffness),
-      inertia_times(inertia) {}
+      inertia(make_inertia(model, terms, contacts, waves)) {}
 
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,
               BlockMatrix& matrix) {

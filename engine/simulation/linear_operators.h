@@ -21,20 +21,14 @@ struct LinearOperators {
   LinearOperators(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
                   const std::vector<SupportElement>& supports, const WaveCorrections& waves,
                   const LiningSet& linings = {});
-  LinearOperators(const LinearOperators&) = delete;  // the products look at the matrices
-  LinearOperators& operator=(const LinearOperators&) = delete;
 
-  BlockMatrix stiffness;                            // blocks, interfaces, supports and linings
-  BlockMatrix inertia;                              // blocks, and what couples them
-  ConstantOperator stiffness_times, inertia_times;  // the same, for products
+  ConstantOperator stiffness;  // blocks, interfaces, supports and linings
+  ConstantOperator inertia;    // blocks, and what couples them
 };
 
 // The inertia among them.
 BlockMatrix make_inertia(const Model& model, const BlockTerms& terms, const ContactSet& contacts,
                          const WaveCorrections& waves);
-
-// `factor` times the matrix.
-void scale(double factor, BlockMatrix& matrix);
 
 // The step's matrix out of the operators.
 void assemble(const StepCoefficients& step, const LinearOperators& operators, const BlockDamping& damping,

@@ -17,9 +17,10 @@ void LinearStep::set_up(BlockMatrix pattern) {
   BlockSystem& s = system_;
   const Stage& stage = s.stage_in_force();
   const Eigen::Index unknowns = pattern.unknowns();
-  matrix_.begin(std::move(pattern), s.plan.solver, s.plan.chi, MatrixUse::stays);
+  pattern = BlockMatrix(0, {});  // comes again from the operators, once they need no more room for themselves
   set_step_size(stage.dt);
   linear_.set_up();
+  matrix_.begin(linear_.operators->stiffness.pattern(), s.plan.solver, s.plan.chi, MatrixUse::stays);
   for (Eigen::VectorXd* vector : {&next_momentum_, &rhs_}) vector->setZero(unknowns);
 }
 
@@ -107,7 +108,7 @@ void LinearStep::accept() {
 // M a1 from the change of M v, as a1 follows from that of v. Returns the work against it, see energy_audit.h.
 double LinearStep::follow_inertia_force() {
   const StepCoefficients& c = system_.coefficients;
-  linear_.operators->inertia_times.multiply(flat(system_.state.velocity), next_momentum_);
+  linear_.operators->inertia.multiply(flat(system_.state.velocity), next_momentum_);
   double work = (1 - c.weight_new_a) * dot(system_.increment, linear_.inertia_force);
   in_stretches(linear_.inertia_force.size(), [&](const VectorStretch& here) {
     here.of(linear_.inertia_force) =

@@ -30,7 +30,7 @@ StepCoefficients RayleighDamping::in_matrix(StepCoefficients step) const {
 void RayleighDamping::force_of(const LinearOperators& operators, const Eigen::VectorXd& x,
                                const Eigen::VectorXd& mass_times_x, Eigen::VectorXd& force) const {
   force.resize(x.size());
-  operators.stiffness_times.multiply(x, force);
+  operators.stiffness.multiply(x, force);
   force = mass_ * mass_times_x + stiffness_ * force;
 }
 
@@ -111,7 +111,7 @@ RayleighDamping::Works RayleighDamping::works_of_start(const LinearOperators& op
 void RayleighDamping::book(const LinearOperators& operators, const MotionAtStart& start, BlockSystem& system) {
   const StepCoefficients& step = system.coefficients;
   product_.resize(system.increment.size());
-  operators.inertia_times.multiply(system.increment, product_);
+  operators.inertia.multiply(system.increment, product_);
   force_of(operators, system.increment, product_, of_increment_);
   force_ = known_ + step.damping * of_increment_;
   // The momentum of held blocks is what the integrator has, and not what their prescribed velocities make of it.

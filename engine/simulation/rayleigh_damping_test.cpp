@@ -47,11 +47,11 @@ Eigen::VectorXd exact_displacement(const Model& model, double time) {
   const ContactSet contacts = make_contacts(model);
   const LinearOperators operators(model, make_block_terms(model), contacts, make_supports(model, initial_state(model)),
                                   WaveCorrections(model, model.stages[0], contacts));
-  const DenseModes modes = dense_modes(dense(operators.stiffness), dense(operators.inertia));
+  const DenseModes modes = dense_modes(dense(operators.stiffness.matrix()), dense(operators.inertia.matrix()));
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(operators.inertia.unknowns());
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     velocity.segment<2>(static_cast<Eigen::Index>(6 * i)) = model.blocks[i].initial_velocity;
-  Eigen::VectorXd amplitude = modes.shapes.transpose() * dense(operators.inertia) * velocity;
+  Eigen::VectorXd amplitude = modes.shapes.transpose() * dense(operators.inertia.matrix()) * velocity;
   for (Eigen::Index k = 0; k < amplitude.size(); ++k) {
     const double omega = std::sqrt(modes.squares(k));
     const double rate = (mass_damping + stiffness_damping * omega * omega) / 2;  // r w

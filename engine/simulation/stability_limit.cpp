@@ -55,13 +55,13 @@ class FixedNumbers {
 
 // M v of a v whose direction is as likely as any other in the inner product of M: L g with M = L L^T and g of normally
 // distributed numbers. Couplings between blocks are left out of L.
-Eigen::VectorXd random_momentum(const BlockMatrix& inertia, const HeldUnknowns& held) {
+Eigen::VectorXd random_momentum(const ConstantOperator& inertia, const HeldUnknowns& held) {
   Eigen::VectorXd momentum(inertia.unknowns());
   FixedNumbers numbers;
   for (int i = 0; i < inertia.size(); ++i) {
     Vec6 own;
     for (double& each : own) each = numbers.normal();
-    const Mat6 block = inertia.diagonal(i);
+    const Mat6 block = inertia.block(i, i);
     if (!held.holds(i)) own = block.llt().matrixL() * own;
     momentum.segment<6>(6 * i) = own;
   }
@@ -103,7 +103,7 @@ class Lanczos {
     product_.setZero(size);
     vector_.setZero(size);
     momentum_.setZero(size);
-    is_regular_ = solver_.set_up(operators.inertia, held) == Status::ok;
+    is_regular_ = solver_.set_up(operators.inertia.matrix(), held) == Status::ok;
     force_ = random_momentum(operators.inertia, held);
     if (is_regular_) is_regular_ = next();
   }
@@ -111,7 +111,7 @@ class Lanczos {
   // False where the inertia has no inverse, or the space is used up.
   [[nodiscard]] bool step() {
     if (!is_regular_) return false;
-    operators_.stiffness_times.multiply(vector_, product_);
+    operators_.stiffness.multiply(vector_, product_);
     held_.clear(product_);
     const double own = dot(vector_, product_);
     own_.push_back(own);

@@ -44,6 +44,7 @@ Status StepMatrix::factorize() {
   ++costs_.counters.factorizations;
   is_current_ = status == Status::ok;
   if (status != Status::ok) failure_ = Failure::singular_matrix;
+  if (is_current_ && !solver_->needs_matrix()) matrix_->forget_values();
   return status;
 }
 

@@ -71,13 +71,13 @@ void contact_pass(benchmark::State& state, const Model& model) {
   const ContactSet contacts = make_contacts(model);
   std::vector<InterfaceTrial> trial;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    trial.push_back(start_trial(contacts.elements[i], contacts.strengths[i], contacts.states[i]));
+    trial.push_back(start_trial(contacts.elements.own()[i], contacts.strengths[i], contacts.states[i]));
   // Blocks drift apart by little enough for the joints to hold.
   const Eigen::VectorXd d = 1e-9 * Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(6 * model.blocks.size()), 0, 1);
   bool gave_way = false;
   for (auto _ : state) {
     for (std::size_t i = 0; i < trial.size(); ++i) {
-      const InterfaceElement& element = contacts.elements[i];
+      const InterfaceElement& element = contacts.elements.own()[i];
       trial[i].gap = contacts.states[i].gap + gap_increment(element, d);
       respond(element, trial[i]);
       gave_way |= update_capacity(element, contacts.strengths[i], trial[i]) > 0;

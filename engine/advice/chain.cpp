@@ -37,7 +37,7 @@ Model prepared(const Model& model, const ChainPath& path, const Stage& stage, bo
 class JointForce {
  public:
   JointForce(const Model& model, const ContactSet& contacts, std::size_t index, int on, const Vec2& particles)
-      : model_(model), interface_(contacts.interfaces[index]), element_(contacts.elements[index]) {
+      : model_(model), interface_(contacts.interfaces[index]), element_(contacts.elements.own()[index]) {
     const Vec2& normal = interface_.normal;  // from block a to block b
     const double sign = on == interface_.block_a ? 1 : -1;
     weights_ = sign * interface_.length * Vec2(particles.dot(normal), particles.dot(Vec2(-normal.y(), normal.x())));

@@ -41,7 +41,7 @@ double stress_scale(const Model& model) {
 double closure_by_stress(const ContactSet& contacts) {
   std::vector<double> closures;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    const double stiffness = contacts.elements[i].stiffness(0);
+    const double stiffness = contacts.elements.but_for_blocks(i).stiffness(0);
     if (stiffness > 0 && contacts.interfaces[i].share > 0) closures.push_back(contacts.interfaces[i].share / stiffness);
   }
   if (closures.empty()) return 0;

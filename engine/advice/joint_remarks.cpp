@@ -50,7 +50,7 @@ Joints joints_in_use(const Model& model, const ContactSet& contacts) {
   Joints found;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const auto joint = static_cast<std::size_t>(contacts.interfaces[i].joint);
-    const InterfaceLaw law = contacts.elements[i].law;
+    const InterfaceLaw law = contacts.elements.but_for_blocks(i).law;
     const bool has_springs = law == InterfaceLaw::classical || law == InterfaceLaw::projected;
     found.all.insert(joint);
     if (has_springs || (moves && is_dry(model.joints[joint]))) found.with_springs.insert(joint);

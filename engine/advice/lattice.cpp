@@ -82,7 +82,7 @@ JointMaterial acting_joint(const Model& model, const ContactSet& contacts, std::
   const Interface& interface = contacts.interfaces[index];
   JointMaterial joint = model.joints[static_cast<std::size_t>(interface.joint)];
   joint.law = has_finite_kinematics(model) && is_springs_where_blocks_move(joint) ? InterfaceLaw::classical
-                                                                                  : contacts.elements[index].law;
+                                                                                  : contacts.elements.but_for_blocks(index).law;
   joint.bonded = true;
   joint.contact_damping = 0;
   if (joint.law != InterfaceLaw::classical || joint.normal_stiffness > 0) return joint;

@@ -47,7 +47,7 @@ std::vector<Interface> faces_with_springs(const Model& model) {
     const Interface& interface = drawn.interfaces[i];
     if (interface.length == 0 || !strains[at(interface.block_a)] || !strains[at(interface.block_b)]) continue;
     if (model.joints[at(interface.joint)].bonded) continue;
-    if (has_springs(model, interface, drawn.elements[i])) tied.push_back(interface);
+    if (has_springs(model, interface, drawn.elements.but_for_blocks(i))) tied.push_back(interface);
   }
   return tied;
 }

@@ -109,7 +109,7 @@ void add_contacts(const Model& model, const ContactSet& contacts, Text& text) {
   std::map<std::pair<int, InterfaceLaw>, std::size_t> groups;
   std::size_t points = 0;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    ++groups[{contacts.interfaces[i].joint, contacts.elements[i].law}];
+    ++groups[{contacts.interfaces[i].joint, contacts.elements.but_for_blocks(i).law}];
     if (contacts.interfaces[i].length == 0) ++points;
   }
   text.line("contacts", "{}{}", count(contacts.interfaces.size(), "interface"),
@@ -289,10 +289,11 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
 double megabytes(const Model& model, const ContactSet& contacts, const BlockMatrix& matrix, double factor_nonzeros) {
   const auto blocks = static_cast<double>(model.blocks.size());
   const double per_block = sizeof(Block) + 4 * sizeof(Vec2) + 30 * sizeof(Vec6) + 2 * sizeof(Mat3);
-  const double per_interface = sizeof(Interface) + sizeof(InterfaceElement) + 2 * sizeof(InterfaceState);
+  const double per_interface = sizeof(Interface) + 2 * sizeof(InterfaceState);
+  const auto elements = static_cast<double>(contacts.elements.kinds().size());
   const double matrix_numbers = 36.0 * (matrix.size() + matrix.couplings());
   return (blocks * per_block + static_cast<double>(contacts.interfaces.size()) * per_interface +
-          matrix_numbers * (sizeof(double) + sizeof(int)) + factor_nonzeros * sizeof(double)) /
+          elements * sizeof(InterfaceElement) + matrix_numbers * (sizeof(double) + sizeof(int)) + factor_nonzeros * sizeof(double)) /
          1e6;
 }
 

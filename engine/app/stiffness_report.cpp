@@ -30,7 +30,7 @@ std::vector<std::optional<JointSurvey>> survey_joints(const Model& model) {
   for (std::size_t i = 0; i < drawn.interfaces.size(); ++i) {
     const Interface& interface = drawn.interfaces[i];
     const auto joint = static_cast<std::size_t>(interface.joint);
-    const bool springs = drawn.elements[i].law == InterfaceLaw::classical ||
+    const bool springs = drawn.elements.but_for_blocks(i).law == InterfaceLaw::classical ||
                          (finite && is_springs_where_blocks_move(model.joints[joint]));
     if (springs && interface.length > 0) add(model, interface, joints[joint]);
   }
@@ -40,9 +40,9 @@ std::vector<std::optional<JointSurvey>> survey_joints(const Model& model) {
 std::vector<std::optional<PenaltySurvey>> survey_penalties(const Model& model, const ContactSet& contacts) {
   std::vector<std::optional<PenaltySurvey>> joints(model.joints.size());
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    if (contacts.elements[i].law != InterfaceLaw::projected) continue;
+    if (contacts.elements.but_for_blocks(i).law != InterfaceLaw::projected) continue;
     const Interface& interface = contacts.interfaces[i];
-    const double per_area = 2 * contacts.elements[i].stiffness(0) / interface.length;
+    const double per_area = 2 * contacts.elements.but_for_blocks(i).stiffness(0) / interface.length;
     std::optional<PenaltySurvey>& survey = joints[static_cast<std::size_t>(interface.joint)];
     for (const int block : {interface.block_a, interface.block_b}) {
       if (model.is_held(block)) continue;

@@ -19,8 +19,9 @@ void measure_gap(const Model& model, const State& state, const Interface& interf
 }
 
 void update_geometry(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    InterfaceElement& element = contacts.elements[i];
+    InterfaceElement& element = elements[i];
     set_geometry(model, acting_frame(model, acting, contacts.interfaces[i], element.law), element);
     measure_gap(model, state, contacts.interfaces[i], element, contacts.states[i]);
   }
@@ -28,8 +29,9 @@ void update_geometry(const Model& model, const State& state, const State& acting
 }
 
 void keep_gaps(const Model& model, const State& state, ContactSet& contacts) {
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    InterfaceElement& element = contacts.elements[i];
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    InterfaceElement& element = elements[i];
     InterfaceState& own = contacts.states[i];
     if (element.law != InterfaceLaw::projected) continue;
     set_geometry(model, acting_frame(model, state, contacts.interfaces[i], element.law), element);

@@ -40,9 +40,10 @@ InterfaceMatrices stiffness_of_rows(const InterfaceElement& element, const Vec4&
 
 void take_off_blocks(std::size_t blocks, ContactSet& contacts) {
   std::vector<Mat3>& sums = contacts.outline_compliance;
-  const bool any = std::ranges::count(contacts.elements, InterfaceLaw::projected, &InterfaceElement::law) > 0;
+  const bool any = std::ranges::count(contacts.elements.kinds(), InterfaceLaw::projected, &InterfaceElement::law) > 0;
   sums.assign(any ? blocks : 0, Mat3::Zero());
-  for (const InterfaceElement& element : contacts.elements) {
+  if (!any) return;
+  for (const InterfaceElement& element : contacts.elements.own()) {
     if (element.law != InterfaceLaw::projected) continue;
     sums[static_cast<std::size_t>(element.block_a)] += traction_compliance(element, element.softness(0));
     sums[static_cast<std::size_t>(element.block_b)] += traction_compliance(element, element.softness(1));
@@ -66,17 +67,18 @@ double outline_energy(const ContactSet& contacts, const std::vector<Vec3>& stres
 
 void leave_out(const std::vector<bool>& absent, ContactSet& contacts) {
   const auto is_absent = [&](int block) { return absent[static_cast<std::size_t>(block)]; };
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     if (is_absent(contacts.interfaces[i].block_a) || is_absent(contacts.interfaces[i].block_b)) continue;
     contacts.interfaces[kept] = contacts.interfaces[i];
-    contacts.elements[kept] = contacts.elements[i];
+    elements[kept] = elements[i];
     contacts.strengths[kept] = contacts.strengths[i];
     contacts.states[kept] = contacts.states[i];
     ++kept;
   }
   contacts.interfaces.resize(kept);
-  contacts.elements.resize(kept);
+  elements.resize(kept);
   contacts.strengths.resize(kept);
   contacts.states.resize(kept);
 }
@@ -107,8 +109,9 @@ Vec2 mean_traction(const Model& model, const Interface& interface, const Interfa
 }
 
 void refresh_tractions(const State& state, ContactSet& contacts) {
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.read(i, room);
     if (!has_stress_rows(element)) continue;
     contacts.states[i].force =
         elastic_force(element, contacts.states[i].gap, state.stress[static_cast<std::size_t>(element.block_a)],
@@ -133,10 +136,12 @@ void add_interface_force(const InterfaceElement& element, const Vec4& interface_
 }
 
 void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force) {
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements.read(i, room);
     const InterfaceState& state = contacts.states[i];
-    if (state.force.isZero(0) && !has_stress_rows(contacts.elements[i])) continue;  // open
-    add_interface_force(contacts.elements[i], state.force, state.gap, force);
+    if (state.force.isZero(0) && !has_stress_rows(element)) continue;  // open
+    add_interface_force(element, state.force, state.gap, force);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/contact/interface.h"
 #include "engine/contact/interface_element.h"
+#include "engine/contact/interface_elements.h"
 #include "engine/contact/interface_state.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
@@ -14,7 +15,7 @@ namespace dda {
 
 struct ContactSet {
   std::vector<Interface> interfaces;
-  std::vector<InterfaceElement> elements;
+  InterfaceElements elements;
   std::vector<EndStrength> strengths;
   std::vector<InterfaceState> states;
   bool can_change = false;  // some joint can open, slide or break

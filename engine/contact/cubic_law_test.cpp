@@ -60,7 +60,7 @@ TEST(CubicLaw, StiffnessIsTheHessianOfTheCubicsEnergy) {
     for (const double angle : angles) {
       const Model model = pair_of(material, angle);
       const ContactSet contacts = make_contacts(model);
-      ASSERT_EQ(contacts.elements.at(0).law, InterfaceLaw::cubic);
+      ASSERT_EQ(contacts.elements.own().at(0).law, InterfaceLaw::cubic);
       const InterfaceMatrices k = stiffness_of(contacts.elements[0], Vec4::Ones());
       const auto energy = [&](const Vec12& q) {
         return axial_potential(hermite(q, angle), elasticity_matrix(material)) + transverse_potential(model, q, angle);
@@ -118,7 +118,8 @@ TEST(CubicLaw, TractionIsThatOfTheCubicAtTheInterface) {
 
 std::vector<InterfaceLaw> laws_of(const Model& model) {
   std::vector<InterfaceLaw> laws;
-  for (const InterfaceElement& element : make_contacts(model).elements) laws.push_back(element.law);
+  const ContactSet contacts = make_contacts(model);
+  for (const InterfaceElement& element : contacts.elements.own()) laws.push_back(element.law);
   return laws;
 }
 

@@ -20,7 +20,7 @@ void shift_normal_gap(double by, InterfaceState& state) {
 
 void foresee_gaps(const std::vector<Vec6>& velocity, double dt, double acts_at, ContactSet& contacts) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.own()[i];
     if (!is_lone_vertex(element)) continue;
     const Vec6 of_a = dt * velocity[static_cast<std::size_t>(element.block_a)];
     const Vec6 of_b = dt * velocity[static_cast<std::size_t>(element.block_b)];

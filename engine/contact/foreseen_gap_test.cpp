@@ -52,7 +52,7 @@ double gap(const Motion& motion, double s) {
 ContactSet contact_at(const Motion& motion, double s, double gap) {
   const Place place = at(motion, s);
   ContactSet contacts;
-  InterfaceElement& element = contacts.elements.emplace_back();
+  InterfaceElement& element = contacts.elements.edit().emplace_back();
   element.block_b = 1;
   const Mat2 axes = (Mat2() << place.normal.x(), place.normal.y(), -place.normal.y(), place.normal.x()).finished();
   element.rows_a.setZero();

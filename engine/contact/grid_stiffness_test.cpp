@@ -45,7 +45,7 @@ Eigen::MatrixXd stiffness_matrix(const Model& model, const ContactSet& contacts)
     k.block<3, 3>(strains, strains) +=
         strain_stiffness(model.blocks[i].moments.area, elasticity_matrix(model.materials[0]));
   }
-  for (const InterfaceElement& element : contacts.elements) {
+  for (const InterfaceElement& element : contacts.elements.own()) {
     const InterfaceMatrices part = stiffness_of(element, Vec4::Ones());
     const Eigen::Index a = 6 * element.block_a;
     const Eigen::Index b = 6 * element.block_b;
@@ -169,7 +169,7 @@ TEST(CubicChain, UniformStretchIsInEquilibriumAndOnlyThreeMotionsAreFree) {
     model.joints = {{.name = "bond", .law = InterfaceLaw::cubic, .bonded = true}};
     place(model, 0.4);
     const ContactSet contacts = make_contacts(model);
-    for (const InterfaceElement& element : contacts.elements) ASSERT_EQ(element.law, InterfaceLaw::cubic);
+    for (const InterfaceElement& element : contacts.elements.own()) ASSERT_EQ(element.law, InterfaceLaw::cubic);
     const Eigen::MatrixXd k = stiffness_matrix(model, contacts);
     // Strain of uniaxial stress along the bar.
     const Vec3 along = rotate_stress(Vec3(1, 0, 0), 0.4);

@@ -47,7 +47,7 @@ struct Pair {
   explicit Pair(const Model& given) : model(given), contacts(make_contacts(given)) {}
 
   [[nodiscard]] const Interface& interface() const { return contacts.interfaces.at(0); }
-  [[nodiscard]] const InterfaceElement& element() const { return contacts.elements.at(0); }
+  [[nodiscard]] const InterfaceElement& element() const { return contacts.elements.own().at(0); }
   [[nodiscard]] Vec2 jump(const Vec12& q, const Vec2& point) const {
     return motion(q.tail<6>(), point - model.blocks[1].moments.centroid) -
            motion(q.head<6>(), point - model.blocks[0].moments.centroid);
@@ -195,8 +195,8 @@ TEST(InterfaceElement, NormalSpringGivenOutrightAndPointContact) {
   Model model = model_of({{box_ring(-2, -1, 2, 0), {}}, {{{0.3, 0}, {1, 2}, {-1, 1.5}}, {}}});
   model.joints = {{.name = "joint", .law = InterfaceLaw::consistent, .normal_spring = 55, .shear_to_normal = 0.5}};
   const ContactSet contacts = make_contacts(model);
-  EXPECT_EQ(contacts.elements.at(0).law, InterfaceLaw::classical);  // a point has no edge to be consistent on
-  EXPECT_EQ(contacts.elements.at(0).stiffness, Vec4(55, 27.5, 0, 0));
+  EXPECT_EQ(contacts.elements.own().at(0).law, InterfaceLaw::classical);  // a point has no edge to be consistent on
+  EXPECT_EQ(contacts.elements.own().at(0).stiffness, Vec4(55, 27.5, 0, 0));
 }
 
 TEST(InterfaceElement, InitialStressOfBothBlocksPressesWithoutGap) {

@@ -57,7 +57,7 @@ void join(const Model& model, const State& state, const ComingBlocks& blocks, co
 
 void append(const ContactSet& from, std::size_t i, ContactSet& to) {
   to.interfaces.push_back(from.interfaces[i]);
-  to.elements.push_back(from.elements[i]);
+  to.elements.edit().push_back(from.elements[i]);
   to.strengths.push_back(from.strengths[i]);
   to.states.push_back(from.states[i]);
 }
@@ -73,7 +73,7 @@ void fit_new(const Model& model, const std::vector<bool>& is_new, ContactSet& co
   fit_to_neighbours(model, contacts);
   for (std::size_t i = 0; i < is_new.size(); ++i) {
     if (is_new[i]) continue;
-    contacts.elements[i].stiffness = before.elements[i].stiffness;
+    contacts.elements.edit()[i].stiffness = before.elements.own()[i].stiffness;
     contacts.states[i].force = before.states[i].force;
   }
 }
@@ -88,7 +88,7 @@ ContactSet joined_contacts(const Model& model, const State& state, const ComingB
     const Interface& interface = drawn.interfaces[i];
     if (!blocks.comes_in[at(interface.block_a)] && !blocks.comes_in[at(interface.block_b)]) continue;
     append(drawn, i, joined);
-    join(model, state, blocks, interface, joined.elements.back(), joined.states.back());
+    join(model, state, blocks, interface, joined.elements.edit().back(), joined.states.back());
   }
   return joined;
 }
@@ -115,7 +115,7 @@ ContactSet holding_contacts(const Model& model, const State& state, const Coming
 void bring_in(const Model& model, const State& state, const ComingBlocks& blocks, bool at_rest, ContactSet& contacts) {
   ContactSet joined = joined_contacts(model, state, blocks);
   if (at_rest)
-    for (std::size_t i = 0; i < joined.states.size(); ++i) rest(state, joined.elements[i], joined.states[i]);
+    for (std::size_t i = 0; i < joined.states.size(); ++i) rest(state, joined.elements.own()[i], joined.states[i]);
   std::vector<Interface> drawn = find_interfaces(model);
   ContactSet all;
   all.can_change = contacts.can_change;
@@ -136,7 +136,7 @@ void insert_contacts(const Model& model, const ContactSet& more, std::size_t pla
     to.insert(to.begin() + static_cast<std::ptrdiff_t>(place), from.begin(), from.end());
   };
   insert(more.interfaces, contacts.interfaces);
-  insert(more.elements, contacts.elements);
+  insert(more.elements.own(), contacts.elements.edit());
   insert(more.strengths, contacts.strengths);
   insert(more.states, contacts.states);
   std::vector<bool> is_new(contacts.interfaces.size(), false);

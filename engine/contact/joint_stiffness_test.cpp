@@ -61,7 +61,7 @@ TEST(JointStiffness, AMovingContactTakesHalfOfWhatItsEdgesHaveInCommon) {
   MovingContacts moving(model, state, contacts);
   const auto expect_springs = [&](double length) {
     ASSERT_EQ(contacts.elements.size(), 2U);
-    for (const InterfaceElement& element : contacts.elements) {
+    for (const InterfaceElement& element : contacts.elements.own()) {
       EXPECT_NEAR(element.stiffness(0), 3e9 * length / 2, 1) << length;
       EXPECT_NEAR(element.stiffness(1), 0.4 * 3e9 * length / 2, 1) << length;
     }

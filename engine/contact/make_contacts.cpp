@@ -26,7 +26,8 @@ ContactSet make_contacts(const Model& model) {
   ContactSet contacts;
   contacts.interfaces = find_interfaces(model);
   contacts.states.resize(contacts.interfaces.size());
-  contacts.elements.reserve(contacts.interfaces.size());  // a kilobyte each
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
+  elements.reserve(contacts.interfaces.size());  // a kilobyte each
   contacts.strengths.reserve(contacts.interfaces.size());
   const std::vector<bool> cubic = cubic_candidates(model, contacts.interfaces);
   const bool cubic_allowed =
@@ -38,7 +39,7 @@ ContactSet make_contacts(const Model& model) {
     set_geometry(model, reference_frame(model, interface), element);
     const Vec3& stress_a = model.blocks[static_cast<std::size_t>(interface.block_a)].initial_stress;
     const Vec3& stress_b = model.blocks[static_cast<std::size_t>(interface.block_b)].initial_stress;
-    contacts.elements.push_back(element);
+    elements.push_back(element);
     contacts.strengths.push_back(end_strength(joint, interface.length));
     if (has_stress_rows(element)) {
       contacts.states[i].force = elastic_force(element, contacts.states[i].gap, stress_a, stress_b);

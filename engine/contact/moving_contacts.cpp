@@ -171,7 +171,7 @@ void MovingContacts::let_part(const Model& model, State& state, ContactSet& cont
   const std::vector<char> ends = ending_stretches(model, state, contacts, false);
   keep_ends(model, state, contacts, false, ends);
   for (std::size_t i = 0; i < stretches_; ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.own()[i];
     if (ends[i] == 0 || element.law != InterfaceLaw::projected) continue;
     const StressLetGo stress = stress_let_go(model, state, element, contacts.states[i].force);
     state.stress[at(element.block_a)] += stress.of_a;
@@ -231,7 +231,7 @@ std::vector<char> MovingContacts::ending_stretches(const Model& model, const Sta
     const auto& broken = contacts.states[i].broken;
     const bool holds = dry_ones ? !is_dry(joint_of(model, interface)) : !broken[0] || !broken[1];
     if (interface.length > 0 && holds) firm.add(pair_of(interface));
-    if (contacts.elements[i].law != InterfaceLaw::projected) continue;
+    if (contacts.elements.own()[i].law != InterfaceLaw::projected) continue;
     const bool stays = touch_there_alone(model, interface) && !has_parted(model, state, interface);
     (stays ? closed : parted).add(pair_of(interface));
   }
@@ -259,7 +259,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
     const InterfaceState& whole = contacts.states[i];
     const bool has_failed = !is_dry(joint_of(model, interface));
     if (ends[i] == 0 || (dry_ones && has_failed)) continue;
-    const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(contacts.elements[i], whole);
+    const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(contacts.elements.own()[i], whole);
     const Vec2 normal = current_frame(model, state, interface).normal;
     for (std::size_t end = 0; end < 2; ++end) {
       InterfaceState own;
@@ -308,11 +308,12 @@ std::vector<std::optional<InterfaceState>> MovingContacts::left_by_stretches(
 }
 
 void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& contacts) {
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stretches_; ++i) {
     if (ends[i] != 0) continue;
     contacts.interfaces[kept] = contacts.interfaces[i];
-    contacts.elements[kept] = contacts.elements[i];
+    elements[kept] = elements[i];
     contacts.strengths[kept] = contacts.strengths[i];
     contacts.states[kept] = contacts.states[i];
     ++kept;
@@ -324,21 +325,22 @@ void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& c
     entries.erase(first, first + static_cast<std::ptrdiff_t>(dropped));
   };
   erase(contacts.interfaces);
-  erase(contacts.elements);
+  erase(elements);
   erase(contacts.strengths);
   erase(contacts.states);
   stretches_ = kept;
 }
 
 void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
   std::vector<std::pair<int, int>> bonded;
   std::vector<Carrier> joints;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const Interface& interface = contacts.interfaces[i];
     bonded.emplace_back(std::min(interface.block_a, interface.block_b), std::max(interface.block_a, interface.block_b));
     const InterfaceFrame frame = current_frame(model, state, interface);
-    set_geometry(model, acting_frame(model, acting, interface, contacts.elements[i].law), contacts.elements[i]);
-    measure_gap(model, state, interface, contacts.elements[i], contacts.states[i]);
+    set_geometry(model, acting_frame(model, acting, interface, elements[i].law), elements[i]);
+    measure_gap(model, state, interface, elements[i], contacts.states[i]);
     for (const auto& [on_a, on_b] : {std::pair{frame.from_a, frame.from_b}, {frame.to_a, frame.to_b}})
       joints.push_back({interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)});
   }
@@ -363,14 +365,14 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   const std::vector<std::optional<InterfaceState>> left = left_by_stretches(model, found, succession.earlier());
   const std::size_t total = stretches_ + found.size();
   contacts.interfaces.resize(total);
-  contacts.elements.resize(total);
+  elements.resize(total);
   contacts.strengths.resize(total);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t entry = stretches_ + i;
     const Interface interface = interface_of(model, found[i], shares[i]);
     contacts.interfaces[entry] = interface;
-    contacts.elements[entry] = make_element(model, interface, InterfaceLaw::classical);
-    set_geometry(model, acting_frame(model, acting, search_.outlines(), found[i]), contacts.elements[entry]);
+    elements[entry] = make_element(model, interface, InterfaceLaw::classical);
+    set_geometry(model, acting_frame(model, acting, search_.outlines(), found[i]), elements[entry]);
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     const std::ptrdiff_t earlier =
         heavier(succession.earlier()[i], succession.ended_beside(found[i]), stretches_, contacts.states);
@@ -387,10 +389,10 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
       const std::ptrdiff_t place = of_faces[i] ? succession.beside(found[i]) : -1;
       const InterfaceState* beside =
           place < 0 ? nullptr : &contacts.states[stretches_ + static_cast<std::size_t>(place)];
-      states.push_back(first_state(joint_of(model, interface), contacts.elements[entry], found[i].gap,
+      states.push_back(first_state(joint_of(model, interface), elements[entry], found[i].gap,
                                    left.empty() ? std::nullopt : left[i], beside));
     }
-    measure(contacts.elements[entry], found[i].gap, states.back());
+    measure(elements[entry], found[i].gap, states.back());
   }
   contacts.states = std::move(states);
   known_ = found;

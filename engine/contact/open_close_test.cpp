@@ -327,7 +327,7 @@ TEST(AsClassical, KeepsForcesAndMoment) {
   Model model = model_of({{box_ring(0, 0, 1, 2), {}}, {box_ring(1, 0.5, 2, 3), {}}});
   place(model, 0.6);
   const ContactSet contacts = make_contacts(model);
-  const InterfaceElement& consistent = contacts.elements.at(0);
+  const InterfaceElement& consistent = contacts.elements.own().at(0);
   ASSERT_EQ(consistent.law, InterfaceLaw::consistent);
   InterfaceElement classical = make_element(model, contacts.interfaces[0], InterfaceLaw::classical);
   set_geometry(model, reference_frame(model, contacts.interfaces[0]), classical);
@@ -360,7 +360,7 @@ TEST(BeyondStrength, MeanForceAndEitherEnd) {
 TEST(Trial, ConsistentInterfaceIsNeverJudgedByEnds) {
   const Model model = model_of({{box_ring(0, 0, 1, 2), {}}, {box_ring(1, 0, 2, 2), {}}});
   const ContactSet contacts = make_contacts(model);
-  ASSERT_TRUE(has_stress_rows(contacts.elements.at(0)));
+  ASSERT_TRUE(has_stress_rows(contacts.elements.own().at(0)));
   InterfaceState start;
   start.force << 8, -1, 2, 3;
   InterfaceTrial trial = start_trial(contacts.elements[0], no_strength, start);

@@ -84,7 +84,7 @@ TEST(ProjectedStretch, HasThemWithACompliantJoint) {
 TEST(ProjectedStretch, IsPressedBySoMuchMoreAndShearedByWhatHasNotSlipped) {
   const Model model = two_bricks({0, -3e6, 0});
   const ContactSet contacts = make_contacts(model);
-  const Vec4& stiffness = contacts.elements.at(0).stiffness;
+  const Vec4& stiffness = contacts.elements.own().at(0).stiffness;
   const Vec2 apart(3e-6, -1e-6);  // b's tangent is counter-clockwise from the normal upwards: to the left
   const InterfaceState stuck = measured(model, moved(model, 0.7, apart));
   const InterfaceState slipped = measured(model, moved(model, 0.7, apart), {-2e-6, -2e-6});
@@ -125,7 +125,7 @@ TEST(ProjectedStretch, LeavesForcesOnStrainsAndBringsNoEnergyWhenItParts) {
   ContactSet contacts = make_contacts(model);
   const State state = moved(model, 0.9, Vec2::Zero());
   update_geometry(model, state, state, contacts);
-  const InterfaceElement& element = contacts.elements.at(0);
+  const InterfaceElement& element = contacts.elements.own().at(0);
   const Vec4 force = 0.3 * contacts.states.at(0).force + Vec4(1e5, 2e5, -1e5, 0);
   const StressLetGo change = stress_let_go(model, state, element, force);
   InterfaceElement bare = element;  // whose gaps know of no stress
@@ -151,7 +151,7 @@ TEST(ProjectedStretch, LeavesForcesOnStrainsAndBringsNoEnergyWhenItParts) {
 
 TEST(ProjectedStretch, LeavesItsForceAndMomentToItsEnds) {
   const Model model = two_bricks({0, -3e6, 0});
-  const InterfaceElement element = make_contacts(model).elements.at(0);
+  const InterfaceElement element = make_contacts(model).elements.own().at(0);
   const Vec4 inside(-3, 1, -2, 0.5);
   InterfaceState state;
   state.force = inside;

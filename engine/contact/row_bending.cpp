@@ -72,7 +72,7 @@ std::vector<std::vector<Vec2>> held_sides(const Model& model, const ContactSet& 
   std::vector<std::vector<Vec2>> sides(model.blocks.size());
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
-    if (!holds(joint_of(model, interface), contacts.elements[i])) continue;
+    if (!holds(joint_of(model, interface), contacts.elements.own()[i])) continue;
     sides[static_cast<std::size_t>(interface.block_a)].push_back(interface.normal);
     sides[static_cast<std::size_t>(interface.block_b)].emplace_back(-interface.normal);
   }
@@ -83,12 +83,13 @@ std::vector<std::vector<Vec2>> held_sides(const Model& model, const ContactSet& 
 
 void stiffen_rows(const Model& model, ContactSet& contacts) {
   const auto passes_stress = [](const InterfaceElement& element) { return element.law == InterfaceLaw::consistent; };
-  if (std::ranges::none_of(contacts.elements, passes_stress)) return;
+  if (std::ranges::none_of(contacts.elements.kinds(), passes_stress)) return;
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
   const std::vector<std::vector<Vec2>> sides = held_sides(model, contacts);
   const std::vector<bool> held = held_flags(model);
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
-    if (!may_bend(joint_of(model, interface), contacts.elements[i])) continue;
+    if (!may_bend(joint_of(model, interface), elements[i])) continue;
     const auto is_held = [&](int block) -> bool { return held[static_cast<std::size_t>(block)]; };
     const auto is_in_row = [&](int block) {
       return is_held(block) ||
@@ -96,9 +97,9 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     };
     const bool both_held = is_held(interface.block_a) && is_held(interface.block_b);
     if (both_held || !is_in_row(interface.block_a) || !is_in_row(interface.block_b)) continue;
-    contacts.elements[i].stiffness(2) = bending_stiffness(model, interface, held);
+    elements[i].stiffness(2) = bending_stiffness(model, interface, held);
     contacts.states[i].force(2) =
-        contacts.elements[i].stiffness(2) * contacts.states[i].gap(2) - contacts.elements[i].force_at_start(2);
+        elements[i].stiffness(2) * contacts.states[i].gap(2) - elements[i].force_at_start(2);
   }
 }
 

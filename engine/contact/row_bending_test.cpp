@@ -20,7 +20,7 @@ Model consistent_pair(const std::vector<Polygon>& shapes) {
   return model;
 }
 
-double bending_row(const Model& model) { return make_contacts(model).elements.at(0).stiffness(2); }
+double bending_row(const Model& model) { return make_contacts(model).elements.own().at(0).stiffness(2); }
 
 TEST(RowBending, EnergyOfATurnedJointIsThatOfItsBentHalves) {
   std::mt19937 random(5);
@@ -53,9 +53,9 @@ TEST(RowBending, HeldBlocksAreRigid) {
 TEST(RowBending, AGivenStabilisationStays) {
   Model model = consistent_pair({{box_ring(-1, 0, 0, 1), {}}, {box_ring(0, 0, 1, 1), {}}});
   EXPECT_NEAR(bending_row(model), 1e9 / 3, 1e-3);
-  const Vec4 before = make_contacts(model).elements.at(0).stiffness;
+  const Vec4 before = make_contacts(model).elements.own().at(0).stiffness;
   model.joints[0].stabilisation = default_stabilisation;
-  const Vec4 given = make_contacts(model).elements.at(0).stiffness;
+  const Vec4 given = make_contacts(model).elements.own().at(0).stiffness;
   EXPECT_EQ(given(2), given(3));
   for (const Eigen::Index row : {0, 1, 3}) EXPECT_EQ(before(row), given(row));
 }

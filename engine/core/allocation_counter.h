@@ -14,4 +14,9 @@ namespace dda {
 [[nodiscard]] std::size_t largest_allocation();
 void forget_largest_allocation();
 
+// Bytes that are allocated now, and the most that were at a time since the process began or it was forgotten.
+[[nodiscard]] long bytes_in_use();
+[[nodiscard]] long most_bytes_in_use();
+void forget_most_bytes_in_use();
+
 }  // namespace dda

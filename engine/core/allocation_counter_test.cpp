@@ -38,5 +38,22 @@ TEST(AllocationCounter, SeesAlignedMemory) {
   EXPECT_EQ(after, before + 1);
 }
 
+// malloc hands out up to some dozens of bytes more than it is asked for.
+TEST(AllocationCounter, CountsBytesUntilTheyAreGivenBack) {
+  const long before = bytes_in_use();
+  forget_most_bytes_in_use();
+  void* memory = std::malloc(1'000'000);
+  seen = memory;
+  const long taken = bytes_in_use() - before;
+  memory = std::realloc(memory, 3'000'000);
+  seen = memory;
+  const long grown = bytes_in_use() - before;
+  std::free(memory);
+  EXPECT_NEAR(static_cast<double>(taken), 1e6, 1e4);
+  EXPECT_NEAR(static_cast<double>(grown), 3e6, 1e4);
+  EXPECT_EQ(bytes_in_use(), before);
+  EXPECT_NEAR(static_cast<double>(most_bytes_in_use() - before), 3e6, 1e6 + 1e4);  // both, while it is moved
+}
+
 }  // namespace
 }  // namespace dda

@@ -90,6 +90,13 @@ ConstantOperator::ConstantOperator(BlockMatrix&& matrix) : ConstantOperator(std:
   }
 }
 
+ConstantOperator::ConstantOperator(const std::vector<int>& which, std::vector<Mat6> blocks)
+    : row_starts_(which.size() + 1), blocks_(std::move(blocks)) {
+  std::iota(row_starts_.begin(), row_starts_.end(), 0);
+  entries_.reserve(which.size());
+  for (const int block : which) entries_.push_back({static_cast<int>(entries_.size()), block});
+}
+
 // Entries say where in the matrix their blocks are: k, or -k - 1 for the transpose of k.
 void ConstantOperator::lay_out_rows() {
   const auto for_each_place = [this](const auto& put) {
@@ -138,11 +145,14 @@ BlockMatrix ConstantOperator::pattern() const {
   for_each_block([&](int row, int column, const auto&) {
     if (row != column) pairs.emplace_back(column, row);
   });
-  return {size(), std::move(pairs)};
+  BlockMatrix pattern(size(), std::move(pairs));
+  pattern.forget_values();
+  return pattern;
 }
 
 BlockMatrix ConstantOperator::matrix(double factor) const {
   BlockMatrix matrix = pattern();
+  matrix.set_zero();
   for_each_block([&](int row, int column, const auto& block) {
     if (row == column) {
       matrix.diagonal(row) = factor * block;

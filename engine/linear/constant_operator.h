@@ -20,6 +20,8 @@ class ConstantOperator {
   explicit ConstantOperator(const BlockMatrix& matrix);
   // Takes the matrix over, and keeps it only where there are no rows.
   explicit ConstantOperator(BlockMatrix&& matrix);
+  // Blocks on the diagonal alone, that of each row being one of `blocks`.
+  ConstantOperator(const std::vector<int>& which, std::vector<Mat6> blocks);
   ConstantOperator(const ConstantOperator&) = delete;
   ConstantOperator& operator=(const ConstantOperator&) = delete;
 
@@ -40,7 +42,7 @@ class ConstantOperator {
   // Calls visit(row, column, block) for all blocks of the lower triangle.
   template <typename Visit>
   void for_each_block(const Visit& visit) const;
-  // A matrix of the same pattern, all zero, and one of `factor` times the values.
+  // A matrix of the same pattern that has no values yet (set_zero() is to come), and one of `factor` times the values.
   [[nodiscard]] BlockMatrix pattern() const;
   [[nodiscard]] BlockMatrix matrix(double factor = 1) const;
 
@@ -54,8 +56,8 @@ class ConstantOperator {
   void take_blocks();
 
   std::optional<BlockMatrix> own_;
-  const BlockMatrix* matrix_;  // only asked where there are no rows
-  int couplings_;
+  const BlockMatrix* matrix_ = nullptr;  // only asked where there are no rows
+  int couplings_ = 0;
   std::vector<int> row_starts_;  // n + 1
   std::vector<Entry> entries_;   // of each row by ascending columns
   std::vector<Mat6> blocks_;

@@ -5,35 +5,52 @@
 #include <vector>
 
 #include "engine/linear/block_vectors.h"
+#include "engine/linear/different_blocks.h"
+#include "engine/linear/small_inverse.h"
 
 namespace dda {
 
 void PcgSolver::do_analyze(const BlockMatrix& matrix) {
-  factor_.analyze(matrix, options_.fill_level);
+  factor_is_laid_out_ = false;
+  inverse_product_.reset();
+  for (Eigen::VectorXd* vector : {&residual_, &preconditioned_}) vector->resize(matrix.unknowns());
   iteration_.resize(matrix.unknowns());
-  residual_.resize(matrix.unknowns());
-  preconditioned_.resize(matrix.unknowns());
+  if (!may_share_inverses()) lay_out_factor(matrix);
+}
+
+void PcgSolver::lay_out_factor(const BlockMatrix& matrix) {
+  if (!factor_is_laid_out_) factor_.analyze(matrix, options_.fill_level);
+  factor_is_laid_out_ = true;
 }
 
 Status PcgSolver::do_factorize(const BlockMatrix& matrix) {
   matrix_ = &matrix;
   checked_iterations_ = -1;
-  if (!factor_.factorize(matrix)) return Status::singular;
-  if (options_.matrix_stays) {
-    product_.emplace(matrix);
-    if (factor_.entries() == 0) lay_out_inverse();
+  inverse_product_.reset();
+  if (may_share_inverses()) share_inverses();
+  if (!inverse_product_) {
+    lay_out_factor(matrix);
+    if (!factor_.factorize(matrix)) return Status::singular;
   }
+  if (options_.matrix_stays) product_.emplace(matrix);
   return Status::ok;
 }
 
-// In double precision, which a few different blocks cost nothing.
-void PcgSolver::lay_out_inverse() {
-  inverse_product_.reset();
-  BlockMatrix inverse(matrix_->size(), {});
-  for (int i = 0; i < matrix_->size(); ++i)
-    inverse.diagonal(i) = Mat6(matrix_->diagonal(i)).llt().solve(Mat6::Identity());
-  inverse_product_.emplace(std::move(inverse));
-  if (2 * inverse_product_->different_blocks() >= static_cast<std::size_t>(matrix_->size())) inverse_product_.reset();
+// In double precision, which a few different blocks cost nothing. Where one of them is not positive definite it is left
+// to the factor to say so.
+void PcgSolver::share_inverses() {
+  std::vector<Mat6> blocks;
+  std::vector<int> which(static_cast<std::size_t>(matrix_->size()));
+  DifferentBlocks numbers(blocks);
+  for (int i = 0; i < matrix_->size(); ++i) {
+    which[static_cast<std::size_t>(i)] = numbers.number_of(matrix_->diagonal(i));
+    if (2 * blocks.size() >= which.size()) return;
+  }
+  for (Mat6& block : blocks) {
+    if (Mat6 inverse; !invert_block(block, inverse)) return;
+    block = block.llt().solve(Mat6::Identity()).eval();
+  }
+  inverse_product_.emplace(which, std::move(blocks));
 }
 
 void PcgSolver::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
@@ -41,6 +58,7 @@ void PcgSolver::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
 }
 
 Status PcgSolver::do_factorize_part(const BlockMatrix& matrix, const BlockPart& part) {
+  lay_out_factor(matrix);
   return factor_.factorize(matrix, part) ? Status::ok : Status::singular;
 }
 

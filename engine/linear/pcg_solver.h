@@ -41,13 +41,19 @@ class PcgSolver final : public LinearSolver {
   Status do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) override;
   double do_precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) override;
 
-  void lay_out_inverse();
+  // Whether diagonal blocks are the preconditioner, of a matrix that stays: equal ones then have one inverse.
+  [[nodiscard]] bool may_share_inverses() const {
+    return options_.matrix_stays && options_.fill_level == IncompleteCholesky::diagonal;
+  }
+  void share_inverses();
+  void lay_out_factor(const BlockMatrix& matrix);
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   Status check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
 
   PcgOptions options_;
   const BlockMatrix* matrix_ = nullptr;
-  IncompleteCholesky factor_;
+  IncompleteCholesky factor_;  // where equal inverses are not shared
+  bool factor_is_laid_out_ = false;
   // A matrix that stays, laid out for products, and its diagonal blocks' inverses where these are the preconditioner.
   std::optional<ConstantOperator> product_;
   std::optional<ConstantOperator> inverse_product_;

@@ -10,8 +10,9 @@ namespace {
 
 void count_closed_ends(const ContactSet& contacts, std::size_t blocks, std::vector<int>& closed) {
   closed.assign(blocks, 0);
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.read(i, room);
     for (std::size_t end = 0; end < static_cast<std::size_t>(ends_of(element)); ++end) {
       if (contacts.states[i].status[end] == ContactStatus::open) continue;
       ++closed[static_cast<std::size_t>(element.block_a)];
@@ -60,10 +61,12 @@ std::size_t AccelerationMemory::body_of(std::size_t block) {
 }
 
 void AccelerationMemory::join(const ContactSet& contacts) {
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    if (is_open(contacts.elements[i], contacts.states[i])) continue;
-    const auto a = static_cast<std::size_t>(contacts.elements[i].block_a);
-    const auto b = static_cast<std::size_t>(contacts.elements[i].block_b);
+    const InterfaceElement& element = contacts.elements.read(i, room);
+    if (is_open(element, contacts.states[i])) continue;
+    const auto a = static_cast<std::size_t>(element.block_a);
+    const auto b = static_cast<std::size_t>(element.block_b);
     if (inertia_[a].mass > 0 && inertia_[b].mass > 0) {
       bodies_[body_of(a)] = body_of(b);
     } else {

@@ -128,7 +128,7 @@ ContactSet touching(ContactStatus status) {
   element.block_b = 1;
   InterfaceState state;
   state.status = {status, ContactStatus::open};
-  contacts.elements = {element};
+  contacts.elements.edit() = {element};
   contacts.states = {state};
   return contacts;
 }

@@ -12,10 +12,22 @@
 
 namespace dda {
 
+namespace {
+
+ContactSet contacts_of(const Model& model) {
+  ContactSet contacts = make_contacts(model);
+  const bool changes = !model.stays_linear() || model.removes_blocks() || model.adds_blocks() ||
+                       changes_materials(model) || changes_joints(model);
+  if (!changes) contacts.elements.share();
+  return contacts;
+}
+
+}  // namespace
+
 BlockSystem::BlockSystem(Model finished_model)
     : model(std::move(finished_model)),
       state(initial_state(model)),
-      contacts(make_contacts(model)),
+      contacts(contacts_of(model)),
       waves(model, model.stages.front(), contacts),
       supports(make_supports(model, state)),
       reinforcement(model, state),

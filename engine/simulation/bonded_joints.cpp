@@ -9,7 +9,7 @@ Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, s
     const auto b = static_cast<std::size_t>(block);
     return system.state.stress[b] + system.terms.elasticity[b] * increment.segment<3>(6 * block + 3);
   };
-  const InterfaceElement& element = system.contacts.elements[i];
+  const InterfaceElement& element = system.contacts.elements.own()[i];
   return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
 }
 
@@ -17,7 +17,7 @@ void accept_bonded(const std::vector<int>& bonded, BlockSystem& system) {
   for (const int index : bonded) {
     const auto i = static_cast<std::size_t>(index);
     InterfaceState& state = system.contacts.states[i];
-    state.gap += gap_increment(system.contacts.elements[i], system.increment);
+    state.gap += gap_increment(system.contacts.elements.own()[i], system.increment);
     state.force = bonded_force(system, system.increment, i, state.gap);
   }
 }

@@ -92,7 +92,7 @@ bool ContactRange::moved_beyond_skin(const State& state) const {
 
 std::string ContactRange::sliding_problem(const Model& model, const State& state, const ContactSet& contacts) const {
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
-    if (is_open(contacts.elements[i], contacts.states[i])) continue;
+    if (is_open(contacts.elements.but_for_blocks(i), contacts.states[i])) continue;
     const Interface& interface = contacts.interfaces[i];
     const InterfaceFrame frame = current_frame(model, state, interface);
     const Vec2 apart = (frame.from_b + frame.to_b - frame.from_a - frame.to_a) / 2;
@@ -127,7 +127,7 @@ bool ContactRange::holds_together(int block_a, int block_b, const ContactSet& co
   for (auto found = std::lower_bound(of_pair_.begin(), of_pair_.end(), std::pair{pair, 0});
        found != of_pair_.end() && found->first == pair; ++found) {
     const std::size_t i = at(found->second);
-    if (!is_open(contacts.elements[i], contacts.states[i])) return true;
+    if (!is_open(contacts.elements.but_for_blocks(i), contacts.states[i])) return true;
   }
   return false;
 }

@@ -24,12 +24,14 @@ ContactStatistics count_contacts(const Simulation& simulation) {
   const BlockSystem& system = simulation.system();
   statistics.passes = system.costs.counters.open_close_iterations - system.clock.passes_before_step;
   const ContactSet& contacts = simulation.contacts();
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements.read(i, room);
     const InterfaceState state = simulation.interface_state(i);
-    for (int end = 0; end < ends_of(contacts.elements[i]); ++end)
+    for (int end = 0; end < ends_of(element); ++end)
       count(state.status[static_cast<std::size_t>(end)], statistics);
     statistics.penetration =
-        std::max(statistics.penetration, penetration_depth(contacts.elements[i], state.gap, system.state.stress));
+        std::max(statistics.penetration, penetration_depth(element, state.gap, system.state.stress));
   }
   return statistics;
 }

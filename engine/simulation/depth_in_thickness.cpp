@@ -101,7 +101,7 @@ void note_depths_in_thickness(const Model& model, const State& state, const Cont
                               const LeastWidths& widths, DepthInThickness& deepest) {
   const double least_asked = std::max(noted_share, deepest.share) * widths.of_all;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.own()[i];
     const InterfaceState& own = contacts.states[i];
     for (int end = 0; end < ends_of(element); ++end) {
       const double depth = -(own.gap(2 * end) + own.held_open(static_cast<std::size_t>(end)));

@@ -35,8 +35,9 @@ double strain_energy(const BlockTerms& terms, const State& state) {
 StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const ContactSet& contacts,
                            const std::vector<SupportElement>& supports) {
   double contact = support_energy(supports);
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    contact += interface_energy(contacts.elements[i], contacts.states[i]);
+    contact += interface_energy(contacts.elements.read(i, room), contacts.states[i]);
   return {kinetic_energy(terms, state), strain_energy(terms, state), contact - outline_energy(contacts, state.stress)};
 }
 

@@ -116,7 +116,7 @@ class Column {
     const JointMaterial* joint = nullptr;
     for (std::size_t i = 0; i < contacts_.interfaces.size(); ++i) {
       if (!is_beside(original, contacts_.interfaces[i])) continue;
-      if (contacts_.elements[i].law != InterfaceLaw::projected) return;
+      if (contacts_.elements.but_for_blocks(i).law != InterfaceLaw::projected) return;
       joint = &whole_.joints[at(contacts_.interfaces[i].joint)];
     }
     if (joint == nullptr) return;
@@ -141,7 +141,7 @@ class Column {
     Vec2 sum = Vec2::Zero();
     for (std::size_t i = 0; i < contacts_.interfaces.size(); ++i) {
       if (!is_beside(original, contacts_.interfaces[i])) continue;
-      const InterfaceElement& element = contacts_.elements[i];
+      const InterfaceElement& element = contacts_.elements.but_for_blocks(i);
       if (element.law != InterfaceLaw::classical) return Vec2::Zero();
       sum += Vec2(element.stiffness(0) + element.stiffness(2), element.stiffness(1) + element.stiffness(3));
     }
@@ -166,7 +166,7 @@ class Column {
       if (std::minmax(found.block_a, found.block_b) != std::minmax(block_a, block_b)) continue;
       if (distance(Segment{found.from, found.to}, place) > tolerance) continue;
       JointMaterial joint = whole_.joints[at(found.joint)];
-      joint.law = contacts_.elements[i].law;
+      joint.law = contacts_.elements.but_for_blocks(i).law;
       return joint;
     }
     return whole_.joint_between(block_a, block_b);

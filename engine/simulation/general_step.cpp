@@ -93,7 +93,7 @@ void GeneralStep::list_contacts() {
   changing_.clear();
   bonded_.clear();
   for (std::size_t i = 0; i < system_.contacts.elements.size(); ++i) {
-    const bool can_change = system_.plan.contacts_judged && can_open_or_slide(system_.contacts.elements[i]);
+    const bool can_change = system_.plan.contacts_judged && can_open_or_slide(system_.contacts.elements.own()[i]);
     (can_change ? changing_ : bonded_).push_back(static_cast<int>(i));
   }
 }
@@ -240,7 +240,7 @@ StepProblem GeneralStep::problem() const {
           .factor = s.coefficients.stiffness,
           .areas = s.terms.area,
           .asked_balance = s.forces.asked_balance,
-          .contacts = {changing_, s.contacts.elements, s.contacts.strengths, s.contacts.states, rule_},
+          .contacts = {changing_, s.contacts.elements.own(), s.contacts.strengths, s.contacts.states, rule_},
           .bolts = s.plan.reinforcement.bolts ? s.reinforcement.bolts.links() : std::span<const LinkElement>{},
           .held = s.held,
           .dilates = s.plan.dilation,
@@ -284,7 +284,7 @@ bool GeneralStep::replace_broken_joints() {
   for (std::size_t b = 0; b < bonded_.size();) {
     const int index = bonded_[b];
     const auto i = static_cast<std::size_t>(index);
-    const Vec4 gap = contacts.states[i].gap + gap_increment(contacts.elements[i], solver_.increment());
+    const Vec4 gap = contacts.states[i].gap + gap_increment(contacts.elements.own()[i], solver_.increment());
     const std::array<bool, 2> broken =
         ends_beyond_strength(contacts.strengths[i], bonded_force(system_, solver_.increment(), i, gap));
     if (!broken[0] && !broken[1]) {
@@ -308,7 +308,7 @@ bool GeneralStep::replace_broken_joints() {
 // leaves may be within the strength again. Its other end is judged from the next pass on.
 void GeneralStep::weaken(std::size_t i) {
   BlockSystem& s = system_;
-  InterfaceElement& element = s.contacts.elements[i];
+  InterfaceElement& element = s.contacts.elements.edit()[i];
   const Interface& interface = s.contacts.interfaces[i];
   const double energy_before = interface_energy(element, s.contacts.states[i]);
   element = make_element(s.model, interface, InterfaceLaw::classical);
@@ -365,7 +365,7 @@ void GeneralStep::accept_contacts() {
   const InterfaceTrials& trials = solver_.contacts();
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const std::size_t i = trials.place(k);
-    const InterfaceElement& element = s.contacts.elements[i];
+    const InterfaceElement& element = s.contacts.elements.own()[i];
     const InterfaceState before = s.contacts.states[i];
     InterfaceState after = finish_trial(element, before, trials[k]);
     after.dashpot = weight * dashpot_force(element, trials[k]);

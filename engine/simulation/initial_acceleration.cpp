@@ -38,7 +38,7 @@ std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing
   std::vector<Mat6> stiffness(system.terms.area.size(), Mat6::Zero());
   for (const int index : changing) {
     const auto i = static_cast<std::size_t>(index);
-    const InterfaceElement& element = system.contacts.elements[i];
+    const InterfaceElement& element = system.contacts.elements.own()[i];
     const InterfaceState& state = system.contacts.states[i];
     Vec4 held = Vec4::Zero();
     for (std::size_t end = 0; end < 2; ++end) {
@@ -57,11 +57,11 @@ std::vector<Mat6> stiffness_of_pressed_contacts(const std::vector<int>& changing
 // Which blocks nothing but contacts without a bond can hold: no others begin with a stress that is let go.
 std::vector<bool> blocks_without_bonds(const BlockSystem& system) {
   std::vector<bool> are_free(system.terms.area.size(), true);
-  for (std::size_t i = 0; i < system.contacts.elements.size(); ++i) {
+  for (std::size_t i = 0; i < system.contacts.interfaces.size(); ++i) {
     const std::array<bool, 2>& broken = system.contacts.states[i].broken;
     if (broken[0] && broken[1]) continue;
-    are_free[static_cast<std::size_t>(system.contacts.elements[i].block_a)] = false;
-    are_free[static_cast<std::size_t>(system.contacts.elements[i].block_b)] = false;
+    are_free[static_cast<std::size_t>(system.contacts.interfaces[i].block_a)] = false;
+    are_free[static_cast<std::size_t>(system.contacts.interfaces[i].block_b)] = false;
   }
   return are_free;
 }

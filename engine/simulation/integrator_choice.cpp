@@ -51,8 +51,8 @@ bool loads_single_blocks(const Model& model, const ContactSet& contacts) {
   if (model.point_loads.empty()) return false;
   std::vector<bool> is_loaded(model.blocks.size(), false), is_alone(model.blocks.size(), true);
   for (const PointLoad& load : model.point_loads) is_loaded[static_cast<std::size_t>(load.block)] = true;
-  for (const InterfaceElement& element : contacts.elements) {
-    const auto a = static_cast<std::size_t>(element.block_a), b = static_cast<std::size_t>(element.block_b);
+  for (const Interface& interface : contacts.interfaces) {
+    const auto a = static_cast<std::size_t>(interface.block_a), b = static_cast<std::size_t>(interface.block_b);
     if (is_loaded[a] && is_loaded[b]) is_alone[a] = is_alone[b] = false;
   }
   return std::ranges::any_of(model.point_loads,
@@ -66,7 +66,7 @@ std::string doubt_about_errors(const Model& model, std::size_t index, const Cont
   const Stage acting = model.with_acting_corrections(stage);
   if (!acting.correct_block_dispersion || !acting.correct_time_dispersion || stage.strain_inertia != 1)
     return "its waves are not corrected for blocks and time steps";
-  if (std::ranges::any_of(contacts.elements, [](const auto& each) { return each.law == InterfaceLaw::cubic; }))
+  if (std::ranges::any_of(contacts.elements.kinds(), [](const auto& each) { return each.law == InterfaceLaw::cubic; }))
     return "along chains of cubic joints they gain nothing";
   if (begins_in_motion(model, index)) return "waves of a few blocks, with which motion begins, would ring on";
   if (loads_single_blocks(model, contacts)) return "waves of a few blocks around a loaded point would ring on";

@@ -187,7 +187,7 @@ double LinearForces::contact_energy() const {
   const BlockSystem& s = system;
   double contact = support_energy(s.supports);
   for (std::size_t i = 0; i < s.contacts.elements.size(); ++i)
-    contact += interface_energy(s.contacts.elements[i], linear_interface_state(s, i));
+    contact += interface_energy(s.contacts.elements.but_for_blocks(i), linear_interface_state(s, i));
   return contact + s.waves.end_energy(s.model, s.state.stress);
 }
 

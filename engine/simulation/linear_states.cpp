@@ -5,7 +5,8 @@
 namespace dda {
 
 InterfaceState linear_interface_state(const BlockSystem& system, std::size_t index) {
-  const InterfaceElement& element = system.contacts.elements[index];
+  InterfaceElement room;
+  const InterfaceElement& element = system.contacts.elements.read(index, room);
   const auto a = static_cast<std::size_t>(element.block_a);
   const auto b = static_cast<std::size_t>(element.block_b);
   const State& state = system.state;
@@ -33,8 +34,9 @@ void keep_gap_at_rest(const State& state, const InterfaceElement& element, Inter
 
 void keep_gaps_at_rest(BlockSystem& system) {
   ContactSet& contacts = system.contacts;
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    keep_gap_at_rest(system.state, contacts.elements[i], contacts.states[i]);
+    keep_gap_at_rest(system.state, contacts.elements.read(i, room), contacts.states[i]);
 }
 
 }  // namespace dda

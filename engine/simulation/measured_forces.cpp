@@ -59,10 +59,10 @@ Vec2 damping_of_support(const BlockSystem& system, std::size_t i) {
 // The cubic law's normal force is the one its reconstruction has at the interface, as for tractions.
 Vec4 at_interface(const Simulation& simulation, std::size_t i, const InterfaceState& state) {
   const ContactSet& contacts = simulation.contacts();
+  const InterfaceElement& element = contacts.elements.but_for_blocks(i);
   Vec4 force = state.force;
-  if (contacts.elements[i].law == InterfaceLaw::cubic)
-    force(0) = contacts.elements[i].length *
-               mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements[i], state)(0);
+  if (element.law == InterfaceLaw::cubic)
+    force(0) = element.length * mean_traction(simulation.model(), contacts.interfaces[i], element, state)(0);
   return force;
 }
 
@@ -90,8 +90,9 @@ bool has_dampers(const BlockSystem& system) {
 Vec3 resisted_by_dampers(const BlockSystem& system, int block) {
   Vec3 sum = Vec3::Zero();
   if (!has_dampers(system)) return sum;
+  InterfaceElement room;
   for (std::size_t i = 0; i < system.contacts.elements.size(); ++i) {
-    const InterfaceElement& element = system.contacts.elements[i];
+    const InterfaceElement& element = system.contacts.elements.read(i, room);
     if (element.block_a == block) sum -= on_block(element, element.rows_a, damping_of_contact(system, i));
     if (element.block_b == block) sum -= on_block(element, element.rows_b, damping_of_contact(system, i));
   }
@@ -143,9 +144,10 @@ template <typename Visit>
 void visit_cut(const Simulation& simulation, const Measurement& measurement, const Cut& cut, Visit visit) {
   const ContactSet& contacts = simulation.contacts();
   const std::size_t count = cut.interfaces ? cut.interfaces->size() : contacts.interfaces.size();
+  InterfaceElement room;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = cut.interfaces ? (*cut.interfaces)[k] : k;
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.read(i, room);
     const int side = side_cut(simulation.model(), measurement, contacts.interfaces[i]);
     if (side == 0) continue;
     const Vec4 force = carried(simulation, i);
@@ -231,10 +233,10 @@ bool cuts_something(const Simulation& simulation, const Measurement& measurement
 
 Eigen::Vector4d contact_force(const Simulation& simulation, const Measurement& measurement, const Cut& cut) {
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-  const std::vector<InterfaceElement>& elements = simulation.contacts().elements;
+  const InterfaceElements& elements = simulation.contacts().elements;
   visit_cut(simulation, measurement, cut, [&](std::size_t i, int, const Vec3& force, const Vec4& carried) {
     sum.head<2>() += force.head<2>();
-    sum.tail<2>() += carried_force(elements[i], carried);
+    sum.tail<2>() += carried_force(elements.but_for_blocks(i), carried);
   });
   return sum;
 }

@@ -10,7 +10,7 @@ namespace dda {
 
 void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, const State& state, Penetration& deepest) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.own()[i];
     const double depth = penetration_depth(element, contacts.states[i].gap, state.stress);
     const double area = std::min(terms.area[static_cast<std::size_t>(element.block_a)],
                                  terms.area[static_cast<std::size_t>(element.block_b)]);

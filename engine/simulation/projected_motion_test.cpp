@@ -19,7 +19,7 @@ namespace {
 
 std::size_t stretches(const Simulation& simulation) {
   return static_cast<std::size_t>(
-      std::ranges::count(simulation.contacts().elements, InterfaceLaw::projected, &InterfaceElement::law));
+      std::ranges::count(simulation.contacts().elements.own(), InterfaceLaw::projected, &InterfaceElement::law));
 }
 
 // A wall in running bond on a floor that is shaken so hard that bricks slide and lift off.

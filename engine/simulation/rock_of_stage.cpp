@@ -16,7 +16,7 @@ namespace {
 // What joints add to their blocks' strains goes by the moduli too.
 void renew_all_strain_rows(BlockSystem& s) {
   const auto elasticity = [&s](int block) { return s.terms.elasticity[static_cast<std::size_t>(block)]; };
-  for (InterfaceElement& element : s.contacts.elements)
+  for (InterfaceElement& element : s.contacts.elements.edit())
     renew_strain_rows(elasticity(element.block_a), elasticity(element.block_b), element);
 }
 
@@ -34,7 +34,7 @@ double change_springs(const std::vector<bool>& others, bool gaps_are_measured, B
   double stored = 0;
   for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
     if (!others[static_cast<std::size_t>(s.contacts.interfaces[i].joint)]) continue;
-    InterfaceElement& element = s.contacts.elements[i];
+    InterfaceElement& element = s.contacts.elements.edit()[i];
     if (!can_open_or_slide(element)) continue;  // has no springs
     InterfaceState own = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
     stored -= interface_energy(element, own);

@@ -45,7 +45,7 @@ void SettlingCushion::add_to(const BlockSystem& system, std::span<const int> con
   const double share = share_of_stiffness(system);
   for (const int contact : contacts) {
     const auto i = static_cast<std::size_t>(contact);
-    add_contact(share, system.contacts.elements[i], {cushioned_rows(system, i), 0}, true, true, matrix);
+    add_contact(share, system.contacts.elements.own()[i], {cushioned_rows(system, i), 0}, true, true, matrix);
   }
 }
 
@@ -54,7 +54,7 @@ double SettlingCushion::work(const BlockSystem& system, std::span<const int> con
   double work = 0;
   for (const int contact : contacts) {
     const auto i = static_cast<std::size_t>(contact);
-    const InterfaceElement& element = system.contacts.elements[i];
+    const InterfaceElement& element = system.contacts.elements.own()[i];
     const Vec4 change = gap_increment(element, system.increment);
     const Vec4 force = cushioned_rows(system, i).cwiseProduct(element.stiffness).cwiseProduct(change);
     work += force.dot(system.held.empty() ? change : change - system.held.gap_increment(element));

@@ -82,7 +82,7 @@ Placed placed_now(const Model& model, const State& state, const Interface& inter
 Vec2 force_of(const Model& model, const ContactSet& contacts, std::size_t i) {
   const Interface& interface = contacts.interfaces[i];
   if (interface.length == 0) return contacts.states[i].force.head<2>();
-  return interface.length * mean_traction(model, interface, contacts.elements[i], contacts.states[i]);
+  return interface.length * mean_traction(model, interface, contacts.elements.but_for_blocks(i), contacts.states[i]);
 }
 
 // Components along the line's axes. Normal and tangent turn round together when the blocks are exchanged, so that the

@@ -96,7 +96,7 @@ class Judge {
   }
 
   [[nodiscard]] bool is_open(std::size_t index) const {
-    return dda::is_open(blocks_.contacts.elements[index], blocks_.contacts.states[index]);
+    return dda::is_open(blocks_.contacts.elements.but_for_blocks(index), blocks_.contacts.states[index]);
   }
 
   void look_at_lean(const Interface& interface, int block) {

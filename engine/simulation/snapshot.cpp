@@ -49,10 +49,19 @@ void take_rock_at_start(Model& model) {
   model.joints = std::vector(joints_in(model, 0));
 }
 
-template <typename Contact>
-std::vector<std::pair<int, int>> touching_blocks(const std::vector<Contact>& contacts) {
+std::vector<std::pair<int, int>> touching_blocks(const std::vector<Interface>& interfaces) {
   std::vector<std::pair<int, int>> pairs;
-  for (const Contact& contact : contacts) pairs.emplace_back(contact.block_a, contact.block_b);
+  for (const Interface& interface : interfaces) pairs.emplace_back(interface.block_a, interface.block_b);
+  return pairs;
+}
+
+std::vector<std::pair<int, int>> touching_blocks(const InterfaceElements& elements) {
+  std::vector<std::pair<int, int>> pairs;
+  InterfaceElement room;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const InterfaceElement& element = elements.read(i, room);
+    pairs.emplace_back(element.block_a, element.block_b);
+  }
   return pairs;
 }
 

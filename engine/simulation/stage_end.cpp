@@ -24,8 +24,9 @@ void append(std::vector<Item> more, std::vector<Item>& list) {
 void release_shear_of_contacts(BlockSystem& s) {
   ContactSet& contacts = s.contacts;
   bool released = false;
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    released = release_shear(contacts.elements[i], contacts.strengths[i], contacts.states[i]) || released;
+    released = release_shear(contacts.elements.read(i, room), contacts.strengths[i], contacts.states[i]) || released;
   if (!released) return;
   s.audit.geometry_followed(s.stored_energy_now());
   s.sum_internal_forces(s.forces.internal_old);

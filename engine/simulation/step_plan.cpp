@@ -22,8 +22,8 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
 }
 
 bool has_law(const ContactSet& contacts, InterfaceLaw law) {
-  return std::any_of(contacts.elements.begin(), contacts.elements.end(),
-                     [&](const InterfaceElement& element) { return element.law == law; });
+  return std::ranges::any_of(contacts.elements.kinds(),
+                             [&](const InterfaceElement& element) { return element.law == law; });
 }
 
 }  // namespace

@@ -58,23 +58,25 @@ void assemble(const StepCoefficients& step, const BlockTerms& terms, const Block
               const std::vector<SupportElement>& supports, const ContactSet& contacts, const std::vector<Vec4>& active,
               BlockMatrix& matrix) {
   add_all_but_contacts(step, terms, damping, supports, contacts, matrix);
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    add_contact(step.stiffness, contacts.elements[i], {active[i], 0}, true, true, matrix);
+    add_contact(step.stiffness, contacts.elements.read(i, room), {active[i], 0}, true, true, matrix);
 }
 
 void assemble_base_matrix(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,
                           const std::vector<SupportElement>& supports, const ContactSet& contacts,
                           std::span<const int> bonded, BlockMatrix& matrix) {
   add_all_but_contacts(step, terms, damping, supports, contacts, matrix);
+  InterfaceElement room;
   for (const int i : bonded)
-    add_contact(step.stiffness, contacts.elements[static_cast<std::size_t>(i)], {}, true, true, matrix);
+    add_contact(step.stiffness, contacts.elements.read(static_cast<std::size_t>(i), room), {}, true, true, matrix);
 }
 
 double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {
   double largest = 0;
-  for (const InterfaceElement& element : contacts.elements) {
-    const double mass = least_mass(terms, element.block_a, element.block_b);
-    largest = std::max(largest, normal_stiffness(element) * dt * dt / mass);
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+    const double mass = least_mass(terms, contacts.interfaces[i].block_a, contacts.interfaces[i].block_b);
+    largest = std::max(largest, normal_stiffness(contacts.elements.but_for_blocks(i)) * dt * dt / mass);
   }
   return largest;
 }

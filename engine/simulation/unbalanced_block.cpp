@@ -34,8 +34,9 @@ std::vector<std::vector<ContactPoint>> points_of(const std::vector<int>& blocks,
   std::vector<int> place(s.model.blocks.size(), -1);
   for (std::size_t i = 0; i < blocks.size(); ++i) place[at(blocks[i])] = static_cast<int>(i);
   std::vector<ContactPoint> points;
+  InterfaceElement room;
   for (std::size_t i = 0; i < s.contacts.elements.size(); ++i) {
-    const InterfaceElement& element = s.contacts.elements[i];
+    const InterfaceElement& element = s.contacts.elements.read(i, room);
     if (place[at(element.block_a)] < 0 && place[at(element.block_b)] < 0) continue;
     const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
     points.clear();

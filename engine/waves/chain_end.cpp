@@ -38,13 +38,13 @@ double missing_area(const ChainEnd& end) { return missing_share * end.half_lengt
 }  // namespace
 
 std::vector<ChainEnd> free_chain_ends(const Model& model, const std::vector<Interface>& interfaces,
-                                      const std::vector<InterfaceElement>& elements) {
+                                      const InterfaceElements& elements) {
   std::vector<int> neighbours(model.blocks.size(), 0);
   for (const Interface& interface : interfaces)
     for (const int block : {interface.block_a, interface.block_b}) ++neighbours[static_cast<std::size_t>(block)];
   std::vector<ChainEnd> ends;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    if (elements[i].law != InterfaceLaw::cubic) continue;
+    if (elements.but_for_blocks(i).law != InterfaceLaw::cubic) continue;
     const Interface& interface = interfaces[i];
     const double half = cubic_half_distance(model, interface);
     const auto add = [&](int block, const Vec2& outward) {

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "engine/contact/interface.h"
-#include "engine/contact/interface_element.h"
+#include "engine/contact/interface_elements.h"
 #include "engine/core/types.h"
 #include "engine/model/model.h"
 
@@ -44,7 +44,7 @@ struct ChainEnd {
 // edge and without support that acts along the chain. (What holds a face answers its motion, of which the share knows
 // nothing: straight lines stay there.)
 std::vector<ChainEnd> free_chain_ends(const Model& model, const std::vector<Interface>& interfaces,
-                                      const std::vector<InterfaceElement>& elements);
+                                      const InterfaceElements& elements);
 
 // What the end adds to the stiffness of its block, to its inertia, to its internal force at `stress` (Pa), to the
 // energy stored at that (J per m of thickness), and to a force (N) on its point `offset` from the centroid.

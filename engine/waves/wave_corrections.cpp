@@ -23,9 +23,9 @@ void add(const InterfaceElement& element, const InterfaceMatrices& part, BlockMa
 std::vector<Vec2> chain_directions(std::size_t blocks, const ContactSet& contacts) {
   std::vector<Vec2> directions(blocks, Vec2::Zero());
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    if (!is_cubic(contacts.elements[i])) continue;
-    directions[static_cast<std::size_t>(contacts.elements[i].block_a)] = contacts.interfaces[i].normal;
-    directions[static_cast<std::size_t>(contacts.elements[i].block_b)] = contacts.interfaces[i].normal;
+    if (!is_cubic(contacts.elements.but_for_blocks(i))) continue;
+    directions[static_cast<std::size_t>(contacts.interfaces[i].block_a)] = contacts.interfaces[i].normal;
+    directions[static_cast<std::size_t>(contacts.interfaces[i].block_b)] = contacts.interfaces[i].normal;
   }
   return directions;
 }
@@ -38,8 +38,9 @@ struct MeshPlace {
 
 std::vector<MeshPlace> mesh_places(const std::vector<bool>& held, const ContactSet& contacts) {
   std::vector<MeshPlace> places(held.size());
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.read(i, room);
     if (!is_in_mesh(held, element)) continue;
     const Vec2& normal = contacts.interfaces[i].normal;
     for (const int block : {element.block_a, element.block_b}) {
@@ -85,8 +86,9 @@ WaveCorrections WaveCorrections::with_all_inertia() const {
 
 void WaveCorrections::add_to_stiffness(const Model& model, const ContactSet& contacts, BlockMatrix& stiffness) const {
   for (const ChainEnd& end : ends_) stiffness.diagonal(end.block) += end_stiffness(model, end);
+  InterfaceElement room;
   for (std::size_t i = 0; softening_.acts() && i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.read(i, room);
     if (is_in_mesh(held_, element)) add(element, jump_stiffness(model, contacts.interfaces[i], softening_), stiffness);
   }
 }
@@ -102,21 +104,25 @@ bool WaveCorrections::softened_for_steps(const InterfaceElement& element) const 
 
 std::vector<std::pair<int, int>> WaveCorrections::coupled_by_inertia(const ContactSet& contacts) const {
   std::vector<std::pair<int, int>> pairs;
-  for (const InterfaceElement& element : contacts.elements)
-    if (has_inertia(element)) pairs.emplace_back(element.block_a, element.block_b);
+  InterfaceElement room;
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    if (const InterfaceElement& element = contacts.elements.read(i, room); has_inertia(element))
+      pairs.emplace_back(element.block_a, element.block_b);
   return pairs;
 }
 
 InterfaceMatrices WaveCorrections::inertia_between(const Model& model, const ContactSet& contacts,
                                                    std::size_t i) const {
   const Interface& interface = contacts.interfaces[i];
-  return is_cubic(contacts.elements[i]) ? cubic_inertia(model, interface, period_error_, dt_)
+  return is_cubic(contacts.elements.but_for_blocks(i)) ? cubic_inertia(model, interface, period_error_, dt_)
                                         : mesh_inertia(model, interface, period_error_, dt_);
 }
 
 void WaveCorrections::add_to_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const {
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    if (has_inertia(contacts.elements[i])) add(contacts.elements[i], inertia_between(model, contacts, i), inertia);
+    if (const InterfaceElement& element = contacts.elements.read(i, room); has_inertia(element))
+      add(element, inertia_between(model, contacts, i), inertia);
   if (period_error_ != 0 && !in_chains_only_) lower_strains(model, contacts, inertia);
   for (const ChainEnd& end : ends_)
     inertia.diagonal(end.block) += end_inertia(model, end, contacts.interfaces[end.interface], period_error_, dt_);
@@ -149,15 +155,16 @@ void WaveCorrections::remove_lateral_inertia(const Model& model, const ContactSe
 double WaveCorrections::sharpening_beside(const Model& model, const ContactSet& contacts, std::size_t i) const {
   const Interface& interface = contacts.interfaces[i];
   if (softened_for_steps(contacts.elements[i])) return 2 * period_error_ * jump_share(model, interface, softening_);
-  return is_cubic(contacts.elements[i]) ? cubic_load_sharpening(model, interface, period_error_, dt_)
+  return is_cubic(contacts.elements.but_for_blocks(i)) ? cubic_load_sharpening(model, interface, period_error_, dt_)
                                         : mesh_load_sharpening(model, interface, period_error_, dt_);
 }
 
 // Interfaces at their caps have less than others; the least counts. Shares of one stage have one sign.
 void WaveCorrections::find_sharpening(const Model& model, const ContactSet& contacts) {
   std::vector<bool> found(sharpening_.size(), false);  // 0 is a share as any other
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+    const InterfaceElement& element = contacts.elements.read(i, room);
     if (!has_inertia(element) && !softened_for_steps(element)) continue;
     const double share = sharpening_beside(model, contacts, i);
     for (const int block : {element.block_a, element.block_b}) {
@@ -195,8 +202,9 @@ double share_softened_for_steps(const Model& model, const Stage& stage, const Co
   const std::vector<bool> held = held_flags(model);
   const JumpSoftening softening{true, -period_error(central_difference_integrator()) * stage.dt * stage.dt};
   std::size_t softened = 0;
+  InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    if (is_in_mesh(held, contacts.elements[i]) && jump_share(model, contacts.interfaces[i], softening) > 0) ++softened;
+    if (is_in_mesh(held, contacts.elements.read(i, room)) && jump_share(model, contacts.interfaces[i], softening) > 0) ++softened;
   return contacts.elements.empty() ? 0 : static_cast<double>(softened) / static_cast<double>(contacts.elements.size());
 }
 

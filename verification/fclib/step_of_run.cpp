@@ -15,7 +15,7 @@ struct Sorted {
 Sorted sorted(const dda::ContactSet& contacts) {
   Sorted lists;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    (has_stress_rows(contacts.elements[i]) ? lists.bonded : lists.changing).push_back(static_cast<int>(i));
+    (has_stress_rows(contacts.elements.but_for_blocks(i)) ? lists.bonded : lists.changing).push_back(static_cast<int>(i));
   return lists;
 }
 
@@ -30,7 +30,7 @@ OwnedStep next_step(const dda::Simulation& simulation) {
   step.guess = Eigen::VectorXd::Zero(step.rhs.size());
   step.areas = s.terms.area;
   step.places = changing;
-  step.elements = s.contacts.elements;
+  step.elements = s.contacts.elements.own();
   step.strengths = s.contacts.strengths;
   step.states = s.contacts.states;
   step.held = s.held;

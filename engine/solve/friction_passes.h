@@ -84,6 +84,7 @@ class FrictionPasses {
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void order_by_depth(const Iterate& at);
+  void take_step(Iterate& at, bool strictly, bool one_by_one);
   void take_newton_step(Iterate& at, bool strictly, bool one_by_one);
 
   // local_pass.cpp
@@ -98,14 +99,17 @@ class FrictionPasses {
   std::vector<std::size_t> taken_;  // of these, those that the pass moves
   std::vector<Coupling> couplings_;
   std::vector<Riding> riding_;
-  BlockPart part_;               // the blocks that a local pass moves
-  bool is_local_ = false;        // the pass
-  bool between_pieces_ = false;  // some live contact is
+  BlockPart part_;                     // the blocks that a local pass moves
+  bool is_local_ = false;              // the pass
+  bool between_pieces_ = false;        // some live contact is
+  bool on_beds_ = false;               // some live contact lies
+  std::vector<ContactPieces> pieces_;  // of all live contacts, before the pass
 
   // 6 entries a block.
-  Eigen::VectorXd residual_;  // what is left of the balance at the increments reached
-  Eigen::VectorXd step_;      // of Newton's method
-  Eigen::VectorXd image_;     // matrix * increments
+  Eigen::VectorXd residual_;    // what is left of the balance at the increments reached
+  Eigen::VectorXd step_;        // of Newton's method
+  Eigen::VectorXd whole_step_;  // before it was halved
+  Eigen::VectorXd image_;       // matrix * increments
   ConjugateGradients gradients_;
   Gmres gmres_{basis};
 

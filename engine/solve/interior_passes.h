@@ -10,7 +10,8 @@
 // which for mu = 0 are what the ends answer. A pass is a step of Newton's method on balance and products, predicted and
 // corrected (Mehrotra 1992), with mu falling from pass to pass; f, t, s, z and y are eliminated end by end, so that its
 // matrix is that of every other pass with rows active by shares between 0 and 1. What is left is near enough for the
-// quick passes to end.
+// quick passes to end. A projected stretch on its bed has two normal rows, of its ends, that know of each other
+// (bed_ends.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -42,8 +43,10 @@ class InteriorPasses {
     std::size_t contact;
     Eigen::Index row;
     double stiffness;
-    double capacity;   // < 0: of a normal row
+    double capacity;  // < 0: of a normal row
+    bool on_bed = false;
     double force = 0;  // f or t, N per m of thickness
+    double depth = 0;  // m, of a normal row: what gives way under the force
     // f, or c - t and c + t: by themselves, since the difference of two forces of one size has no digits when it is
     // small.
     std::array<double, 2> partner{0, 0};  // N per m of thickness
@@ -59,23 +62,44 @@ class InteriorPasses {
     [[nodiscard]] double partner_sign(int i) const { return is_normal() || i == 1 ? 1 : -1; }
   };
 
+  // The rows of both ends of a stretch on its bed, which lie side by side.
+  struct BedEnds {
+    std::size_t first;
+    Mat2 softness = Mat2::Zero();   // m2/N, of the depths by both forces
+    Mat2 stiffness = Mat2::Zero();  // N/m per m of thickness, by which the forces fall with both openings
+    Mat2 points = Mat2::Zero();     // the same of forces and gaps at the points of the law, as the matrix sees them
+  };
+
   void list_rows(const Iterate& at);
   void start_at_rest(const Iterate& at);
   [[nodiscard]] double start_products(Iterate& at);
-  [[nodiscard]] double take_answers();
+  [[nodiscard]] double take_answers(const Iterate& at);
   static void move_inside(double product, double gap, Row& row);
   void measure(const Iterate& at);
-  [[nodiscard]] double off_answers() const;
+  [[nodiscard]] double off_answers(const Iterate& at) const;
   [[nodiscard]] double mean_product(double share) const;
   [[nodiscard]] Status factorize(Iterate& at);
-  void take_shares();
+  void take_shares(const Iterate& at);
   void solve(Iterate& at, double product, bool corrects);
   static void eliminate_lengths(double gap, double product, bool corrects, Row& row);
-  static void follow_gap(double gap_step, Row& row);
+  static void follow(double along, Row& row);
   [[nodiscard]] double longest_step() const;
   void move(double share);
 
+  // interior_beds.cpp
+  void list_beds();
+  [[nodiscard]] double take_answer_of_bed(const InterfaceSprings& springs, BedEnds& ends);
+  void move_beds_inside(const Iterate& at, double product);
+  [[nodiscard]] Vec2 openings_of(const Iterate& at, const BedEnds& ends) const;
+  void take_forces_of_beds(const Iterate& at);
+  [[nodiscard]] double beds_off_answers(const Iterate& at) const;
+  void take_rows_of_beds();
+  void take_stiffness_of_beds(const Iterate& at);
+  void eliminate_beds(const Iterate& at, double product, bool corrects);
+  void follow_beds(const Iterate& at);
+
   std::vector<Row> rows_;
+  std::vector<BedEnds> beds_;
   std::vector<Vec4> gaps_;           // m, of all contacts
   std::vector<ContactRows> active_;  // of all contacts, as the matrix sees them
   std::vector<Vec4> forces_;         // N per m of thickness: of linear rows, and of all others by their rows

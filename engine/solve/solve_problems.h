@@ -2,7 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "engine/solve/contact_solver.h"
@@ -96,6 +99,41 @@ inline HandMadeProblem block_on_floor(const Vec2& push, double friction = 0.5) {
   made.hold(0, Vec6::Zero());
   made.add_contact(0, 1, Vec2::Zero(), Vec2::Zero(), friction);
   made.rhs.segment<2>(6) = push;
+  return made;
+}
+
+inline void press(double gap, InterfaceState& state) {
+  state.gap(0) = gap;
+  state.force(0) = HandMadeProblem::normal_spring * gap;
+}
+
+inline double drawn_between(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution(low, high)(random);
+}
+
+// A heap of blocks, each with some contacts to those below; the first is held. What opens takes its load elsewhere, and
+// friction is more than Coulomb's law has a sure answer for.
+inline HandMadeProblem heap(unsigned seed) {
+  std::mt19937_64 random(seed);
+  const int blocks = 12;
+  std::vector<std::pair<int, int>> pairs;
+  for (int b = 1; b < blocks; ++b) {
+    pairs.emplace_back(b - 1, b);
+    if (b > 1) pairs.emplace_back(b - 2, b);
+  }
+  HandMadeProblem made(blocks, pairs, 0.1);
+  made.hold(0, Vec6::Zero());
+  for (const auto& [a, b] : pairs) {
+    for (int end = 0; end < 2; ++end) {
+      const auto arm = [&] { return Vec2(drawn_between(random, -0.5, 0.5), drawn_between(random, -0.5, 0.5)); };
+      const std::size_t k = made.add_contact(a, b, arm(), arm(), drawn_between(random, 0.2, 2));
+      press(drawn_between(random, -0.2, 0.1), made.states[k]);
+      made.states[k].force(0) = std::min(0.0, made.states[k].force(0));
+    }
+  }
+  for (int b = 1; b < blocks; ++b)
+    made.rhs.segment<2>(6 * b) = Vec2(drawn_between(random, -50, 50), drawn_between(random, -100, 30));
+  made.rule.capacity_is_given = true;
   return made;
 }
 

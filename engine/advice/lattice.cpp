@@ -81,8 +81,9 @@ bool all_parallel(const std::vector<Vec2>& offsets) {
 JointMaterial acting_joint(const Model& model, const ContactSet& contacts, std::size_t index) {
   const Interface& interface = contacts.interfaces[index];
   JointMaterial joint = model.joints[static_cast<std::size_t>(interface.joint)];
-  joint.law = has_finite_kinematics(model) && is_springs_where_blocks_move(joint) ? InterfaceLaw::classical
-                                                                                  : contacts.elements.but_for_blocks(index).law;
+  joint.law = has_finite_kinematics(model) && is_springs_where_blocks_move(joint)
+                  ? InterfaceLaw::classical
+                  : contacts.elements.but_for_blocks(index).law;
   joint.bonded = true;
   joint.contact_damping = 0;
   if (joint.law != InterfaceLaw::classical || joint.normal_stiffness > 0) return joint;

@@ -216,8 +216,9 @@ std::optional<std::vector<double>> NearSides::stepped(const MeshPlace& place, do
   for (std::int64_t step = 1; step <= before + steps; ++step) {
     if (simulation.step() != Status::ok) return std::nullopt;
     if (step < before) continue;
-    trace.push_back(weights.dot(mean_traction(simulation.model(), interface, simulation.contacts().elements.but_for_blocks(*index),
-                                              simulation.interface_state(*index))));
+    trace.push_back(
+        weights.dot(mean_traction(simulation.model(), interface, simulation.contacts().elements.but_for_blocks(*index),
+                                  simulation.interface_state(*index))));
   }
   return trace;
 }

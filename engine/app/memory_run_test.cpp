@@ -1,5 +1,5 @@
-// How many bytes a block a run takes when it takes most, by what is allocated: with what the scene is read from, set-up,
-// checkpoints and frames. Figures are those of the first run and a tenth more.
+// How many bytes a block a run takes when it takes most, by what is allocated: with what the scene is read from,
+// set-up, checkpoints and frames. Figures are those of the first run and a tenth more.
 #include <fmt/format.h>
 
 #include <string>

@@ -293,7 +293,8 @@ double megabytes(const Model& model, const ContactSet& contacts, const BlockMatr
   const auto elements = static_cast<double>(contacts.elements.kinds().size());
   const double matrix_numbers = 36.0 * (matrix.size() + matrix.couplings());
   return (blocks * per_block + static_cast<double>(contacts.interfaces.size()) * per_interface +
-          elements * sizeof(InterfaceElement) + matrix_numbers * (sizeof(double) + sizeof(int)) + factor_nonzeros * sizeof(double)) /
+          elements * sizeof(InterfaceElement) + matrix_numbers * (sizeof(double) + sizeof(int)) +
+          factor_nonzeros * sizeof(double)) /
          1e6;
 }
 

@@ -133,8 +133,7 @@ std::vector<Interface> find_interfaces(const Model& model) {
   const Edges edges(model);
   std::vector<Box> boxes;
   boxes.reserve(model.blocks.size());
-  for (const Block& block : model.blocks)
-    boxes.push_back(expanded(bounding_box(block.shape), model.length_tolerance));
+  for (const Block& block : model.blocks) boxes.push_back(expanded(bounding_box(block.shape), model.length_tolerance));
   std::vector<Interface> interfaces;
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
     const std::vector<Interface> found = PairSearch(model, a, b, edges).run();

@@ -125,6 +125,7 @@ void ConstantOperator::take_blocks() {
     entries_ = {};
     return;
   }
+  blocks_.shrink_to_fit();
 }
 
 Mat6 ConstantOperator::block(int i, int j) const {

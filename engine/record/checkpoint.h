@@ -18,8 +18,8 @@ struct Checkpoint {
   std::vector<std::byte> extra;  // what others keep from step to step, e.g. contact states; theirs to understand
 };
 
-// Writes `state` and the parts of `extra` whole or not at all: on an error (std::runtime_error naming path and reason) an earlier
-// checkpoint of that name stays. Every double keeps its bits.
+// Writes `state` and the parts of `extra` whole or not at all: on an error (std::runtime_error naming path and reason)
+// an earlier checkpoint of that name stays. Every double keeps its bits.
 void save_checkpoint(const std::filesystem::path& path, const Model& model, const State& state,
                      std::initializer_list<std::span<const std::byte>> extra = {});
 

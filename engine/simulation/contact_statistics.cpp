@@ -28,8 +28,7 @@ ContactStatistics count_contacts(const Simulation& simulation) {
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements.read(i, room);
     const InterfaceState state = simulation.interface_state(i);
-    for (int end = 0; end < ends_of(element); ++end)
-      count(state.status[static_cast<std::size_t>(end)], statistics);
+    for (int end = 0; end < ends_of(element); ++end) count(state.status[static_cast<std::size_t>(end)], statistics);
     statistics.penetration =
         std::max(statistics.penetration, penetration_depth(element, state.gap, system.state.stress));
   }

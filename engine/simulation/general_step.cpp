@@ -50,10 +50,7 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
 
 }  // namespace
 
-GeneralStep::GeneralStep(BlockSystem& system)
-    : system_(system),
-      solver_(system.costs),
-      base_(0, {}) {
+GeneralStep::GeneralStep(BlockSystem& system) : system_(system), solver_(system.costs), base_(0, {}) {
   if (has_finite_kinematics(system.model)) {
     range_ = ContactRange(system.model, system.contacts.interfaces);
     acting_ = system.state;

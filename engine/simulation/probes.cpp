@@ -73,7 +73,8 @@ Vec2 traction(const Simulation& simulation, const Measurement& measurement, int 
   const ContactSet& contacts = simulation.contacts();
   const bool still = is_still(contacts.interfaces, interface, measurement, simulation.model().length_tolerance);
   const auto i = static_cast<std::size_t>(still ? interface : interface_of(simulation, measurement));
-  return mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements.but_for_blocks(i), simulation.interface_state(i));
+  return mean_traction(simulation.model(), contacts.interfaces[i], contacts.elements.but_for_blocks(i),
+                       simulation.interface_state(i));
 }
 
 // Value of one link, or of the whole bolt: the sum of elongations, the force that is largest in magnitude.

@@ -115,7 +115,7 @@ InterfaceMatrices WaveCorrections::inertia_between(const Model& model, const Con
                                                    std::size_t i) const {
   const Interface& interface = contacts.interfaces[i];
   return is_cubic(contacts.elements.but_for_blocks(i)) ? cubic_inertia(model, interface, period_error_, dt_)
-                                        : mesh_inertia(model, interface, period_error_, dt_);
+                                                       : mesh_inertia(model, interface, period_error_, dt_);
 }
 
 void WaveCorrections::add_to_inertia(const Model& model, const ContactSet& contacts, BlockMatrix& inertia) const {
@@ -156,7 +156,7 @@ double WaveCorrections::sharpening_beside(const Model& model, const ContactSet& 
   const Interface& interface = contacts.interfaces[i];
   if (softened_for_steps(contacts.elements[i])) return 2 * period_error_ * jump_share(model, interface, softening_);
   return is_cubic(contacts.elements.but_for_blocks(i)) ? cubic_load_sharpening(model, interface, period_error_, dt_)
-                                        : mesh_load_sharpening(model, interface, period_error_, dt_);
+                                                       : mesh_load_sharpening(model, interface, period_error_, dt_);
 }
 
 // Interfaces at their caps have less than others; the least counts. Shares of one stage have one sign.
@@ -204,7 +204,8 @@ double share_softened_for_steps(const Model& model, const Stage& stage, const Co
   std::size_t softened = 0;
   InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    if (is_in_mesh(held, contacts.elements.read(i, room)) && jump_share(model, contacts.interfaces[i], softening) > 0) ++softened;
+    if (is_in_mesh(held, contacts.elements.read(i, room)) && jump_share(model, contacts.interfaces[i], softening) > 0)
+      ++softened;
   return contacts.elements.empty() ? 0 : static_cast<double>(softened) / static_cast<double>(contacts.elements.size());
 }
 

@@ -75,7 +75,8 @@ struct Corrected {
   }
   [[nodiscard]] std::vector<std::pair<int, int>> all_pairs() const {
     std::vector<std::pair<int, int>> pairs;
-    for (const InterfaceElement& element : contacts.elements.own()) pairs.emplace_back(element.block_a, element.block_b);
+    for (const InterfaceElement& element : contacts.elements.own())
+      pairs.emplace_back(element.block_a, element.block_b);
     return pairs;
   }
 

@@ -15,7 +15,8 @@ struct Sorted {
 Sorted sorted(const dda::ContactSet& contacts) {
   Sorted lists;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    (has_stress_rows(contacts.elements.but_for_blocks(i)) ? lists.bonded : lists.changing).push_back(static_cast<int>(i));
+    (has_stress_rows(contacts.elements.but_for_blocks(i)) ? lists.bonded : lists.changing)
+        .push_back(static_cast<int>(i));
   return lists;
 }
 

@@ -181,9 +181,12 @@ void MovingContacts::let_part(const Model& model, State& state, ContactSet& cont
 }
 
 bool MovingContacts::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
-  constexpr double unseen = in_line / 10;  // of the smallest block: what moves by less is seen in time by later steps
-  if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
-  const bool wider = search_.widen(model, state, d);
+  // Of the smallest block: what moves by less is seen in time by later steps. Corners across a crossing are deep in
+  // each other from a tenth of `in_line` on, and get there in steps of any length.
+  constexpr double unseen = in_line / 10, unseen_at_corners = unseen / 100;
+  const double motion = search_.largest_motion(d) / search_.smallest_size();
+  if (motion <= unseen_at_corners) return false;
+  const bool wider = motion > unseen && search_.widen(model, state, d);
   if (covered_.empty()) return wider;
   const auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());

@@ -28,7 +28,7 @@ bool are_alike(const InterfaceElement& a, const InterfaceElement& b) {
          have_same_bits(a.force_at_start, b.force_at_start) && (!has_stress_rows(a) || have_same_stress_rows(a, b));
 }
 
-// Of the first two rows, in which interfaces that differ mostly do.
+// Hashes the first two rows, in which interfaces that differ mostly do.
 struct Hash {
   const std::vector<InterfaceElement>& kept;
   std::size_t operator()(int number) const {

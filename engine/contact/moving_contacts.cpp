@@ -311,24 +311,22 @@ std::vector<std::optional<InterfaceState>> MovingContacts::left_by_stretches(
 }
 
 void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& contacts) {
-  std::vector<InterfaceElement>& elements = contacts.elements.edit();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stretches_; ++i) {
     if (ends[i] != 0) continue;
     contacts.interfaces[kept] = contacts.interfaces[i];
-    elements[kept] = elements[i];
+    contacts.elements.edit()[kept] = contacts.elements.edit()[i];
     contacts.strengths[kept] = contacts.strengths[i];
     contacts.states[kept] = contacts.states[i];
     ++kept;
   }
-  const std::size_t dropped = stretches_ - kept;
-  if (dropped == 0) return;
+  if (kept == stretches_) return;
   const auto erase = [&](auto& entries) {
-    const auto first = entries.begin() + static_cast<std::ptrdiff_t>(kept);
-    entries.erase(first, first + static_cast<std::ptrdiff_t>(dropped));
+    const auto place = [&](std::size_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
+    entries.erase(place(kept), place(stretches_));
   };
   erase(contacts.interfaces);
-  erase(elements);
+  erase(contacts.elements.edit());
   erase(contacts.strengths);
   erase(contacts.states);
   stretches_ = kept;

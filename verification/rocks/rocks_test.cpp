@@ -72,6 +72,16 @@ TEST(Rocks, SettleAndMoveUnderTheProjectedLaw) {
   }
 }
 
+// Slopes whose stretches gape took 18,207 and 24,595 passes: each pass threw light blocks away from the balance, and
+// steps of given friction were cut at every stretch that opened. They take 2,867 and 5,026.
+TEST(Rocks, SlopesThatGapeAreDoneInSomeThousandPasses) {
+  for (const unsigned seed : {14U, 22U}) {
+    const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
+    EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
+    EXPECT_LT(result.passes, 9000) << seed;
+  }
+}
+
 // A rock of two sets that has settled: checks that could not fail would make every rock right.
 class ChecksOfRock : public testing::Test {
  protected:

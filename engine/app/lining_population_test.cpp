@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/geometry/segment.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/run_so_far.h"

@@ -163,7 +163,8 @@ TEST(RowAtARigidEnd, CarriesWhatPressesOnItsOtherEnd) {
     settle(simulation);
     for (std::size_t block = 1; block < lengths.size(); ++block)
       EXPECT_NEAR(simulation.state().stress[block](0), -1e6, 1) << i;  // left out of balance, a millionth of it
-    const InterfaceLaw law = simulation.contacts().elements.own().back().law;
+    const InterfaceElements& elements = simulation.contacts().elements;
+    const InterfaceLaw law = elements.but_for_blocks(elements.size() - 1).law;
     EXPECT_EQ(law, poisson == 0 ? InterfaceLaw::cubic : InterfaceLaw::consistent) << i;
   }
 }

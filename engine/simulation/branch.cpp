@@ -153,6 +153,7 @@ void expect_held_blocks_in_place(const BlockSystem& s) {
 void take_over_blocks(const BlockSystem& before, BlockSystem& s) {
   s.state = before.state;
   s.contacts = before.contacts;
+  static_cast<void>(s.contacts.elements.edit());  // here they may change, where before they could not
   set_strain_inertia(s.stage_in_force(), s.terms);
   if (s.geometry_moves()) carry(before.terms, s.terms);
   s.excavated.released = before.excavated.released;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/advice/unseen_loads.h"
+#include "engine/simulation/shared_ground.h"
 
 namespace dda {
 namespace {
@@ -16,6 +17,20 @@ std::string penetration_warning(const Simulation& simulation) {
       "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller "
       "one; take stiffer joints or a smaller dt",
       name(deepest.block_a), name(deepest.block_b), deepest.depth, deepest.time, 100 * deepest.share);
+}
+
+// What no contact knows of is in no force either.
+std::string shared_ground_warning(const Simulation& simulation) {
+  const std::vector<SharedGround> found = shared_ground(simulation);
+  if (found.empty()) return "";
+  const SharedGround& worst = found.front();
+  const auto name = [&](int block) { return simulation.model().blocks[static_cast<std::size_t>(block)].name; };
+  std::string warning = fmt::format(
+      "warning: blocks \"{}\" and \"{}\" end {:.3g} m deep in each other at ({:.4g}, {:.4g}) m, {:.2g} % of the "
+      "smaller one, by more than contacts of theirs give way",
+      name(worst.block_a), name(worst.block_b), worst.depth, worst.place.x(), worst.place.y(), 100 * worst.share);
+  if (found.size() > 1) warning += fmt::format("; so do {} other pairs, by less", found.size() - 1);
+  return warning;
 }
 
 std::string loose_warning(const Simulation& simulation) {
@@ -40,8 +55,8 @@ std::string balance_warning(const Simulation& simulation) {
 }  // namespace
 
 std::vector<std::string> warnings_of(const Simulation& simulation) {
-  std::vector<std::string> warnings = {penetration_warning(simulation), loose_warning(simulation),
-                                       balance_warning(simulation)};
+  std::vector<std::string> warnings = {penetration_warning(simulation), shared_ground_warning(simulation),
+                                       loose_warning(simulation), balance_warning(simulation)};
   for (const std::string& sentence : unseen_loads(simulation.model())) warnings.push_back("warning: " + sentence);
   std::erase(warnings, "");
   return warnings;

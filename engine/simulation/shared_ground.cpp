@@ -1,0 +1,104 @@
+#include "engine/simulation/shared_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "engine/contact/closure.h"
+#include "engine/contact/no_tension_bed.h"
+#include "engine/geometry/box_pairs.h"
+#include "engine/geometry/edge_index.h"
+#include "engine/geometry/overlap.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/current_outline.h"
+
+namespace dda {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// How far a contact gives way, m; a projected stretch does so most at an end, beyond the points of its gaps.
+double give_of(const InterfaceElement& element, const InterfaceState& own, const State& state) {
+  const double depth = penetration_depth(element, own.gap, state.stress);
+  if (element.law != InterfaceLaw::projected) return depth;
+  return std::max(depth, deepest_end(element.lever, {own.gap(0), own.gap(2)}));
+}
+
+// The most that contacts of each pair of blocks do.
+std::map<std::pair<int, int>, double> give_of_pairs(const Simulation& simulation) {
+  std::map<std::pair<int, int>, double> give;
+  const ContactSet& contacts = simulation.contacts();
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
+    const InterfaceElement& element = contacts.elements[i];
+    double& most = give[std::minmax(element.block_a, element.block_b)];
+    most = std::max(most, give_of(element, contacts.states[i], simulation.state()));
+  }
+  return give;
+}
+
+double size_of(const Model& model, int block) { return std::sqrt(model.blocks[at(block)].moments.area); }
+
+// m: how far the deepest corner of `a` is inside `b`, and where; 0 where none is.
+std::pair<double, Vec2> deepest_corner(const Polygon& a, const Polygon& b) {
+  std::pair<double, Vec2> deepest{0, Vec2::Zero()};
+  for (const Vec2& corner : a.outer) {
+    if (!contains(b, corner)) continue;
+    double depth = std::numeric_limits<double>::infinity();
+    for (const Segment& edge : edges_of(b)) depth = std::min(depth, distance(edge, corner));
+    if (depth > deepest.first) deepest = {depth, corner};
+  }
+  return deepest;
+}
+
+Vec2 place_of(const Polygon& a, const Polygon& b) {
+  const auto in_b = deepest_corner(a, b), in_a = deepest_corner(b, a);
+  if (std::max(in_a.first, in_b.first) > 0) return in_a.first > in_b.first ? in_a.second : in_b.second;
+  const Box box_a = bounding_box(a), box_b = bounding_box(b);
+  return (box_a.lower.cwiseMax(box_b.lower) + box_a.upper.cwiseMin(box_b.upper)) / 2;
+}
+
+// The largest tolerance by which they overlap, which they do by `least`.
+double depth_of(const Polygon& a, const Polygon& b, double least) {
+  double low = least, high = 2 * least;
+  while (interiors_overlap(a, b, high)) high = 2 * std::exchange(low, high);
+  constexpr int digits = 10;  // binary ones
+  for (int i = 0; i < digits; ++i) {
+    const double middle = (low + high) / 2;
+    (interiors_overlap(a, b, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+std::vector<Box> boxes_of(const std::vector<Polygon>& outlines, const std::vector<bool>& absent) {
+  std::vector<Box> boxes(outlines.size());
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (absent.empty() || !absent[i]) boxes[i] = bounding_box(outlines[i]);
+  return boxes;
+}
+
+}  // namespace
+
+std::vector<SharedGround> shared_ground(const Simulation& simulation, double least_share) {
+  std::vector<SharedGround> found;
+  if (!simulation.plan().finite_kinematics || !simulation.plan().contacts_can_change) return found;
+  const Model& model = simulation.model();
+  const std::vector<Polygon> outlines = current_outlines(model, simulation.state());
+  const auto give = give_of_pairs(simulation);
+  for (const auto& [a, b] : overlapping_pairs(boxes_of(outlines, simulation.absent()))) {
+    if (model.is_held(a) && model.is_held(b)) continue;
+    const double size = std::min(size_of(model, a), size_of(model, b));
+    const auto contacts = give.find({a, b});
+    const double allowed = least_share * size + (contacts == give.end() ? 0 : contacts->second);
+    const Polygon &one = outlines[at(a)], &other = outlines[at(b)];
+    if (!interiors_overlap(one, other, allowed)) continue;
+    const double depth = depth_of(one, other, allowed);
+    found.push_back({a, b, depth, depth / size, place_of(one, other)});
+  }
+  std::ranges::stable_sort(found, std::ranges::greater{}, &SharedGround::share);
+  return found;
+}
+
+}  // namespace dda

@@ -1,0 +1,31 @@
+// Blocks that occupy the same ground, by their outlines.
+//
+// How deep blocks are pressed into each other is otherwise told by contacts (penetration.h), and what no contact knows
+// of is not among it: corners that a third block covers, depths that blocks were found with and that were forgiven,
+// blocks that were held in the air while others moved through them. So outlines are compared as polygons, which no part
+// of the search for contacts does.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/types.h"
+#include "engine/simulation/simulation.h"
+
+namespace dda {
+
+struct SharedGround {
+  int block_a = -1, block_b = -1;
+  double depth = 0;           // m, of the deepest point that both have
+  double share = 0;           // of the size of the smaller block
+  Vec2 place = Vec2::Zero();  // m, of a corner that is deep in the other block, or between the two
+};
+
+// How far joints are asked to give way at most, of the smaller block's size; what contacts are chosen by leaves corners
+// in each other by as much.
+inline constexpr double tolerated_share = 2e-4;
+
+// Pairs of blocks, not both held, that are deeper in each other by `least_share` of the smaller one than their contacts
+// give way, the worst first. Empty in small kinematics, where blocks stay where they were drawn.
+std::vector<SharedGround> shared_ground(const Simulation& simulation, double least_share = tolerated_share);
+
+}  // namespace dda

@@ -1,0 +1,70 @@
+// What blocks have in common at the end of a run is told by their outlines, less what the joints between give way.
+#include "engine/simulation/shared_ground.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/simulation/simulation_models.h"
+
+namespace dda {
+namespace {
+
+// A block with its tip down that touches the held floor, put `depth` into it behind the back of its contact.
+Simulation tip_in_floor(double depth, bool is_held = false) {
+  Model model;
+  model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
+  model.joints = {JointMaterial{}};
+  Block wedge;
+  wedge.name = "wedge";
+  wedge.shape.outer = {{0, 0}, {1, 1}, {-1, 1}};  // 1 m2
+  model.blocks = {rectangle("floor", -5, -1, 10, 1), wedge};
+  model.held_blocks.emplace_back().block = 0;
+  if (is_held) model.held_blocks.emplace_back().block = 1;
+  model.stages = {stage_of(generalized_alpha_integrator(0), 1e-3, 1, Kinematics::finite)};
+  Simulation simulation = simulation_of(std::move(model));
+  State state = simulation.state();
+  state.displacement[1](1) = -depth;
+  const auto saved = simulation.save();
+  simulation.restore(std::move(state), saved);
+  return simulation;
+}
+
+TEST(SharedGround, IsFoundWhereNoContactKnowsOfIt) {
+  for (const double depth : {3e-4, 1e-3, 0.2}) {
+    const std::vector<SharedGround> found = shared_ground(tip_in_floor(depth));
+    ASSERT_EQ(found.size(), 1U) << depth;
+    EXPECT_EQ(std::pair(found[0].block_a, found[0].block_b), std::pair(0, 1));
+    EXPECT_NEAR(found[0].depth, depth, 2e-3 * depth);  // ten binary digits
+    EXPECT_NEAR(found[0].share, depth, 2e-3 * depth) << "of 1 m";
+    EXPECT_NEAR((found[0].place - Vec2(0, -depth)).norm(), 0, 1e-9);
+  }
+}
+
+TEST(SharedGround, IsNoneWhereBlocksTouchOrAreHeldInEachOther) {
+  EXPECT_TRUE(shared_ground(tip_in_floor(0)).empty());
+  EXPECT_TRUE(shared_ground(tip_in_floor(1e-4)).empty());
+  EXPECT_FALSE(shared_ground(tip_in_floor(1e-4), 5e-5).empty());
+  EXPECT_TRUE(shared_ground(tip_in_floor(0.2, true)).empty());
+}
+
+// A box of 1 m that its joint lets sink in by up to 5 cm: contacts know, and say so where it is too much.
+TEST(SharedGround, IsNoneWhereSpringsGiveWay) {
+  Model model;
+  model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
+  model.joints = {JointMaterial{}};
+  model.joints[0].normal_stiffness = 1e6;
+  model.blocks = {rectangle("floor", -5, -1, 10, 1), rectangle("box", 0, 0, 1, 1)};
+  model.held_blocks.emplace_back().block = 0;
+  model.gravity = {0, -9.81};
+  model.stages = {stage_of(generalized_alpha_integrator(0), 1e-3, 150, Kinematics::finite)};
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 150);
+  EXPECT_LT(simulation.state().displacement[1](1), -0.02);
+  EXPECT_TRUE(shared_ground(simulation).empty());
+}
+
+}  // namespace
+}  // namespace dda

@@ -181,12 +181,9 @@ void MovingContacts::let_part(const Model& model, State& state, ContactSet& cont
 }
 
 bool MovingContacts::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
-  // Of the smallest block: what moves by less is seen in time by later steps. Corners across a crossing are deep in
-  // each other from a tenth of `in_line` on, and get there in steps of any length.
-  constexpr double unseen = in_line / 10, unseen_at_corners = unseen / 100;
   const double motion = search_.largest_motion(d) / search_.smallest_size();
-  if (motion <= unseen_at_corners) return false;
-  const bool wider = motion > unseen && search_.widen(model, state, d);
+  if (motion <= in_line / 1000) return false;  // corners across a crossing creep into each other
+  const bool wider = motion > in_line / 10 && search_.widen(model, state, d);  // less is seen in time by later steps
   if (covered_.empty()) return wider;
   const auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());

@@ -84,7 +84,6 @@ class Run {
     simulation_.watch().at_end = [&] { files.at_end_of_stage(); };
     simulation_.watch().between = [&] { files.after_stage(); };
     if (!options_.quiet) announce(out);
-    say_remarks(errors);
     Status status = step_to_the_end(files);
     const RunVerdict verdict = judge_run(simulation_);
     if (status == Status::ok) status = verdict.status;
@@ -204,14 +203,8 @@ class Run {
     for (const Stage& stage : model.stages)
       if (!stage.chosen.integrator.reason.empty())
         out << fmt::format("stage \"{}\" has {}\n", stage.name, stage.chosen.integrator.reason);
+    for (const std::string& remark : remarks_) out << fmt::format("remark: {}\n", remark);
     out << std::flush;
-  }
-
-  // Whoever asks for quiet, or reads figures from a pipe, is told of them all the same.
-  void say_remarks(std::ostream& errors) const {
-    for (const std::string& remark : remarks_)
-      errors << fmt::format("dda: {}: remark: {}\n", options_.scene.string(), remark);
-    errors << std::flush;
   }
 
   // A run that has ended because a stage is no equilibrium has ended for whoever resumes it too.

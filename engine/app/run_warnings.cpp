@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/advice/spin_remarks.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/simulation/shared_ground.h"
 
@@ -58,6 +59,8 @@ std::vector<std::string> warnings_of(const Simulation& simulation) {
   std::vector<std::string> warnings = {penetration_warning(simulation), shared_ground_warning(simulation),
                                        loose_warning(simulation), balance_warning(simulation)};
   for (const std::string& sentence : unseen_loads(simulation.model())) warnings.push_back("warning: " + sentence);
+  for (const std::string& sentence : spin_remarks(simulation.model(), simulation.contacts()))
+    warnings.push_back("warning: " + sentence);
   std::erase(warnings, "");
   return warnings;
 }

@@ -1,5 +1,5 @@
-// How many bytes a block a bonded scene takes when it takes most, its model and set-up included. Four kilobytes are what
-// a grid may take (ADR 83); rectangles with round-off in their heights have more kinds of elements.
+// How many bytes a block a bonded scene takes when it takes most, its model and set-up included. Four kilobytes are
+// what a grid may take (ADR 83); rectangles with round-off in their heights have more kinds of elements.
 #include <gtest/gtest.h>
 
 #include <utility>

@@ -54,10 +54,12 @@ double size_of(const Box& box) { return (box.upper - box.lower).maxCoeff(); }
 // of a box start between one cell before its lower corner and its upper corner.
 class GridLevels {
  public:
-  explicit GridLevels(std::span<const Box> boxes) : boxes_(boxes), bucket_mask_(std::bit_ceil(boxes.size() * 2) - 1) {
+  enum class For { one_look, many_questions };
+
+  GridLevels(std::span<const Box> boxes, For use) : boxes_(boxes), bucket_mask_(std::bit_ceil(boxes.size() * 2) - 1) {
     choose_scale();
     place_boxes();
-    if (has_cells()) join_levels();
+    if (use == For::many_questions && has_cells()) join_levels();
     fill_buckets();
   }
 
@@ -238,11 +240,11 @@ class GridLevels {
 
 std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
   constexpr std::size_t few = 32;  // where comparing all is quicker than building a grid
-  return boxes.size() <= few ? brute_force(boxes) : GridLevels(boxes).pairs();
+  return boxes.size() <= few ? brute_force(boxes) : GridLevels(boxes, GridLevels::For::one_look).pairs();
 }
 
 struct BoxIndex::Levels {
-  explicit Levels(std::vector<Box> given) : boxes(std::move(given)), grid(boxes) {}
+  explicit Levels(std::vector<Box> given) : boxes(std::move(given)), grid(boxes, GridLevels::For::many_questions) {}
 
   std::vector<Box> boxes;
   GridLevels grid;

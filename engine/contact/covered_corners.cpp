@@ -1,7 +1,6 @@
 #include "engine/contact/covered_corners.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -90,57 +89,29 @@ class CoveredCorners {
 
   [[nodiscard]] bool cover(const VertexContact& contact) const {
     const int end = shared_corner(outlines_, contact, near_of(search_, contact));
-    return end >= 0 && carrier_past(contact, end) != nullptr;
+    return end >= 0 && cover(contact, end);
   }
 
-  // What keeps the contact from counting, or nullptr. `end`: the corner that the contact's vertex is at, of its edge.
-  [[nodiscard]] const Carrier* carrier_past(const VertexContact& contact, int end) const {
+  // `end`: the corner that the contact's vertex is at, of its edge.
+  [[nodiscard]] bool cover(const VertexContact& contact, int end) const {
     const Vec2 along = outlines_.along(contact.edge).normalized();
-    return carrier_past(contact, end, end == contact.edge ? along : Vec2(-along));
-  }
-
-  // Whether third blocks keep the two corners off each other along every edge that ends in one of them, and more than
-  // one does, as where four blocks fill a crossing of joints. `by`: what keeps the contact from counting.
-  [[nodiscard]] bool hem_in(const VertexContact& contact, int end, const Carrier& by) const {
-    const auto is_of_contact = [&](int block) { return block == contact.edge_block || block == contact.vertex_block; };
-    const int third = is_of_contact(by.block_a) ? by.block_b : by.block_a;
-    const std::array<Vec2, 4> ways = ways_from(contact, end);
-    return std::ranges::all_of(ways, [&](const Vec2& way) { return carrier_past(contact, end, way) != nullptr; }) &&
-           std::ranges::any_of(ways,
-                               [&](const Vec2& way) { return carrier_past(contact, end, way, third) != nullptr; });
+    const Vec2 way = end == contact.edge ? along : Vec2(-along);
+    // The vertex goes along the edge, away from its end, or the end against that along the vertex' block.
+    return is_out(contact, contact.vertex_block, contact.vertex, end, way) ||
+           is_out(contact, contact.edge_block, end, contact.vertex, -way);
   }
 
  private:
-  static constexpr int nobody = -1;
-
-  // In which the contact's vertex would leave the corner `end` along its edges, or along those of its own.
-  [[nodiscard]] std::array<Vec2, 4> ways_from(const VertexContact& contact, int end) const {
-    const auto way = [&](int from, int to) -> Vec2 {
-      return (outlines_.current[at(to)] - outlines_.current[at(from)]).normalized();
-    };
-    const int vertex = contact.vertex;
-    return {way(end, outlines_.next[at(end)]), way(end, outlines_.previous[at(end)]),
-            way(outlines_.next[at(vertex)], vertex), way(outlines_.previous[at(vertex)], vertex)};
-  }
-
-  // The vertex goes along `way`, away from the corner that it is at, or that corner against it.
-  [[nodiscard]] const Carrier* carrier_past(const VertexContact& contact, int end, const Vec2& way,
-                                            int but = nobody) const {
-    const Carrier* carrier = carrier_past(contact, contact.vertex_block, contact.vertex, end, way, but);
-    return carrier != nullptr ? carrier : carrier_past(contact, contact.edge_block, end, contact.vertex, -way, but);
-  }
-
-  // By what a third block that carries `block` at its corner keeps it off the cover, which leads from the other corner
-  // along `way`: beneath that block's surface. `but`: a block that does not count, or nobody.
-  [[nodiscard]] const Carrier* carrier_past(const VertexContact& contact, int block, int corner, int other_corner,
-                                            const Vec2& way, int but) const {
+  // Whether a third block that carries `block` at its corner keeps it off the cover, which leads from the other corner
+  // along `way`: beneath that block's surface.
+  [[nodiscard]] bool is_out(const VertexContact& contact, int block, int corner, int other_corner,
+                            const Vec2& way) const {
     const int other = block == contact.vertex_block ? contact.edge_block : contact.vertex_block;
     const double near = near_of(search_, contact);
     const Vec2& point = outlines_.current[at(corner)];
     const Vec2 from_other = point - outlines_.current[at(other_corner)];
-    return first_carrier(block, [&](const MovingCarrier& carrier, int third, const Vec2& up) {
-      if (third == other || third == but || up.dot(way) >= -entrance_slack ||
-          (carrier.there.point - point).norm() > 2 * near)
+    return any_of_carriers(block, [&](const MovingCarrier& carrier, int third, const Vec2& up) {
+      if (third == other || up.dot(way) >= -entrance_slack || (carrier.there.point - point).norm() > 2 * near)
         return false;
       // How far the other corner lies from the surface, now and after the step.
       const double below = from_other.dot(up) - carrier.there.gap;
@@ -153,24 +124,23 @@ class CoveredCorners {
 
   // Whether some block but `not_by` carries a block at its corner on a surface that faces the same way.
   [[nodiscard]] bool is_carried_alike(int block, int not_by, int corner, const Vec2& direction, double near) const {
-    const Carrier* alike = first_carrier(block, [&](const MovingCarrier& carrier, int third, const Vec2& up) {
+    return any_of_carriers(block, [&](const MovingCarrier& carrier, int third, const Vec2& up) {
       return third != not_by && up.dot(direction) >= same_direction &&
              (carrier.there.point - outlines_.current[at(corner)]).norm() <= 2 * near;
     });
-    return alike != nullptr;
   }
 
-  // The first of all that carry a block of which is(carrier, the block that carries, the normal of its surface).
+  // Asks of all that carry a block: is(carrier, the block that carries, the normal of its surface).
   template <typename Is>
-  [[nodiscard]] const Carrier* first_carrier(int block, Is is) const {
+  [[nodiscard]] bool any_of_carriers(int block, Is is) const {
     const auto first = std::lower_bound(by_block_.begin(), by_block_.end(), std::pair{block, std::size_t{0}});
     for (auto each = first; each != by_block_.end() && each->first == block; ++each) {
       const MovingCarrier& carrier = carriers_[each->second];
       const bool is_b = carrier.there.block_b == block;
       const int third = is_b ? carrier.there.block_a : carrier.there.block_b;
-      if (is(carrier, third, is_b ? carrier.there.normal : Vec2(-carrier.there.normal))) return &carrier.there;
+      if (is(carrier, third, is_b ? carrier.there.normal : Vec2(-carrier.there.normal))) return true;
     }
-    return nullptr;
+    return false;
   }
 
   struct MovingCarrier {
@@ -194,80 +164,50 @@ void sort_each_once(std::vector<std::pair<int, int>>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-// A corner of a block and the edges that meet there, in order.
-struct CornerEdges {
-  Vec2 before, place, after;
+// A corner of a block and the edges that meet there, as increments of the blocks move them.
+class MovedCorner {
+ public:
+  MovedCorner(const Outlines& outlines, int block, int corner, const Vec2& centroid, const Eigen::VectorXd& d) {
+    const Vec6 increments = d.segment<6>(6 * block);
+    const auto moved = [&](int vertex) -> Vec2 {
+      const Vec2& place = outlines.current[at(vertex)];
+      return place + displacement_of(increments, place - centroid);
+    };
+    before_ = moved(outlines.previous[at(corner)]);
+    place_ = moved(corner);
+    after_ = moved(outlines.next[at(corner)]);
+  }
+
+  [[nodiscard]] const Vec2& place() const { return place_; }
 
   // How deep a point near the corner is in the block, m; negative outside.
   [[nodiscard]] double depth_of(const Vec2& point) const {
-    const Vec2 in = place - before, out = after - place;
-    const double behind_in = cross(in, point - place) / in.norm(), behind_out = cross(out, point - place) / out.norm();
+    const Vec2 in = place_ - before_, out = after_ - place_;
+    const double behind_in = cross(in, point - place_) / in.norm(),
+                 behind_out = cross(out, point - place_) / out.norm();
     return cross(in, out) > 0 ? std::min(behind_in, behind_out) : std::max(behind_in, behind_out);
-  }
-};
-
-// Blocks as increments move them.
-class MovedBlocks {
- public:
-  MovedBlocks(const Outlines& outlines, const Model& model, const State& state, const Eigen::VectorXd& d)
-      : outlines_(outlines), model_(model), state_(state), d_(d) {}
-
-  // How deep the corners of a contact of two corners are in each other, m.
-  [[nodiscard]] double depth_in_each_other(const VertexContact& contact) const {
-    const CornerEdges of_vertex = corner(contact.vertex_block, contact.vertex);
-    const CornerEdges of_edge = corner(contact.edge_block, nearer_end(outlines_, contact));
-    return std::max(of_edge.depth_of(of_vertex.place), of_vertex.depth_of(of_edge.place));
-  }
-
-  // m, negative where it is closed.
-  [[nodiscard]] double gap_of(const Carrier& carrier) const {
-    const Vec2 apart = motion(carrier.block_b, carrier.point) - motion(carrier.block_a, carrier.point);
-    return carrier.gap + carrier.normal.dot(apart);
   }
 
  private:
-  [[nodiscard]] CornerEdges corner(int block, int corner) const {
-    const auto moved = [&](int vertex) -> Vec2 {
-      const Vec2& place = outlines_.current[at(vertex)];
-      return place + motion(block, place);
-    };
-    return {moved(outlines_.previous[at(corner)]), moved(corner), moved(outlines_.next[at(corner)])};
-  }
-
-  [[nodiscard]] Vec2 motion(int block, const Vec2& point) const {
-    return displacement_of(d_.segment<6>(6 * block), point - current_centroid(model_, state_, block));
-  }
-
-  const Outlines& outlines_;
-  const Model& model_;
-  const State& state_;
-  const Eigen::VectorXd& d_;
+  Vec2 before_, place_, after_;
 };
 
-// How deep the blocks across a crossing of joints get into each other though all joints stay closed, m: a tenth of what
-// sides in line may differ by, which is what chosen springs give way at most, and, with softer ones, as far as what
-// carries them is closed, along it and across. No more than what sides in line may differ by.
-double explained_depth(double near, double gap_of_carrier) {
-  return std::min(near, 0.1 * near + 2 * std::max(0.0, -gap_of_carrier));
-}
-
-// By what those of `corners` are covered, each its place among `found` and the corner that it shares; nullptr where one
-// is not. Corners carry as well, but for those that are covered by the others.
-std::vector<const Carrier*> find_covered(const std::vector<std::pair<std::size_t, int>>& corners,
-                                         const std::vector<VertexContact>& found, CoveredCorners& covered) {
-  std::vector<char> is_corner(found.size(), 0);
-  for (const auto& [i, end] : corners) is_corner[i] = 1;
+// Those of `found` that are covered: of `corners`, each its place among them and the corner that it shares. Corners
+// carry as well, but for those that are covered by the others.
+std::vector<char> find_covered(const std::vector<std::pair<std::size_t, int>>& corners,
+                               const std::vector<VertexContact>& found, CoveredCorners& covered) {
+  std::vector<char> out(found.size(), 0);
+  for (const auto& [i, end] : corners) out[i] = 1;
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (is_corner[i] == 0) covered.add(found[i]);
+    if (out[i] == 0) covered.add(found[i]);
   covered.sort();
-  std::vector<const Carrier*> by;
-  for (const auto& [i, end] : corners) by.push_back(covered.carrier_past(found[i], end));
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    if (by[k] == nullptr) covered.add(found[corners[k].first]);
+  for (const auto& [i, end] : corners) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  for (const auto& [i, end] : corners)
+    if (out[i] == 0) covered.add(found[i]);
   covered.sort();
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    if (by[k] == nullptr) by[k] = covered.carrier_past(found[corners[k].first], corners[k].second);
-  return by;
+  for (const auto& [i, end] : corners)
+    if (out[i] == 0) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  return out;
 }
 
 bool is_among(const std::vector<VertexContact>& contacts, const VertexContact& contact) {
@@ -314,7 +254,7 @@ void look_again(const ContactSearch& search, const CoveredCorners& covered, cons
 
 }  // namespace
 
-std::vector<CoveredCorner> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
+std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             const std::vector<VertexContact>& known,
                                             std::vector<VertexContact>& found) {
@@ -323,17 +263,14 @@ std::vector<CoveredCorner> take_out_covered(const ContactSearch& search, const s
     const int end = shared_corner(search.outlines(), found[i], near_of(search, found[i]));
     if (end >= 0 && !contains(uncovered, blocks_of(found[i]))) corners.emplace_back(i, end);
   }
-  std::vector<CoveredCorner> taken;
+  std::vector<VertexContact> taken;
   if (corners.empty()) return taken;
   CoveredCorners covered(search, joints, found.size());
-  const std::vector<const Carrier*> by = find_covered(corners, found, covered);
-  std::vector<char> out(found.size(), 0);
+  const std::vector<char> out = find_covered(corners, found, covered);
   std::vector<std::pair<int, int>> others;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    if (by[k] == nullptr) continue;
-    const auto [i, end] = corners[k];
-    out[i] = 1;
-    taken.push_back({found[i], *by[k], covered.hem_in(found[i], end, *by[k])});
+  for (const auto& [i, end] : corners) {
+    if (out[i] == 0) continue;
+    taken.push_back(found[i]);
     if (may_have_another(search, found[i], end, known)) others.push_back(blocks_of(found[i]));
   }
   take_out(out, found);
@@ -342,14 +279,18 @@ std::vector<CoveredCorner> take_out_covered(const ContactSearch& search, const s
 }
 
 std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& search,
-                                                         const std::vector<CoveredCorner>& covered, const Model& model,
+                                                         const std::vector<VertexContact>& covered, const Model& model,
                                                          const State& state, const Eigen::VectorXd& d) {
-  const MovedBlocks moved(search.outlines(), model, state, d);
+  const Outlines& outlines = search.outlines();
+  const auto corner_of = [&](int block, int corner) {
+    return MovedCorner(outlines, block, corner, current_centroid(model, state, block), d);
+  };
   std::vector<std::pair<int, int>> pairs;
-  for (const CoveredCorner& each : covered) {
-    const double near = near_of(search, each.contact);
-    const double allowed = each.is_hemmed_in ? explained_depth(near, moved.gap_of(each.by)) : near;
-    if (moved.depth_in_each_other(each.contact) > allowed) pairs.push_back(blocks_of(each.contact));
+  for (const VertexContact& contact : covered) {
+    const MovedCorner of_vertex = corner_of(contact.vertex_block, contact.vertex);
+    const MovedCorner of_edge = corner_of(contact.edge_block, nearer_end(outlines, contact));
+    if (std::max(of_edge.depth_of(of_vertex.place()), of_vertex.depth_of(of_edge.place())) > near_of(search, contact))
+      pairs.push_back(blocks_of(contact));
   }
   sort_each_once(pairs);
   return pairs;

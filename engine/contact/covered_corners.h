@@ -20,9 +20,7 @@
 // surface, and a block that slides down a joint stands on what ends there. Nor do corners carry that are covered.
 //
 // That holds for where the blocks are. A step that opens the joints between moves such corners into each other all the
-// same: the two blocks across a crossing of joints, while the two others give way. They are looked at with its motion,
-// and count as contacts from then on where they are deeper in each other than what carries them explains by its
-// closure.
+// same: they are looked at with its motion, and count as contacts from then on if so.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,44 +39,23 @@ struct Carrier {
   Vec2 point;      // m
   Vec2 normal;     // unit, out of a into b
   double gap = 0;  // m
-
-  template <typename Self, typename Archive>
-  static void visit(Self& self, Archive& archive) {
-    auto& [block_a, block_b, point, normal, gap] = self;
-    archive.blocks(block_a, block_b);
-    archive(point, normal, gap);
-  }
 };
 
 // Sides are in line, and corners on each other, up to this share of the smaller block's size: a tenth of the
 // penetration that a run warns of.
 inline constexpr double in_line = 1e-3;
 
-// A contact that was taken out, and what keeps one of its corners off the other.
-struct CoveredCorner {
-  VertexContact contact;
-  Carrier by;
-  bool is_hemmed_in = false;  // by third blocks on all sides: the two blocks can only go at each other or part
-
-  template <typename Self, typename Archive>
-  static void visit(Self& self, Archive& archive) {
-    auto& [contact, by, is_hemmed_in] = self;
-    archive(contact, by, is_hemmed_in);
-  }
-};
-
 // Takes them out of `found`, which stays sorted, and returns them. Others of the same blocks come in their place where
 // a corner comes to an edge from some way off, or were among the `known` of the last search (sorted). `joints`:
 // carriers besides `found`. Those between the pairs of blocks `uncovered` (smaller first, sorted) stay.
-std::vector<CoveredCorner> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
+std::vector<VertexContact> take_out_covered(const ContactSearch& search, const std::vector<Carrier>& joints,
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             const std::vector<VertexContact>& known, std::vector<VertexContact>& found);
 
-// The pairs (smaller first, sorted) whose corners, covered at the start of a step, are too deep in each other after
-// increments `d` (6 a block) of `state`, the one of the last search: where they are hemmed in, than what carries them
-// gives way; else than sides in line may differ, or a block would run into every small ledge that it slides over.
+// The pairs (smaller first, sorted) whose corners, covered at the start of a step, are deeper in each other than
+// `in_line` says after increments `d` (6 a block) of `state`, the one of the last search.
 std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& search,
-                                                         const std::vector<CoveredCorner>& covered, const Model& model,
+                                                         const std::vector<VertexContact>& covered, const Model& model,
                                                          const State& state, const Eigen::VectorXd& d);
 
 }  // namespace dda

@@ -181,9 +181,9 @@ void MovingContacts::let_part(const Model& model, State& state, ContactSet& cont
 }
 
 bool MovingContacts::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
-  const double motion = search_.largest_motion(d) / search_.smallest_size();
-  if (motion <= in_line / 1000) return false;  // corners across a crossing creep into each other
-  const bool wider = motion > in_line / 10 && search_.widen(model, state, d);  // less is seen in time by later steps
+  constexpr double unseen = in_line / 10;  // of the smallest block: what moves by less is seen in time by later steps
+  if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
+  const bool wider = search_.widen(model, state, d);
   if (covered_.empty()) return wider;
   const auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());

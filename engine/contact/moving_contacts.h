@@ -10,7 +10,6 @@
 
 #include "engine/contact/contact_search.h"
 #include "engine/contact/contact_set.h"
-#include "engine/contact/covered_corners.h"
 #include "engine/contact/join_blocks.h"
 #include "engine/contact/lost_ends.h"
 #include "engine/contact/surface_joints.h"
@@ -84,7 +83,7 @@ class MovingContacts {
   LostEnds lost_ends_;                          // between the loss of a stretch and the next search
   std::size_t stretches_ = 0;                   // leading entries of the ContactSet that are joints with strength
   std::vector<VertexContact> known_;            // the others, in the same order
-  std::vector<CoveredCorner> covered_;          // what the last search has taken out
+  std::vector<VertexContact> covered_;          // what the last search has taken out
   std::vector<std::pair<int, int>> uncovered_;  // blocks whose corners are contacts all the same; smaller first, sorted
 };
 

@@ -84,6 +84,81 @@ TEST(Seam, BlocksSlideOverFlushOnesAsOverOne) {
   }
 }
 
+// Three blocks on the first three of six, which stand on the ground with joints that hold, all joints across in line;
+// the plane dips.
+struct Rows {
+  double dip = 0, friction = 0;  // rad
+  Material rock;
+  std::vector<double> widths;
+  double below = 0, above = 0;  // m, heights of the rows
+};
+
+Rows random_rows(std::uint64_t seed) {
+  SeededNumbers random(seed);
+  Rows rows;
+  rows.dip = random.number(32, 50) * std::numbers::pi / 180;
+  rows.friction = random.number(20, 30) * std::numbers::pi / 180;
+  rows.rock = {"rock", 2600, std::pow(10, random.number(9.3, 10.5)), random.number(0.1, 0.35), PlaneState::stress};
+  for (int i = 0; i < 6; ++i) rows.widths.push_back(random.number(0.9, 1.5));
+  rows.below = random.number(0.5, 1.5);
+  rows.above = random.number(0.3, 0.7);
+  return rows;
+}
+
+Model model_of(const Rows& rows, InterfaceLaw law) {
+  Model model;
+  model.materials = {rows.rock};
+  model.joints.resize(2);
+  model.joints[0].friction_angle = rows.friction;
+  model.joints[1].friction_angle = 1.2;
+  model.joints[1].cohesion = model.joints[1].tensile_strength = 1e12;
+  for (JointMaterial& joint : model.joints) joint.law = law;
+  model.blocks = {rectangle("ground", -1, -1, 12, 1)};
+  model.held_blocks.emplace_back().block = 0;
+  std::vector<Block> upper;
+  double left = 0;
+  for (const double width : rows.widths) {
+    model.joint_of_block_pair[{0, static_cast<int>(model.blocks.size())}] = 1;
+    model.blocks.push_back(rectangle(fmt::format("lower {}", model.blocks.size()), left, 0, width, rows.below));
+    if (upper.size() < 3)
+      upper.push_back(rectangle(fmt::format("upper {}", upper.size()), left, rows.below, width, rows.above));
+    left += width;
+  }
+  model.blocks.insert(model.blocks.end(), upper.begin(), upper.end());
+  model.gravity = gravity_here * Vec2(std::sin(rows.dip), -std::cos(rows.dip));
+  Stage settle = stage_of(static_integrator(), 0, 0, Kinematics::finite);  // finds its own steps
+  settle.equilibrium = 1e-9;
+  settle.unlimited_strength = true;
+  model.stages = {settle, stage_of(thesis_integrator(), 2e-3, 250, Kinematics::finite)};
+  return model;
+}
+
+// How far the upper row slides in half a second, of what it should without what the joint gives way at first.
+double share_of_way(const Rows& rows, InterfaceLaw law) {
+  Simulation simulation = simulation_of(model_of(rows, law));
+  const double acceleration = gravity_here * (std::sin(rows.dip) - std::cos(rows.dip) * std::tan(rows.friction));
+  return end_of(simulation).displacement.back().x() / (acceleration * 0.5 * 0.5 / 2);
+}
+
+// Blocks beside each other settle by different amounts, and each corner comes to the next block's as its row moves.
+// Of 250 steps the first is worth half, 0.4 %; projected joints have been off by 2 % at most, in the last rows, which
+// did not slide at all where corners hemmed in by other blocks counted as contacts from a ten-thousandth on (ADR 51).
+TEST(Seam, RowsSlideOverRowsWithTheSameJoints) {
+  std::vector<Rows> all;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) all.push_back(random_rows(seed));
+  const double degree = std::numbers::pi / 180;
+  all.push_back({36.2834 * degree,
+                 25.4423 * degree,
+                 {"rock", 2600, 1.73744e9, 0.309115, PlaneState::stress},
+                 {1.27543, 0.93932, 0.9079, 1.40248, 1.05561, 1.0406},
+                 1.49564,
+                 0.488105});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(share_of_way(all[i], InterfaceLaw::classical), 1, 0.01) << i;
+    EXPECT_NEAR(share_of_way(all[i], InterfaceLaw::projected), 1, 0.03) << i;
+  }
+}
+
 TEST(Seam, LedgesThatGoDownAndOpenJointsDoNotHoldBack) {
   for (const double speed : {0.3, 3.0, 10.0})
     for (const auto& [drop, opening] : {std::pair{1e-3, 0.0}, {5e-3, 0.0}, {0.0, 1e-3}, {1e-3, 1e-3}, {1e-5, 1e-5}}) {

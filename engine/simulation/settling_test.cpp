@@ -68,28 +68,6 @@ TEST(Settling, CornersThatAStepUncoversMeet) {
   }
 }
 
-// At the same crossing the two others go along with the upper left one, so that all joints stay closed while it goes at
-// the lower right one: by half of what sides in line may differ by, if nothing held it.
-TEST(Settling, CornersAcrossACrossingMeet) {
-  for (const int steps : {1, 10, 100}) {
-    Model model;
-    model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
-    model.joints = {JointMaterial{}};
-    model.blocks = {rectangle("upper left", -1, 0, 1, 1), rectangle("upper right", 0, 0, 1, 1),
-                    rectangle("lower left", -1, -1, 1, 1), rectangle("lower right", 0, -1, 1, 1)};
-    model.held_blocks.emplace_back().block = 3;
-    model.blocks[0].initial_velocity = {0.01, -0.01};
-    model.blocks[1].initial_velocity = {0.01, 0};
-    model.blocks[2].initial_velocity = {0, -0.01};
-    model.stages = {stage_of(generalized_alpha_integrator(0), 0.05 / steps, steps, Kinematics::finite)};
-    Simulation simulation = simulation_of(std::move(model));
-    run(simulation, steps);
-    const Vec2 moved = current_position(simulation.model(), simulation.state(), 0, {0, 0});
-    // What joints are allowed to give way, and what springs do on top of that.
-    EXPECT_LT(std::min(moved.x(), -moved.y()), 1.2e-4) << steps << ": " << moved.transpose();
-  }
-}
-
 // In one step the stone moves by ten times its size, and by a hundred times what contacts are usually looked for from.
 TEST(Settling, FastStoneIsStoppedByWhatItWouldPassInOneStep) {
   for (const double size : {1e-1, 1e-2, 1e-3}) {

@@ -33,7 +33,7 @@ Simulation tip_in_floor(double depth, bool is_held = false) {
 }
 
 TEST(SharedGround, IsFoundWhereNoContactKnowsOfIt) {
-  for (const double depth : {3e-4, 1e-3, 0.2}) {
+  for (const double depth : {3e-3, 1e-2, 0.2}) {
     const std::vector<SharedGround> found = shared_ground(tip_in_floor(depth));
     ASSERT_EQ(found.size(), 1U) << depth;
     EXPECT_EQ(std::pair(found[0].block_a, found[0].block_b), std::pair(0, 1));
@@ -45,8 +45,8 @@ TEST(SharedGround, IsFoundWhereNoContactKnowsOfIt) {
 
 TEST(SharedGround, IsNoneWhereBlocksTouchOrAreHeldInEachOther) {
   EXPECT_TRUE(shared_ground(tip_in_floor(0)).empty());
-  EXPECT_TRUE(shared_ground(tip_in_floor(1e-4)).empty());
-  EXPECT_FALSE(shared_ground(tip_in_floor(1e-4), 5e-5).empty());
+  EXPECT_TRUE(shared_ground(tip_in_floor(1e-3)).empty());
+  EXPECT_FALSE(shared_ground(tip_in_floor(1e-3), 5e-4).empty());
   EXPECT_TRUE(shared_ground(tip_in_floor(0.2, true)).empty());
 }
 

@@ -20,8 +20,8 @@ struct SharedGround {
   Vec2 place = Vec2::Zero();  // m, of a corner that is deep in the other block, or between the two
 };
 
-// Of the smaller block's size: twice what sides in line may differ by (covered_corners.h), as covered corners of two
-// blocks can both be in each other by as much.
+// A share of the smaller block's size: twice what sides in line may differ by (covered_corners.h), as covered corners
+// of two blocks can both be in each other by as much.
 inline constexpr double tolerated_share = 2e-3;
 
 // Pairs of blocks, not both held, that are deeper in each other by `least_share` of the smaller one than their contacts

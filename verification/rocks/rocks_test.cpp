@@ -62,24 +62,22 @@ TEST(Rocks, SettleWhereHundredsOfContactsChangeInAStep) {
   }
 }
 
-// Faces that touch as cut carry their blocks' stresses until the blocks part. Seeds 7 and 9 have slivers of up to a
+// Faces that touch as cut carry their blocks' stresses until the blocks part. Seeds 7, 9 and 22 have slivers of up to a
 // ten-thousandth of their neighbours, which sank into them while short stretches, and those closed over a small part,
-// gave way by the width of a block.
+// gave way by the width of a block. Seed 22 is a slope of which eight blocks come loose and are named.
 TEST(Rocks, SettleAndMoveUnderTheProjectedLaw) {
-  for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U, 9U, 54U}) {
+  for (const unsigned seed : {1U, 2U, 3U, 5U, 6U, 7U, 8U, 9U, 22U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
     EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
   }
 }
 
 // Slopes whose stretches gape took 18,207 and 24,595 passes: each pass threw light blocks away from the balance, and
-// steps of given friction were cut at every stretch that opened. They take 2,867 and 4,145. In seed 22, a slope of
-// which seven blocks come loose, two blocks end 0.25 % of the smaller one in each other where 0.2 % is allowed (ADR
-// 72).
+// steps of given friction were cut at every stretch that opened. They take 2,867 and 5,026.
 TEST(Rocks, SlopesThatGapeAreDoneInSomeThousandPasses) {
-  for (const auto& [seed, outcome] : {std::pair(14U, RunOutcome::right), std::pair(22U, RunOutcome::warned)}) {
+  for (const unsigned seed : {14U, 22U}) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
-    EXPECT_EQ(result.outcome, outcome) << seed << ": " << result.reason();
+    EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
     EXPECT_LT(result.passes, 9000) << seed;
   }
 }

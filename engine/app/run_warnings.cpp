@@ -9,15 +9,19 @@
 namespace dda {
 namespace {
 
+const std::string& name_of(const Simulation& simulation, int block) {
+  return simulation.model().blocks[static_cast<std::size_t>(block)].name;
+}
+
 // Contacts that are pressed in so deep carry the right forces in the wrong place.
 std::string penetration_warning(const Simulation& simulation) {
   const Penetration& deepest = simulation.deepest_penetration();
   if (deepest.share <= tolerated_penetration) return "";
-  const auto name = [&](int block) { return simulation.model().blocks[static_cast<std::size_t>(block)].name; };
   return fmt::format(
       "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller "
       "one; take stiffer joints or a smaller dt",
-      name(deepest.block_a), name(deepest.block_b), deepest.depth, deepest.time, 100 * deepest.share);
+      name_of(simulation, deepest.block_a), name_of(simulation, deepest.block_b), deepest.depth, deepest.time,
+      100 * deepest.share);
 }
 
 // What no contact knows of is in no force either.
@@ -25,11 +29,11 @@ std::string shared_ground_warning(const Simulation& simulation) {
   const std::vector<SharedGround> found = shared_ground(simulation);
   if (found.empty()) return "";
   const SharedGround& worst = found.front();
-  const auto name = [&](int block) { return simulation.model().blocks[static_cast<std::size_t>(block)].name; };
   std::string warning = fmt::format(
       "warning: blocks \"{}\" and \"{}\" end {:.3g} m deep in each other at ({:.4g}, {:.4g}) m, {:.2g} % of the "
       "smaller one, by more than contacts of theirs give way",
-      name(worst.block_a), name(worst.block_b), worst.depth, worst.place.x(), worst.place.y(), 100 * worst.share);
+      name_of(simulation, worst.block_a), name_of(simulation, worst.block_b), worst.depth, worst.place.x(),
+      worst.place.y(), 100 * worst.share);
   if (found.size() > 1) warning += fmt::format("; so do {} other pairs, by less", found.size() - 1);
   return warning;
 }
@@ -58,9 +62,11 @@ std::string balance_warning(const Simulation& simulation) {
 std::vector<std::string> warnings_of(const Simulation& simulation) {
   std::vector<std::string> warnings = {penetration_warning(simulation), shared_ground_warning(simulation),
                                        loose_warning(simulation), balance_warning(simulation)};
-  for (const std::string& sentence : unseen_loads(simulation.model())) warnings.push_back("warning: " + sentence);
-  for (const std::string& sentence : spin_remarks(simulation.model(), simulation.contacts()))
-    warnings.push_back("warning: " + sentence);
+  const auto add = [&](const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) warnings.push_back("warning: " + sentence);
+  };
+  add(unseen_loads(simulation.model()));
+  add(spin_remarks(simulation.model(), simulation.contacts()));
   std::erase(warnings, "");
   return warnings;
 }

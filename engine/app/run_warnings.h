@@ -9,7 +9,7 @@
 namespace dda {
 
 // A sentence each, beginning with "warning: ": blocks deep in each other, blocks that nothing holds, loads that steps
-// pass over.
+// pass over, blocks whose spin pulls them.
 std::vector<std::string> warnings_of(const Simulation& simulation);
 
 }  // namespace dda

@@ -10,6 +10,8 @@
 #include "engine/contact/surface_joints.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/edge_index.h"
+#include "engine/geometry/nearness.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
@@ -24,12 +26,13 @@ struct Edge {
 // The edges of all blocks, one block after the other.
 class Edges {
  public:
-  explicit Edges(const Model& model) : tolerance_(model.length_tolerance) {
+  explicit Edges(const Model& model) {
     starts_.reserve(model.blocks.size() + 1);
     starts_.push_back(0);
     for (const Block& block : model.blocks) {
-      add_ring(block.shape.outer);
-      for (const Ring& hole : block.shape.holes) add_ring(hole);
+      for_each_edge(block.shape, [&](const Segment& edge) {
+        edges_.push_back({edge, edge_box(edge, model.length_tolerance)});
+      });
       starts_.push_back(edges_.size());
     }
   }
@@ -40,15 +43,6 @@ class Edges {
   }
 
  private:
-  void add_ring(const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& end = ring[(i + 1) % ring.size()];
-      const Box box = expanded(expanded(expanded(Box{}, ring[i]), end), tolerance_);
-      edges_.push_back({{ring[i], end}, box});
-    }
-  }
-
-  double tolerance_;
   std::vector<Edge> edges_;
   std::vector<std::size_t> starts_;  // one a block, and the end
 };

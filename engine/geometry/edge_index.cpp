@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/nearness.h"
+
 namespace dda {
 namespace {
-
-Box box_of(const Segment& segment) { return expanded(expanded(Box{}, segment.start), segment.end); }
 
 std::vector<Box> boxes_of(const std::vector<Segment>& edges) {
   std::vector<Box> boxes;
   boxes.reserve(edges.size());
-  for (const Segment& edge : edges) boxes.push_back(box_of(edge));
+  for (const Segment& edge : edges) boxes.push_back(edge_box(edge, 0));
   return boxes;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/geometry/edge_index.h"
+#include "engine/geometry/nearness.h"
 #include "engine/geometry/segment.h"
 
 // With E(B) the part of B deeper than the tolerance, A and E(B) meet if and only if an edge of A meets E(B) or, no edge
@@ -64,8 +65,6 @@ Interval within_strip(const Segment& line, const Segment& core, double radius) {
   return hull(beside, hull(within_disc(line, core.start, radius), within_disc(line, core.end, radius)));
 }
 
-Box box_of(const Segment& segment) { return expanded(expanded(Box{}, segment.start), segment.end); }
-
 struct Shape {
   explicit Shape(const Polygon& given)
       : polygon(normalized(given)), edges(edges_of(polygon)), box(bounding_box(given)) {}
@@ -93,7 +92,7 @@ bool is_inside(const Shape& shape, const Vec2& point) {
 // A point of each piece of `segment` that is farther than `tolerance` from all edges of `shape` and inside it.
 std::vector<Vec2> deep_points(const Segment& segment, const Shape& shape, double tolerance) {
   std::vector<Interval> covered;
-  shape.any_edge(expanded(box_of(segment), 2 * tolerance), [&](const Segment& edge) {  // twice: room for round-off
+  shape.any_edge(edge_box(segment, 2 * tolerance), [&](const Segment& edge) {  // twice: room for round-off
     const Interval near = meet(within_strip(segment, edge, tolerance), {0, 1});
     if (near.first <= near.last) covered.push_back(near);
     return false;
@@ -110,7 +109,7 @@ std::vector<Vec2> deep_points(const Segment& segment, const Shape& shape, double
   return points;
 }
 
-bool box_meets(const Segment& segment, const Box& box) { return overlap(box_of(segment), box); }
+bool box_meets(const Segment& segment, const Box& box) { return overlap(edge_box(segment, 0), box); }
 
 bool edge_enters(const Shape& a, const Shape& b, double tolerance) {
   const Box deep = expanded(b.box, -tolerance);

@@ -97,15 +97,13 @@ Reason edge_defect(const Polygon& polygon, double tolerance) {
 // vertex are asked, as rock between short joints has thousands of holes that are far from each other.
 Reason nesting_defect(const Polygon& polygon) {
   if (polygon.holes.empty()) return std::nullopt;
-  const Polygon solid = {polygon.outer, {}};
-  std::optional<EdgeIndex> edges;
-  if (corner_count(solid) >= corners_worth_an_index) edges.emplace(solid);
+  const EdgeIndex outer({polygon.outer, {}});
   std::vector<Box> boxes;
   for (const Ring& hole : polygon.holes) boxes.push_back(bounding_box(hole));
   const BoxIndex index(std::move(boxes));
   for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
     const Vec2& vertex = polygon.holes[i].front();
-    if ((edges ? edges->locate(vertex) : locate(solid, vertex)) == Location::outside)
+    if (outer.locate(vertex) == Location::outside)
       return fmt::format("inconsistent: hole {} lies outside the outer ring", i);
     for (const int other : index.overlapping({vertex, vertex})) {
       const auto j = static_cast<std::size_t>(other);

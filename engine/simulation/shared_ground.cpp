@@ -31,8 +31,9 @@ double give_of(const InterfaceElement& element, const InterfaceState& own, const
 std::map<std::pair<int, int>, double> give_of_pairs(const Simulation& simulation) {
   std::map<std::pair<int, int>, double> give;
   const ContactSet& contacts = simulation.contacts();
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements[i];
+  const std::vector<InterfaceElement>& elements = contacts.elements.own();  // they can change
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const InterfaceElement& element = elements[i];
     double& most = give[std::minmax(element.block_a, element.block_b)];
     most = std::max(most, give_of(element, contacts.states[i], simulation.state()));
   }

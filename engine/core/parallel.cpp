@@ -28,8 +28,15 @@ void wait_while(const std::atomic<Value>& value, Value old) {
   value.wait(old, std::memory_order_acquire);
 }
 
-// One job at a time. Whoever has time takes the next piece, the caller first of all: where the other threads get no
-// processor it does all of the job.
+// The pieces of a job that a thread begins with: the same share of every job, so that what it reads and writes is what
+// lies in its processor's cache since the last one.
+struct alignas(64) Share {
+  std::atomic<std::size_t> next{0};
+  std::size_t end = 0;
+};
+
+// One job at a time. Whoever is done with its own pieces takes those of the others: where the other threads get no
+// processor the caller does all of the job.
 class Pool {
  public:
   ~Pool() { set_threads(1); }
@@ -39,6 +46,7 @@ class Pool {
     stopped_ = true;
     announce();
     workers_.clear();  // joins
+    shares_.clear();
     stopped_ = false;
     threads_ = threads;
   }
@@ -51,13 +59,15 @@ class Pool {
       return;
     }
     start_workers();
-    count_ = count;
     work_ = work;
     body_ = body;
-    next_.store(0, std::memory_order_relaxed);
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+      shares_[i].next.store(i * count / shares_.size(), std::memory_order_relaxed);
+      shares_[i].end = (i + 1) * count / shares_.size();
+    }
     is_open_ = true;
     announce();
-    take_pieces();
+    take_pieces(0);
     is_open_ = false;
     for (int inside = inside_; inside != 0; inside = inside_) wait_while(inside_, inside);
     busy_.store(false, std::memory_order_release);
@@ -70,35 +80,40 @@ class Pool {
   }
 
   void start_workers() {
-    while (static_cast<int>(workers_.size()) + 1 < threads())
-      workers_.emplace_back([this, seen = jobs_.load()] { serve(seen); });
+    const auto threads = static_cast<std::size_t>(this->threads());
+    if (shares_.size() == threads) return;
+    shares_ = std::vector<Share>(threads);
+    for (std::size_t own = 1; own < threads; ++own)
+      workers_.emplace_back([this, own, seen = jobs_.load()] { serve(own, seen); });
   }
 
-  void serve(std::uint32_t seen) {
+  void serve(std::size_t own, std::uint32_t seen) {
     while (!stopped_) {
       wait_while(jobs_, seen);
       seen = jobs_;
       // Either the caller sees that someone is inside, or the job is seen to be closed: both are sequentially
       // consistent.
       ++inside_;
-      if (is_open_) take_pieces();
+      if (is_open_) take_pieces(own);
       --inside_;
       inside_.notify_one();
     }
   }
 
-  void take_pieces() {
-    for (std::size_t i = next_++; i < count_; i = next_++) work_(body_, i);
+  void take_pieces(std::size_t own) {
+    for (std::size_t other = 0; other < shares_.size(); ++other) {
+      Share& share = shares_[(own + other) % shares_.size()];
+      for (std::size_t i = share.next++; i < share.end; i = share.next++) work_(body_, i);
+    }
   }
 
   std::atomic<int> threads_{1};
   std::atomic<bool> busy_{false};  // by a job, from its caller's arrival to its end
 
-  std::size_t count_ = 0;
   PieceOfWork work_ = nullptr;
   const void* body_ = nullptr;
-  std::atomic<std::size_t> next_{0};
-  std::atomic<bool> is_open_{false};    // the four above may be read
+  std::vector<Share> shares_;           // one a thread, the caller's first
+  std::atomic<bool> is_open_{false};    // the three above may be read
   std::atomic<int> inside_{0};          // workers that may be reading them
   std::atomic<std::uint32_t> jobs_{0};  // announced
   std::atomic<bool> stopped_{false};

@@ -15,7 +15,7 @@ inline constexpr std::size_t stretch_worth_sharing = 1024;
 
 // Sums of fewer than twice as many are those of a plain loop: a tenth of a step's time at most, and its bits are those
 // that results have always had.
-inline constexpr std::size_t blocks_of_plain_sum = 32'768;
+inline constexpr std::size_t blocks_of_plain_sum = 2048;
 
 // Some consecutive blocks of vectors.
 class VectorStretch {

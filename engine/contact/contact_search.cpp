@@ -1,11 +1,13 @@
 #include "engine/contact/contact_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "engine/contact/narrow_phase.h"
 #include "engine/contact/pair_motion.h"
+#include "engine/core/parallel.h"
 #include "engine/geometry/box_pairs.h"
 
 namespace dda {
@@ -21,6 +23,10 @@ constexpr double remembered = 0.9;
 
 // A pair's reach, or a block's room, is made this many times the motion seen, so that the next steps fit as well.
 constexpr double margin = 1.5;
+
+// Pairs are looked at in so many pieces, where there are enough of them to share.
+constexpr std::size_t pieces_of_pairs = 16;
+constexpr std::size_t pairs_worth_sharing = 512;
 
 bool contains(const Box& outer, const Box& inner) {
   return (inner.lower.array() >= outer.lower.array()).all() && (inner.upper.array() <= outer.upper.array()).all();
@@ -124,16 +130,22 @@ void ContactSearch::find_between(int a, int b, const std::function<bool(const Ve
 }
 
 std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, int>>& bonded) const {
-  std::vector<VertexContact> found;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const auto& pair = pairs_[k];
-    if (std::binary_search(bonded.begin(), bonded.end(), pair)) continue;
-    const double smaller = std::min(size_of(pair.first), size_of(pair.second));
-    find_vertex_contacts(outlines_, pair.first, pair.second, reach_of(k) + lift_, deepest * smaller,
-                         round_off * smaller, found);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
+  std::array<std::vector<VertexContact>, pieces_of_pairs> found;
+  for_each_piece({pairs_.size(), pairs_.size() < pairs_worth_sharing ? 1 : pieces_of_pairs},
+                 [&](std::size_t piece, std::size_t first, std::size_t last) {
+                   for (std::size_t k = first; k < last; ++k)
+                     if (!std::binary_search(bonded.begin(), bonded.end(), pairs_[k])) find_of_pair(k, found[piece]);
+                 });
+  std::vector<VertexContact> all = std::move(found[0]);
+  for (std::size_t i = 1; i < found.size(); ++i) all.insert(all.end(), found[i].begin(), found[i].end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void ContactSearch::find_of_pair(std::size_t k, std::vector<VertexContact>& found) const {
+  const auto [a, b] = pairs_[k];
+  const double smaller = std::min(size_of(a), size_of(b));
+  find_vertex_contacts(outlines_, a, b, reach_of(k) + lift_, deepest * smaller, round_off * smaller, found);
 }
 
 }  // namespace dda

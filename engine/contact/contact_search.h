@@ -81,6 +81,7 @@ class ContactSearch {
 
  private:
   void list_pairs();
+  void find_of_pair(std::size_t k, std::vector<VertexContact>& found) const;
   void forget_slowly();
   [[nodiscard]] double reach_of(std::size_t pair) const;
   [[nodiscard]] bool is_absent(std::size_t block) const { return !absent_.empty() && absent_[block]; }

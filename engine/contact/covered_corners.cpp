@@ -7,12 +7,21 @@
 
 #include "engine/contact/entrance_cover.h"
 #include "engine/contact/pair_motion.h"
+#include "engine/core/parallel.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// act(index), shared by threads where there are enough.
+template <typename Act>
+void for_each_of(std::size_t count, const Act& act) {
+  parallel_for(count, contacts_worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) act(i);
+  });
+}
 
 // The least distance (m) of a vertex from another one on the way that is foreseen for the step.
 double least_distance(const Outlines& outlines, int vertex, int other) {
@@ -201,12 +210,17 @@ std::vector<char> find_covered(const std::vector<std::pair<std::size_t, int>>& c
   for (std::size_t i = 0; i < found.size(); ++i)
     if (out[i] == 0) covered.add(found[i]);
   covered.sort();
-  for (const auto& [i, end] : corners) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  for_each_of(corners.size(), [&](std::size_t k) {
+    const auto [i, end] = corners[k];
+    out[i] = covered.cover(found[i], end) ? 1 : 0;
+  });
   for (const auto& [i, end] : corners)
     if (out[i] == 0) covered.add(found[i]);
   covered.sort();
-  for (const auto& [i, end] : corners)
+  for_each_of(corners.size(), [&](std::size_t k) {
+    const auto [i, end] = corners[k];
     if (out[i] == 0) out[i] = covered.cover(found[i], end) ? 1 : 0;
+  });
   return out;
 }
 
@@ -258,11 +272,12 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             const std::vector<VertexContact>& known,
                                             std::vector<VertexContact>& found) {
+  std::vector<int> ends(found.size());
+  for_each_of(found.size(),
+              [&](std::size_t i) { ends[i] = shared_corner(search.outlines(), found[i], near_of(search, found[i])); });
   std::vector<std::pair<std::size_t, int>> corners;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const int end = shared_corner(search.outlines(), found[i], near_of(search, found[i]));
-    if (end >= 0 && !contains(uncovered, blocks_of(found[i]))) corners.emplace_back(i, end);
-  }
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (ends[i] >= 0 && !contains(uncovered, blocks_of(found[i]))) corners.emplace_back(i, ends[i]);
   std::vector<VertexContact> taken;
   if (corners.empty()) return taken;
   CoveredCorners covered(search, joints, found.size());

@@ -10,12 +10,14 @@
 #include "engine/contact/contact_geometry.h"
 #include "engine/contact/covered_corners.h"
 #include "engine/contact/in_situ_force.h"
+#include "engine/contact/inherited_state.h"
 #include "engine/contact/interface_frame.h"
 #include "engine/contact/make_element.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/contact/shared_face.h"
 #include "engine/contact/succession.h"
 #include "engine/contact/tied_sides.h"
+#include "engine/core/parallel.h"
 #include "engine/model/rock_change.h"
 #include "engine/model/tolerance.h"
 
@@ -54,94 +56,6 @@ Vec4 ends_force(const InterfaceElement& element, const InterfaceState& state) {
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || springs_go_by_length(joint);
-}
-
-// True where both are of one corner of the vertex' block with one face of the other: under one name, or with the roles
-// of two corners above each other exchanged.
-bool is_same(const VertexContact& a, const VertexContact& b) {
-  return (a.edge == b.edge && a.vertex == b.vertex) || a.edge_block == b.vertex_block;
-}
-
-// A contact that comes from nowhere does not press at once, and one that comes from another vertex or edge presses more
-// than that one only by what it has moved (m): what it is pressed in beyond that its spring closes deeper. So a wrong
-// choice of contacts brings no energy, whatever the choice.
-void press_no_more(double distance, double moved, InterfaceState& state) {
-  const double pressed = std::min(0.0, state.gap(0)) - moved;
-  state.seat[0] = std::min(state.seat[0], distance - state.dilation[0] - pressed);
-}
-
-// A face that has grown is pressed in where it is new as it is beside, and no more: its springs begin with a share of
-// the stiffness that may be small, but need not be.
-void share_depth(const InterfaceState& beside, double distance, InterfaceState& state) {
-  if (beside.status[0] == ContactStatus::open) return;
-  const double as_pressed = distance - state.dilation[0] - std::min(0.0, beside.gap(0));
-  state.seat[0] = std::max(state.seat[0], std::min(beside.seat[0], as_pressed));
-}
-
-// The springs go on with the force that the state comes with, if it presses.
-void seat(const InterfaceElement& element, double distance, InterfaceState& state) {
-  if (state.force(0) >= 0) return press_no_more(distance, 0, state);
-  state.seat[0] = distance - state.dilation[0] - elastic_gap(state.force(0), element.stiffness(0), 0);
-  state.gap(1) = elastic_gap(state.force(1), element.stiffness(1), 0);
-}
-
-// The state of a contact that was none before: broken, as it carries no tension, and failed where its joint had a bond.
-InterfaceState new_state(const JointMaterial& joint) {
-  const bool failed = !is_dry(joint);
-  InterfaceState state;
-  state.broken = {true, true};
-  state.residual = {failed, failed};
-  state.status = {ContactStatus::open, ContactStatus::open};
-  return state;
-}
-
-// `from_stretch`: what ends of stretches leave to the contact, if any. They come with a force of their own, and with
-// the depth of another contact the springs would have that one's as well. `beside`: the contact that the face is
-// pressed in by already, if any.
-InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& element, double distance,
-                           const std::optional<InterfaceState>& from_stretch, const InterfaceState* beside) {
-  InterfaceState state = from_stretch.value_or(new_state(joint));
-  if (from_stretch) {
-    seat(element, distance, state);
-    return state;
-  }
-  press_no_more(distance, 0, state);
-  if (beside != nullptr) share_depth(*beside, distance, state);
-  return state;
-}
-
-// Where corners that face each other were two contacts and one has `ended` (-1: none), the one that goes on takes the
-// load of the one that presses more, which would be lost otherwise. Loads do not add up: one spring that carries both
-// stores more than the two did.
-std::ptrdiff_t heavier(std::ptrdiff_t earlier, std::ptrdiff_t ended, std::size_t first,
-                       const std::vector<InterfaceState>& states) {
-  if (ended < 0 || earlier < 0) return earlier;
-  const auto pressure = [&](std::ptrdiff_t known) { return -states[first + static_cast<std::size_t>(known)].force(0); };
-  return pressure(ended) > pressure(earlier) ? ended : earlier;
-}
-
-// Blocks that turn meet a little deeper, or less deep, than the first-order gaps of the step said. Deeper would be
-// energy from nowhere, and a force at the start of the next step that is not what the last one found: the spring then
-// closes deeper by as much.
-void forgive_turn(double distance, InterfaceState& state) {
-  const double deeper = std::min(0.0, state.gap(0)) - (distance - state.held_open(0));
-  if (deeper > 0) state.seat[0] -= deeper;
-}
-
-// A spring that opens has lost what it was seated with, but for a depth that it has not yet come out of.
-void measure(const InterfaceElement& element, double distance, InterfaceState& state) {
-  const double gap = distance - state.held_open(0);
-  state.gap(0) = gap;
-  if (gap > 0) {
-    state.status[0] = ContactStatus::open;
-    state.gap(1) = 0;
-    state.seat[0] = std::min(0.0, distance - state.dilation[0]);
-    state.gap(0) = distance - state.held_open(0);
-  } else if (state.status[0] == ContactStatus::open) {
-    state.status[0] = ContactStatus::locked;
-  }
-  state.force(0) = gap > 0 ? 0 : element.stiffness(0) * gap;
-  state.force(1) = element.stiffness(1) * state.gap(1);
 }
 
 }  // namespace
@@ -330,71 +244,119 @@ void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& c
 }
 
 void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
-  std::vector<InterfaceElement>& elements = contacts.elements.edit();
-  std::vector<std::pair<int, int>> bonded;
-  std::vector<Carrier> joints;
-  for (std::size_t i = 0; i < stretches_; ++i) {
-    const Interface& interface = contacts.interfaces[i];
-    bonded.emplace_back(std::min(interface.block_a, interface.block_b), std::max(interface.block_a, interface.block_b));
-    const InterfaceFrame frame = current_frame(model, state, interface);
-    set_geometry(model, acting_frame(model, acting, interface, elements[i].law), elements[i]);
-    measure_gap(model, state, interface, elements[i], contacts.states[i]);
-    for (const auto& [on_a, on_b] : {std::pair{frame.from_a, frame.from_b}, {frame.to_a, frame.to_b}})
-      joints.push_back({interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)});
-  }
-  std::sort(bonded.begin(), bonded.end());
-  std::vector<VertexContact> found = search_.find(bonded);
+  const std::vector<Carrier> joints = follow_stretches(model, state, acting, contacts);
+  std::vector<VertexContact> found = search_.find(pairs_of_stretches(contacts));
   covered_ = take_out_covered(search_, joints, uncovered_, known_, found);
   forget_corners_apart(found);
+  const FoundContacts all = with_shares(model, std::move(found));
+  Succession succession(known_, all.contacts, all.of_faces, search_.outlines());
+  const std::vector<std::optional<InterfaceState>> left = left_by_stretches(model, all.contacts, succession.earlier());
+  const std::vector<Heritage> heritage = heritage_of(all, left, contacts, succession);
+  contacts.states = take_in(model, acting, all, heritage, contacts);
+  known_ = all.contacts;
+  if (!contacts.outline_compliance.empty()) take_off_blocks(model, contacts);
+}
+
+// The pairs of blocks that stretches hold, between which nothing else is looked for; smaller first, sorted.
+std::vector<std::pair<int, int>> MovingContacts::pairs_of_stretches(const ContactSet& contacts) const {
+  std::vector<std::pair<int, int>> pairs;
+  pairs.reserve(stretches_);
+  for (std::size_t i = 0; i < stretches_; ++i) pairs.push_back(pair_of(contacts.interfaces[i]));
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// Brings the stretches to the current geometry; returns where their ends carry blocks.
+std::vector<Carrier> MovingContacts::follow_stretches(const Model& model, const State& state, const State& acting,
+                                                      ContactSet& contacts) const {
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
+  std::vector<Carrier> ends(2 * stretches_);
+  parallel_for(stretches_, contacts_worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Interface& interface = contacts.interfaces[i];
+      const InterfaceFrame frame = current_frame(model, state, interface);
+      set_geometry(model, acting_frame(model, acting, interface, elements[i].law), elements[i]);
+      measure_gap(model, state, interface, elements[i], contacts.states[i]);
+      const auto end = [&](const Vec2& on_a, const Vec2& on_b) -> Carrier {
+        return {interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)};
+      };
+      ends[2 * i] = end(frame.from_a, frame.from_b);
+      ends[2 * i + 1] = end(frame.to_a, frame.to_b);
+    }
+  });
+  return ends;
+}
+
+// Contacts whose springs go by the length of their faces know their share of it.
+MovingContacts::FoundContacts MovingContacts::with_shares(const Model& model, std::vector<VertexContact> found) const {
+  FoundContacts all{std::move(found), {}, {}};
   const bool by_length = std::ranges::any_of(model.joints, depends_on_length);
   const auto goes_by_length = [&](const VertexContact& contact) {
     return depends_on_length(model.joints[at(surfaces_.joint_of(model, search_.outlines(), contact))]);
   };
-  if (by_length) drop_within_faces(search_.outlines(), search_.sizes(), goes_by_length, found);
-  std::vector<double> shares(found.size());
-  std::vector<bool> of_faces(found.size(), false);  // contacts with a share of the stiffness of a face
-  if (by_length) {
-    shares = shares_of_faces(search_.outlines(), search_.sizes(), found);
-    std::transform(found.begin(), found.end(), of_faces.begin(), goes_by_length);
+  if (by_length) drop_within_faces(search_.outlines(), search_.sizes(), goes_by_length, all.contacts);
+  all.shares.resize(all.contacts.size());
+  all.of_faces.resize(all.contacts.size(), false);
+  if (!by_length) return all;
+  all.shares = shares_of_faces(search_.outlines(), search_.sizes(), all.contacts);
+  std::transform(all.contacts.begin(), all.contacts.end(), all.of_faces.begin(), goes_by_length);
+  return all;
+}
+
+std::vector<MovingContacts::Heritage> MovingContacts::heritage_of(
+    const FoundContacts& all, const std::vector<std::optional<InterfaceState>>& left, const ContactSet& contacts,
+    Succession& succession) const {
+  std::vector<Heritage> heritage(all.contacts.size());
+  for (std::size_t i = 0; i < heritage.size(); ++i) {
+    const VertexContact& contact = all.contacts[i];
+    Heritage& own = heritage[i];
+    own.earlier = heavier(succession.earlier()[i], succession.ended_beside(contact), stretches_, contacts.states);
+    if (own.earlier >= 0) continue;
+    own.beside = all.of_faces[i] ? succession.beside(contact) : -1;
+    if (!left.empty() && left[i]) own.from_stretch = &*left[i];
   }
-  std::vector<InterfaceState> states(contacts.states.begin(),
-                                     contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_));
-  Succession succession(known_, found, of_faces, search_.outlines());
-  const std::vector<std::optional<InterfaceState>> left = left_by_stretches(model, found, succession.earlier());
-  const std::size_t total = stretches_ + found.size();
+  return heritage;
+}
+
+// Puts what was found in the place of the vertex contacts of before; returns the states of all.
+std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const State& acting, const FoundContacts& all,
+                                                    const std::vector<Heritage>& heritage, ContactSet& contacts) const {
+  std::vector<InterfaceElement>& elements = contacts.elements.edit();
+  const std::size_t total = stretches_ + all.contacts.size();
   contacts.interfaces.resize(total);
   elements.resize(total);
   contacts.strengths.resize(total);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::size_t entry = stretches_ + i;
-    const Interface interface = interface_of(model, found[i], shares[i]);
-    contacts.interfaces[entry] = interface;
-    elements[entry] = make_element(model, interface, InterfaceLaw::classical);
-    set_geometry(model, acting_frame(model, acting, search_.outlines(), found[i]), elements[entry]);
-    contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
-    const std::ptrdiff_t earlier =
-        heavier(succession.earlier()[i], succession.ended_beside(found[i]), stretches_, contacts.states);
-    if (earlier >= 0) {
-      const VertexContact& before = known_[static_cast<std::size_t>(earlier)];
-      InterfaceState& own = states.emplace_back(contacts.states[stretches_ + static_cast<std::size_t>(earlier)]);
-      const double moved = std::abs(own.gap(0) + own.held_open(0) - before.gap);
-      if (is_same(found[i], before)) {
-        forgive_turn(found[i].gap, own);
-      } else {
-        press_no_more(found[i].gap, moved, own);
-      }
-    } else {
-      const std::ptrdiff_t place = of_faces[i] ? succession.beside(found[i]) : -1;
-      const InterfaceState* beside =
-          place < 0 ? nullptr : &contacts.states[stretches_ + static_cast<std::size_t>(place)];
-      states.push_back(first_state(joint_of(model, interface), elements[entry], found[i].gap,
-                                   left.empty() ? std::nullopt : left[i], beside));
+  std::vector<InterfaceState> states(total);
+  std::copy_n(contacts.states.begin(), stretches_, states.begin());
+  parallel_for(all.contacts.size(), contacts_worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const VertexContact& contact = all.contacts[i];
+      const std::size_t entry = stretches_ + i;
+      const Interface interface = interface_of(model, contact, all.shares[i]);
+      contacts.interfaces[entry] = interface;
+      elements[entry] = make_element(model, interface, InterfaceLaw::classical);
+      set_geometry(model, acting_frame(model, acting, search_.outlines(), contact), elements[entry]);
+      contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
+      states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i], contacts.states);
     }
-    measure(elements[entry], found[i].gap, states.back());
+  });
+  return states;
+}
+
+// `states`: those of before.
+InterfaceState MovingContacts::state_of(const JointMaterial& joint, const InterfaceElement& element,
+                                        const VertexContact& contact, const Heritage& heritage,
+                                        const std::vector<InterfaceState>& states) const {
+  const auto state_before = [&](std::ptrdiff_t known) { return &states[stretches_ + static_cast<std::size_t>(known)]; };
+  InterfaceState own;
+  if (heritage.earlier >= 0) {
+    own = continued_state(*state_before(heritage.earlier), known_[static_cast<std::size_t>(heritage.earlier)], contact);
+  } else {
+    const InterfaceState* beside = heritage.beside < 0 ? nullptr : state_before(heritage.beside);
+    own = first_state(joint, element, contact.gap, heritage.from_stretch, beside);
   }
-  contacts.states = std::move(states);
-  known_ = found;
-  if (!contacts.outline_compliance.empty()) take_off_blocks(model, contacts);
+  measure(element, contact.gap, own);
+  return own;
 }
 
 }  // namespace dda

@@ -10,8 +10,10 @@
 
 #include "engine/contact/contact_search.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/covered_corners.h"
 #include "engine/contact/join_blocks.h"
 #include "engine/contact/lost_ends.h"
+#include "engine/contact/succession.h"
 #include "engine/contact/surface_joints.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/model/model.h"
@@ -72,7 +74,32 @@ class MovingContacts {
                  const std::vector<char>& ends);
   void drop_stretches(const std::vector<char>& ends, ContactSet& contacts);
   void end_stretches(const Model& model, const State& state, bool dry_ones, ContactSet& contacts);
+  // Vertex contacts that a search has found.
+  struct FoundContacts {
+    std::vector<VertexContact> contacts;
+    std::vector<double> shares;  // of the faces that they are ends of, m
+    std::vector<bool> of_faces;  // those with a share of the stiffness of a face
+  };
+  // What one of them goes on with: indices among the known contacts, or -1, and what ends of stretches leave to it, or
+  // null.
+  struct Heritage {
+    std::ptrdiff_t earlier = -1, beside = -1;
+    const InterfaceState* from_stretch = nullptr;
+  };
+
   void refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts);
+  [[nodiscard]] std::vector<std::pair<int, int>> pairs_of_stretches(const ContactSet& contacts) const;
+  std::vector<Carrier> follow_stretches(const Model& model, const State& state, const State& acting,
+                                        ContactSet& contacts) const;
+  [[nodiscard]] FoundContacts with_shares(const Model& model, std::vector<VertexContact> found) const;
+  [[nodiscard]] std::vector<Heritage> heritage_of(const FoundContacts& all,
+                                                  const std::vector<std::optional<InterfaceState>>& left,
+                                                  const ContactSet& contacts, Succession& succession) const;
+  std::vector<InterfaceState> take_in(const Model& model, const State& acting, const FoundContacts& all,
+                                      const std::vector<Heritage>& heritage, ContactSet& contacts) const;
+  [[nodiscard]] InterfaceState state_of(const JointMaterial& joint, const InterfaceElement& element,
+                                        const VertexContact& contact, const Heritage& heritage,
+                                        const std::vector<InterfaceState>& states) const;
   void forget_corners_apart(const std::vector<VertexContact>& found);
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact, double share) const;
   [[nodiscard]] std::vector<std::optional<InterfaceState>> left_by_stretches(

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/contact/pair_motion.h"
+#include "engine/core/parallel.h"
 
 namespace dda {
 namespace {
@@ -16,6 +17,15 @@ void append_ring(const Ring& ring, const Vec2& centroid, Outlines& outlines) {
     outlines.next.push_back(first + (i + 1) % size);
     outlines.previous.push_back(first + (i + size - 1) % size);
   }
+}
+
+// Shared by threads where there are enough blocks.
+template <typename Act>
+void for_each_block(const Outlines& outlines, const Act& act) {
+  constexpr std::size_t worth_sharing = 512;
+  parallel_for(outlines.boxes.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block) act(block);
+  });
 }
 
 }  // namespace
@@ -36,7 +46,7 @@ Outlines make_outlines(const Model& model, const State& state) {
 }
 
 void update_outlines(const Model& model, const State& state, Outlines& outlines) {
-  for (std::size_t block = 0; block < outlines.boxes.size(); ++block) {
+  for_each_block(outlines, [&](std::size_t block) {
     const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
     Box box;
     for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {
@@ -45,7 +55,7 @@ void update_outlines(const Model& model, const State& state, Outlines& outlines)
       box = expanded(box, outlines.current[vertex]);
     }
     outlines.boxes[block] = box;
-  }
+  });
 }
 
 void foresee_motion(const Model& model, const State& state, double time, Outlines& outlines) {
@@ -53,14 +63,14 @@ void foresee_motion(const Model& model, const State& state, double time, Outline
     std::ranges::fill(outlines.coming, Vec2(0, 0));
     return;
   }
-  for (std::size_t block = 0; block < outlines.boxes.size(); ++block) {
+  for_each_block(outlines, [&](std::size_t block) {
     const Vec6 increments = time * state.velocity[block];
     const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
     for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {
       const auto vertex = static_cast<std::size_t>(i);
       outlines.coming[vertex] = displacement_of(increments, outlines.current[vertex] - centroid);
     }
-  }
+  });
 }
 
 }  // namespace dda

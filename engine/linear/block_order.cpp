@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace dda {
 namespace {
@@ -67,6 +68,28 @@ std::vector<int> cuthill_mckee_order(const BlockMatrix& matrix) {
   }
   std::reverse(order.begin(), order.end());
   return order;
+}
+
+Halves cut_in_halves(const BlockMatrix& matrix, std::vector<int>& order) {
+  const std::size_t middle = order.size() / 2;
+  std::vector<std::size_t> position(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) position[at(order[k])] = k;
+  std::vector<bool> couples(order.size(), false);  // by position: of the second half, with neighbours in the first
+  for (int j = 0; j < matrix.size(); ++j) {
+    for (int k = matrix.column_starts()[at(j)] + 1; k < matrix.column_starts()[at(j) + 1]; ++k) {
+      const auto [low, high] = std::minmax(position[at(matrix.block_rows()[at(k)])], position[at(j)]);
+      if (low < middle && high >= middle) couples[high] = true;
+    }
+  }
+  const auto between = static_cast<std::size_t>(std::ranges::count(couples, true));
+  if (8 * between > order.size()) return {};
+  std::vector<int> cut(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(middle));
+  for (std::size_t k = order.size(); k-- > middle;)
+    if (!couples[k]) cut.push_back(order[k]);
+  for (std::size_t k = middle; k < order.size(); ++k)
+    if (couples[k]) cut.push_back(order[k]);
+  order = std::move(cut);
+  return {middle, order.size() - between};
 }
 
 }  // namespace dda

@@ -1,6 +1,7 @@
 #include "engine/linear/incomplete_cholesky.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -19,6 +20,8 @@ struct Fill {
   int column;
   int level;
 };
+
+void set_zero(SingleBlock& block) { block.set_zero(); }
 
 bool invert(const Mat6& block, SingleBlock& inverse) {
   Mat6 exact;
@@ -50,6 +53,7 @@ void fill_row(int most, const std::vector<std::vector<Fill>>& columns, std::vect
 
 void IncompleteCholesky::analyze(const BlockMatrix& matrix, int level) {
   order_ = cuthill_mckee_order(matrix);
+  halves_ = level != diagonal && order_.size() >= worth_halving ? cut_in_halves(matrix, order_) : Halves{};
   position_.resize(order_.size());
   for (std::size_t k = 0; k < order_.size(); ++k) position_[at(order_[k])] = static_cast<int>(k);
   places_.reserve(order_.size());
@@ -57,9 +61,11 @@ void IncompleteCholesky::analyze(const BlockMatrix& matrix, int level) {
   lay_out(matrix, level);
   find_sources(matrix);
   find_targets();
-  blocks_.resize(rows_.size());
-  diagonal_.resize(order_.size());
-  work_.resize(order_.size());
+  const std::size_t places_after = halves_.second > 0 ? order_.size() - halves_.second : 0;
+  first_entry_after_ = column_starts_[order_.size() - places_after];
+  blocks_.resize(2 * rows_.size() - at(first_entry_after_));
+  diagonal_.resize(order_.size() + places_after);
+  work_.resize(order_.size() + places_after);
   products_.resize(order_.size());
 }
 
@@ -144,6 +150,25 @@ bool IncompleteCholesky::factorize_places(const BlockMatrix& matrix) {
   return take_diagonal_only(matrix);
 }
 
+template <typename Act>
+void IncompleteCholesky::for_each_place(const Act& act) const {
+  parallel_for(places_.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) act(places_[k]);
+  });
+}
+
+template <bool apart>
+std::size_t IncompleteCholesky::entry_for(int entry) const {
+  const bool is_kept_apart = apart && entry >= first_entry_after_;
+  return is_kept_apart ? at(entry - first_entry_after_) + rows_.size() : at(entry);
+}
+
+template <bool apart>
+std::size_t IncompleteCholesky::place_for(int place) const {
+  const bool is_kept_apart = apart && at(place) >= halves_.second;
+  return is_kept_apart ? at(place) - halves_.second + order_.size() : at(place);
+}
+
 void IncompleteCholesky::clear_fill(int column) {
   for (int k = column_starts_[at(column)]; k < column_starts_[at(column) + 1]; ++k)
     if (is_fill_[at(k)] != 0) blocks_[at(k)].set_zero();
@@ -154,14 +179,13 @@ void IncompleteCholesky::load(const BlockMatrix& matrix, double shift) {
   double largest = 0;
   for (const int k : places_) largest = std::max(largest, matrix.diagonal(order_[at(k)]).diagonal().maxCoeff());
   scale_ = 1 / largest;
-  for (const int k : places_) {
+  for_each_place([&](int k) {
     clear_fill(k);
     Mat6 own = scale_ * matrix.diagonal(order_[at(k)]);
     own.diagonal() *= 1 + shift;
     diagonal_[at(k)].assign(own);
-  }
-  if (rows_.empty()) return;
-  for (const int k : places_) load_column(matrix, order_[at(k)]);
+  });
+  if (!rows_.empty()) for_each_place([&](int k) { load_column(matrix, order_[at(k)]); });
 }
 
 void IncompleteCholesky::load_column(const BlockMatrix& matrix, int block) {
@@ -178,9 +202,32 @@ void IncompleteCholesky::load_column(const BlockMatrix& matrix, int block) {
 }
 
 bool IncompleteCholesky::eliminate_all() {
-  for (const int column : places_) {
+  return is_halved() ? eliminate_halves() : eliminate_between<false>(0, places_.size());
+}
+
+bool IncompleteCholesky::eliminate_halves() {
+  std::for_each(blocks_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), blocks_.end(), set_zero);
+  std::for_each(diagonal_.begin() + static_cast<std::ptrdiff_t>(order_.size()), diagonal_.end(), set_zero);
+  std::array<bool, 2> done{};
+  for_each_piece({2, 2}, [&](std::size_t half, std::size_t, std::size_t) {
+    done[half] =
+        half == 0 ? eliminate_between<false>(0, halves_.first) : eliminate_between<true>(halves_.first, halves_.second);
+  });
+  if (!done[0] || !done[1]) return false;
+  for (std::size_t i = rows_.size(); i < blocks_.size(); ++i)
+    blocks_[i - rows_.size() + at(first_entry_after_)] += blocks_[i];
+  for (std::size_t i = order_.size(); i < diagonal_.size(); ++i)
+    diagonal_[i - order_.size() + halves_.second] += diagonal_[i];
+  return eliminate_between<false>(halves_.second, order_.size());
+}
+
+// `apart`: what comes off columns after the halves is kept apart.
+template <bool apart>
+bool IncompleteCholesky::eliminate_between(std::size_t first, std::size_t last) {
+  for (std::size_t place = first; place < last; ++place) {
+    const int column = places_[place];
     if (!invert(diagonal_[at(column)].to_double(), diagonal_[at(column)])) return false;
-    eliminate(column);
+    eliminate<apart>(column);
   }
   return true;
 }
@@ -195,6 +242,7 @@ bool IncompleteCholesky::take_diagonal_only(const BlockMatrix& matrix) {
 }
 
 // Takes what the column at hand adds off the columns after it: A_ij -= M_ik D_k M_jk^T.
+template <bool apart>
 void IncompleteCholesky::eliminate(int column) {
   const int first = column_starts_[at(column)];
   const int count = column_starts_[at(column) + 1] - first;
@@ -207,24 +255,22 @@ void IncompleteCholesky::eliminate(int column) {
     add_product_transposed<1>(unscaled, diagonal_[at(column)], block);  // D^-1 is symmetric
     for (int j = 0; j < i; ++j)
       if (target[j] >= 0 && is_factored_[at(rows_[at(first + j)])] != 0)
-        add_product_transposed<-1>(unscaled, blocks_[at(first + j)], blocks_[at(target[j])]);
-    add_product_transposed<-1>(unscaled, block, diagonal_[at(rows_[at(first + i)])]);
+        add_product_transposed<-1>(unscaled, blocks_[at(first + j)], blocks_[entry_for<apart>(target[j])]);
+    add_product_transposed<-1>(unscaled, block, diagonal_[place_for<apart>(rows_[at(first + i)])]);
   }
 }
 
 double IncompleteCholesky::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
   const PhaseScope scope(Phase::preconditioner);
-  const bool whole = places_.size() == order_.size();
-  if (!whole) z.setZero();
+  if (!is_whole()) z.setZero();
   double largest = largest_entry(r);
   if (largest < std::numeric_limits<double>::min()) largest = 1;
-  if (whole && rows_.empty()) return apply_diagonal(largest, r, z);
-  return whole ? substitute<true>(largest, r, z) : substitute<false>(largest, r, z);
+  return is_whole() && rows_.empty() ? apply_diagonal(largest, r, z) : substitute(largest, r, z);
 }
 
 double IncompleteCholesky::largest_entry(const Eigen::VectorXd& r) const {
   const auto larger = [](double one, double other) { return std::max(one, other); };
-  if (places_.size() == order_.size())
+  if (is_whole())
     return parallel_reduce(places_.size(), blocks_of_plain_sum, larger, [&r](std::size_t first, std::size_t last) {
       return VectorStretch(first, last).of(r).cwiseAbs().maxCoeff();
     });
@@ -250,25 +296,57 @@ double IncompleteCholesky::apply_diagonal(double unit, const Eigen::VectorXd& r,
   });
 }
 
-// `unit`: what counts as 1 in r. Of the whole the innermost loops need not ask which rows there are: half of their
-// time.
-template <bool whole>
+// `unit`: what counts as 1 in r.
 double IncompleteCholesky::substitute(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z) {
-  const auto is_there = [this](int k) { return whole || is_factored_[at(rows_[at(k)])] != 0; };
   const double shrink = 1 / unit;
-  for (const int j : places_) work_[at(j)] = SingleSix(shrink * r.segment<6>(6 * order_[at(j)]));
-  for (const int j : places_) {
+  for_each_place([&](int j) { work_[at(j)] = SingleSix(shrink * r.segment<6>(6 * order_[at(j)])); });
+  if (is_halved()) return substitute_halves(unit, r, z);
+  if (is_whole()) {
+    forward<true, false>(0, places_.size());
+    return backward<true>(unit, 0, places_.size(), r, z);
+  }
+  forward<false, false>(0, places_.size());
+  return backward<false>(unit, 0, places_.size(), r, z);
+}
+
+double IncompleteCholesky::substitute_halves(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+  std::fill(work_.begin() + static_cast<std::ptrdiff_t>(order_.size()), work_.end(), SingleSix());
+  for_each_piece({2, 2}, [&](std::size_t half, std::size_t, std::size_t) {
+    half == 0 ? forward<true, false>(0, halves_.first) : forward<true, true>(halves_.first, halves_.second);
+  });
+  for (std::size_t i = order_.size(); i < work_.size(); ++i) work_[i - order_.size() + halves_.second] += work_[i];
+  forward<true, false>(halves_.second, order_.size());
+  double product = backward<true>(unit, halves_.second, order_.size(), r, z);
+  std::array<double, 2> products{};
+  for_each_piece({2, 2}, [&](std::size_t half, std::size_t, std::size_t) {
+    products[half] = half == 0 ? backward<true>(unit, 0, halves_.first, r, z)
+                               : backward<true>(unit, halves_.first, halves_.second, r, z);
+  });
+  return product + products[1] + products[0];
+}
+
+// Of the whole the innermost loops need not ask which rows there are: half of their time.
+template <bool whole, bool apart>
+void IncompleteCholesky::forward(std::size_t first, std::size_t last) {
+  for (std::size_t place = first; place < last; ++place) {
+    const int j = places_[place];
     const ColumnFactors known(work_[at(j)]);
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
-      if (is_there(k)) work_[at(rows_[at(k)])] -= known.times(blocks_[at(k)]);
+      if (whole || is_factored_[at(rows_[at(k)])] != 0)
+        work_[place_for<apart>(rows_[at(k)])] -= known.times(blocks_[at(k)]);
     work_[at(j)] = known.times(diagonal_[at(j)]);
   }
+}
+
+template <bool whole>
+double IncompleteCholesky::backward(double unit, std::size_t first, std::size_t last, const Eigen::VectorXd& r,
+                                    Eigen::VectorXd& z) {
   double product = 0;
-  for (std::size_t place = places_.size(); place-- > 0;) {
+  for (std::size_t place = last; place-- > first;) {
     const int j = places_[place];
     TransposedSum below;
     for (int k = column_starts_[at(j)]; k < column_starts_[at(j) + 1]; ++k)
-      if (is_there(k)) below.add(blocks_[at(k)], work_[at(rows_[at(k)])]);
+      if (whole || is_factored_[at(rows_[at(k)])] != 0) below.add(blocks_[at(k)], work_[at(rows_[at(k)])]);
     work_[at(j)] -= below.total();
     auto result = z.segment<6>(6 * order_[at(j)]);
     result = (scale_ * unit) * work_[at(j)].to_double();

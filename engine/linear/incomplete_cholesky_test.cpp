@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "engine/core/allocation_counter.h"
 #include "engine/linear/block_order.h"
@@ -59,6 +60,41 @@ TEST(IncompleteCholesky, IsExactOnAChainWithoutFill) {
 }
 
 // What defines an incomplete factor: M D M^T is A on the pattern of M, whatever it is elsewhere.
+// Halves are eliminated towards what couples them, so that a chain is as exact as in one piece.
+TEST(IncompleteCholesky, IsExactOnAChainInHalves) {
+  const int blocks = static_cast<int>(IncompleteCholesky::worth_halving) + 37;
+  const LargeSystem system = large_chain(blocks, 0);
+  IncompleteCholesky factor = factored(system.matrix, 0);
+  EXPECT_EQ(factor.entries(), blocks - 1);
+  const Eigen::VectorXd z = applied(factor, system.rhs);
+  Eigen::VectorXd image(z.size());
+  system.matrix.multiply(z, image);
+  EXPECT_LE((image - system.rhs).norm(), 10 * single_precision * system.rhs.norm());
+}
+
+TEST(CutInHalves, LeavesNoCouplingBetweenThem) {
+  const int side = 70;
+  const BlockMatrix matrix(side * side, grid_couplings(side, side));
+  std::vector<int> order = cuthill_mckee_order(matrix);
+  const Halves halves = cut_in_halves(matrix, order);
+  std::vector<std::size_t> position(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) position[static_cast<std::size_t>(order[k])] = k;
+  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), order.size());
+  EXPECT_LE(order.size() - halves.second, 2U * side);
+  EXPECT_LE(halves.second - halves.first, halves.first);
+  for (const auto& [i, j] : grid_couplings(side, side)) {
+    const auto [low, high] = std::minmax(position[static_cast<std::size_t>(i)], position[static_cast<std::size_t>(j)]);
+    EXPECT_FALSE(low < halves.first && high >= halves.first && high < halves.second) << i << ' ' << j;
+  }
+}
+
+TEST(CutInHalves, IsLeftWhereAllHangsTogether) {
+  const BlockMatrix matrix(40, random_couplings(40, 700, 3U));
+  std::vector<int> order = cuthill_mckee_order(matrix);
+  EXPECT_EQ(cut_in_halves(matrix, order).second, 0U);
+  EXPECT_EQ(order, cuthill_mckee_order(matrix));
+}
+
 TEST(IncompleteCholesky, AgreesWithTheMatrixOnItsPattern) {
   RandomSystem system = random_system(36, grid_couplings(6, 6), 2);
   for (int i = 0; i < 36; ++i) system.matrix.diagonal(i) += 20 * Mat6::Identity();  // nothing indefinite

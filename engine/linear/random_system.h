@@ -67,4 +67,27 @@ inline std::vector<std::pair<int, int>> grid_couplings(int columns, int rows) {
   return couplings;
 }
 
+struct LargeSystem {
+  BlockMatrix matrix;
+  Eigen::VectorXd rhs;
+};
+
+// Weaker random springs, without a dense matrix, between neighbours along a chain and `far` pairs of blocks far apart,
+// so that shares of a product reach into each other.
+inline LargeSystem large_chain(int blocks, int far) {
+  auto couplings = random_couplings(blocks, far, 5U);
+  for (int i = 0; i + 1 < blocks; ++i) couplings.emplace_back(i, i + 1);
+  std::erase_if(couplings, [](const auto& pair) { return pair.first == pair.second; });
+  LargeSystem system{BlockMatrix(blocks, couplings), Eigen::VectorXd::Random(6 * blocks)};
+  for (int i = 0; i < blocks; ++i) system.matrix.diagonal(i) += Mat6::Identity();
+  for (const auto& [i, j] : couplings) {
+    const Mat6 left = 0.1 * Mat6::Random();
+    const Mat6 right = 0.1 * Mat6::Random();
+    system.matrix.add_coupling(i, i, left.transpose() * left);
+    system.matrix.add_coupling(j, j, right.transpose() * right);
+    system.matrix.add_coupling(i, j, left.transpose() * right);
+  }
+  return system;
+}
+
 }  // namespace dda

@@ -38,6 +38,10 @@ struct SingleSix {
     v << low[0], low[1], low[2], low[3], high[0], high[1];
     return v;
   }
+  SingleSix& operator+=(const SingleSix& other) {
+    low += other.low, high += other.high;
+    return *this;
+  }
   SingleSix& operator-=(const SingleSix& other) {
     low -= other.low, high -= other.high;
     return *this;
@@ -64,6 +68,11 @@ class SingleBlock {
     Eigen::Matrix<float, 6, 6>::Map(data()) = block.template cast<float>();
   }
   [[nodiscard]] Mat6 to_double() const { return Eigen::Matrix<float, 6, 6>::Map(data()).cast<double>(); }
+
+  SingleBlock& operator+=(const SingleBlock& other) {
+    for (std::size_t i = 0; i < fours_.size(); ++i) fours_[i] += other.fours_[i];
+    return *this;
+  }
 
   [[nodiscard]] const Fours& fours() const { return fours_; }
   [[nodiscard]] Fours& fours() { return fours_; }

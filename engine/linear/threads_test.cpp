@@ -14,29 +14,6 @@ namespace {
 
 constexpr int many = 2 * static_cast<int>(stretch_worth_sharing) + 77;  // enough for all but sums in pieces
 
-struct LargeSystem {
-  BlockMatrix matrix;
-  Eigen::VectorXd rhs;
-};
-
-// Random springs (as in random_system.h, without its dense matrix) between neighbours along a chain and some blocks far
-// apart, so that shares of a product reach into each other.
-LargeSystem large_system(int blocks) {
-  auto couplings = random_couplings(blocks, blocks / 4, 5U);
-  for (int i = 0; i + 1 < blocks; ++i) couplings.emplace_back(i, i + 1);
-  std::erase_if(couplings, [](const auto& pair) { return pair.first == pair.second; });
-  LargeSystem system{BlockMatrix(blocks, couplings), Eigen::VectorXd::Random(6 * blocks)};
-  for (int i = 0; i < blocks; ++i) system.matrix.diagonal(i) += Mat6::Identity();
-  for (const auto& [i, j] : couplings) {
-    const Mat6 left = 0.1 * Mat6::Random();
-    const Mat6 right = 0.1 * Mat6::Random();
-    system.matrix.add_coupling(i, i, left.transpose() * left);
-    system.matrix.add_coupling(j, j, right.transpose() * right);
-    system.matrix.add_coupling(i, j, left.transpose() * right);
-  }
-  return system;
-}
-
 void expect_same_bits(const std::function<Eigen::VectorXd()>& compute) {
   const Eigen::VectorXd alone = compute();
   for (const int threads : {2, 4}) {
@@ -46,7 +23,7 @@ void expect_same_bits(const std::function<Eigen::VectorXd()>& compute) {
 }
 
 TEST(Threads, ProductsHaveTheSameBits) {
-  const LargeSystem system = large_system(1500);
+  const LargeSystem system = large_chain(1500, 1500 / 4);
   const ConstantOperator constant(system.matrix);
   expect_same_bits([&] {
     Eigen::VectorXd y = Eigen::VectorXd::Constant(system.rhs.size(), 7);  // must be overwritten, not added to
@@ -60,8 +37,21 @@ TEST(Threads, ProductsHaveTheSameBits) {
   });
 }
 
+// Of as many blocks as make two threads eliminate half of them each.
+TEST(Threads, FactorsInHalvesHaveTheSameBits) {
+  const LargeSystem system = large_chain(static_cast<int>(IncompleteCholesky::worth_halving) + 5, 60);
+  expect_same_bits([&] {
+    IncompleteCholesky factor;
+    factor.analyze(system.matrix, 1);
+    EXPECT_TRUE(factor.factorize(system.matrix));
+    Eigen::VectorXd z(system.rhs.size());
+    factor.apply(system.rhs, z);
+    return z;
+  });
+}
+
 TEST(Threads, SolutionsHaveTheSameBits) {
-  const LargeSystem system = large_system(many);
+  const LargeSystem system = large_chain(many, many / 4);
   for (const int fill : {IncompleteCholesky::diagonal, 1})
     expect_same_bits([&] {
       PcgSolver solver({.fill_level = fill});
@@ -101,7 +91,7 @@ TEST(Threads, DiagonalBlocksHaveTheSameBits) {
 
 TEST(Threads, WarmSolutionsAllocateNothing) {
   const ThreadsInUse in_use(2);
-  const LargeSystem system = large_system(many);
+  const LargeSystem system = large_chain(many, many / 4);
   PcgSolver solver;
   solver.analyze(system.matrix);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.rhs.size());

@@ -69,14 +69,14 @@ class ContactSearch {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [outlines, sizes, smallest_size, absent, lift, grown, room, must_list, just_widened, pairs, wider] = self;
+    archive(outlines, lift);
     archive.each(grown);
     archive.of_blocks(room);
     archive(must_list, just_widened);
     archive.pairs_of_blocks(pairs);
     archive(wider);
     archive.expect(wider.empty() || wider.size() == pairs.size());
-    // Sizes are the drawing's; what is absent follows from the stage; outlines and lift are brought up to date before
-    // they are read.
+    // Sizes are the drawing's; what is absent follows from the stage.
   }
 
  private:

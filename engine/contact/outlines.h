@@ -18,7 +18,16 @@ struct Outlines {
   std::vector<int> next, previous;
   std::vector<Vec2> current;  // positions, m
   std::vector<Vec2> coming;   // displacements foreseen for the step, m; zero where none are
-  std::vector<Box> boxes;     // of each block's current outer ring
+  std::vector<Box> boxes;     // of each block's current outline
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [starts, reference, next, previous, current, coming, boxes] = self;
+    // The others are the drawing's. These are of the last search, which a step may be judged by that makes none.
+    archive.each(current);
+    archive.each(coming);
+    archive.each(boxes);
+  }
 
   [[nodiscard]] int blocks() const { return static_cast<int>(boxes.size()); }
 

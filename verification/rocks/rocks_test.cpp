@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/scene/scene.h"
+#include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/run_so_far.h"
 #include "verification/rocks/rock_checks.h"
 #include "verification/rocks/rock_run.h"
@@ -79,6 +80,24 @@ TEST(Rocks, SlopesThatGapeAreDoneInSomeThousandPasses) {
     const RockResult result = run_rock(random_rock(seed, {.joints = RockJoints::projected}), 60);
     EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
     EXPECT_LT(result.passes, 9000) << seed;
+  }
+}
+
+// One of each kind, restored at every seventh step.
+TEST(Rocks, GoOnWithTheSameBitsFromWhereTheyAreRestored) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const RockJoints joints = seed % 2 == 0 ? RockJoints::dry : RockJoints::projected;
+    const dda::Model model = dda::parse_scene(random_rock(seed, {.joints = joints}).scene, "scene.json");
+    dda::Simulation whole(model);
+    for (int step = 0; step < 200 && !whole.finished(); ++step) {
+      const bool is_compared = step % 7 == 0;
+      dda::Simulation resumed(model);
+      if (is_compared) dda::restore(resumed, whole.state(), dda::save(whole));
+      const dda::Status status = whole.step();
+      if (!is_compared) continue;
+      ASSERT_EQ(resumed.step(), status) << seed << " at " << step;
+      ASSERT_TRUE(dda::memory_of(resumed) == dda::memory_of(whole)) << seed << " at " << step;
+    }
   }
 }
 

@@ -13,7 +13,7 @@ constexpr double least_share = 0.25;
 
 // What an end is and where it is. Slips count towards the side that the tangential gap is on.
 struct RisingEnd {
-  double normal_stiffness, shear_stiffness;  // N/m per m of thickness
+  double normal_stiffness, shear_stiffness;  // N/m per m of thickness, of spring and dashpot together
   double normal_gap, way;                    // m, without what it rides up in the step; and the size of the tangential
   double friction, cohesion;
   double tangent, reach;  // of the dilation angle; m, slip beyond which it rises no further
@@ -38,14 +38,36 @@ struct RisingEnd {
   }
 };
 
+// A spring and a dashpot side by side are one spring, whose gap counts from nearer to where the step began.
+struct SpringWithDashpot {
+  double stiffness;  // N/m per m of thickness
+  double gap;        // m
+};
+
+SpringWithDashpot together(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::Index row,
+                           double start) {
+  const double dashpot = springs.dashpot(row) * trial.rule.dashpot_rate;
+  const double stiffness = springs.stiffness(row) + dashpot;
+  return {stiffness, dashpot == 0 ? trial.gap(row) : trial.gap(row) - dashpot * start / stiffness};
+}
+
+// Which way the end is sheared: 1 or -1.
+double side_of(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
+  const Eigen::Index row = 2 * end + 1;
+  return std::copysign(1, together(springs, trial, row, trial.start(row)).gap);
+}
+
 RisingEnd end_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end,
                  double side) {
   const auto e = static_cast<std::size_t>(end);
   const bool residual = trial.residual[e];
-  return {springs.stiffness(2 * end),
-          springs.stiffness(2 * end + 1),
-          trial.gap(2 * end),
-          side * trial.gap(2 * end + 1),
+  const Eigen::Index n = 2 * end;
+  const SpringWithDashpot normal = together(springs, trial, n, end_answer::pressed(trial.start(n)));
+  const SpringWithDashpot shear = together(springs, trial, n + 1, trial.start(n + 1));
+  return {normal.stiffness,
+          shear.stiffness,
+          normal.gap,
+          side * shear.gap,
           strength.friction_now(residual),
           residual ? strength.residual_cohesion : 0,
           strength.dilation,
@@ -94,13 +116,12 @@ void answer_open(int end, InterfaceTrial& trial) {
 // Rows of a joint that slips as steeply as it rises.
 void set_rows(const InterfaceSprings& springs, const RisingEnd& at, double slope, double side, int end,
               InterfaceTrial& trial) {
-  const double share = at.shear_stiffness / at.resistance(slope);
-  trial.active(2 * end) = share;
+  const double stiffness = at.normal_stiffness * at.shear_stiffness / at.resistance(slope);
+  trial.active(2 * end) = stiffness / springs.stiffness(2 * end);
   trial.active(2 * end + 1) = 0;
   if (slope <= 0 || ends_of(springs) > 1) return;
-  const double stiffness = at.normal_stiffness * share;
   trial.coupling = -side * slope * stiffness;
-  trial.active(1) = slope * slope * stiffness / at.shear_stiffness;
+  trial.active(1) = std::min(slope * slope * stiffness / springs.stiffness(1), end_answer::steepest_slip);
 }
 
 }  // namespace
@@ -109,12 +130,12 @@ bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, cons
   const ContactRule& rule = trial.rule;
   if (strength.dilation == 0 || rule.sticks || rule.conserves_energy || rule.capacity_is_given) return false;
   const auto e = static_cast<std::size_t>(end);
-  return trial.broken[e] && !trial.closes[e] && springs.law == InterfaceLaw::classical && springs.dashpot.isZero(0);
+  return trial.broken[e] && !trial.closes[e] && springs.law == InterfaceLaw::classical;
 }
 
 void respond_riding(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial) {
   const auto e = static_cast<std::size_t>(end);
-  const double side = std::copysign(1, trial.gap(2 * end + 1));
+  const double side = side_of(springs, trial, end);
   const RisingEnd at = end_of(springs, strength, trial, end, side);
   const double pressure = at.pressure(0);
   const double stuck = at.shear_stiffness * at.way;
@@ -122,7 +143,8 @@ void respond_riding(const InterfaceSprings& springs, const EndStrength& strength
     trial.dilation[e] = 0;
     trial.capacity[e] = at.capacity(pressure);
     trial.force.segment<2>(2 * end) = Vec2(-pressure, side * stuck);
-    trial.active.segment<2>(2 * end).setOnes();
+    trial.active(2 * end) = at.normal_stiffness / springs.stiffness(2 * end);
+    trial.active(2 * end + 1) = at.shear_stiffness / springs.stiffness(2 * end + 1);
     return;
   }
   const double slip = slip_of(at);
@@ -135,7 +157,7 @@ void respond_riding(const InterfaceSprings& springs, const EndStrength& strength
 }
 
 void take_riding_rows(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial) {
-  const double side = std::copysign(1, trial.gap(2 * end + 1));
+  const double side = side_of(springs, trial, end);
   const RisingEnd at = end_of(springs, strength, trial, end, side);
   set_rows(springs, at, at.slope_after(0), side, end, trial);
 }
@@ -149,8 +171,8 @@ Mat2 slopes_beyond_rows(const InterfaceSprings& springs, const EndStrength& stre
   Mat2 slopes;
   slopes << stiffness, -side * slope * stiffness,  //
       -side * at.friction * stiffness, at.friction * slope * stiffness;
-  slopes(0, 0) -= trial.active(2 * end) * at.normal_stiffness;
-  slopes(1, 1) -= trial.active(2 * end + 1) * at.shear_stiffness;
+  slopes(0, 0) -= trial.active(2 * end) * springs.stiffness(2 * end);
+  slopes(1, 1) -= trial.active(2 * end + 1) * springs.stiffness(2 * end + 1);
   if (ends_of(springs) > 1) return slopes;
   slopes(0, 1) -= trial.coupling;
   slopes(1, 0) -= trial.coupling;

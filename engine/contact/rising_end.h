@@ -6,7 +6,8 @@
 //   p = k_n max(0, D(s) - g_n)     shear = k_s (|g_t| - s) = c + mu p     s >= 0
 // which on the way out, where D grows, has one solution for any gaps, and is continuous in them. On the way back to
 // where the end began D falls, and where mu tan(psi) k_n > k_s the pressure lets go of the shear faster than the
-// spring: then the first solution counts.
+// spring: then the first solution counts. Beside dashpots k_n and k_s are those of both together, and gaps count from
+// where those would rest.
 //
 // An end that was open when the step began rides up from the next step on: of its tangential motion nobody knows how
 // much was in contact, and the same gaps would have two answers, with and without the rise.
@@ -22,7 +23,7 @@
 namespace dda {
 
 // The end of this trial is answered so: it has no bond, touched at the start of the step, and its joint dilates. Not
-// under integrators that conserve energy, nor beside dashpots, nor where capacities are given.
+// under integrators that conserve energy, nor where capacities are given.
 [[nodiscard]] bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                             int end);
 

@@ -13,15 +13,36 @@
 namespace dda {
 namespace {
 
-class RisingEnds : public testing::TestWithParam<bool> {
+struct Kind {
+  const char* name;
+  bool is_vertex, is_damped;
+};
+
+class RisingEnds : public testing::TestWithParam<Kind> {
  protected:
   double number(double lower, double upper) { return std::uniform_real_distribution(lower, upper)(generator_); }
 
   InterfaceElement element() const {
     InterfaceElement element = classical_element();
-    element.length = GetParam() ? 0 : 2;
-    if (GetParam()) element.stiffness.tail<2>().setZero();
+    element.length = GetParam().is_vertex ? 0 : 2;
+    if (GetParam().is_damped) element.dashpot << normal_dashpot, shear_dashpot, normal_dashpot, shear_dashpot;
+    if (!GetParam().is_vertex) return element;
+    element.stiffness.tail<2>().setZero();
+    element.dashpot.tail<2>().setZero();
     return element;
+  }
+
+  // Spring and dashpot of a normal row that ends the step at `gap`, without a pull.
+  double normal_force(double gap, double start) const {
+    if (gap >= 0) return 0;
+    const double dashpot = element().dashpot(0) * rate;
+    return std::min(0.0, normal_spring * gap + dashpot * (gap - std::min(0.0, start)));
+  }
+
+  // Shear of an end that has not slipped in the step.
+  double stuck_force(const InterfaceTrial& trial, int end) const {
+    const double gap = trial.gap(2 * end + 1);
+    return shear_spring * gap + element().dashpot(1) * rate * (gap - trial.start(2 * end + 1));
   }
 
   // A third are on their way back, a third beyond the slip where they rise no further; steps are up to a few of these.
@@ -29,18 +50,22 @@ class RisingEnds : public testing::TestWithParam<bool> {
     InterfaceState start = start_with(true);
     start.broken = {true, true};
     start.gap(0) = start.gap(2) = -0.04;
+    start.gap(1) = start.gap(3) = GetParam().is_damped ? number(-0.02, 0.02) : 0;
     start.slip = {number(-0.06, 0.06), number(-0.06, 0.06)};
-    InterfaceTrial trial = start_trial(element(), strength_, start);
+    InterfaceTrial trial = start_trial(element(), strength_, start, {.dashpot_rate = rate});
     for (const int end : {0, 1}) trial.gap.segment<2>(2 * end) << number(-0.1, 0.02), number(-0.15, 0.15);
     respond_with_friction(element(), strength_, trial);
     return trial;
   }
 
+  static constexpr double rate = 20, normal_dashpot = 2, shear_dashpot = 3;  // dashpots of 0.4 and 1.5 springs
   const EndStrength strength_{.friction = 0.5, .dilation = 0.25, .dilation_slip = 0.04};
   std::mt19937 generator_{1};
 };
-INSTANTIATE_TEST_SUITE_P(Dilation, RisingEnds, testing::Bool(),
-                         [](const auto& each) { return each.param ? "vertex" : "stretch"; });
+INSTANTIATE_TEST_SUITE_P(Dilation, RisingEnds,
+                         testing::Values(Kind{"vertex", true, false}, Kind{"stretch", false, false},
+                                         Kind{"dampedVertex", true, true}, Kind{"dampedStretch", false, true}),
+                         [](const auto& each) { return each.param.name; });
 
 // Signorini's and Coulomb's laws with the rise that belongs to the slip, whatever the way there.
 TEST_P(RisingEnds, ObeyEveryLawAtOnce) {
@@ -52,17 +77,17 @@ TEST_P(RisingEnds, ObeyEveryLawAtOnce) {
       const double normal = trial.force(2 * end), shear = trial.force(2 * end + 1);
       ASSERT_LE(normal, 0);
       if (normal == 0) {  // open, even where it has ridden up on the whole way
-        const double way = trial.gap(2 * end + 1);
+        const double way = stuck_force(trial, end) / (shear_spring + element().dashpot(1) * rate);
         const double risen = strength_.lift(trial.slip[e] + way) - strength_.lift(trial.slip[e]);
-        ASSERT_LE(risen, trial.gap(2 * end) + round_off);
+        ASSERT_NEAR(normal_force(trial.gap(2 * end) - risen, trial.start(2 * end)), 0, 1e-12);
         ASSERT_EQ(shear, 0);
         ASSERT_EQ(trial.dilation[e], 0);
         continue;
       }
-      const double slip = trial.gap(2 * end + 1) - shear / shear_spring;
+      const double slip = (stuck_force(trial, end) - shear) / (shear_spring + element().dashpot(1) * rate);
       const double risen = strength_.lift(trial.slip[e] + slip) - strength_.lift(trial.slip[e]);
       ASSERT_NEAR(trial.dilation[e], risen, round_off);
-      ASSERT_NEAR(normal, normal_spring * (trial.gap(2 * end) - risen), 100 * round_off);
+      ASSERT_NEAR(normal, normal_force(trial.gap(2 * end) - risen, trial.start(2 * end)), 100 * round_off);
       ASSERT_LE(std::abs(shear), -0.5 * normal + 100 * round_off);
       if (std::abs(slip) < round_off) continue;
       ASSERT_GT(slip * shear, 0);

@@ -83,14 +83,14 @@ TEST(Rocks, SlopesThatGapeAreDoneInSomeThousandPasses) {
   }
 }
 
-// One of each kind, restored at every seventh step.
+// One of each kind, restored at every thirteenth step.
 TEST(Rocks, GoOnWithTheSameBitsFromWhereTheyAreRestored) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const RockJoints joints = seed % 2 == 0 ? RockJoints::dry : RockJoints::projected;
     const dda::Model model = dda::parse_scene(random_rock(seed, {.joints = joints}).scene, "scene.json");
     dda::Simulation whole(model);
     for (int step = 0; step < 200 && !whole.finished(); ++step) {
-      const bool is_compared = step % 7 == 0;
+      const bool is_compared = step % 13 == 0;
       dda::Simulation resumed(model);
       if (is_compared) dda::restore(resumed, whole.state(), dda::save(whole));
       const dda::Status status = whole.step();

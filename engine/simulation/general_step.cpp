@@ -123,8 +123,9 @@ Status GeneralStep::solve_far_enough(double end) {
   for (int round = 0; round < most_rounds; ++round) {
     const Status status = solve();
     system_.increment = solver_.increment();
-    if (status != Status::ok || !moving_) return status;
+    if (status != Status::ok) return status;
     if (!moves_further_than_seen()) {
+      if (!moving_) return status;
       message_ = turn_problem(system_);
       return message_.empty() ? Status::ok : Status::not_converged;
     }
@@ -148,12 +149,14 @@ void GeneralStep::pose(double end) {
 
 // True when the step must be solved again, with drag on loose blocks or contacts looked for from further away.
 bool GeneralStep::moves_further_than_seen() {
-  const bool is_far = system_.plan.is_static && largest_motion(system_) > ContactSearch::reach / 2;
+  // Where contacts stay those of the drawing, a block that nothing holds would go on for ever.
+  const bool looks_for_loose = moving_ || system_.stage().equilibrium > 0;
+  const bool is_far = system_.plan.is_static && looks_for_loose && largest_motion(system_) > ContactSearch::reach / 2;
   if (is_far && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
     base_is_current_ = false;
     return true;
   }
-  if (!system_.plan.finite_kinematics) return false;  // contacts stay those of the start, however far blocks go
+  if (!moving_ || !system_.plan.finite_kinematics) return false;  // contacts stay, however far blocks go
   if (!moving_->widen(system_.model, system_.state, system_.increment)) return false;
   moved_ = std::numeric_limits<double>::infinity();  // the geometry is to be followed again, and searched
   return true;

@@ -324,13 +324,18 @@ TEST(Settling, LastStageWithALooseBlockIsNoEquilibrium) {
   EXPECT_NE(simulation.message().find("\"stone\" at (0, "), std::string::npos) << simulation.message();
 }
 
-// A block on a slope steeper than its friction slides for ever; on one that is not it stays.
+// A block on a slope steeper than its friction slides for ever, in small kinematics along the face as drawn; on one
+// that is not it stays.
 TEST(Settling, BlockThatSlidesDownASlopeIsNamed) {
-  for (const double friction_angle : {0.3, 0.5}) {
+  for (const auto& [friction_angle, kinematics] : {std::pair(0.3, Kinematics::finite),
+                                                   {0.5, Kinematics::finite},
+                                                   {0.3, Kinematics::small},
+                                                   {0.5, Kinematics::small}}) {
     Model model = stone_over_floor(0.5, 0);
     model.joints[0].friction_angle = friction_angle;
     model.gravity = standard_gravity * Vec2(std::sin(0.4), -std::cos(0.4));
     model.stages = {settling()};
+    model.stages[0].kinematics = kinematics;
     Simulation simulation = simulation_of(std::move(model));
     Status status = Status::ok;
     while (!simulation.finished() && status == Status::ok) status = simulation.step();

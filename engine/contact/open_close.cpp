@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/contact/bed_in_step.h"
+#include "engine/contact/bond_strength.h"
 #include "engine/contact/end_answer.h"
 #include "engine/contact/no_tension_bed.h"
 #include "engine/contact/projected_law.h"
@@ -295,12 +296,11 @@ void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, I
 
 bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) return false;
-  bool broke = false;
+  const std::array<bool, 2> bonds = trial.broken;
+  trial.broken = bonds_broken_by(springs, strength, trial.force, bonds);
+  bool broke = trial.broken != bonds;
   for (int end = 0; end < 2; ++end) {
     const auto e = static_cast<std::size_t>(end);
-    const Eigen::Index n = normal_row(end);
-    if (!trial.broken[e] && exceeds(strength, trial.force(n), trial.force(n + 1))) trial.broken[e] = broke = true;
-    if (springs.law == InterfaceLaw::projected && broke) trial.broken = {true, true};
     if (trial.broken[e] && !trial.residual[e] && has_failed(strength, trial, end)) trial.residual[e] = broke = true;
   }
   return broke;

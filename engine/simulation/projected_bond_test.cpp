@@ -1,0 +1,148 @@
+// Bonds of the projected law break at their strength: blocks glued to held ground, whose joints carry what equilibrium
+// alone says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "engine/simulation/projected_models.h"
+
+namespace dda {
+namespace {
+
+// What a joint of length l carries at a load of 1: normal and shear force, N, and moment, N m, per m of thickness.
+struct Carried {
+  double normal = 0, shear = 0, moment = 0;
+};
+
+class Lot {
+ public:
+  explicit Lot(int seed) : random_(static_cast<std::mt19937::result_type>(seed)) {}
+  double between(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
+  double power(double least, double most) { return std::pow(10, between(least, most)); }
+  bool is_one_in(int n) { return std::uniform_int_distribution(1, n)(random_) == 1; }
+
+ private:
+  std::mt19937 random_;
+};
+
+struct Scene {
+  Model model;
+  double length = 0;
+  Carried always, by_load;
+};
+
+// A block of any size, rock and direction with its joint along its foot, without loads. Its sides run along `along`.
+struct Drawn {
+  double width, height;
+  Vec2 along;
+  [[nodiscard]] Vec2 turned(double x, double y) const { return x * along + y * Vec2(-along.y(), along.x()); }
+};
+
+Drawn draw_block(Lot& lot, Scene& scene) {
+  const double size = lot.power(-1, 1), angle = lot.between(-3, 3);
+  const Drawn drawn{size * lot.between(0.5, 2), size * lot.between(0.4, 2), {std::cos(angle), std::sin(angle)}};
+  const auto add = [&](double left, double bottom, double right, double top) {
+    scene.model.blocks.emplace_back().shape.outer = {drawn.turned(left, bottom), drawn.turned(right, bottom),
+                                                     drawn.turned(right, top), drawn.turned(left, top)};
+  };
+  add(-drawn.width, -size, 2 * drawn.width, 0);
+  add(0, 0, drawn.width, drawn.height);
+  scene.model.held_blocks.resize(1);
+  scene.length = drawn.width;
+  Material material = rock();
+  material.young = lot.power(9, 11);
+  material.poisson = lot.between(0, 0.35);
+  scene.model.materials = {material};
+  JointMaterial joint = dry_projected(lot.between(0.2, 1));
+  joint.tensile_strength = lot.power(5, 6);
+  if (lot.is_one_in(3)) joint.normal_stiffness = material.young / size * lot.power(-1, 1);
+  scene.model.joints = {joint};
+  scene.model.stages = {stage_of(static_integrator(), 1, 40)};
+  return drawn;
+}
+
+void load_top(const Drawn& drawn, double force, Scene& scene) {
+  const Vec2 traction = drawn.turned(0, force / drawn.width);
+  scene.model.edge_loads.push_back(
+      {1, drawn.turned(drawn.width, drawn.height), drawn.turned(0, drawn.height), traction, Constant{}});
+  scene.always.normal = force;
+}
+
+// Pulled off the middle of its top: the more the less is the strength by what is torn there.
+Scene pulled_off(Lot& lot) {
+  Scene scene;
+  const Drawn drawn = draw_block(lot, scene);
+  JointMaterial& joint = scene.model.joints[0];
+  joint.cohesion = joint.tensile_strength * std::tan(joint.friction_angle) * lot.between(1.5, 3);
+  const double off = drawn.width * lot.between(-0.5, 0.5);
+  const double force = joint.tensile_strength * drawn.width;
+  scene.model.point_loads.push_back(
+      {1, drawn.turned(drawn.width / 2 + off, drawn.height), drawn.turned(0, force), Constant{}});
+  scene.by_load = {force, 0, force * off};
+  return scene;
+}
+
+// Pressed on and pushed from a side: it is sheared off, or torn off at its heel.
+Scene pushed_off(Lot& lot) {
+  Scene scene;
+  const Drawn drawn = draw_block(lot, scene);
+  JointMaterial& joint = scene.model.joints[0];
+  joint.cohesion = joint.tensile_strength * lot.between(0.3, 3);
+  load_top(drawn, -joint.tensile_strength * drawn.width * lot.between(0.2, 2), scene);
+  const double force = joint.cohesion * drawn.width, at = drawn.height * lot.between(0.05, 0.95);
+  scene.model.point_loads.push_back({1, drawn.turned(0, at), drawn.turned(force, 0), Constant{}});
+  scene.by_load = {0, force, force * at};
+  return scene;
+}
+
+double first_positive(double capacity, double by_load) { return by_load > 0 ? capacity / by_load : 1e30; }
+
+// The load at which the edge is pulled by the tensile strength, by beam theory, or the whole sheared off.
+double breaking_load(const Scene& scene) {
+  const JointMaterial& joint = scene.model.joints[0];
+  const double friction = std::tan(joint.friction_angle), l = scene.length;
+  const Carried& unit = scene.by_load;
+  const double torn = first_positive(joint.tensile_strength - scene.always.normal / l,
+                                     unit.normal / l + 6 * std::abs(unit.moment) / (l * l));
+  const double sheared = first_positive(joint.cohesion * l - friction * scene.always.normal,
+                                        std::abs(unit.shear) + friction * unit.normal);
+  return std::min(torn, sheared);
+}
+
+bool breaks_under(Scene scene, double load) {
+  scene.model.point_loads[0].force *= load;
+  Simulation simulation = simulation_of(std::move(scene.model));
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(simulation.step(), Status::ok) << simulation.message();
+    if (simulation.contacts().states[0].broken[0]) return true;
+  }
+  return false;
+}
+
+// Static steps come to their end from below, and are there to 1e-6 after 40 of them.
+constexpr double share_off = 1e-3;
+
+TEST(ProjectedBond, TearsWhereItsEdgeIsPulledByItsStrength) {
+  for (int seed = 0; seed < 40; ++seed) {
+    Lot lot(seed);
+    const Scene scene = pulled_off(lot);
+    const double load = breaking_load(scene);
+    EXPECT_FALSE(breaks_under(scene, (1 - share_off) * load)) << "seed " << seed;
+    EXPECT_TRUE(breaks_under(scene, (1 + share_off) * load)) << "seed " << seed;
+  }
+}
+
+TEST(ProjectedBond, IsShearedOffAsAWholeHoweverItIsBent) {
+  for (int seed = 0; seed < 40; ++seed) {
+    Lot lot(seed);
+    const Scene scene = pushed_off(lot);
+    const double load = breaking_load(scene);
+    EXPECT_FALSE(breaks_under(scene, (1 - share_off) * load)) << "seed " << seed;
+    EXPECT_TRUE(breaks_under(scene, (1 + share_off) * load)) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace dda

@@ -141,8 +141,10 @@ double share_of_way(const Rows& rows, InterfaceLaw law) {
 }
 
 // Blocks beside each other settle by different amounts, and each corner comes to the next block's as its row moves.
-// Of 250 steps the first is worth half, 0.4 %; projected joints have been off by 2 % at most, in the last rows, which
-// did not slide at all where corners hemmed in by other blocks counted as contacts from a ten-thousandth on (ADR 51).
+// Lower blocks swing when their sides are let go, and carry the row along at first: by 9e-4 of the way at most on
+// springs, which lock what they bend. On projected joints that bend it is 2.6 % in the last rows, which are of soft
+// rock and on a slope that is little steeper than their friction, and 0.5 % in the others. The last rows did not slide
+// at all where corners hemmed in by other blocks counted as contacts from a ten-thousandth on (ADR 51).
 TEST(Seam, RowsSlideOverRowsWithTheSameJoints) {
   std::vector<Rows> all;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) all.push_back(random_rows(seed));
@@ -154,7 +156,7 @@ TEST(Seam, RowsSlideOverRowsWithTheSameJoints) {
                  1.49564,
                  0.488105});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    EXPECT_NEAR(share_of_way(all[i], InterfaceLaw::classical), 1, 0.01) << i;
+    EXPECT_NEAR(share_of_way(all[i], InterfaceLaw::classical), 1, 0.002) << i;
     EXPECT_NEAR(share_of_way(all[i], InterfaceLaw::projected), 1, 0.03) << i;
   }
 }

@@ -143,11 +143,11 @@ void expect_full_stiffness(const InterfaceSprings& springs, const EndStrength& s
   }
 }
 
-// Ends that are open do not rise in the step.
+// Ends that are open do not rise in the step, nor does any whose friction is given.
 void prepare_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
-    trial.closes[e] = trial.broken[e] && trial.start(normal_row(end)) > 0;
+    trial.closes[e] = trial.broken[e] && (trial.start(normal_row(end)) > 0 || trial.rule.capacity_is_given);
   }
   if (!trial.rule.sticks) expect_full_stiffness(springs, strength, trial);
 }

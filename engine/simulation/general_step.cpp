@@ -243,7 +243,7 @@ StepProblem GeneralStep::problem() const {
           .contacts = {changing_, s.contacts.elements.own(), s.contacts.strengths, s.contacts.states, rule_},
           .bolts = s.plan.reinforcement.bolts ? s.reinforcement.bolts.links() : std::span<const LinkElement>{},
           .held = s.held,
-          .dilates = s.plan.dilation,
+          .dilates = s.plan.dilation && !rule_.capacity_is_given,
           .max_passes = most_passes(s.stage()),
           .to_the_end = !can_be_cut_};
 }
@@ -374,7 +374,10 @@ void GeneralStep::accept_contacts() {
     if (drops && !s.held.empty())  // the rest of their work is in audit_held_blocks
       s.audit.held_blocks_moved_against(weight * s.held.gap_increment(element).dot(dropped));
     const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
-    if (before.status != after.status || before.slip != after.slip || drops || gaps_are_foreseen || bends)
+    // Slip of ends that do not rise in the step is not counted (open_close.h), but takes energy.
+    const bool slides =
+        before.slip != after.slip || std::ranges::find(after.status, ContactStatus::sliding) != after.status.end();
+    if (before.status != after.status || slides || drops || gaps_are_foreseen || bends)
       s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
                                 after.dashpot);
     if (moving_) count_free_slip(element, trials[k].gap, after);

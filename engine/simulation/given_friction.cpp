@@ -36,15 +36,14 @@ bool may_be_over_soon(const BlockSystem& system) {
 
 bool GivenFriction::give(const BlockSystem& system) {
   const bool is_convex = system.stage().unlimited_strength;
-  if (is_given() || !system.stage().paces_itself() || is_convex || system.plan.dilation || may_be_over_soon(system))
-    return false;
+  if (is_given() || !system.stage().paces_itself() || is_convex || may_be_over_soon(system)) return false;
   steps_left_ = steps_in_a_run;
   return true;
 }
 
 bool GivenFriction::give_to_shortest_part(const BlockSystem& system) {
   const bool is_short = system.coefficients.dt <= longest_part_given * system.stage().dt && is_shortest_part(system);
-  if (is_given() || system.plan.is_static || system.plan.dilation || !is_short) return false;
+  if (is_given() || system.plan.is_static || !is_short) return false;
   steps_left_ = 1;
   return true;
 }

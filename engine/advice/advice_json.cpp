@@ -19,9 +19,9 @@ Json to_json(const HistoryErrors& history) {
           {"with_end", history.with_end},
           {"speed", to_json(history.speed)},
           {"amplitude", to_json(history.amplitude)},
-          {"peak", history.arrival.peak},
+          {"peak", history.arrival.has_peak ? Json(history.arrival.peak) : Json(nullptr)},
           {"largest", history.arrival.largest},
-          {"peak_speed", history.arrival.peak_speed},
+          {"peak_speed", history.arrival.has_peak ? Json(history.arrival.peak_speed) : Json(nullptr)},
           {"onset_speed", history.arrival.onset_speed},
           {"likeness", history.arrival.likeness}};
 }

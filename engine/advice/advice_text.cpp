@@ -66,8 +66,9 @@ void add_history(const WaveAdvice& wave, Text& text) {
   text.line("    speed      {}   (by cross-correlation)", split(history.speed));
   text.line("    amplitude  {}   (least-squares fit)", split(history.amplitude));
   if (const std::string warning = unlike(history); !warning.empty()) text.line("    {}", warning);
-  if (std::abs(history.arrival.peak_speed) > 0.5) {
-    text.line("    largest value {}; no peak to read: the load does not turn back", percent(history.arrival.largest));
+  if (!history.arrival.has_peak) {
+    text.line("    largest value {}; no peak to read: the load does not turn back; speed by onset {}",
+              percent(history.arrival.largest), percent(history.arrival.onset_speed));
     return;
   }
   text.line("    largest value {}; first peak {}; speed by first peak {}, by onset {}",

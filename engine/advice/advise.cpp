@@ -11,10 +11,11 @@
 #include "engine/advice/chain_errors.h"
 #include "engine/advice/explicit_offer.h"
 #include "engine/advice/load_history.h"
+#include "engine/advice/joints_in_waves.h"
 #include "engine/advice/near_sides.h"
+#include "engine/advice/no_figures.h"
+#include "engine/advice/plane_wave_conditions.h"
 #include "engine/advice/springs_in_waves.h"
-#include "engine/advice/sudden_loads.h"
-#include "engine/advice/unseen_loads.h"
 #include "engine/contact/make_contacts.h"
 #include "engine/model/quantity_names.h"
 #include "engine/simulation/block_terms.h"
@@ -60,12 +61,6 @@ double coarsest_dt(double period, double stable_dt) {
   return stable_dt > 0 ? std::min(period / 4, stable_dt) : period / 4;
 }
 
-// Steps in a period, and blocks in a wavelength, of a load's main frequency: with fewer, what comes is no wave like it.
-constexpr double least_in_period = 4;
-
-// Share of a wave that may be in steps beside jumps.
-constexpr double most_of_jumps = 0.004;
-
 constexpr const char* nothing_comes = "nothing arrives that resembles it within half a period of when it is due";
 
 class Adviser {
@@ -76,8 +71,7 @@ class Adviser {
         contacts_(simulation.contacts()),
         drawn_(make_contacts(model_)),
         question_(question),
-        unseen_(unseen_load_findings(model_)),
-        sudden_(sudden_loads(model_)) {
+        no_figures_(model_) {
     if (!question.frequency) load_ = scene_load(model_);
     frequency_ = question.frequency ? question.frequency : default_frequency();
     for (std::size_t i = 0; frequency_ && i < model_.materials.size(); ++i)
@@ -92,8 +86,8 @@ class Adviser {
     advice.wanted_error = question_.error;
     advice.size = size_of(contacts_, matrix);
     advice.joints_may_open = contacts_.can_change;
-    for (const LoadFinding& finding : unseen_) advice.unseen.push_back(finding.sentence);
-    for (const LoadFinding& finding : sudden_) advice.sudden.push_back(finding.sentence);
+    for (const LoadFinding& finding : no_figures_.unseen()) advice.unseen.push_back(finding.sentence);
+    for (const LoadFinding& finding : no_figures_.sudden()) advice.sudden.push_back(finding.sentence);
     for (std::size_t i = 0; i < model_.stages.size(); ++i) {
       const Stage& stage = model_.stages[i];
       advice.damped = advice.damped || stage.velocity_factor != 1 || stage.damping_rate != 0;
@@ -140,28 +134,6 @@ class Adviser {
     return advice;
   }
 
-  // Readings of a wave that jumps look good, as they are means over all of it, while its front is far off; those of one
-  // that steps or blocks pass over are readings of something else. Empty where figures say what comes.
-  [[nodiscard]] std::string why_no_figures(const Stage& stage, double wavelength, double block_size) const {
-    if (!load_) return "";
-    const auto concerns = [&](const LoadFinding& finding) {
-      return finding.history == load_->source &&
-             model_.stages[static_cast<std::size_t>(finding.stage)].name == stage.name;
-    };
-    if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return concerns(each) && !each.leaves_figures; }))
-      return "it jumps, which no mesh and dt carry without overshoot and ringing: no figures";
-    if (const double share = share_of_jumps(*load_, stage.dt); share > most_of_jumps)
-      return fmt::format("its velocity jumps, and {:.2g} % of it is in the steps beside: no figures", 100 * share);
-    if (std::ranges::any_of(unseen_, concerns)) return "steps of this dt see too little of it: no figures";
-    if (stage.dt > load_->history.period / least_in_period)
-      return fmt::format("too short for steps of {:g} s, {:.2g} in a period of its main frequency: no figures",
-                         stage.dt, load_->history.period / stage.dt);
-    if (block_size > wavelength / least_in_period)
-      return fmt::format("too short for blocks of {:.4g} m, {:.2g} in a wavelength of its main frequency: no figures",
-                         block_size, wavelength / block_size);
-    return "";
-  }
-
   // What is assumed of the mesh, or of a load on it, is no foretelling. A sentence where it cannot be.
   [[nodiscard]] std::string why_not_foretold(const Lattice& lattice) const {
     if (way_) return "the way from where it is driven is foretold for itself";
@@ -171,7 +143,29 @@ class Adviser {
     return "";
   }
 
+  // Into the rock from where it is driven, as far as that is known; else the direction asked about.
+  [[nodiscard]] Vec2 way_into(const Vec2& direction) const {
+    if (!load_->face.isZero(0)) return load_->face;
+    return direction.dot(load_->looked_at - load_->place) < 0 ? Vec2(-direction) : direction;
+  }
+
+  [[nodiscard]] std::string what_disturbs(const Course& course, const DrivenWave& wave) const {
+    std::string why = why_no_plane_wave(model_, course.index, *load_, wave);
+    return why.empty() ? why_steps_change(model_, course.index, *load_, wave.window) : why;
+  }
+
+  void check_joints(const Course& course, WaveKind kind, const Vec2& direction, double unit, WaveAdvice& advice) const {
+    if (!advice.history) return;
+    const WaveStress stress = stress_of(*load_, *advice.history, kind, direction, unit);
+    if (const std::string why = why_joints_give_way(model_, course.index, drawn_, stress); !why.empty())
+      cannot_foretell(why, advice);
+  }
+
   void foretell_history(const WaveQuestion& question, const Course& course, WaveAdvice& advice) const {
+    const Vec2 into = way_into(question.direction);
+    const bool row = question.lattice.row;
+    if (const std::string why = what_disturbs(course, {into, row, window_of(question, load_->history)}); !why.empty())
+      return cannot_foretell(why, advice);
     advice.history = history_errors(question, load_->history);
     if (!advice.history) {
       advice.not_foretold = nothing_comes;
@@ -186,6 +180,8 @@ class Adviser {
         });
       }
     }
+    check_joints(course, question.kind, question.direction,
+                 unit_of_load(model_, *load_, question.kind, into, row), advice);
   }
 
   static void cannot_foretell(const std::string& why, WaveAdvice& advice) {
@@ -250,17 +246,20 @@ class Adviser {
     advice.steady = question.steady_errors(*frequency_);
     advice.asked_history = true;
     const double wavelength = advice.speed * load_->history.period;
-    if (advice.not_foretold = why_no_figures(stage, wavelength, advice.block_size); !advice.not_foretold.empty())
+    advice.not_foretold = no_figures_.why(*load_, course.index, wavelength, advice.block_size);
+    if (!advice.not_foretold.empty()) return advice;
+    const ChainQuestion::OtherTrace other = question.other_trace(load_->history);
+    if (const std::string why = what_disturbs(course, {way_->direction, is_row(), other.window}); !why.empty()) {
+      cannot_foretell(why, advice);
       return advice;
+    }
     advice.history = question.history_errors(load_->history);
     if (!advice.history) {
       advice.not_foretold = nothing_comes;
     } else {
       const MeshPlace place{way_->direction, way_->kind, advice.history->place, unit_of_way()};
-      if (!is_row()) {
-        const ChainQuestion::OtherTrace other = question.other_trace(load_->history);
-        count_sides(course, place, other.window, advice, other.read);
-      }
+      if (!is_row()) count_sides(course, place, other.window, advice, other.read);
+      check_joints(course, way_->kind, way_->direction, unit_of_way(), advice);
     }
     if (question_.limits && has_limits(advice)) advice.limits = limits_of(question, course, advice);
     return advice;
@@ -269,7 +268,7 @@ class Adviser {
   // Pa, of a wave along the way as it sets out.
   [[nodiscard]] double unit_of_way() const {
     const double motion = load_->motion.dot(polarization(way_->kind, way_->direction));
-    if (!way_->is_moved) return motion;
+    if (!way_->is_moved) return unit_of_load(model_, *load_, way_->kind, way_->direction, is_row());
     const ChainLayer& first = way_->layers[way_->driven_as_whole ? 1 : 0];
     return motion * first.impedance / first.width;
   }
@@ -339,7 +338,9 @@ class Adviser {
     const WaveQuestion question{lattice, stage, kind, direction.unit, advice.distance};
     advice.steady = steady_errors(question, *frequency_);
     advice.asked_history = load_.has_value();
-    if (load_) advice.not_foretold = why_no_figures(stage, advice.speed * load_->history.period, advice.block_size);
+    if (load_)
+      advice.not_foretold =
+          no_figures_.why(*load_, course.index, advice.speed * load_->history.period, advice.block_size);
     if (load_ && advice.not_foretold.empty()) advice.not_foretold = why_not_foretold(lattice);
     if (!advice.not_foretold.empty()) return advice;
     if (load_) foretell_history(question, course, advice);
@@ -374,7 +375,7 @@ class Adviser {
   const ContactSet& contacts_;  // as they are followed
   const ContactSet drawn_;      // joints as drawn, along which waves are predicted
   const AdviceQuestion& question_;
-  std::vector<LoadFinding> unseen_, sudden_;
+  NoFigures no_figures_;
   std::optional<SceneLoad> load_;
   std::optional<double> frequency_;
   std::vector<Lattice> lattices_;

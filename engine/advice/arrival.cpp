@@ -17,6 +17,7 @@ constexpr double other_sign_share = 0.1;
 struct Fit {
   double factor = 0;
   double coefficient = 0;  // normalised correlation
+  double wanted = 0;       // sum of squares of what should come
 };
 
 // Where a function with one summit between `low` and `high` has it, by golden sections.
@@ -53,7 +54,21 @@ class Comparison {
       found += trace_[i] * trace_[i];
     }
     if (!(wanted > 0) || !(found > 0)) return {};
-    return {both / wanted, both / std::sqrt(wanted * found)};
+    return {both / wanted, both / std::sqrt(wanted * found), wanted};
+  }
+
+  // The largest coefficient at delays from `first` on that leave at least half of what should come in the trace, but for
+  // those from `low` to `high`.
+  [[nodiscard]] double best_outside(double first, double low, double high, double pitch) const {
+    double most = 0;
+    const double whole = fit(0).wanted;
+    const double last = static_cast<double>(trace_.size()) * interval_;
+    for (double lag = first; lag < last; lag += pitch) {
+      if (lag >= low && lag <= high) continue;
+      const Fit fit = this->fit(lag);
+      if (fit.wanted >= whole / 2) most = std::max(most, fit.coefficient);
+    }
+    return most;
   }
 
   // The delay with the largest coefficient from `low` to `high`. Where a load has kinks and its samples are few, so has
@@ -148,6 +163,13 @@ class Exact {
     return up * std::max(up * row_[top], up * value_(summit_near(top)));
   }
 
+  [[nodiscard]] bool stays_at(const Marks& marks) const {
+    constexpr double much = 1e-3;
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::round(marks.peak_time / pitch_)));
+    return std::all_of(row_.begin() + static_cast<std::ptrdiff_t>(std::min(first, row_.size())), row_.end(),
+                       [&](double value) { return std::abs(value - marks.peak) <= much * std::abs(marks.peak); });
+  }
+
   [[nodiscard]] double largest(double until) const {
     std::size_t top = 0;
     for (std::size_t i = 0; i < row_.size() && static_cast<double>(i) * pitch_ <= until; ++i)
@@ -201,6 +223,11 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   errors.speed = speed_error(on_time, lag);
   errors.amplitude = fit.factor - 1;
   errors.likeness = fit.coefficient;
+  errors.elsewhere = comparison.best_outside(-0.9 * on_time, lags.earliest - limit, lags.latest + limit, period / 20);
+  errors.has_peak = !wanted.stays_at(due);
+  const auto [lowest, highest] = std::minmax_element(trace.begin(), trace.end());
+  errors.lowest = *lowest;
+  errors.highest = *highest;
   errors.peak = found.peak / wanted.peak_near(due) - 1;
   const bool has_come = wanted.largest(until) >= 0.5 * wanted.largest(never);
   double looked_at = never;

@@ -139,8 +139,7 @@ struct ChainQuestion::Traces {
 double ChainQuestion::window_for(const LoadHistory& load, const Lags& lags) const {
   const double needed = window_of(load, path_.time_to(joint_), lags);
   if (!is_seen(load, path_.time_to(joint_), lags)) return needed;
-  const double far = path_.distance_of(static_cast<int>(path_.layers.size()));
-  const double echo = (2 * far - path_.distance_of(joint_)) / fastest();
+  const double echo = 2 * path_.time_to(static_cast<int>(path_.layers.size())) - path_.time_to(joint_);
   return std::min(load.run, std::max(needed, echo));
 }
 

@@ -53,19 +53,6 @@ double period_of_rise(const std::vector<double>& samples, double interval) {
   return stays && steepest > 0 ? 4 * largest / steepest : std::numeric_limits<double>::infinity();
 }
 
-// s, up to which a history is zero. What a load does before it begins says nothing of its wave, and would be counted as
-// a part of it: after a static stage that may be the longest part by far.
-double start_of(const TimeFunction& function) {
-  if (const auto* sine = std::get_if<SineCycles>(&function)) return sine->start;
-  if (const auto* decay = std::get_if<ExponentialDecay>(&function)) return decay->start;
-  if (const auto* record = std::get_if<Recorded>(&function)) return record->start;
-  const auto* table = std::get_if<PiecewiseLinear>(&function);
-  if (table == nullptr) return 0;
-  const auto first = std::ranges::find_if(table->values, [](double value) { return value != 0; });
-  if (first == table->values.begin() || first == table->values.end()) return 0;
-  return table->times[static_cast<std::size_t>(first - table->values.begin()) - 1];
-}
-
 // The last end of a step at or before that time, s: a run samples its loads there, so that kinks lie between samples as
 // they do in the run. Of stages that pace themselves the time itself.
 double step_before(const Model& model, double time) {
@@ -153,6 +140,19 @@ std::optional<SceneLoad> first_drive(const Model& model) {
 }
 
 }  // namespace
+
+// What a load does before it begins says nothing of its wave, and would be counted as
+// a part of it: after a static stage that may be the longest part by far.
+double start_of(const TimeFunction& function) {
+  if (const auto* sine = std::get_if<SineCycles>(&function)) return sine->start;
+  if (const auto* decay = std::get_if<ExponentialDecay>(&function)) return decay->start;
+  if (const auto* record = std::get_if<Recorded>(&function)) return record->start;
+  const auto* table = std::get_if<PiecewiseLinear>(&function);
+  if (table == nullptr) return 0;
+  const auto first = std::ranges::find_if(table->values, [](double value) { return value != 0; });
+  if (first == table->values.begin() || first == table->values.end()) return 0;
+  return table->times[static_cast<std::size_t>(first - table->values.begin()) - 1];
+}
 
 std::string words_for(const TimeFunction& history) {
   if (const auto* sine = std::get_if<SineCycles>(&history))

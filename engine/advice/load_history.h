@@ -28,6 +28,9 @@ Vec2 way_of(const SceneLoad& load);
 // support or held block that moves.
 std::optional<SceneLoad> scene_load(const Model& model);
 
+// s, up to which a history is zero.
+double start_of(const TimeFunction& function);
+
 // "a table of 40 points"; "constant".
 std::string words_for(const TimeFunction& history);
 

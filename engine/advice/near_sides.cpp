@@ -19,6 +19,7 @@ namespace {
 
 constexpr double tolerance = 1e-6;  // of lengths, over those of the block; of cosines
 constexpr double most_seconds = 1;  // of CPU time that steps may take
+constexpr double nearly = 0.97;     // as much alike: delays are looked at in a row, of which none is on a summit
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -96,10 +97,14 @@ BetweenSides NearSides::count(const HistoryErrors& history, const MeshPlace& pla
   if (trace) {
     const auto readings = read(*trace);
     if (!readings) return {history, "its sides are near, and what comes resembles nothing that should"};
+    if (readings->elsewhere > nearly * readings->likeness)
+      return {history, "its sides are near, and another part of what comes resembles it as much as the first"};
     return {history.with_sides(*readings), ""};
   }
-  // What springs give way by across a P wave is of the order of Poisson's ratio squared.
-  if (distance(place) >= place.distance || (place.kind == WaveKind::p && are_rollers(place))) return {history, ""};
+  // What rollers change of a wave is of the order of what blocks do, and of springs across a P wave of Poisson's ratio
+  // squared.
+  const bool hardly_matter = are_rollers(place) && (place.kind == WaveKind::p || !has_springs());
+  if (distance(place) >= place.distance || hardly_matter) return {history, ""};
   return {history, fmt::format("its sides are {:.3g} m from the way, nearer than the {:.3g} m that it runs, and change "
                                "it there",
                                distance(place), place.distance)};
@@ -116,8 +121,7 @@ bool NearSides::are_felt(const MeshPlace& place, double window) const {
   double fastest = 0;
   for (const Block& block : model_.blocks)
     fastest = std::max(fastest, p_wave_speed(model_.materials[at(block.material)]));
-  if (std::hypot(place.distance, distance(place)) >= fastest * window) return false;
-  return has_springs() || !are_rollers(place);
+  return std::hypot(place.distance, distance(place)) < fastest * window;
 }
 
 bool NearSides::has_springs() const {

@@ -186,7 +186,8 @@ double window_of(const LoadHistory& load, double on_time, const Lags& lags) {
 
 TimeSteps time_of(const Stage& stage, Causes causes) {
   if (!has_steps(causes)) return {};
-  return {stage.integrator, stage.dt, causes == Causes::all ? damping_of(stage) : MaterialDamping{}};
+  if (causes == Causes::time) return {stage.integrator, stage.dt};
+  return {stage.integrator, stage.dt, stage.material_damping, kept_in_step(stage)};
 }
 
 Stage stage_of(Stage stage, Causes causes) {

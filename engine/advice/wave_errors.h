@@ -68,7 +68,7 @@ auto read_by_cause(const Stage& stage, bool has_springs, const Read& read) {
   std::optional<ByCause<Reading>> readings;
   const auto all = read(Causes::all);
   if (!all) return readings;
-  const auto time = damping_of(stage).acts() ? read(Causes::time) : all;
+  const auto time = is_damped(stage) ? read(Causes::time) : all;
   const auto space = read(Causes::space);
   const auto blocks = has_springs ? read(Causes::blocks) : space;
   if (time && space && blocks) readings = {*blocks, *space, *time, *all};

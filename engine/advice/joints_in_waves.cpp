@@ -1,0 +1,145 @@
+#include "engine/advice/joints_in_waves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+
+#include "engine/contact/joint_stiffness.h"
+#include "engine/geometry/polygon.h"
+#include "engine/model/rock_change.h"
+
+namespace dda {
+namespace {
+
+constexpr double tolerance = 1e-6;  // of lengths
+constexpr double slack = 1e-3;  // of the wave's largest stress: a joint that lacks less hardly opens
+
+// Tension over shear at an end of a joint of springs that is a part of a face: blocks in S waves press on one of their
+// two neighbours there and pull at the other. Meshes of bricks tear below 1 to 1.5 (of four, by runs).
+constexpr double tension_by_turning = 1.5;
+
+// Pa, that weight and constant loads of static stages before can press a joint with.
+double most_pressure(const Model& model, std::size_t stage) {
+  double pressure = 0;
+  if (!model.gravity.isZero(0)) pressure = model.expected.pressure;
+  const auto first = model.stages.begin();
+  if (std::none_of(first, first + static_cast<std::ptrdiff_t>(stage),
+                   [](const Stage& each) { return each.integrator.is_static; }))
+    return pressure;
+  for (const EdgeLoad& load : model.edge_loads)
+    if (std::holds_alternative<Constant>(load.history)) pressure = model.expected.pressure;
+  return pressure;
+}
+
+// Stress of a wave of 1 Pa.
+Mat2 unit_stress(const Material& material, const WaveStress& wave) {
+  const Vec2& along = wave.direction;
+  const Vec2 across(-along.y(), along.x());
+  if (wave.kind == WaveKind::s) return along * across.transpose() + across * along.transpose();
+  const double nu = material.poisson;
+  double sideways = 0;
+  if (wave.kind == WaveKind::p) sideways = material.plane == PlaneState::strain ? nu / (1 - nu) : nu;
+  return along * along.transpose() + sideways * across * across.transpose();
+}
+
+class Joint {
+ public:
+  Joint(const Model& model, const Interface& interface, const JointMaterial& joint, bool springs)
+      : normal_(interface.normal), tangent_(-normal_.y(), normal_.x()), joint_(joint), turns_(springs) {
+    for (const int index : {interface.block_a, interface.block_b}) {
+      const Block& block = model.blocks[static_cast<std::size_t>(index)];
+      const Vec3& stress = block.initial_stress;
+      turns_ = turns_ && extent_along(block.shape.outer, tangent_) > (1 + tolerance) * interface.length;
+      Mat2 tensor;
+      tensor << stress[0], stress[2], stress[2], stress[1];
+      start_ += tensor / 2;
+    }
+  }
+
+  // `pressure` may be there besides.
+  [[nodiscard]] bool opens(const Mat2& wave, double pressure, double least) const {
+    const double turning = turns_ ? tension_by_turning * std::abs(normal_.dot(wave * tangent_)) : 0;
+    return tension(wave) + turning - pressure > strength() + least;
+  }
+  [[nodiscard]] bool slides(const Mat2& wave, double pressure, double least) const {
+    const double pressed = std::max(0.0, pressure - tension(wave));
+    const double shear = std::abs(normal_.dot((start_ + wave) * tangent_));
+    return shear > joint_.cohesion + std::tan(joint_.friction_angle) * pressed + least;
+  }
+
+ private:
+  [[nodiscard]] double tension(const Mat2& wave) const { return normal_.dot((start_ + wave) * normal_); }
+  [[nodiscard]] double strength() const {
+    const double friction = std::tan(joint_.friction_angle);
+    return friction > 0 ? std::min(joint_.tensile_strength, joint_.cohesion / friction) : joint_.tensile_strength;
+  }
+
+  Vec2 normal_, tangent_;
+  const JointMaterial& joint_;
+  bool turns_;
+  Mat2 start_ = Mat2::Zero();
+};
+
+template <typename Load>
+bool is_of(const Load& load, const SceneLoad& wanted) {
+  return load.block == wanted.block && !std::holds_alternative<Constant>(load.history);
+}
+
+}  // namespace
+
+double unit_of_load(const Model& model, const SceneLoad& load, WaveKind kind, const Vec2& direction, bool row) {
+  const Vec2 particles = polarization(kind, direction);
+  if (!row) return load.motion.dot(particles);
+  double force = 0;
+  for (const EdgeLoad& each : model.edge_loads)
+    if (is_of(each, load)) force += (each.to - each.from).norm() * each.traction.dot(particles);
+  for (const PointLoad& each : model.point_loads)
+    if (is_of(each, load)) force += each.force.dot(particles);
+  const Block& block = model.blocks[static_cast<std::size_t>(load.block)];
+  return force * extent_along(block.shape.outer, direction) / block.moments.area;
+}
+
+// What pushes along the way is pressure.
+WaveStress stress_of(const SceneLoad& load, const HistoryErrors& history, WaveKind kind, const Vec2& direction,
+                     double unit) {
+  constexpr int samples = 2000;
+  double low = std::min(0.0, history.arrival.lowest), high = std::max(0.0, history.arrival.highest);
+  for (int i = 0; i <= samples; ++i) {
+    const double value = load.history.value(i * load.history.run / samples);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return {kind, direction, std::min(-unit * low, -unit * high), std::max(-unit * low, -unit * high), load.place,
+          history.place};
+}
+
+std::string why_joints_give_way(const Model& model, std::size_t stage, const ContactSet& drawn,
+                                const WaveStress& wave) {
+  if (model.stages[stage].unlimited_strength) return "";
+  const auto& joints = joints_in(model, stage);
+  const double pressure = most_pressure(model, stage);
+  const double least = slack * std::max(std::abs(wave.least), std::abs(wave.most));
+  for (const Interface& interface : drawn.interfaces) {
+    const JointMaterial& material = joints[static_cast<std::size_t>(interface.joint)];
+    if (interface.length == 0 || material.bonded) continue;
+    const double gone = std::abs(wave.direction.dot((interface.from + interface.to) / 2 - wave.from));
+    if (gone > wave.distance + interface.length) continue;
+    const bool springs =
+        material.law == InterfaceLaw::classical ||
+        (model.stages[stage].kinematics == Kinematics::finite && is_springs_where_blocks_move(material));
+    const Joint joint(model, interface, material, springs);
+    const Mat2 unit = unit_stress(model.material_of(interface.block_a), wave);
+    for (const double stress : {wave.least, wave.most}) {
+      if (joint.opens(stress * unit, pressure, least))
+        return fmt::format("its stress of {:.3g} MPa opens joints \"{}\"", std::abs(stress) / 1e6, material.name);
+      if (joint.slides(stress * unit, pressure, least))
+        return fmt::format("its stress of {:.3g} MPa makes joints \"{}\" slide", std::abs(stress) / 1e6, material.name);
+    }
+  }
+  return "";
+}
+
+}  // namespace dda

@@ -1,0 +1,66 @@
+#include "engine/advice/no_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/advice/sudden_loads.h"
+#include "engine/advice/unseen_loads.h"
+
+namespace dda {
+namespace {
+
+// Steps in a period, and blocks in a wavelength, of a load's main frequency: with fewer, what comes is no wave like it.
+constexpr double least_in_period = 4;
+
+// Share of a wave that may be in steps beside jumps.
+constexpr double most_of_jumps = 0.004;
+
+// Weight that blocks without stress have from the first moment of a run sets all of them swinging.
+bool weight_jumps(const Model& model, std::size_t stage) {
+  if (model.gravity.isZero(0)) return false;
+  for (std::size_t i = 0; i <= stage; ++i)
+    if (model.stages[i].integrator.is_static) return false;
+  return std::ranges::all_of(model.blocks, [](const Block& block) { return block.initial_stress.isZero(0); });
+}
+
+}  // namespace
+
+NoFigures::NoFigures(const Model& model)
+    : model_(model), unseen_(unseen_load_findings(model)), sudden_(sudden_loads(model)) {}
+
+// Readings of a wave that jumps look good, as they are means over all of it, while its front is far off; those of one
+// that steps or blocks pass over are readings of something else, and so are those of two waves.
+std::string NoFigures::why_it_jumps(const SceneLoad& load, std::size_t stage) const {
+  const auto is_here = [&](const LoadFinding& finding) {
+    return finding.stage == static_cast<int>(stage) && !finding.leaves_figures;
+  };
+  const auto is_own = [&](const LoadFinding& finding) { return finding.history == load.source; };
+  if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return is_here(each) && is_own(each); }))
+    return "it jumps, which no mesh and dt carry without overshoot and ringing: no figures";
+  if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return is_here(each) && !is_own(each); }))
+    return "cannot be foretold: something else jumps, whose wave is seen as well";
+  if (weight_jumps(model_, stage))
+    return "cannot be foretold: weight acts from the first moment, and sets the rock swinging";
+  return "";
+}
+
+std::string NoFigures::why(const SceneLoad& load, std::size_t stage, double wavelength, double block_size) const {
+  if (std::string jumps = why_it_jumps(load, stage); !jumps.empty()) return jumps;
+  const double dt = model_.stages[stage].dt, period = load.history.period;
+  if (const double share = share_of_jumps(load, dt); share > most_of_jumps)
+    return fmt::format("its velocity jumps, and {:.2g} % of it is in the steps beside: no figures", 100 * share);
+  const auto passes_over = [&](const LoadFinding& finding) {
+    return finding.stage == static_cast<int>(stage) && finding.history == load.source;
+  };
+  if (std::ranges::any_of(unseen_, passes_over)) return "steps of this dt see too little of it: no figures";
+  if (dt > period / least_in_period)
+    return fmt::format("too short for steps of {:g} s, {:.2g} in a period of its main frequency: no figures", dt,
+                       period / dt);
+  if (block_size > wavelength / least_in_period)
+    return fmt::format("too short for blocks of {:.4g} m, {:.2g} in a wavelength of its main frequency: no figures",
+                       block_size, wavelength / block_size);
+  return "";
+}
+
+}  // namespace dda

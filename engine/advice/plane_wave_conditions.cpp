@@ -1,0 +1,215 @@
+#include "engine/advice/plane_wave_conditions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <variant>
+#include <vector>
+
+#include "engine/advice/chain_path.h"
+#include "engine/model/rock_change.h"
+
+namespace dda {
+namespace {
+
+constexpr double tolerance = 1e-6;  // of lengths, over the size of a block; of directions and values
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// One entry of the scene that acts with a history.
+struct Drive {
+  int block = 0;
+  Vec2 place = Vec2::Zero();
+  Vec2 amplitude = Vec2::Zero();
+  const TimeFunction* history = nullptr;
+  bool moves = false;  // what it acts on, in place of pushing it
+  double length = 0;   // m, of the edge that it acts on
+};
+
+std::vector<Drive> drives_of(const Model& model, std::size_t stage) {
+  std::vector<Drive> drives;
+  const auto add = [&](const Drive& drive) {
+    if (!std::holds_alternative<Constant>(*drive.history) && !drive.amplitude.isZero(0)) drives.push_back(drive);
+  };
+  for (const EdgeLoad& load : model.edge_loads)
+    if (load.stages.has(stage))
+      add({load.block, (load.from + load.to) / 2, load.traction, &load.history, false, (load.to - load.from).norm()});
+  for (const PointLoad& load : model.point_loads)
+    if (load.stages.has(stage)) add({load.block, load.point, load.force, &load.history});
+  for (const PointSupport& support : model.supports)
+    add({support.block, support.point, support.amplitude, &support.history, true});
+  for (const HeldBlock& held : model.held_blocks)
+    add({held.block, model.blocks[at(held.block)].moments.centroid, held.amplitude, &held.history, true});
+  return drives;
+}
+
+double end_of_run(const Model& model) {
+  double end = 0;
+  for (const Stage& stage : model.stages) end += stage.duration;
+  return end;
+}
+
+// At times that no period of a history falls in with.
+bool are_alike(const TimeFunction& a, const TimeFunction& b, double end) {
+  constexpr int times = 32;
+  for (int i = 1; i <= times; ++i) {
+    const double t = end * std::fmod(0.6180339887498949 * i, 1.0);
+    if (std::abs(evaluate(a, t) - evaluate(b, t)) > tolerance) return false;
+  }
+  return a.index() == b.index();
+}
+
+class Conditions {
+ public:
+  Conditions(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave)
+      : model_(model),
+        stage_(static_cast<int>(stage)),
+        load_(load),
+        wave_(wave),
+        slack_(tolerance * std::sqrt(model.blocks[at(load.block)].moments.area)) {
+    for (const Drive& drive : drives_of(model, stage)) (is_of_the_load(drive) ? own_ : others_).push_back(drive);
+  }
+
+  [[nodiscard]] std::string run() const {
+    if (std::ranges::any_of(others_, [&](const Drive& drive) { return comes_in_time(drive); }))
+      return "something else that acts in time, or moves, is seen there as well";
+    if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
+    if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
+    if (moved()) return "";
+    if (is_held()) return "what is loaded is held there as well";
+    return absorbs() ? "the edge that is loaded absorbs as well" : "";
+  }
+
+ private:
+  [[nodiscard]] bool moved() const { return static_cast<bool>(load_.history.displacement); }
+  [[nodiscard]] double along(const Vec2& point) const { return wave_.direction.dot(point); }
+
+  // On one side of a mesh, or anywhere on the first block of a row, and with one history.
+  [[nodiscard]] bool is_of_the_load(const Drive& drive) const {
+    if (drive.moves != moved() || !are_alike(*drive.history, *load_.source, end_of_run(model_))) return false;
+    if (wave_.row && drive.block == load_.block) return true;
+    return std::abs(along(drive.place - load_.place)) <= slack_ &&
+           (drive.amplitude - load_.motion).norm() <= tolerance * load_.motion.norm();
+  }
+
+  [[nodiscard]] bool comes_in_time(const Drive& drive) const {
+    double fastest = 0;
+    for (const Material& material : model_.materials) fastest = std::max(fastest, p_wave_speed(material));
+    const double time = load_.history.start + wave_.window - start_of(*drive.history);
+    return (drive.place - load_.looked_at).norm() < fastest * time;
+  }
+
+  [[nodiscard]] bool is_driven(int block) const {
+    return std::ranges::any_of(own_, [&](const Drive& drive) { return drive.block == block; });
+  }
+
+  // m along the way, of the face that sends the wave out.
+  [[nodiscard]] double front() const {
+    if (!model_.is_held(load_.block)) return along(load_.place);
+    double front = -std::numeric_limits<double>::infinity();
+    for (const Vec2& vertex : model_.blocks[at(load_.block)].shape.outer) front = std::max(front, along(vertex));
+    return front;
+  }
+
+  // No rock lies before it, and all that ends at it is driven.
+  [[nodiscard]] bool is_on_all_of_a_side() const {
+    const bool whole_blocks = model_.is_held(load_.block);
+    const double side = front();
+    double there = 0, driven = 0;
+    for (const Drive& drive : own_) driven += drive.length;
+    for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
+      const double length = length_at(model_.blocks[i], side);
+      const bool before = along(model_.blocks[i].moments.centroid) < side;
+      if (before && !(whole_blocks && is_driven(static_cast<int>(i)))) return false;
+      if (!before && moved() && !whole_blocks && length > 0 && !is_driven(static_cast<int>(i))) return false;
+      there += length;
+    }
+    return moved() || std::abs(driven - there) <= tolerance * there;
+  }
+
+  // m, of the block's outline that lies on the side.
+  [[nodiscard]] double length_at(const Block& block, double side) const {
+    const Ring& ring = block.shape.outer;
+    double length = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& from = ring[i];
+      const Vec2& to = ring[(i + 1) % ring.size()];
+      if (std::abs(along(from) - side) <= slack_ && std::abs(along(to) - side) <= slack_) length += (to - from).norm();
+    }
+    return length;
+  }
+
+  [[nodiscard]] bool is_held() const {
+    const Vec2 motion = load_.motion.normalized();
+    return std::ranges::any_of(model_.supports, [&](const PointSupport& support) {
+      if (!is_driven(support.block) || !is_still(support)) return false;
+      if (support.last_stage >= 0 && support.last_stage < stage_) return false;
+      const Vec2 held =
+          support.direction.isZero(0)
+              ? Vec2(support.holds_x ? motion.x() : 0, support.holds_y ? motion.y() : 0)
+              : Vec2(support.direction.dot(motion) * support.direction);
+      return held.norm() > tolerance;
+    });
+  }
+
+  [[nodiscard]] bool absorbs() const {
+    return std::ranges::any_of(model_.viscous_edges, [&](const ViscousEdge& edge) {
+      const Vec2 tangent = (edge.to - edge.from).normalized();
+      return is_driven(edge.block) && edge.first_stage <= stage_ && std::abs(along(tangent)) <= tolerance &&
+             along(model_.blocks[at(edge.block)].moments.centroid - edge.from) > 0;
+    });
+  }
+
+  const Model& model_;
+  int stage_;
+  const SceneLoad& load_;
+  const DrivenWave& wave_;
+  double slack_;  // m
+  std::vector<Drive> own_, others_;
+};
+
+bool have_same_steps(const Model& model, std::size_t a, std::size_t b) {
+  const Stage& one = model.stages[a];
+  const Stage& other = model.stages[b];
+  const auto figures = [](const Stage& stage) {
+    const Integrator& steps = stage.integrator;
+    return std::vector<double>{stage.dt,
+                               steps.beta,
+                               steps.gamma,
+                               steps.alpha_m,
+                               steps.alpha_f,
+                               static_cast<double>(steps.is_static),
+                               static_cast<double>(stage.kinematics),
+                               stage.velocity_factor,
+                               stage.damping_rate,
+                               stage.material_damping.mass,
+                               stage.material_damping.stiffness,
+                               stage.strain_inertia,
+                               static_cast<double>(stage.correct_block_dispersion),
+                               static_cast<double>(stage.correct_time_dispersion),
+                               static_cast<double>(stage.lateral_inertia)};
+  };
+  return figures(one) == figures(other);
+}
+
+}  // namespace
+
+std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave) {
+  return Conditions(model, stage, load, wave).run();
+}
+
+std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window) {
+  const double from = load.history.start, to = std::min(from + window, end_of_run(model));
+  double begin = 0;
+  for (std::size_t i = 0; i < model.stages.size(); ++i) {
+    const double end = begin + model.stages[i].duration;
+    const double overlap = std::min(end, to) - std::max(begin, from);
+    if (i != stage && overlap > model.stages[stage].dt / 2 && !have_same_steps(model, i, stage))
+      return "the wave is on its way in a stage of other steps as well";
+    begin = end;
+  }
+  return "";
+}
+
+}  // namespace dda

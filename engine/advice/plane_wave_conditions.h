@@ -1,0 +1,25 @@
+// Whether what drives a scene sends one plane wave along its way: figures are of a load that is alone, on all of a side
+// that nothing else holds, in steps of one kind. Each of these says in a clause for people what is against it; it is
+// empty where nothing is.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "engine/advice/load_history.h"
+#include "engine/model/model.h"
+
+namespace dda {
+
+struct DrivenWave {
+  Vec2 direction = Vec2::UnitX();  // unit, into the rock from where it is driven
+  bool row = false;                // in a bar; else in a mesh
+  double window = 0;               // s, that it is looked at from its load's begin on
+};
+
+std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave);
+
+// The wave is foretold with the steps of one stage: it has to pass before steps of another kind come.
+std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window);
+
+}  // namespace dda

@@ -150,7 +150,7 @@ class Adviser {
   }
 
   [[nodiscard]] std::string what_disturbs(const Course& course, const DrivenWave& wave) const {
-    std::string why = why_no_plane_wave(model_, course.index, *load_, wave);
+    std::string why = why_no_plane_wave(model_, course.index, *load_, wave, no_figures_.sudden());
     return why.empty() ? why_steps_change(model_, course.index, *load_, wave.window) : why;
   }
 
@@ -164,7 +164,7 @@ class Adviser {
   void foretell_history(const WaveQuestion& question, const Course& course, WaveAdvice& advice) const {
     const Vec2 into = way_into(question.direction);
     const bool row = question.lattice.row;
-    if (const std::string why = what_disturbs(course, {into, row, window_of(question, load_->history)}); !why.empty())
+    if (const std::string why = what_disturbs(course, {into, row, question.distance, window_of(question, load_->history)}); !why.empty())
       return cannot_foretell(why, advice);
     advice.history = history_errors(question, load_->history);
     if (!advice.history) {
@@ -249,7 +249,7 @@ class Adviser {
     advice.not_foretold = no_figures_.why(*load_, course.index, wavelength, advice.block_size);
     if (!advice.not_foretold.empty()) return advice;
     const ChainQuestion::OtherTrace other = question.other_trace(load_->history);
-    if (const std::string why = what_disturbs(course, {way_->direction, is_row(), other.window}); !why.empty()) {
+    if (const std::string why = what_disturbs(course, {way_->direction, is_row(), question.place(), other.window}); !why.empty()) {
       cannot_foretell(why, advice);
       return advice;
     }

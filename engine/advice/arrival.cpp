@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double longest_lag = 0.45;  // of a period
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double onset_share = 0.1;  // of the largest value
+constexpr double flat = 0.1;  // of a period: what stays so long at its peak has none to read a time off
 constexpr double other_sign_share = 0.1;
 
 struct Fit {
@@ -163,11 +165,16 @@ class Exact {
     return up * std::max(up * row_[top], up * value_(summit_near(top)));
   }
 
-  [[nodiscard]] bool stays_at(const Marks& marks) const {
+  // Whether it stays at that peak to the end, or for `least` (s): no sample of it then says when the peak is.
+  [[nodiscard]] bool stays_at(const Marks& marks, double least) const {
     constexpr double much = 1e-3;
-    const auto first = static_cast<std::size_t>(std::max(0.0, std::round(marks.peak_time / pitch_)));
-    return std::all_of(row_.begin() + static_cast<std::ptrdiff_t>(std::min(first, row_.size())), row_.end(),
-                       [&](double value) { return std::abs(value - marks.peak) <= much * std::abs(marks.peak); });
+    const auto is_there = [&](double value) { return std::abs(value - marks.peak) <= much * std::abs(marks.peak); };
+    const auto place = static_cast<std::ptrdiff_t>(
+        std::min(std::max(0.0, std::round(marks.peak_time / pitch_)), static_cast<double>(row_.size() - 1)));
+    const auto top = row_.begin() + place;
+    const auto after = std::find_if_not(top, row_.end(), is_there);
+    const auto before = std::find_if_not(std::make_reverse_iterator(top), row_.rend(), is_there);
+    return after == row_.end() || static_cast<double>(after - before.base()) * pitch_ > least;
   }
 
   [[nodiscard]] double largest(double until) const {
@@ -224,7 +231,7 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   errors.amplitude = fit.factor - 1;
   errors.likeness = fit.coefficient;
   errors.elsewhere = comparison.best_outside(-0.9 * on_time, lags.earliest - limit, lags.latest + limit, period / 20);
-  errors.has_peak = !wanted.stays_at(due);
+  errors.has_peak = !wanted.stays_at(due, flat * period);
   const auto [lowest, highest] = std::minmax_element(trace.begin(), trace.end());
   errors.lowest = *lowest;
   errors.highest = *highest;

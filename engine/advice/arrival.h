@@ -20,7 +20,7 @@ struct ArrivalErrors {
   double onset_speed = 0;  // by the time at which a tenth of it is passed on the way to it
   double likeness = 0;     // normalised correlation at the delay, 1 for what has kept its shape
   double elsewhere = 0;    // the largest at delays that are not looked at: above likeness another part is more alike
-  bool has_peak = true;    // false: what should come stays at its first peak, so that nothing says when that is
+  bool has_peak = true;    // false: what should come stays at its first peak for a while; nothing says when that is
   double lowest = 0;       // of what comes, in its own unit
   double highest = 0;
 };

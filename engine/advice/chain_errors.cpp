@@ -13,7 +13,9 @@ namespace dda {
 namespace {
 
 constexpr double most_samples = 2048;  // of a trace
-constexpr int finer = 8;               // samples of what should come in one of what comes
+// Samples of what should come in one of what comes, and at least in a period: kinks of a load are rounded over a sample,
+// and layers put them anywhere between two.
+constexpr int finer = 8, finest = 1600;
 // Growth of motion in a radian in which a wave comes as it would in endless layers, and in which it is as good as
 // steady.
 constexpr double straight = 0.1, steady_enough = 0.01;
@@ -183,7 +185,7 @@ std::function<double(double)> ChainQuestion::exact(const LoadHistory& load, cons
       return (load.displacement(t - due + wide) - load.displacement(t - due - wide)) / (2 * wide);
     };
   }
-  const double fine = interval_for(window) / finer;
+  const double fine = std::min(interval_for(window) / finer, load.period / finest);
   const LoadSpectrum spectrum(sampled(load.value, window + beyond(load, lags), fine), fine);
   return Sampled(spectrum.through([&](Complex s) {
     return (path_.is_moved ? 1.0 / s : 1.0) * exact_force(path_, s, joint_, layers);

@@ -207,13 +207,14 @@ class Layering {
   std::string why_not_;
 };
 
-// Away from the driven block across its joints, those first that lie opposite to where it is driven.
+// Away from the driven block across its joints, those first that lie opposite to where it is driven. Nothing runs into
+// a block that is held.
 std::vector<Vec2> directions_from(const Model& model, const ContactSet& contacts, const SceneLoad& load) {
   std::vector<Vec2> directions;
   for (const Interface& interface : contacts.interfaces) {
     if (interface.length == 0) continue;
-    if (interface.block_a == load.block) directions.push_back(interface.normal);
-    if (interface.block_b == load.block) directions.emplace_back(-interface.normal);
+    if (interface.block_a == load.block && !model.is_held(interface.block_b)) directions.push_back(interface.normal);
+    if (interface.block_b == load.block && !model.is_held(interface.block_a)) directions.emplace_back(-interface.normal);
   }
   const Vec2 arm = load.place - model.blocks[at(load.block)].moments.centroid;
   std::stable_sort(directions.begin(), directions.end(),

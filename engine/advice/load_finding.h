@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/model/time_function.h"
 
@@ -12,6 +13,7 @@ struct LoadFinding {
   const TimeFunction* history = nullptr;  // of the model that was searched, by which the load is known again
   std::string sentence;                   // for people, without a full stop
   bool leaves_figures = false;            // what is foretold of the wave still means something beside it
+  std::vector<int> blocks = {};           // on which it acts, of loads that jump
 };
 
 }  // namespace dda

@@ -30,30 +30,19 @@ NoFigures::NoFigures(const Model& model)
     : model_(model), unseen_(unseen_load_findings(model)), sudden_(sudden_loads(model)) {}
 
 // Readings of a wave that jumps look good, as they are means over all of it, while its front is far off; those of one
-// that steps or blocks pass over are readings of something else, and so are those of two waves.
-std::string NoFigures::why_it_jumps(const SceneLoad& load, std::size_t stage) const {
-  const auto is_here = [&](const LoadFinding& finding) {
-    return finding.stage == static_cast<int>(stage) && !finding.leaves_figures;
+// that steps or blocks pass over are readings of something else.
+std::string NoFigures::why(const SceneLoad& load, std::size_t stage, double wavelength, double block_size) const {
+  const auto concerns = [&](const LoadFinding& finding) {
+    return finding.stage == static_cast<int>(stage) && finding.history == load.source;
   };
-  const auto is_own = [&](const LoadFinding& finding) { return finding.history == load.source; };
-  if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return is_here(each) && is_own(each); }))
+  if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return concerns(each) && !each.leaves_figures; }))
     return "it jumps, which no mesh and dt carry without overshoot and ringing: no figures";
-  if (std::ranges::any_of(sudden_, [&](const LoadFinding& each) { return is_here(each) && !is_own(each); }))
-    return "cannot be foretold: something else jumps, whose wave is seen as well";
   if (weight_jumps(model_, stage))
     return "cannot be foretold: weight acts from the first moment, and sets the rock swinging";
-  return "";
-}
-
-std::string NoFigures::why(const SceneLoad& load, std::size_t stage, double wavelength, double block_size) const {
-  if (std::string jumps = why_it_jumps(load, stage); !jumps.empty()) return jumps;
   const double dt = model_.stages[stage].dt, period = load.history.period;
   if (const double share = share_of_jumps(load, dt); share > most_of_jumps)
     return fmt::format("its velocity jumps, and {:.2g} % of it is in the steps beside: no figures", 100 * share);
-  const auto passes_over = [&](const LoadFinding& finding) {
-    return finding.stage == static_cast<int>(stage) && finding.history == load.source;
-  };
-  if (std::ranges::any_of(unseen_, passes_over)) return "steps of this dt see too little of it: no figures";
+  if (std::ranges::any_of(unseen_, concerns)) return "steps of this dt see too little of it: no figures";
   if (dt > period / least_in_period)
     return fmt::format("too short for steps of {:g} s, {:.2g} in a period of its main frequency: no figures", dt,
                        period / dt);

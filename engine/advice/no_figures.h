@@ -23,8 +23,6 @@ class NoFigures {
   [[nodiscard]] const std::vector<LoadFinding>& sudden() const { return sudden_; }
 
  private:
-  [[nodiscard]] std::string why_it_jumps(const SceneLoad& load, std::size_t stage) const;
-
   const Model& model_;
   std::vector<LoadFinding> unseen_, sudden_;
 };

@@ -62,18 +62,23 @@ bool are_alike(const TimeFunction& a, const TimeFunction& b, double end) {
 
 class Conditions {
  public:
-  Conditions(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave)
+  Conditions(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave,
+             const std::vector<LoadFinding>& sudden)
       : model_(model),
         stage_(static_cast<int>(stage)),
         load_(load),
         wave_(wave),
+        sudden_(sudden),
         slack_(tolerance * std::sqrt(model.blocks[at(load.block)].moments.area)) {
     for (const Drive& drive : drives_of(model, stage)) (is_of_the_load(drive) ? own_ : others_).push_back(drive);
   }
 
   [[nodiscard]] std::string run() const {
-    if (std::ranges::any_of(others_, [&](const Drive& drive) { return comes_in_time(drive); }))
+    if (std::ranges::any_of(others_,
+                            [&](const Drive& drive) { return is_seen(drive.place, start_of(*drive.history)); }))
       return "something else that acts in time, or moves, is seen there as well";
+    if (std::ranges::any_of(sudden_, [&](const LoadFinding& finding) { return is_seen_to_jump(finding); }))
+      return "something else jumps, and is seen there as well";
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
     if (moved()) return "";
@@ -93,11 +98,19 @@ class Conditions {
            (drive.amplitude - load_.motion).norm() <= tolerance * load_.motion.norm();
   }
 
-  [[nodiscard]] bool comes_in_time(const Drive& drive) const {
+  // Whether anything that begins there by `start` (s in the run) is in time to be seen where the wave is looked at.
+  [[nodiscard]] bool is_seen(const Vec2& place, double start) const {
     double fastest = 0;
     for (const Material& material : model_.materials) fastest = std::max(fastest, p_wave_speed(material));
-    const double time = load_.history.start + wave_.window - start_of(*drive.history);
-    return (drive.place - load_.looked_at).norm() < fastest * time;
+    const bool is_measured = (load_.looked_at - load_.place).norm() > slack_;
+    const Vec2 seen = is_measured ? load_.looked_at : Vec2(load_.place + wave_.distance * wave_.direction);
+    return (place - seen).norm() < fastest * (load_.history.start + wave_.window - start);
+  }
+
+  [[nodiscard]] bool is_seen_to_jump(const LoadFinding& finding) const {
+    if (finding.stage != stage_ || finding.leaves_figures || finding.history == load_.source) return false;
+    return std::ranges::any_of(
+        finding.blocks, [&](int block) { return is_seen(model_.blocks[at(block)].moments.centroid, 0); });
   }
 
   [[nodiscard]] bool is_driven(int block) const {
@@ -165,6 +178,7 @@ class Conditions {
   int stage_;
   const SceneLoad& load_;
   const DrivenWave& wave_;
+  const std::vector<LoadFinding>& sudden_;
   double slack_;  // m
   std::vector<Drive> own_, others_;
 };
@@ -195,8 +209,9 @@ bool have_same_steps(const Model& model, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave) {
-  return Conditions(model, stage, load, wave).run();
+std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave,
+                              const std::vector<LoadFinding>& sudden) {
+  return Conditions(model, stage, load, wave, sudden).run();
 }
 
 std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window) {

@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
+#include "engine/advice/load_finding.h"
 #include "engine/advice/load_history.h"
 #include "engine/model/model.h"
 
@@ -14,10 +16,13 @@ namespace dda {
 struct DrivenWave {
   Vec2 direction = Vec2::UnitX();  // unit, into the rock from where it is driven
   bool row = false;                // in a bar; else in a mesh
+  double distance = 0;             // m, to where it is looked at
   double window = 0;               // s, that it is looked at from its load's begin on
 };
 
-std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave);
+// `sudden`: loads of the model that jump.
+std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave,
+                              const std::vector<LoadFinding>& sudden);
 
 // The wave is foretold with the steps of one stage: it has to pass before steps of another kind come.
 std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window);

@@ -96,13 +96,13 @@ class Search {
     if (is_new)
       known->second = groups_of(drive);
     else
-      for (const std::size_t group : known->second) ++groups_[group].others;
+      for (const std::size_t group : known->second) groups_[group].blocks.push_back(drive.block);
   }
 
   [[nodiscard]] std::vector<LoadFinding> take() {
     std::vector<LoadFinding> findings;
     for (const Group& group : groups_)
-      findings.push_back({group.stage, group.first.history, sentence_of(group), group.first.leaves_figures});
+      findings.push_back({group.stage, group.first.history, sentence_of(group), group.first.leaves_figures, group.blocks});
     return findings;
   }
 
@@ -111,7 +111,7 @@ class Search {
     Drive first;
     int stage = 0;
     double time = 0;  // s, of the first jump
-    int others = 0;
+    std::vector<int> blocks;
   };
 
   // Amplitude, values at times that no period of a history falls in with, what it is, and which table or recording.
@@ -139,7 +139,7 @@ class Search {
           moves && stage.velocity_factor == 1 ? first_jump(drive, stage.dt, corners, inside) : std::nullopt;
       if (jump) {
         groups.push_back(groups_.size());
-        groups_.push_back({drive, static_cast<int>(i), *jump, 0});
+        groups_.push_back({drive, static_cast<int>(i), *jump, {drive.block}});
       }
       begin += stage.duration;
       goes_on = moves;
@@ -172,7 +172,7 @@ class Search {
         "stage \"{}\": {} on block \"{}\"{}, {}, jumps at {:g} s: a jump holds all frequencies, which no mesh and dt "
         "carry without overshoot and ringing; let it rise while the wave crosses several blocks",
         model_.stages[static_cast<std::size_t>(group.stage)].name, group.first.what, block,
-        group.others > 0 ? fmt::format(" and {} more", group.others) : "", words_for(*group.first.history), group.time);
+        group.blocks.size() > 1 ? fmt::format(" and {} more", group.blocks.size() - 1) : "", words_for(*group.first.history), group.time);
   }
 
   const Model& model_;

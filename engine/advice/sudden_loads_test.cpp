@@ -118,15 +118,24 @@ TEST(SuddenLoads, StandInPlaceOfFigures) {
   EXPECT_NE(to_text(advice_on(pushed(Constant{}))).find("constant, jumps at 0 s"), std::string::npos);
 }
 
-// Another load beside the one that is advised on: its figures stay, and the jump is named.
+// Another load beside the one that is advised on: it is named, and figures stay where its wave comes too late to be seen.
 TEST(SuddenLoads, StandBesideFiguresOfOtherLoads) {
-  Model model = pushed(PiecewiseLinear{{0, 2e-3, 4e-3}, {0, 1, 0}});
-  model.edge_loads.push_back({29, {60, 0}, {60, 0.8}, {5, 0}, Constant{}});
-  finish_model(model);
-  const Advice advice = advice_on(model);
-  ASSERT_EQ(advice.sudden.size(), 1U);
-  EXPECT_NE(advice.sudden[0].find(model.blocks[29].name), std::string::npos);
-  EXPECT_TRUE(advice.stages[0].waves.at(0).history.has_value());
+  const auto advice_with_jump_at = [](double x, double distance) {
+    Model model = pushed(PiecewiseLinear{{0, 1e-3, 2e-3}, {0, 1, 0}});
+    model.edge_loads.push_back({static_cast<int>(x / 2) - 1, {x, 0}, {x, 0.8}, {5, 0}, Constant{}});
+    finish_model(model);
+    AdviceQuestion question;
+    question.distance = distance;
+    const Advice advice = advise(Simulation(model), question);
+    EXPECT_EQ(advice.sudden.size(), 1U);
+    EXPECT_NE(advice.sudden.at(0).find(model.blocks[static_cast<std::size_t>(x / 2) - 1].name), std::string::npos);
+    return advice;
+  };
+  const WaveAdvice far_away = advice_with_jump_at(60, 8).stages[0].waves.at(0);
+  EXPECT_TRUE(far_away.history.has_value()) << far_away.not_foretold;
+  const WaveAdvice near_by = advice_with_jump_at(60, 40).stages[0].waves.at(0);
+  EXPECT_FALSE(near_by.history.has_value());
+  EXPECT_NE(near_by.not_foretold.find("something else jumps"), std::string::npos) << near_by.not_foretold;
 }
 
 // A place that swings as a sine begins with its largest velocity and ends with it: of two periods of 50 steps each the

@@ -24,7 +24,7 @@ struct Parts {
   std::string loads = {};    // objects with commas between them
   std::string others = {};   // members of the scene, with a comma behind each
   std::string steps = dda::steps;
-  std::string joint = R"("bonded": true)";
+  double height = 0.5;  // m, at which the wave is looked at
 };
 
 std::string pushed(const std::string& where) { return fmt::format(R"({{{}, {}}})", where, sine); }
@@ -32,9 +32,9 @@ const std::string left = pushed(R"("edge": "left", "traction": [1e6, 0])");
 
 Model model_of(const Parts& parts) {
   return parse_scene(fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0.2}}}},
-      "joints": {{"default": {{{}}}}}, "blocks": {}, "loads": [{}], {}
-      "measurements": [{{"quantity": "traction_normal", "point": [20, 0.5]}}], "steps": {}}})",
-                                 parts.joint, parts.blocks, parts.loads, parts.others, parts.steps),
+      "joints": {{"default": {{"bonded": true}}}}, "blocks": {}, "loads": [{}], {}
+      "measurements": [{{"quantity": "traction_normal", "point": [20, {}]}}], "steps": {}}})",
+                                 parts.blocks, parts.loads, parts.others, parts.height, parts.steps),
                      "scene");
 }
 
@@ -114,7 +114,7 @@ TEST(PlaneWaveConditions, SidesOfWhichAPartIsMovedAreSaid) {
     std::string supports;
     for (int i = 1; i <= rows; ++i)
       supports += fmt::format(R"({}{{"block": "grid {}.1", "velocity": [1e-3, 0], {}}})", i > 1 ? ", " : "", i, sine);
-    return Parts{.blocks = mesh, .others = fmt::format(R"("supports": [{}],)", supports)};
+    return Parts{.blocks = mesh, .others = fmt::format(R"("supports": [{}],)", supports), .height = 3.5};
   };
   expect_said(moved(5), "all of a side");
   EXPECT_EQ(why_not(moved(6)), "");

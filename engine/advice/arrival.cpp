@@ -167,7 +167,7 @@ class Exact {
 
   // Whether it stays at that peak to the end, or for `least` (s): no sample of it then says when the peak is.
   [[nodiscard]] bool stays_at(const Marks& marks, double least) const {
-    constexpr double much = 1e-3;
+    constexpr double much = 0.01;
     const auto is_there = [&](double value) { return std::abs(value - marks.peak) <= much * std::abs(marks.peak); };
     const auto place = static_cast<std::ptrdiff_t>(
         std::min(std::max(0.0, std::round(marks.peak_time / pitch_)), static_cast<double>(row_.size() - 1)));

@@ -10,8 +10,8 @@
 
 #include "engine/advice/chain_errors.h"
 #include "engine/advice/explicit_offer.h"
-#include "engine/advice/load_history.h"
 #include "engine/advice/joints_in_waves.h"
+#include "engine/advice/load_history.h"
 #include "engine/advice/near_sides.h"
 #include "engine/advice/no_figures.h"
 #include "engine/advice/plane_wave_conditions.h"
@@ -164,7 +164,9 @@ class Adviser {
   void foretell_history(const WaveQuestion& question, const Course& course, WaveAdvice& advice) const {
     const Vec2 into = way_into(question.direction);
     const bool row = question.lattice.row;
-    if (const std::string why = what_disturbs(course, {into, row, question.distance, window_of(question, load_->history)}); !why.empty())
+    if (const std::string why =
+            what_disturbs(course, {into, row, question.distance, window_of(question, load_->history)});
+        !why.empty())
       return cannot_foretell(why, advice);
     advice.history = history_errors(question, load_->history);
     if (!advice.history) {
@@ -180,8 +182,8 @@ class Adviser {
         });
       }
     }
-    check_joints(course, question.kind, question.direction,
-                 unit_of_load(model_, *load_, question.kind, into, row), advice);
+    check_joints(course, question.kind, question.direction, unit_of_load(model_, *load_, question.kind, into, row),
+                 advice);
   }
 
   static void cannot_foretell(const std::string& why, WaveAdvice& advice) {
@@ -249,7 +251,8 @@ class Adviser {
     advice.not_foretold = no_figures_.why(*load_, course.index, wavelength, advice.block_size);
     if (!advice.not_foretold.empty()) return advice;
     const ChainQuestion::OtherTrace other = question.other_trace(load_->history);
-    if (const std::string why = what_disturbs(course, {way_->direction, is_row(), question.place(), other.window}); !why.empty()) {
+    if (const std::string why = what_disturbs(course, {way_->direction, is_row(), question.place(), other.window});
+        !why.empty()) {
       cannot_foretell(why, advice);
       return advice;
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr double longest_lag = 0.45;  // of a period
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double onset_share = 0.1;  // of the largest value
-constexpr double flat = 0.1;  // of a period: what stays so long at its peak has none to read a time off
+constexpr double flat = 0.1;         // of a period: what stays so long at its peak has none to read a time off
 constexpr double other_sign_share = 0.1;
 
 struct Fit {
@@ -59,8 +59,8 @@ class Comparison {
     return {both / wanted, both / std::sqrt(wanted * found), wanted};
   }
 
-  // The largest coefficient at delays from `first` on that leave at least half of what should come in the trace, but for
-  // those from `low` to `high`.
+  // The largest coefficient at delays from `first` on that leave at least half of what should come in the trace, but
+  // for those from `low` to `high`.
   [[nodiscard]] double best_outside(double first, double low, double high, double pitch) const {
     double most = 0;
     const double whole = fit(0).wanted;

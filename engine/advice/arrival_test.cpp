@@ -21,7 +21,7 @@ double cycle(double t) {
 
 std::vector<double> sampled(const std::function<double(double)>& function) {
   std::vector<double> samples;
-  for (int i = 0; i < 500; ++i) samples.push_back(function(i * interval));
+  for (int i = 0; i < 700; ++i) samples.push_back(function(i * interval));
   return samples;
 }
 
@@ -50,6 +50,37 @@ TEST(Arrival, TheFirstPeakOfItsSign) {
   EXPECT_NEAR(errors->peak, 0, 1e-5);
   EXPECT_NEAR(errors->peak_speed, 0, 1e-5);
   EXPECT_NEAR(errors->onset_speed, 0, 1e-3);
+}
+
+// A rise that stays and a flat top say nothing of when they are highest.
+TEST(Arrival, WhatStaysAtItsPeakHasNoneToRead) {
+  const auto has_peak = [](const std::function<double(double)>& wave) {
+    const auto errors = read_arrival(sampled(wave), interval, wave, on_time, period);
+    return errors && errors->has_peak;
+  };
+  const auto rising = [](double until_top, double top) {
+    return [=](double t) {
+      const double phase = (t - on_time) / period;
+      if (phase <= 0) return 0.0;
+      return std::min({1.0, phase / until_top, std::max(0.0, (until_top + top - phase) / until_top + 1)});
+    };
+  };
+  EXPECT_TRUE(has_peak(cycle));
+  EXPECT_TRUE(has_peak(rising(0.3, 0)));
+  EXPECT_TRUE(has_peak(rising(0.3, 0.05)));
+  EXPECT_FALSE(has_peak(rising(0.3, 0.2)));
+  EXPECT_FALSE(has_peak(rising(0.3, 100)));
+}
+
+// Half of the wave comes on time and all of it three periods later, which is what the best of all delays would find.
+TEST(Arrival, AnotherPartCanBeMoreAlike) {
+  const auto twice = [](double late) {
+    return read_arrival(sampled([=](double t) { return 0.5 * cycle(t) + late * cycle(t - 0.03); }), interval, cycle,
+                        on_time, period);
+  };
+  ASSERT_TRUE(twice(1) && twice(0.2));
+  EXPECT_GT(twice(1)->elsewhere, twice(1)->likeness);
+  EXPECT_LT(twice(0.2)->elsewhere, twice(0.2)->likeness);
 }
 
 // What should come is a wave of one sign; where it is computed, round-off has swings of the other sign before it.

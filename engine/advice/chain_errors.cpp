@@ -13,8 +13,8 @@ namespace dda {
 namespace {
 
 constexpr double most_samples = 2048;  // of a trace
-// Samples of what should come in one of what comes, and at least in a period: kinks of a load are rounded over a sample,
-// and layers put them anywhere between two.
+// Samples of what should come in one of what comes, and at least in a period: kinks of a load are rounded over a
+// sample, and layers put them anywhere between two.
 constexpr int finer = 8, finest = 1600;
 // Growth of motion in a radian in which a wave comes as it would in endless layers, and in which it is as good as
 // steady.

@@ -214,7 +214,8 @@ std::vector<Vec2> directions_from(const Model& model, const ContactSet& contacts
   for (const Interface& interface : contacts.interfaces) {
     if (interface.length == 0) continue;
     if (interface.block_a == load.block && !model.is_held(interface.block_b)) directions.push_back(interface.normal);
-    if (interface.block_b == load.block && !model.is_held(interface.block_a)) directions.emplace_back(-interface.normal);
+    if (interface.block_b == load.block && !model.is_held(interface.block_a))
+      directions.emplace_back(-interface.normal);
   }
   const Vec2 arm = load.place - model.blocks[at(load.block)].moments.centroid;
   std::stable_sort(directions.begin(), directions.end(),

@@ -15,7 +15,7 @@ namespace dda {
 namespace {
 
 constexpr double tolerance = 1e-6;  // of lengths
-constexpr double slack = 1e-3;  // of the wave's largest stress: a joint that lacks less hardly opens
+constexpr double slack = 1e-3;      // of the wave's largest stress: a joint that lacks less hardly opens
 
 // Tension over shear at an end of a joint of springs that is a part of a face: blocks in S waves press on one of their
 // two neighbours there and pull at the other. Meshes of bricks tear below 1 to 1.5 (of four, by runs).
@@ -112,8 +112,8 @@ WaveStress stress_of(const SceneLoad& load, const HistoryErrors& history, WaveKi
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  return {kind, direction, std::min(-unit * low, -unit * high), std::max(-unit * low, -unit * high), load.place,
-          history.place};
+  return {kind,       direction,    std::min(-unit * low, -unit * high), std::max(-unit * low, -unit * high),
+          load.place, history.place};
 }
 
 std::string why_joints_give_way(const Model& model, std::size_t stage, const ContactSet& drawn,

@@ -14,9 +14,9 @@ namespace dda {
 struct WaveStress {
   WaveKind kind = WaveKind::bar;
   Vec2 direction = Vec2::UnitX();  // unit, of the way
-  double least = 0, most = 0;      // Pa, that the wave has: of P and bar waves along the way, tension positive; of S shear
-  Vec2 from = Vec2::Zero();        // m, where it sets out
-  double distance = 0;             // m, to where it is looked at
+  double least = 0, most = 0;  // Pa, that the wave has: of P and bar waves along the way, tension positive; of S shear
+  Vec2 from = Vec2::Zero();    // m, where it sets out
+  double distance = 0;         // m, to where it is looked at
 };
 
 // Pa, that a wave of P (of a bar) or S has along its way at the load's value 1 as it sets out.

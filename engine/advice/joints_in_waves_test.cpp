@@ -29,16 +29,16 @@ std::string why_not(const Courses& courses) {
   const std::string stress =
       courses.stress.empty() ? "" : fmt::format(R"("stress_field": {{"xx": {0}, "yy": {0}}},)", courses.stress);
   const char* held = courses.motion == push ? "x" : "y";
-  const Model model = parse_scene(
-      fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0.2}}}},
+  const Model model =
+      parse_scene(fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0.2}}}},
         "joints": {{"default": {{{}}}}},
         "blocks": {{"grid": {{"columns": 4, "rows": 50, "block_width": 1, "block_height": 1, "pattern": "{}"}}}}, {}
         "loads": [{{"edge": "bottom", "traction": {}, "history": {}}}],
         "supports": [{{"edge": "left", "hold": "{}"}}, {{"edge": "right", "hold": "{}"}}],
         "measurements": [{{"quantity": "traction_normal", "point": [1.2, 15]}}],
         "steps": [{{"dt": "1e-4 s", "duration": "20 ms", "kinematics": "small"}}]}})",
-                  courses.joint, courses.pattern, stress, courses.motion, courses.history, held, held),
-      "scene");
+                              courses.joint, courses.pattern, stress, courses.motion, courses.history, held, held),
+                  "scene");
   AdviceQuestion question;
   question.limits = false;
   const Advice advice = advise(Simulation(model), question);
@@ -65,9 +65,9 @@ TEST(JointsInWaves, TensileStrengthAndFrictionCarryAWave) {
   EXPECT_EQ(why_not({.joint = strong + R"("2 MPa")"}), "");
   expect_said({.joint = strong + R"("0.5 MPa")"}, "opens joints");
   EXPECT_EQ(why_not({.joint = strong + R"("2 MPa")", .motion = shear}), "");
-  expect_said({.joint = R"("friction_angle": "35 deg", "cohesion": "0.5 MPa", "tensile_strength": "0.5 MPa")",
-               .motion = shear},
-              "slide");
+  expect_said(
+      {.joint = R"("friction_angle": "35 deg", "cohesion": "0.5 MPa", "tensile_strength": "0.5 MPa")", .motion = shear},
+      "slide");
 }
 
 // Blocks of bricks turn in S waves: springs at half of a face then pull. (Runs of such a mesh tear below 1 to 1.5 MPa.)

@@ -79,6 +79,22 @@ TEST(TimeSteps, IsTheIntegratorsEquation) {
   }
 }
 
+// A step leaves the share k of velocities at its end: v1 = k (v0 + ...) in the update rule.
+TEST(TimeSteps, VelocitiesThatAreCutAreInTheEquation) {
+  const double dt = 1e-3;
+  const Complex s(30, 700);
+  const Complex z = std::exp(s * dt);
+  for (const Integrator& integrator : {thesis_integrator(), trapezoidal_integrator(), hht_integrator(0.2)}) {
+    for (const double kept : {0.999, 0.9}) {
+      const Complex velocity = kept * dt * ((1 - integrator.gamma) + integrator.gamma * z) / (z - kept);  // over a
+      const Complex place = (dt * velocity + dt * dt * (0.5 - integrator.beta + integrator.beta * z)) / (z - 1.0);
+      const Complex wanted = ((1 - integrator.alpha_m) * z + integrator.alpha_m) /
+                             ((1 - integrator.alpha_f) * z + integrator.alpha_f) / place;
+      EXPECT_LT(std::abs(stepped_square(integrator, dt, s, kept) / wanted - 1.0), 1e-12) << integrator.name << kept;
+    }
+  }
+}
+
 TEST(TimeSteps, WithoutThemTimeIsContinuous) { EXPECT_EQ(TimeSteps{}.square({3, 4}), Complex(3, 4) * Complex(3, 4)); }
 
 }  // namespace

@@ -34,7 +34,8 @@ struct Shape {
 const Shape kinked[] = {
     {"triangle", 1, [](double share) { return triangle(share, 0.5); }},
     {"steep triangle", 1, [](double share) { return triangle(share, 0.3); }},
-    {"saw", 1, [](double share) { return share < 0.2 ? 5 * share : (share < 0.7 ? 1 - 4 * (share - 0.2) : (share - 1) / 0.3); }},
+    {"saw", 1,
+     [](double share) { return share < 0.2 ? 5 * share : (share < 0.7 ? 1 - 4 * (share - 0.2) : (share - 1) / 0.3); }},
     {"half sine", 0.5, [](double share) { return std::sin(pi * share); }},
 };
 
@@ -47,8 +48,8 @@ void choose_times(Row& row, Dice& dice, double blocks_in_wave, double steps_in_p
   row.dt = 1 / row.frequency / steps_in_period;
   const double due = row.units_before() * row.unit;
   row.duration = std::ceil((1.25 * due + (row.cycles + 1.5) / row.frequency) / row.dt) * row.dt;
-  row.steps = dice.one_of(std::vector<std::string>{"", R"(, "integrator": "thesis")",
-                                                   R"(, "integrator": {"generalized_alpha": 0.5})"});
+  row.steps = dice.one_of(
+      std::vector<std::string>{"", R"(, "integrator": "thesis")", R"(, "integrator": {"generalized_alpha": 0.5})"});
 }
 
 void give_shape(Row& row, unsigned seed) {
@@ -60,7 +61,8 @@ void give_shape(Row& row, unsigned seed) {
 
 // Courses of two to five equal layers, of two rocks by turns.
 void lay_courses(Row& row, Dice& dice, int layers) {
-  row.rocks = {{dice.between(2200, 3000), dice.between(10e9, 80e9)}, {dice.between(2200, 3000), dice.between(10e9, 80e9)}};
+  row.rocks = {{dice.between(2200, 3000), dice.between(10e9, 80e9)},
+               {dice.between(2200, 3000), dice.between(10e9, 80e9)}};
   for (int rock = 0; static_cast<int>(row.blocks.size()) < layers; rock = 1 - rock) {
     const int units = static_cast<int>(dice.between(16, 40));
     const int of_course = static_cast<int>(dice.between(2, 6));

@@ -109,8 +109,8 @@ class Conditions {
 
   [[nodiscard]] bool is_seen_to_jump(const LoadFinding& finding) const {
     if (finding.stage != stage_ || finding.leaves_figures || finding.history == load_.source) return false;
-    return std::ranges::any_of(
-        finding.blocks, [&](int block) { return is_seen(model_.blocks[at(block)].moments.centroid, 0); });
+    return std::ranges::any_of(finding.blocks,
+                               [&](int block) { return is_seen(model_.blocks[at(block)].moments.centroid, 0); });
   }
 
   [[nodiscard]] bool is_driven(int block) const {
@@ -158,10 +158,9 @@ class Conditions {
     return std::ranges::any_of(model_.supports, [&](const PointSupport& support) {
       if (!is_driven(support.block) || !is_still(support)) return false;
       if (support.last_stage >= 0 && support.last_stage < stage_) return false;
-      const Vec2 held =
-          support.direction.isZero(0)
-              ? Vec2(support.holds_x ? motion.x() : 0, support.holds_y ? motion.y() : 0)
-              : Vec2(support.direction.dot(motion) * support.direction);
+      const Vec2 held = support.direction.isZero(0)
+                            ? Vec2(support.holds_x ? motion.x() : 0, support.holds_y ? motion.y() : 0)
+                            : Vec2(support.direction.dot(motion) * support.direction);
       return held.norm() > tolerance;
     });
   }

@@ -21,8 +21,8 @@ const char* const steps = R"({"dt": "2e-4 s", "duration": "24 ms", "kinematics":
 
 struct Parts {
   std::string blocks = bar;
-  std::string loads = {};    // objects with commas between them
-  std::string others = {};   // members of the scene, with a comma behind each
+  std::string loads = {};   // objects with commas between them
+  std::string others = {};  // members of the scene, with a comma behind each
   std::string steps = dda::steps;
   double height = 0.5;  // m, at which the wave is looked at
 };
@@ -31,14 +31,15 @@ std::string pushed(const std::string& where) { return fmt::format(R"({{{}, {}}})
 const std::string left = pushed(R"("edge": "left", "traction": [1e6, 0])");
 
 Model model_of(const Parts& parts) {
-  return parse_scene(fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0.2}}}},
+  return parse_scene(
+      fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0.2}}}},
       "joints": {{"default": {{"bonded": true}}}}, "blocks": {}, "loads": [{}], {}
       "measurements": [{{"quantity": "traction_normal", "point": [20, {}]}}], "steps": {}}})",
-                                 parts.blocks, parts.loads, parts.others, parts.height, parts.steps),
-                     "scene");
+                  parts.blocks, parts.loads, parts.others, parts.height, parts.steps),
+      "scene");
 }
 
-// Of the stage that waves run in, along x; empty where the history is foretold.
+// Says it of the stage that waves run in, along x; empty where the history is foretold.
 std::string why_not(const Parts& parts) {
   AdviceQuestion question;
   question.limits = false;

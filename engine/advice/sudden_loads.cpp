@@ -102,7 +102,8 @@ class Search {
   [[nodiscard]] std::vector<LoadFinding> take() {
     std::vector<LoadFinding> findings;
     for (const Group& group : groups_)
-      findings.push_back({group.stage, group.first.history, sentence_of(group), group.first.leaves_figures, group.blocks});
+      findings.push_back(
+          {group.stage, group.first.history, sentence_of(group), group.first.leaves_figures, group.blocks});
     return findings;
   }
 
@@ -172,7 +173,8 @@ class Search {
         "stage \"{}\": {} on block \"{}\"{}, {}, jumps at {:g} s: a jump holds all frequencies, which no mesh and dt "
         "carry without overshoot and ringing; let it rise while the wave crosses several blocks",
         model_.stages[static_cast<std::size_t>(group.stage)].name, group.first.what, block,
-        group.blocks.size() > 1 ? fmt::format(" and {} more", group.blocks.size() - 1) : "", words_for(*group.first.history), group.time);
+        group.blocks.size() > 1 ? fmt::format(" and {} more", group.blocks.size() - 1) : "",
+        words_for(*group.first.history), group.time);
   }
 
   const Model& model_;

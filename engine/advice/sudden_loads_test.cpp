@@ -118,7 +118,8 @@ TEST(SuddenLoads, StandInPlaceOfFigures) {
   EXPECT_NE(to_text(advice_on(pushed(Constant{}))).find("constant, jumps at 0 s"), std::string::npos);
 }
 
-// Another load beside the one that is advised on: it is named, and figures stay where its wave comes too late to be seen.
+// Another load beside the one that is advised on: it is named, and figures stay where its wave comes too late to be
+// seen.
 TEST(SuddenLoads, StandBesideFiguresOfOtherLoads) {
   const auto advice_with_jump_at = [](double x, double distance) {
     Model model = pushed(PiecewiseLinear{{0, 1e-3, 2e-3}, {0, 1, 0}});

@@ -13,9 +13,7 @@ Complex expm1(Complex x) {
 
 }  // namespace
 
-double kept_in_step(const Stage& stage) {
-  return stage.velocity_factor * std::exp(-stage.damping_rate * stage.dt);
-}
+double kept_in_step(const Stage& stage) { return stage.velocity_factor * std::exp(-stage.damping_rate * stage.dt); }
 
 Complex stepped_square(const Integrator& integrator, double dt, Complex s, double kept) {
   const double beta = integrator.beta;

@@ -31,9 +31,9 @@ class ChainQuestion {
   [[nodiscard]] std::optional<TotalErrors> total_steady_errors(double frequency) const;
   [[nodiscard]] std::optional<TotalErrors> total_history_errors(const LoadHistory& load) const;
 
-  // How long that stress is looked at, s, and the same readings of another trace of it, which has the stage's dt.
+  // When that stress comes, and the same readings of another trace of it, which has the stage's dt.
   struct OtherTrace {
-    double window = 0;
+    Passage passage;
     std::function<std::optional<ArrivalErrors>(const std::vector<double>&)> read;
   };
   [[nodiscard]] OtherTrace other_trace(const LoadHistory& load) const;

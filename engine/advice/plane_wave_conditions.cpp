@@ -81,6 +81,7 @@ class Conditions {
       return "something else jumps, and is seen there as well";
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
+    if (meets_its_echo()) return "what the far end sends back is there before all of it has come";
     if (moved()) return "";
     if (is_held()) return "what is loaded is held there as well";
     return absorbs() ? "the edge that is loaded absorbs as well" : "";
@@ -104,13 +105,50 @@ class Conditions {
     for (const Material& material : model_.materials) fastest = std::max(fastest, p_wave_speed(material));
     const bool is_measured = (load_.looked_at - load_.place).norm() > slack_;
     const Vec2 seen = is_measured ? load_.looked_at : Vec2(load_.place + wave_.distance * wave_.direction);
-    return (place - seen).norm() < fastest * (load_.history.start + wave_.window - start);
+    return (place - seen).norm() < fastest * (load_.history.start + wave_.passage.window - start);
   }
 
   [[nodiscard]] bool is_seen_to_jump(const LoadFinding& finding) const {
     if (finding.stage != stage_ || finding.leaves_figures || finding.history == load_.source) return false;
     return std::ranges::any_of(finding.blocks,
                                [&](int block) { return is_seen(model_.blocks[at(block)].moments.centroid, 0); });
+  }
+
+  // The far end sends it back, late as it came. Ends that absorb send back what springs at joints make of the rock's
+  // impedance.
+  [[nodiscard]] bool meets_its_echo() const {
+    double far = -std::numeric_limits<double>::infinity();
+    for (const Block& block : model_.blocks)
+      for (const Vec2& vertex : block.shape.outer) far = std::max(far, along(vertex));
+    const double echo = wave_.passage.front * (2 * (far - front()) / wave_.distance - 1);
+    return lasts(echo - wave_.passage.front, echo) && !(is_absorbed_at(far) && !has_springs());
+  }
+
+  // Whether there is any load to speak of `time` (s) after its begin, in a run that goes on until `seen` (s).
+  [[nodiscard]] bool lasts(double time, double seen) const {
+    constexpr int samples = 4000;
+    constexpr double little = 1e-4;  // of its square: a hundredth of the wave
+    if (seen >= load_.history.run) return false;
+    double whole = 0, later = 0;
+    for (int i = 0; i < samples; ++i) {
+      const double t = (i + 0.5) / samples * load_.history.run;
+      const double square = std::pow(load_.history.value(t), 2);
+      whole += square;
+      if (t > time) later += square;
+    }
+    return later > little * whole;
+  }
+
+  [[nodiscard]] bool is_absorbed_at(double far) const {
+    return std::ranges::any_of(model_.viscous_edges, [&](const ViscousEdge& edge) {
+      return edge.first_stage <= stage_ && std::abs(along(edge.from) - far) <= slack_ &&
+             std::abs(along(edge.to) - far) <= slack_;
+    });
+  }
+
+  [[nodiscard]] bool has_springs() const {
+    return std::ranges::any_of(
+        model_.joints, [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
   }
 
   [[nodiscard]] bool is_driven(int block) const {

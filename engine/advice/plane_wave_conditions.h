@@ -17,7 +17,7 @@ struct DrivenWave {
   Vec2 direction = Vec2::UnitX();  // unit, into the rock from where it is driven
   bool row = false;                // in a bar; else in a mesh
   double distance = 0;             // m, to where it is looked at
-  double window = 0;               // s, that it is looked at from its load's begin on
+  Passage passage;
 };
 
 // `sudden`: loads of the model that jump.

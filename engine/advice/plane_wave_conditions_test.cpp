@@ -121,6 +121,19 @@ TEST(PlaneWaveConditions, SidesOfWhichAPartIsMovedAreSaid) {
   EXPECT_EQ(why_not(moved(6)), "");
 }
 
+// The front of a load that stays is 6 ms on its way to 20 m, and its echo from 40 m comes 12 ms later.
+TEST(PlaneWaveConditions, EchoesOfTheFarEndAreSaid) {
+  const auto rising = [](const std::string& others, const char* duration) {
+    return Parts{.blocks = R"({"bar": {"length": 40, "height": 1, "block_length": 1}})",
+                 .loads = R"({"edge": "left", "traction": [1e6, 0], "history": {"table": [[0, 0], [0.005, 1]]}})",
+                 .others = others,
+                 .steps = fmt::format(R"({{"dt": "2e-4 s", "duration": "{}", "kinematics": "small"}})", duration)};
+  };
+  EXPECT_EQ(why_not(rising("", "16 ms")), "");
+  expect_said(rising("", "24 ms"), "far end sends back");
+  EXPECT_EQ(why_not(rising(R"("viscous_boundaries": [{"edge": "right", "normal_speed": "bar"}],)", "24 ms")), "");
+}
+
 TEST(PlaneWaveConditions, StepsThatChangeOnTheWayAreSaid) {
   const auto two = [](const char* dt, const char* until) {
     return Parts{.loads = left,

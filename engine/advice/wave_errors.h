@@ -101,6 +101,11 @@ bool is_seen(const LoadHistory& load, double on_time, const Lags& lags);
 // s, that a trace has to last: until the wave has passed, however late, or the run is over that shows it.
 double window_of(const LoadHistory& load, double on_time, const Lags& lags);
 
+// When a wave comes to where it is looked at, and how long it is looked at, s from its load's begin on.
+struct Passage {
+  double front = 0, window = 0;
+};
+
 struct HistoryErrors {
   ErrorTerms speed, amplitude;  // by cross-correlation and fit
   ArrivalErrors arrival;        // all readings of all causes together
@@ -117,10 +122,10 @@ std::optional<HistoryErrors> history_errors(const WaveQuestion& question, const 
 
 std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, const LoadHistory& load);
 
-// The same readings of another trace of that stress, at 0, interval, ... (s), and how long it is looked at, s.
+// The same readings of another trace of that stress, at 0, interval, ... (s), and when it comes.
 std::optional<ArrivalErrors> read_other(const WaveQuestion& question, const LoadHistory& load,
                                         const std::vector<double>& trace, double interval);
-double window_of(const WaveQuestion& question, const LoadHistory& load);
+Passage passage_of(const WaveQuestion& question, const LoadHistory& load);
 
 // The stress there that the blocks, interfaces and time steps make of the load, over the load's amplitude.
 struct PredictedTrace {

@@ -81,7 +81,7 @@ class Conditions {
       return "something else jumps, and is seen there as well";
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
-    if (meets_its_echo()) return "what the far end sends back is there before all of it has come";
+    if (meets_its_echo()) return "the far end absorbs it but for what springs at joints send back, which is there before all of it has come";
     if (moved()) return "";
     if (is_held()) return "what is loaded is held there as well";
     return absorbs() ? "the edge that is loaded absorbs as well" : "";
@@ -114,14 +114,14 @@ class Conditions {
                                [&](int block) { return is_seen(model_.blocks[at(block)].moments.centroid, 0); });
   }
 
-  // The far end sends it back, late as it came. Ends that absorb send back what springs at joints make of the rock's
-  // impedance.
+  // An end that absorbs should send nothing back, so that what it does is an error that no figure counts: springs at
+  // joints make another impedance of the rock's. What other ends send back belongs to the scene.
   [[nodiscard]] bool meets_its_echo() const {
     double far = -std::numeric_limits<double>::infinity();
     for (const Block& block : model_.blocks)
       for (const Vec2& vertex : block.shape.outer) far = std::max(far, along(vertex));
     const double echo = wave_.passage.front * (2 * (far - front()) / wave_.distance - 1);
-    return lasts(echo - wave_.passage.front, echo) && !(is_absorbed_at(far) && !has_springs());
+    return has_springs() && is_absorbed_at(far) && lasts(echo - wave_.passage.front, echo);
   }
 
   // Whether there is any load to speak of `time` (s) after its begin, in a run that goes on until `seen` (s).

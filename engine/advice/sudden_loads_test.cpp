@@ -151,8 +151,6 @@ TEST(SuddenLoads, VelocitiesThatJumpHaveFiguresWhereJumpsWeighLittle) {
     held.amplitude = {1e-3, 0};
     held.history = SineCycles{200, cycles, 0};
     model.held_blocks.push_back(held);
-    const double impedance = model.materials[0].density * continuum_speed(model.materials[0], WaveKind::bar);
-    model.viscous_edges.push_back({29, {60, 0}, {60, 0.8}, impedance, 0});  // no echo of what goes on
     finish_model(model);
     AdviceQuestion question;
     question.limits = false;

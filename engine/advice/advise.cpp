@@ -165,9 +165,7 @@ class Adviser {
     const Vec2 into = way_into(question.direction);
     const bool row = question.lattice.row;
     const Passage passage = passage_of(question, load_->history);
-    if (const std::string why =
-            what_disturbs(course, {into, row, question.distance, passage});
-        !why.empty())
+    if (const std::string why = what_disturbs(course, {into, row, question.distance, passage}); !why.empty())
       return cannot_foretell(why, advice);
     advice.history = history_errors(question, load_->history);
     if (!advice.history) {

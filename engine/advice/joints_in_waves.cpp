@@ -17,9 +17,10 @@ namespace {
 constexpr double tolerance = 1e-6;  // of lengths
 constexpr double slack = 1e-3;      // of the wave's largest stress: a joint that lacks less hardly opens
 
-// Tension over shear at an end of a joint of springs that is a part of a face: blocks in S waves press on one of their
-// two neighbours there and pull at the other. Meshes of bricks tear below 1 to 1.5 (of four, by runs).
-constexpr double tension_by_turning = 1.5;
+// Tension over shear at an end of a joint of springs: blocks in S waves turn, press on a neighbour at one end of a face
+// and pull at the other. Meshes of squares tear, by runs, below 0.2 to 0.8 of the shear (of three), those of bricks,
+// whose faces have two neighbours, below 1 to 1.5 (of three).
+constexpr double tension_by_turning = 1, tension_by_turning_bricks = 1.5;
 
 // Pa, that weight and constant loads of static stages before can press a joint with.
 double most_pressure(const Model& model, std::size_t stage) {
@@ -48,20 +49,25 @@ Mat2 unit_stress(const Material& material, const WaveStress& wave) {
 class Joint {
  public:
   Joint(const Model& model, const Interface& interface, const JointMaterial& joint, bool springs)
-      : normal_(interface.normal), tangent_(-normal_.y(), normal_.x()), joint_(joint), turns_(springs) {
+      : normal_(interface.normal),
+        tangent_(-normal_.y(), normal_.x()),
+        joint_(joint),
+        turning_(springs ? tension_by_turning : 0) {
+    int longer = 0;  // faces than the joint
     for (const int index : {interface.block_a, interface.block_b}) {
       const Block& block = model.blocks[static_cast<std::size_t>(index)];
       const Vec3& stress = block.initial_stress;
-      turns_ = turns_ && extent_along(block.shape.outer, tangent_) > (1 + tolerance) * interface.length;
+      if (extent_along(block.shape.outer, tangent_) > (1 + tolerance) * interface.length) ++longer;
       Mat2 tensor;
       tensor << stress[0], stress[2], stress[2], stress[1];
       start_ += tensor / 2;
     }
+    if (springs && longer == 2) turning_ = tension_by_turning_bricks;
   }
 
   // `pressure` may be there besides.
   [[nodiscard]] bool opens(const Mat2& wave, double pressure, double least) const {
-    const double turning = turns_ ? tension_by_turning * std::abs(normal_.dot(wave * tangent_)) : 0;
+    const double turning = turning_ * std::abs(normal_.dot(wave * tangent_));
     return tension(wave) + turning - pressure > strength() + least;
   }
   [[nodiscard]] bool slides(const Mat2& wave, double pressure, double least) const {
@@ -79,7 +85,7 @@ class Joint {
 
   Vec2 normal_, tangent_;
   const JointMaterial& joint_;
-  bool turns_;
+  double turning_;
   Mat2 start_ = Mat2::Zero();
 };
 

@@ -81,7 +81,9 @@ class Conditions {
       return "something else jumps, and is seen there as well";
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
-    if (meets_its_echo()) return "the far end absorbs it but for what springs at joints send back, which is there before all of it has come";
+    if (meets_its_echo())
+      return "the far end absorbs it but for what springs at joints send back, which is there before all of it has "
+             "come";
     if (moved()) return "";
     if (is_held()) return "what is loaded is held there as well";
     return absorbs() ? "the edge that is loaded absorbs as well" : "";
@@ -147,8 +149,8 @@ class Conditions {
   }
 
   [[nodiscard]] bool has_springs() const {
-    return std::ranges::any_of(
-        model_.joints, [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
+    return std::ranges::any_of(model_.joints,
+                               [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
   }
 
   [[nodiscard]] bool is_driven(int block) const {

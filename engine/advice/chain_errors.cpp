@@ -197,7 +197,7 @@ std::function<double(double)> ChainQuestion::exact(const LoadHistory& load, cons
 std::function<double(double)> ChainQuestion::drive(Causes causes, const LoadHistory& load) const {
   if (!path_.is_moved) {
     const LoadFilter filter = chain(causes).load_filter();
-    return [=, &load](double t) { return filter(load.value, t); };
+    return [=, &load](double t) { return filtered(filter, load, t); };
   }
   if (!has_steps(causes)) return load.value;
   return [&load, dt = stage_.dt](double t) { return (load.displacement(t) - load.displacement(t - dt)) / dt; };

@@ -42,12 +42,13 @@ struct TestLayer {
 struct RowDrive {
   double frequency = 0;                        // Hz
   double cycles = 2;                           // that the load lasts
+  double start = 0;                            // s, of the load
   std::function<double(double)> shape = tone;  // of the load, by the share of its time that is over
   std::string drive = "force";                 // or "displacement", "velocity"
   bool on_base = false;                        // what is moved is one held block below all columns, not the face
 
   [[nodiscard]] double load(double t) const {
-    const double share = t * frequency / cycles;
+    const double share = (t - start) * frequency / cycles;
     return share <= 0 || share >= 1 ? 0 : shape(share);
   }
 };
@@ -98,9 +99,9 @@ inline std::string history_of(const Row& row) {
   const double end = row.cycles / row.frequency, pitch = end / 400;
   double integral = 0;
   for (int i = 0; i <= 400; ++i) {
-    if (i > 0) integral += pitch * (row.load(i * pitch) + row.load((i - 1) * pitch)) / 2;
-    const double value = row.drive == "displacement" ? integral : row.load(i * pitch);
-    table += fmt::format("{}[{:.9g}, {:.9g}]", i > 0 ? ", " : "", i * pitch, value);
+    if (i > 0) integral += pitch * (row.load(row.start + i * pitch) + row.load(row.start + (i - 1) * pitch)) / 2;
+    const double value = row.drive == "displacement" ? integral : row.load(row.start + i * pitch);
+    table += fmt::format("{}[{:.9g}, {:.9g}]", i > 0 ? ", " : "", row.start + i * pitch, value);
   }
   return fmt::format(R"({{"table": [{}]}})", table);
 }

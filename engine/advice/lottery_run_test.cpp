@@ -128,6 +128,22 @@ Row damped_row(unsigned seed) {
   return row;
 }
 
+// Cubic rows sharpen a load's kinks, the first of them where the run has begun before.
+Row late_row(unsigned seed) {
+  Dice dice(seed);
+  Row row;
+  row.name = fmt::format("late {}", seed);
+  give_shape(row, seed % 3);
+  row.rocks = {{dice.between(2200, 3000), dice.between(10e9, 80e9)}};
+  for (int i = 0; i < 110; ++i) row.blocks.push_back({0, 20});
+  row.joint = static_cast<int>(dice.between(18, 36));
+  choose_times(row, dice, dice.between(10, 20), dice.between(10, 16));
+  row.steps = R"(, "integrator": "trapezoidal")";
+  row.start = row.unit * std::round(dice.between(3, 20) * row.dt / row.unit);
+  row.duration += std::ceil(row.start / row.dt) * row.dt;
+  return row;
+}
+
 int misses_of(const Row& row) {
   const Model model = parse_scene(scene_of(row), row.name);
   AdviceQuestion question;
@@ -171,6 +187,7 @@ int misses_of(const Draw& draw, unsigned from, unsigned to) {
 TEST(Lottery, KinkedLoadsThroughCoursesAreAsAdvised) { EXPECT_EQ(misses_of(courses, 0, 8), 0); }
 TEST(Lottery, KinkedLoadsThroughRowsOfTwoRocksAreAsAdvised) { EXPECT_EQ(misses_of(alternating_row, 0, 8), 0); }
 TEST(Lottery, FewBlocksBetweenRollersAreAsAdvised) { EXPECT_EQ(misses_of(coarse_mesh, 0, 8), 0); }
+TEST(Lottery, LoadsThatBeginLateAreAsAdvised) { EXPECT_EQ(misses_of(late_row, 0, 6), 0); }
 TEST(Lottery, VelocitiesDampedInStepsAreAsAdvised) { EXPECT_EQ(misses_of(damped_row, 0, 6), 0); }
 
 }  // namespace

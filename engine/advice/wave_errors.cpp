@@ -116,7 +116,8 @@ LoadSpectrum spectrum_of(const WaveQuestion& question, const LoadHistory& load, 
   const double stride = std::max(1.0, std::ceil(window / question.stage.dt / most_samples));
   const double interval = stride * question.stage.dt;
   std::vector<double> samples(static_cast<std::size_t>(std::floor(window / interval + 1e-6)) + 1);
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = filter(load.value, static_cast<double>(i) * interval);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i] = filtered(filter, load, static_cast<double>(i) * interval);
   return {samples, interval};
 }
 
@@ -170,6 +171,11 @@ class Reader {
 };
 
 }  // namespace
+
+// A run knows its own time, at the start of which there is nothing to sharpen.
+double filtered(const LoadFilter& filter, const LoadHistory& load, double time) {
+  return filter([&](double t) { return load.value(t - load.start); }, load.start + time);
+}
 
 bool is_seen(const LoadHistory& load, double on_time, const Lags& lags) {
   constexpr double as_long = 0.98;  // of the run: it stays on, and has no half

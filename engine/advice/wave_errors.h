@@ -95,6 +95,9 @@ struct LoadHistory {
   [[nodiscard]] double seen_until() const { return run > 0 ? run : std::numeric_limits<double>::infinity(); }
 };
 
+// The load as a run puts it on, at s since it began.
+double filtered(const LoadFilter& filter, const LoadHistory& load, double time);
+
 // Whether the run goes on until half of the load has come, or any of one that stays on.
 bool is_seen(const LoadHistory& load, double on_time, const Lags& lags);
 

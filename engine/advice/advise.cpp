@@ -151,7 +151,7 @@ class Adviser {
 
   [[nodiscard]] std::string what_disturbs(const Course& course, const DrivenWave& wave) const {
     std::string why = why_no_plane_wave(model_, course.index, *load_, wave, no_figures_.sudden());
-    return why.empty() ? why_steps_change(model_, course.index, *load_, wave.passage.window) : why;
+    return why.empty() ? why_steps_change(model_, course.index, *load_, wave.timing.window) : why;
   }
 
   void check_joints(const Course& course, WaveKind kind, const Vec2& direction, double unit, WaveAdvice& advice) const {
@@ -164,8 +164,8 @@ class Adviser {
   void foretell_history(const WaveQuestion& question, const Course& course, WaveAdvice& advice) const {
     const Vec2 into = way_into(question.direction);
     const bool row = question.lattice.row;
-    const Passage passage = passage_of(question, load_->history);
-    if (const std::string why = what_disturbs(course, {into, row, question.distance, passage}); !why.empty())
+    const WaveTiming timing = timing_of(question, load_->history);
+    if (const std::string why = what_disturbs(course, {into, row, question.distance, timing}); !why.empty())
       return cannot_foretell(why, advice);
     advice.history = history_errors(question, load_->history);
     if (!advice.history) {
@@ -176,7 +176,7 @@ class Adviser {
       } else if (!is_row() && is_along(question.kind, load_->face)) {
         const MeshPlace place{load_->face, question.kind, advice.history->place,
                               load_->motion.dot(polarization(question.kind, load_->face))};
-        count_sides(course, place, passage.window, advice, [&](const std::vector<double>& trace) {
+        count_sides(course, place, timing.window, advice, [&](const std::vector<double>& trace) {
           return read_other(question, load_->history, trace, course.stage.dt);
         });
       }
@@ -250,7 +250,7 @@ class Adviser {
     advice.not_foretold = no_figures_.why(*load_, course.index, wavelength, advice.block_size);
     if (!advice.not_foretold.empty()) return advice;
     const ChainQuestion::OtherTrace other = question.other_trace(load_->history);
-    if (const std::string why = what_disturbs(course, {way_->direction, is_row(), question.place(), other.passage});
+    if (const std::string why = what_disturbs(course, {way_->direction, is_row(), question.place(), other.timing});
         !why.empty()) {
       cannot_foretell(why, advice);
       return advice;
@@ -260,7 +260,7 @@ class Adviser {
       advice.not_foretold = nothing_comes;
     } else {
       const MeshPlace place{way_->direction, way_->kind, advice.history->place, unit_of_way()};
-      if (!is_row()) count_sides(course, place, other.passage.window, advice, other.read);
+      if (!is_row()) count_sides(course, place, other.timing.window, advice, other.read);
       check_joints(course, way_->kind, way_->direction, unit_of_way(), advice);
     }
     if (question_.limits && has_limits(advice)) advice.limits = limits_of(question, course, advice);

@@ -223,8 +223,8 @@ Lags ChainQuestion::lags(Causes causes, const LoadHistory& load) const {
 
 ChainQuestion::OtherTrace ChainQuestion::other_trace(const LoadHistory& load) const {
   const Lags between = lags(Causes::all, load);
-  const Passage passage{path_.time_to(joint_) + between.latest, window_for(load, between)};
-  return {passage, [this, &load, between](const std::vector<double>& trace) {
+  const WaveTiming timing{path_.time_to(joint_) + between.latest, window_for(load, between)};
+  return {timing, [this, &load, between](const std::vector<double>& trace) {
             return read_arrival(trace, stage_.dt, exact(load, between), path_.time_to(joint_), load.period, between,
                                 load.seen_until());
           }};

@@ -33,7 +33,7 @@ class ChainQuestion {
 
   // When that stress comes, and the same readings of another trace of it, which has the stage's dt.
   struct OtherTrace {
-    Passage passage;
+    WaveTiming timing;
     std::function<std::optional<ArrivalErrors>(const std::vector<double>&)> read;
   };
   [[nodiscard]] OtherTrace other_trace(const LoadHistory& load) const;

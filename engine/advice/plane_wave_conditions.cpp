@@ -107,7 +107,7 @@ class Conditions {
     for (const Material& material : model_.materials) fastest = std::max(fastest, p_wave_speed(material));
     const bool is_measured = (load_.looked_at - load_.place).norm() > slack_;
     const Vec2 seen = is_measured ? load_.looked_at : Vec2(load_.place + wave_.distance * wave_.direction);
-    return (place - seen).norm() < fastest * (load_.history.start + wave_.passage.window - start);
+    return (place - seen).norm() < fastest * (load_.history.start + wave_.timing.window - start);
   }
 
   [[nodiscard]] bool is_seen_to_jump(const LoadFinding& finding) const {
@@ -122,8 +122,8 @@ class Conditions {
     double far = -std::numeric_limits<double>::infinity();
     for (const Block& block : model_.blocks)
       for (const Vec2& vertex : block.shape.outer) far = std::max(far, along(vertex));
-    const double echo = wave_.passage.front * (2 * (far - front()) / wave_.distance - 1);
-    return has_springs() && is_absorbed_at(far) && lasts(echo - wave_.passage.front, echo);
+    const double echo = wave_.timing.front * (2 * (far - front()) / wave_.distance - 1);
+    return has_springs() && is_absorbed_at(far) && lasts(echo - wave_.timing.front, echo);
   }
 
   // Whether there is any load to speak of `time` (s) after its begin, in a run that goes on until `seen` (s).

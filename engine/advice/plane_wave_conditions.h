@@ -17,7 +17,7 @@ struct DrivenWave {
   Vec2 direction = Vec2::UnitX();  // unit, into the rock from where it is driven
   bool row = false;                // in a bar; else in a mesh
   double distance = 0;             // m, to where it is looked at
-  Passage passage;
+  WaveTiming timing;
 };
 
 // `sudden`: loads of the model that jump.

@@ -233,7 +233,7 @@ std::optional<ArrivalErrors> read_other(const WaveQuestion& question, const Load
   return Reader(question, load).read(Causes::all, {trace, interval});
 }
 
-Passage passage_of(const WaveQuestion& question, const LoadHistory& load) {
+WaveTiming timing_of(const WaveQuestion& question, const LoadHistory& load) {
   const Place place = place_of(question);
   const Lags lags = lags_of(question, place.distance, load.period);
   return {on_time(question, place) + lags.latest, window_at(question, load, place)};

@@ -105,7 +105,7 @@ bool is_seen(const LoadHistory& load, double on_time, const Lags& lags);
 double window_of(const LoadHistory& load, double on_time, const Lags& lags);
 
 // When a wave comes to where it is looked at, and how long it is looked at, s from its load's begin on.
-struct Passage {
+struct WaveTiming {
   double front = 0, window = 0;
 };
 
@@ -128,7 +128,7 @@ std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, co
 // The same readings of another trace of that stress, at 0, interval, ... (s), and when it comes.
 std::optional<ArrivalErrors> read_other(const WaveQuestion& question, const LoadHistory& load,
                                         const std::vector<double>& trace, double interval);
-Passage passage_of(const WaveQuestion& question, const LoadHistory& load);
+WaveTiming timing_of(const WaveQuestion& question, const LoadHistory& load);
 
 // The stress there that the blocks, interfaces and time steps make of the load, over the load's amplitude.
 struct PredictedTrace {

@@ -325,7 +325,7 @@ double IncompleteCholesky::substitute_halves(double unit, const Eigen::VectorXd&
   return product + products[1] + products[0];
 }
 
-// Of the whole the innermost loops need not ask which rows there are: half of their time.
+// Where the whole was factored the innermost loops need not ask which rows there are: half of their time.
 template <bool whole, bool apart>
 void IncompleteCholesky::forward(std::size_t first, std::size_t last) {
   for (std::size_t place = first; place < last; ++place) {

@@ -37,7 +37,7 @@ TEST(Threads, ProductsHaveTheSameBits) {
   });
 }
 
-// Of as many blocks as make two threads eliminate half of them each.
+// There are as many blocks as make two threads eliminate half of them each.
 TEST(Threads, FactorsInHalvesHaveTheSameBits) {
   const LargeSystem system = large_chain(static_cast<int>(IncompleteCholesky::worth_halving) + 5, 60);
   expect_same_bits([&] {

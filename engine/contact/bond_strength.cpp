@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace dda {
-namespace {
 
 // The points of the law lie at +-lever of half the length from the middle, the edges at +-1. So forces of the points
 // that differ have the moment of a linear traction with 3 lever times that difference between the edges, and of two
@@ -14,17 +13,6 @@ bool stretch_exceeds(const InterfaceSprings& springs, const EndStrength& strengt
   const double at_edge = (normal + 3 * springs.lever * std::abs(force(2) - force(0))) / 2;
   const double shear = std::max(std::abs(force(1) + force(3)), springs.lever * std::abs(force(3) - force(1)));
   return at_edge > strength.tension || shear > 2 * strength.cohesion - strength.friction * normal;
-}
-
-}  // namespace
-
-std::array<bool, 2> bonds_broken_by(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force,
-                                    const std::array<bool, 2>& before) {
-  if (springs.law == InterfaceLaw::projected) {
-    const bool is_broken = before[0] || before[1] || stretch_exceeds(springs, strength, force);
-    return {is_broken, is_broken};
-  }
-  return {before[0] || exceeds(strength, force(0), force(1)), before[1] || exceeds(strength, force(2), force(3))};
 }
 
 }  // namespace dda

@@ -1,4 +1,4 @@
-// Which bonds of an interface break under the forces that its ends, or the points of a stretch, carry.
+// When a projected stretch with a bond breaks under the forces of its points.
 //
 // Springs stand at the ends of an interface and carry half of it each: either end breaks by itself, with half of the
 // strength. A projected stretch breaks as a whole, since its traction is known all along it:
@@ -14,15 +14,12 @@
 //            It leaves alone what is only shared unevenly, as under a force on one end of a flat block.
 #pragma once
 
-#include <array>
-
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
 
 namespace dda {
 
-// Returns which are broken now, of those that were and those that these forces break.
-std::array<bool, 2> bonds_broken_by(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force,
-                                    const std::array<bool, 2>& before);
+// Whether these forces are beyond the strength of the stretch, of which either end has half.
+bool stretch_exceeds(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force);
 
 }  // namespace dda

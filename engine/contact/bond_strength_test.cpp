@@ -21,8 +21,17 @@ InterfaceSprings stretch_with(double lever) {
   return springs;
 }
 
+// What breaks of a bond, or of the rest of one, under these forces.
+Ends broken_by(const InterfaceSprings& springs, const Vec4& force, const Ends& before = {false, false}) {
+  InterfaceTrial trial;
+  trial.force = force;
+  trial.broken = before;
+  break_ends(springs, glued, trial);
+  return trial.broken;
+}
+
 bool breaks(const Vec4& force, double lever = 1 / 3.0) {
-  const Ends broken = bonds_broken_by(stretch_with(lever), glued, force, {false, false});
+  const Ends broken = broken_by(stretch_with(lever), force);
   EXPECT_EQ(broken[0], broken[1]) << "as a whole";
   return broken[0];
 }
@@ -63,9 +72,9 @@ TEST(BondStrength, ShearOfAStretchIsJudgedByWhatHasItsResultants) {
 TEST(BondStrength, EndsOfOtherLawsBreakByThemselves) {
   InterfaceSprings springs = stretch_with(1);
   springs.law = InterfaceLaw::classical;
-  EXPECT_EQ(bonds_broken_by(springs, glued, {10.1, 0, 9.9, 0}, {false, false}), (Ends{true, false}));
-  EXPECT_EQ(bonds_broken_by(springs, glued, {0, 5.9, 0, -6.1}, {false, false}), (Ends{false, true}));
-  EXPECT_EQ(bonds_broken_by(springs, glued, Vec4::Zero(), {true, false}), (Ends{true, false}));
+  EXPECT_EQ(broken_by(springs, {10.1, 0, 9.9, 0}), (Ends{true, false}));
+  EXPECT_EQ(broken_by(springs, {0, 5.9, 0, -6.1}), (Ends{false, true}));
+  EXPECT_EQ(broken_by(springs, Vec4::Zero(), {true, false}), (Ends{true, false}));
 }
 
 // Both ends have failed at once, whichever point was beyond its strength.

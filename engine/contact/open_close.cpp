@@ -183,6 +183,14 @@ void stick_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial
   for (int end = 0; end < ends_of(springs); ++end) respond_as_stuck(springs, end, trial);
 }
 
+// A projected stretch breaks as a whole.
+bool break_stretch(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
+  const bool is_broken = trial.broken[0] || trial.broken[1] || stretch_exceeds(springs, strength, trial.force);
+  const bool broke = is_broken && !(trial.broken[0] && trial.broken[1]);
+  if (is_broken) trial.broken = {true, true};
+  return broke;
+}
+
 // A broken bond has failed, whichever way; a dry end when it slides, if that makes a difference.
 bool has_failed(const EndStrength& strength, const InterfaceTrial& trial, int end) {
   return !strength.is_dry() || (strength.friction_drop > 0 && slides(trial, end));
@@ -296,11 +304,13 @@ void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, I
 
 bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) return false;
-  const std::array<bool, 2> bonds = trial.broken;
-  trial.broken = bonds_broken_by(springs, strength, trial.force, bonds);
-  bool broke = trial.broken != bonds;
+  bool broke = springs.law == InterfaceLaw::projected && break_stretch(springs, strength, trial);
   for (int end = 0; end < 2; ++end) {
     const auto e = static_cast<std::size_t>(end);
+    const Eigen::Index n = normal_row(end);
+    if (!trial.broken[e] && springs.law != InterfaceLaw::projected &&
+        exceeds(strength, trial.force(n), trial.force(n + 1)))
+      trial.broken[e] = broke = true;
     if (trial.broken[e] && !trial.residual[e] && has_failed(strength, trial, end)) trial.residual[e] = broke = true;
   }
   return broke;

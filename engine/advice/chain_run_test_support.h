@@ -29,7 +29,7 @@ struct LayerRock {
 };
 
 // A tone of two cycles under half a sine squared.
-inline double tone(double share) {
+inline double swelling_tone(double share) {
   return std::pow(std::sin(std::numbers::pi * share), 2) * std::sin(4 * std::numbers::pi * share);
 }
 
@@ -40,12 +40,12 @@ struct TestLayer {
 
 // What drives a row.
 struct RowDrive {
-  double frequency = 0;                        // Hz
-  double cycles = 2;                           // that the load lasts
-  double start = 0;                            // s, of the load
-  std::function<double(double)> shape = tone;  // of the load, by the share of its time that is over
-  std::string drive = "force";                 // or "displacement", "velocity"
-  bool on_base = false;                        // what is moved is one held block below all columns, not the face
+  double frequency = 0;                                 // Hz
+  double cycles = 2;                                    // that the load lasts
+  double start = 0;                                     // s, of the load
+  std::function<double(double)> shape = swelling_tone;  // of the load, by the share of its time that is over
+  std::string drive = "force";                          // or "displacement", "velocity"
+  bool on_base = false;  // what is moved is one held block below all columns, not the face
 
   [[nodiscard]] double load(double t) const {
     const double share = (t - start) * frequency / cycles;

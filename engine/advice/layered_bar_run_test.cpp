@@ -30,7 +30,7 @@ const Shape shapes[] = {
     {"drop", 1, [](double share) { return (std::cos(2 * pi * share) - 1) / 2; }},
     {"two humps", 2, [](double share) { return std::pow(std::sin(2 * pi * share), 2) * (1 - 0.4 * share); }},
     {"slow rise", 1.5, [](double share) { return std::pow(std::sin(pi * std::pow(share, 1.6)), 2); }},
-    {"swing", 2, tone},
+    {"swing", 2, swelling_tone},
 };
 
 // Two or three rocks with up to some 40 times the impedance of each other.

@@ -67,7 +67,7 @@ void add_history(const WaveAdvice& wave, Text& text) {
   text.line("    amplitude  {}   (least-squares fit)", split(history.amplitude));
   if (const std::string warning = unlike(history); !warning.empty()) text.line("    {}", warning);
   if (!history.arrival.has_peak) {
-    text.line("    largest value {}; no peak to read: the load does not turn back; speed by onset {}",
+    text.line("    largest value {}; no peak to read: it stays at its largest value; speed by onset {}",
               percent(history.arrival.largest), percent(history.arrival.onset_speed));
     return;
   }

@@ -71,7 +71,7 @@ class Joint {
     return tension(wave) + turning - pressure > strength() + least;
   }
   [[nodiscard]] bool slides(const Mat2& wave, double pressure, double least) const {
-    const double pressed = std::max(0.0, pressure - tension(wave));
+    const double pressed = pressure - tension(wave);  // less than nothing takes off the cohesion
     const double shear = std::abs(normal_.dot((start_ + wave) * tangent_));
     return shear > joint_.cohesion + std::tan(joint_.friction_angle) * pressed + least;
   }

@@ -29,8 +29,9 @@ struct Drive {
 
 std::vector<Drive> drives_of(const Model& model, std::size_t stage) {
   std::vector<Drive> drives;
-  const auto add = [&](const Drive& drive) {
-    if (!std::holds_alternative<Constant>(*drive.history) && !drive.amplitude.isZero(0)) drives.push_back(drive);
+  const auto add = [&](const Drive& drive, bool turns = false) {
+    if (!std::holds_alternative<Constant>(*drive.history) && (turns || !drive.amplitude.isZero(0)))
+      drives.push_back(drive);
   };
   for (const EdgeLoad& load : model.edge_loads)
     if (load.stages.has(stage))
@@ -38,9 +39,11 @@ std::vector<Drive> drives_of(const Model& model, std::size_t stage) {
   for (const PointLoad& load : model.point_loads)
     if (load.stages.has(stage)) add({load.block, load.point, load.force, &load.history});
   for (const PointSupport& support : model.supports)
-    add({support.block, support.point, support.amplitude, &support.history, true});
+    if (support.last_stage < 0 || support.last_stage >= static_cast<int>(stage))
+      add({support.block, support.point, support.amplitude, &support.history, true});
   for (const HeldBlock& held : model.held_blocks)
-    add({held.block, model.blocks[at(held.block)].moments.centroid, held.amplitude, &held.history, true});
+    add({held.block, model.blocks[at(held.block)].moments.centroid, held.amplitude, &held.history, true},
+        held.turn != 0);
   return drives;
 }
 
@@ -53,11 +56,14 @@ double end_of_run(const Model& model) {
 // At times that no period of a history falls in with.
 bool are_alike(const TimeFunction& a, const TimeFunction& b, double end) {
   constexpr int times = 32;
+  double largest = 0, apart = 0;
   for (int i = 1; i <= times; ++i) {
     const double t = end * std::fmod(0.6180339887498949 * i, 1.0);
-    if (std::abs(evaluate(a, t) - evaluate(b, t)) > tolerance) return false;
+    const double of_a = evaluate(a, t), of_b = evaluate(b, t);
+    largest = std::max({largest, std::abs(of_a), std::abs(of_b)});
+    apart = std::max(apart, std::abs(of_a - of_b));
   }
-  return a.index() == b.index();
+  return a.index() == b.index() && apart <= tolerance * largest;
 }
 
 class Conditions {

@@ -14,12 +14,13 @@
 //            It leaves alone what is only shared unevenly, as under a force on one end of a flat block.
 #pragma once
 
-#include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
+#include "engine/contact/interface_trial.h"
 
 namespace dda {
 
-// Whether these forces are beyond the strength of the stretch, of which either end has half.
-bool stretch_exceeds(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force);
+// Breaks a projected stretch whose forces are beyond its strength, of which either end has half; returns whether it
+// did.
+bool break_stretch(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 }  // namespace dda

@@ -40,7 +40,8 @@ struct InterfaceTrial {
   std::array<double, 2> capacity{0, 0};  // N per m of thickness, largest shear force of a broken end; with `before`
   std::array<bool, 2> broken{false, false};
   std::array<bool, 2> residual{false, false};
-  std::array<bool, 2> closes{false, false};  // ends that dilate and were open at the start: see rising_end.h
+  std::array<bool, 2> closes{false, false};  // ends that dilate and do not in this step: they were open at its start
+                                             // (rising_end.h), or friction is given
   ContactRule rule;
 
   std::array<double, 2> slip{0, 0};       // m, before the step

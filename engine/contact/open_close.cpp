@@ -147,7 +147,7 @@ void expect_full_stiffness(const InterfaceSprings& springs, const EndStrength& s
 void prepare_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
-    trial.closes[e] = trial.broken[e] && (trial.start(normal_row(end)) > 0 || trial.rule.capacity_is_given);
+    trial.closes[e] = trial.rule.capacity_is_given || (trial.broken[e] && trial.start(normal_row(end)) > 0);
   }
   if (!trial.rule.sticks) expect_full_stiffness(springs, strength, trial);
 }
@@ -181,14 +181,6 @@ void stick_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial
   if (!press_together(springs, trial.broken) || trial.active(0) == 0 || trial.force(0) != 0 || trial.force(2) != 0)
     return;
   for (int end = 0; end < ends_of(springs); ++end) respond_as_stuck(springs, end, trial);
-}
-
-// A projected stretch breaks as a whole.
-bool break_stretch(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
-  const bool is_broken = trial.broken[0] || trial.broken[1] || stretch_exceeds(springs, strength, trial.force);
-  const bool broke = is_broken && !(trial.broken[0] && trial.broken[1]);
-  if (is_broken) trial.broken = {true, true};
-  return broke;
 }
 
 // A broken bond has failed, whichever way; a dry end when it slides, if that makes a difference.

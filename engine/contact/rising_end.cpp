@@ -149,8 +149,11 @@ void respond_riding(const InterfaceSprings& springs, const EndStrength& strength
   }
   const double slip = slip_of(at);
   const double pressed = at.pressure(slip);
-  if (pressed == 0) return answer_open(end, trial);
-  trial.dilation[e] = at.rise(slip);
+  if (pressed == 0) answer_open(end, trial);
+  // A dashpot can take all that a spring presses with while the end is still closed: then it slides, and rises.
+  const bool is_closed = trial.gap(2 * end) < at.rise(slip);
+  if (pressed > 0 || is_closed) trial.dilation[e] = at.rise(slip);
+  if (pressed == 0) return;
   trial.capacity[e] = at.capacity(pressed);
   trial.force.segment<2>(2 * end) = Vec2(-pressed, side * trial.capacity[e]);
   set_rows(springs, at, at.slope_after(slip), side, end, trial);

@@ -80,8 +80,9 @@ TEST_P(RisingEnds, ObeyEveryLawAtOnce) {
         const double way = stuck_force(trial, end) / (shear_spring + element().dashpot(1) * rate);
         const double risen = strength_.lift(trial.slip[e] + way) - strength_.lift(trial.slip[e]);
         ASSERT_NEAR(normal_force(trial.gap(2 * end) - risen, trial.start(2 * end)), 0, 1e-12);
+        const bool is_closed = trial.gap(2 * end) < risen;  // where a dashpot takes what the spring presses with
         ASSERT_EQ(shear, 0);
-        ASSERT_EQ(trial.dilation[e], 0);
+        ASSERT_NEAR(trial.dilation[e], is_closed ? risen : 0, round_off);
         continue;
       }
       const double slip = (stuck_force(trial, end) - shear) / (shear_spring + element().dashpot(1) * rate);

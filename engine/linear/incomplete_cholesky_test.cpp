@@ -59,7 +59,6 @@ TEST(IncompleteCholesky, IsExactOnAChainWithoutFill) {
   EXPECT_LE((applied(factor, system.rhs) - expected).norm(), single_precision * expected.norm());
 }
 
-// What defines an incomplete factor: M D M^T is A on the pattern of M, whatever it is elsewhere.
 // Halves are eliminated towards what couples them, so that a chain is as exact as in one piece.
 TEST(IncompleteCholesky, IsExactOnAChainInHalves) {
   const int blocks = static_cast<int>(IncompleteCholesky::worth_halving) + 37;
@@ -95,6 +94,7 @@ TEST(CutInHalves, IsLeftWhereAllHangsTogether) {
   EXPECT_EQ(order, cuthill_mckee_order(matrix));
 }
 
+// What defines an incomplete factor: M D M^T is A on the pattern of M, whatever it is elsewhere.
 TEST(IncompleteCholesky, AgreesWithTheMatrixOnItsPattern) {
   RandomSystem system = random_system(36, grid_couplings(6, 6), 2);
   for (int i = 0; i < 36; ++i) system.matrix.diagonal(i) += 20 * Mat6::Identity();  // nothing indefinite

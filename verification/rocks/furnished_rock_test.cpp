@@ -1,6 +1,6 @@
 // Rock cut at random with what users add to it, each thing by lot: joints that ride up, dashpots, springs per area,
-// bonds, loads, other integrators and kinematics, joints that weaken. Such runs come to their end, with a ledger that
-// adds up, and from wherever they are restored.
+// other integrators and kinematics, joints that weaken. Such runs come to their end, with a ledger that adds up, and
+// from wherever they are restored.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,8 +39,7 @@ std::string furnished(std::uint64_t seed) {
   SeededNumbers random(seed + 5000);
   const RandomRock rock = random_rock(seed);
   Json scene = Json::parse(rock.scene);
-  for (auto& [name, joint] : scene["joints"].items())
-    if (!joint.contains("bonded")) furnish_joint(random, rock.unit, joint);
+  for (auto& [name, joint] : scene["joints"].items()) furnish_joint(random, rock.unit, joint);
   for (Json& stage : scene["steps"]) stage.erase("kinematics");
   if (random.chance(0.25))
     for (Json& stage : scene["steps"]) stage["kinematics"] = "small";
@@ -57,8 +56,7 @@ std::string furnished(std::uint64_t seed) {
   return scene.dump();
 }
 
-// What a run may end with: blocks that small kinematics lets go too far are no fault, nor do integrators that carry
-// forces on, or that conserve energy, resolve every impact.
+// Blocks that nothing holds may end a run.
 bool came_to_its_end(const dda::Simulation& simulation, dda::Status status) {
   return simulation.finished() || status == dda::Status::not_in_equilibrium;
 }
@@ -69,11 +67,13 @@ void expect_end_wherever_restored(std::uint64_t seed) {
   dda::Simulation whole(model);
   dda::Status status = dda::Status::ok;
   while (!whole.finished() && status == dda::Status::ok) {
-    const bool is_compared = random.chance(0.05);
+    if (!random.chance(0.05)) {
+      status = whole.step();
+      continue;
+    }
     dda::Simulation resumed(model);
-    if (is_compared) dda::restore(resumed, whole.state(), dda::save(whole));
+    dda::restore(resumed, whole.state(), dda::save(whole));
     status = whole.step();
-    if (!is_compared) continue;
     ASSERT_EQ(resumed.step(), status) << seed;
     ASSERT_TRUE(dda::memory_of(resumed) == dda::memory_of(whole)) << seed << " after step " << whole.state().step;
   }

@@ -55,8 +55,7 @@ TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
 
 RandomRock with_damped_contacts(RandomRock rock) {
   nlohmann::json scene = nlohmann::json::parse(rock.scene);
-  for (auto& [name, joint] : scene["joints"].items())
-    if (!joint.contains("bonded")) joint["contact_damping"] = 0.2;
+  for (auto& [name, joint] : scene["joints"].items()) joint["contact_damping"] = 0.2;
   rock.scene = scene.dump();
   return rock;
 }
@@ -109,11 +108,13 @@ TEST(Rocks, GoOnWithTheSameBitsFromWhereTheyAreRestored) {
     const dda::Model model = dda::parse_scene(random_rock(seed, {.joints = joints}).scene, "scene.json");
     dda::Simulation whole(model);
     for (int step = 0; step < 200 && !whole.finished(); ++step) {
-      const bool is_compared = step % 13 == 0;
+      if (step % 13 != 0) {
+        ASSERT_EQ(whole.step(), dda::Status::ok) << seed;
+        continue;
+      }
       dda::Simulation resumed(model);
-      if (is_compared) dda::restore(resumed, whole.state(), dda::save(whole));
+      dda::restore(resumed, whole.state(), dda::save(whole));
       const dda::Status status = whole.step();
-      if (!is_compared) continue;
       ASSERT_EQ(resumed.step(), status) << seed << " at " << step;
       ASSERT_TRUE(dda::memory_of(resumed) == dda::memory_of(whole)) << seed << " at " << step;
     }

@@ -212,7 +212,7 @@ double speed_error(double on_time, double lag) { return on_time / (on_time + lag
 
 std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
                                           const std::function<double(double)>& exact, double on_time, double period,
-                                          const Lags& lags, double until) {
+                                          const Lags& lags, double until, OtherParts others) {
   constexpr double pitch = longest_lag / 40;  // of a period
   const Comparison comparison(trace, interval, exact);
   const double limit = longest_lag * period;
@@ -230,7 +230,8 @@ std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, doub
   errors.speed = speed_error(on_time, lag);
   errors.amplitude = fit.factor - 1;
   errors.likeness = fit.coefficient;
-  errors.elsewhere = comparison.best_outside(-0.9 * on_time, lags.earliest - limit, lags.latest + limit, period / 20);
+  if (others == OtherParts::compared)
+    errors.elsewhere = comparison.best_outside(-0.9 * on_time, lags.earliest - limit, lags.latest + limit, period / 20);
   errors.has_peak = !wanted.stays_at(due, flat * period);
   const auto [lowest, highest] = std::minmax_element(trace.begin(), trace.end());
   errors.lowest = *lowest;

@@ -35,6 +35,9 @@ struct Lags {
   }
 };
 
+// Whether `elsewhere` is asked for, which takes hundreds of comparisons more; it is 0 otherwise.
+enum class OtherParts { ignored, compared };
+
 // `trace` is sampled at 0, interval, ...; `exact` is what it should be, begins at `on_time` (s) and varies over times
 // not much shorter than `period` (s). Nothing where the trace nowhere resembles it, or comes 0.45 periods before or
 // after `lags`: beyond half a period a wave is mistaken for the next swing. Peaks of `exact` are its own and not
@@ -42,7 +45,7 @@ struct Lags {
 // of all where the wave has hardly come by then.
 std::optional<ArrivalErrors> read_arrival(const std::vector<double>& trace, double interval,
                                           const std::function<double(double)>& exact, double on_time, double period,
-                                          const Lags& lags = {},
-                                          double until = std::numeric_limits<double>::infinity());
+                                          const Lags& lags = {}, double until = std::numeric_limits<double>::infinity(),
+                                          OtherParts others = OtherParts::ignored);
 
 }  // namespace dda

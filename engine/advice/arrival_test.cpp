@@ -76,7 +76,7 @@ TEST(Arrival, WhatStaysAtItsPeakHasNoneToRead) {
 TEST(Arrival, AnotherPartCanBeMoreAlike) {
   const auto twice = [](double late) {
     return read_arrival(sampled([=](double t) { return 0.5 * cycle(t) + late * cycle(t - 0.03); }), interval, cycle,
-                        on_time, period);
+                        on_time, period, {}, std::numeric_limits<double>::infinity(), OtherParts::compared);
   };
   ASSERT_TRUE(twice(1) && twice(0.2));
   EXPECT_GT(twice(1)->elsewhere, twice(1)->likeness);

@@ -226,7 +226,7 @@ ChainQuestion::OtherTrace ChainQuestion::other_trace(const LoadHistory& load) co
   const WaveTiming timing{path_.time_to(joint_) + between.latest, window_for(load, between)};
   return {timing, [this, &load, between](const std::vector<double>& trace) {
             return read_arrival(trace, stage_.dt, exact(load, between), path_.time_to(joint_), load.period, between,
-                                load.seen_until());
+                                load.seen_until(), OtherParts::compared);
           }};
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -246,6 +247,25 @@ inline std::optional<ArrivalErrors> measured(const Row& row, const Model& model)
 inline bool agree(double advised, double found) {
   const double difference = std::abs(advised - found);
   return difference <= 0.2 * std::abs(found) || difference <= 0.05e-2;
+}
+
+struct NamedReading {
+  const char* name;
+  double ArrivalErrors::*value;
+};
+
+// How many readings are not as advised; says which, or all of them where DDA_FIGURES is set.
+inline int misses_of(const std::string& row, const ArrivalErrors& advised, const ArrivalErrors& found,
+                     const std::vector<NamedReading>& readings) {
+  int misses = 0;
+  for (const auto& [name, value] : readings) {
+    const bool good = agree(advised.*value, found.*value);
+    if (!good) ++misses;
+    if (!good || std::getenv("DDA_FIGURES") != nullptr)
+      fmt::print("{}{}: {} {:+.3f} % advised, {:+.3f} % measured\n", good ? "" : "outside: ", row, name,
+                 100 * (advised.*value), 100 * (found.*value));
+  }
+  return misses;
 }
 
 class Dice {

@@ -133,10 +133,7 @@ std::string why_joints_give_way(const Model& model, std::size_t stage, const Con
     if (interface.length == 0 || material.bonded) continue;
     const double gone = std::abs(wave.direction.dot((interface.from + interface.to) / 2 - wave.from));
     if (gone > wave.distance + interface.length) continue;
-    const bool springs =
-        material.law == InterfaceLaw::classical ||
-        (model.stages[stage].kinematics == Kinematics::finite && is_springs_where_blocks_move(material));
-    const Joint joint(model, interface, material, springs);
+    const Joint joint(model, interface, material, is_springs(material, model.stages[stage].kinematics));
     const Mat2 unit = unit_stress(model.material_of(interface.block_a), wave);
     for (const double stress : {wave.least, wave.most}) {
       if (joint.opens(stress * unit, pressure, least))

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -86,20 +85,12 @@ int misses_of(const Row& row) {
     return 1;
   }
   const ArrivalErrors& advised = waves[0].history->arrival;
-  int misses = 0;
-  const auto compare = [&](const char* name, double ArrivalErrors::*reading) {
-    const bool good = agree(advised.*reading, (*found).*reading);
-    if (!good) ++misses;
-    if (!good || std::getenv("DDA_FIGURES") != nullptr)
-      fmt::print("{}{}: {} {:+.3f} % advised, {:+.3f} % measured\n", good ? "" : "outside: ", row.name, name,
-                 100 * (advised.*reading), 100 * ((*found).*reading));
-  };
-  compare("speed", &ArrivalErrors::speed);
-  compare("amplitude", &ArrivalErrors::amplitude);
-  compare("peak", &ArrivalErrors::peak);
-  compare("speed by peak", &ArrivalErrors::peak_speed);
-  compare("speed by onset", &ArrivalErrors::onset_speed);
-  return misses;
+  return misses_of(row.name, advised, *found,
+                   {{"speed", &ArrivalErrors::speed},
+                    {"amplitude", &ArrivalErrors::amplitude},
+                    {"peak", &ArrivalErrors::peak},
+                    {"speed by peak", &ArrivalErrors::peak_speed},
+                    {"speed by onset", &ArrivalErrors::onset_speed}});
 }
 
 int misses_of_bars(unsigned from, unsigned to) {

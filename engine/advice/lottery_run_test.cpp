@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -95,6 +94,11 @@ Row alternating_row(unsigned seed) {
   return row;
 }
 
+void lay_equal_blocks(Row& row, Dice& dice, int blocks) {
+  row.rocks = {{dice.between(2200, 3000), dice.between(10e9, 80e9)}};
+  row.blocks.assign(static_cast<std::size_t>(blocks), {0, 20});
+}
+
 // Few blocks to a wavelength, between rollers: these hold blocks as no neighbour does.
 Row coarse_mesh(unsigned seed) {
   Dice dice(seed);
@@ -103,8 +107,7 @@ Row coarse_mesh(unsigned seed) {
   row.wave = seed % 2 == 0 ? 's' : 'p';
   row.columns = 4;
   row.running_bond = dice.between(0, 1) < 0.5;
-  row.rocks = {{dice.between(2200, 3000), dice.between(10e9, 80e9)}};
-  for (int i = 0; i < 60; ++i) row.blocks.push_back({0, 20});
+  lay_equal_blocks(row, dice, 60);
   row.joint = static_cast<int>(dice.between(10, 18));
   row.joint_law = R"(, "law": "consistent")";
   if (dice.between(0, 1) < 0.5) row.joint_law += R"(, "penalty": 20)";
@@ -117,8 +120,7 @@ Row damped_row(unsigned seed) {
   Dice dice(seed);
   Row row;
   row.name = fmt::format("damped {}", seed);
-  row.rocks = {{dice.between(2200, 3000), dice.between(10e9, 80e9)}};
-  for (int i = 0; i < 110; ++i) row.blocks.push_back({0, 20});
+  lay_equal_blocks(row, dice, 110);
   row.joint = static_cast<int>(dice.between(18, 36));
   row.joint_law = R"(, "law": "consistent")";
   choose_times(row, dice, dice.between(8, 20), dice.between(20, 80));
@@ -134,8 +136,7 @@ Row late_row(unsigned seed) {
   Row row;
   row.name = fmt::format("late {}", seed);
   give_shape(row, seed % 3);
-  row.rocks = {{dice.between(2200, 3000), dice.between(10e9, 80e9)}};
-  for (int i = 0; i < 110; ++i) row.blocks.push_back({0, 20});
+  lay_equal_blocks(row, dice, 110);
   row.joint = static_cast<int>(dice.between(18, 36));
   choose_times(row, dice, dice.between(10, 20), dice.between(10, 16));
   row.steps = R"(, "integrator": "trapezoidal")";
@@ -159,22 +160,15 @@ int misses_of(const Row& row) {
     return 1;
   }
   const ArrivalErrors& advised = wave->history->arrival;
-  int misses = 0;
-  const auto compare = [&](const char* name, double ArrivalErrors::*reading) {
-    const bool good = agree(advised.*reading, (*found).*reading);
-    if (!good) ++misses;
-    if (!good || std::getenv("DDA_FIGURES") != nullptr)
-      fmt::print("{}{}: {} {:+.3f} % advised, {:+.3f} % measured\n", good ? "" : "outside: ", row.name, name,
-                 100 * (advised.*reading), 100 * ((*found).*reading));
-  };
-  compare("speed", &ArrivalErrors::speed);
-  compare("amplitude", &ArrivalErrors::amplitude);
-  compare("largest", &ArrivalErrors::largest);
-  compare("speed by onset", &ArrivalErrors::onset_speed);
-  if (!advised.has_peak) return misses;
-  compare("peak", &ArrivalErrors::peak);
-  compare("speed by peak", &ArrivalErrors::peak_speed);
-  return misses;
+  std::vector<NamedReading> readings = {{"speed", &ArrivalErrors::speed},
+                                        {"amplitude", &ArrivalErrors::amplitude},
+                                        {"largest", &ArrivalErrors::largest},
+                                        {"speed by onset", &ArrivalErrors::onset_speed}};
+  if (advised.has_peak) {
+    readings.push_back({"peak", &ArrivalErrors::peak});
+    readings.push_back({"speed by peak", &ArrivalErrors::peak_speed});
+  }
+  return misses_of(row.name, advised, *found, readings);
 }
 
 template <typename Draw>

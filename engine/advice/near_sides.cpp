@@ -59,14 +59,9 @@ bool is_roller(const PointSupport& support, const Vec2& particles) {
          (!support.holds_y || std::abs(particles.y()) < tolerance);
 }
 
-bool is_springs(const JointMaterial& joint, const Stage& stage) {
-  return joint.law == InterfaceLaw::classical ||
-         (stage.kinematics == Kinematics::finite && is_springs_where_blocks_move(joint));
-}
-
 // As waves are foretold: closed, stuck, and of the law that acts.
 void close(JointMaterial& joint, const Stage& stage) {
-  if (is_springs(joint, stage))
+  if (is_springs(joint, stage.kinematics))
     joint.law = InterfaceLaw::classical;
   else if (joint.law == InterfaceLaw::projected)
     joint.law = InterfaceLaw::consistent;
@@ -125,7 +120,8 @@ bool NearSides::are_felt(const MeshPlace& place, double window) const {
 }
 
 bool NearSides::has_springs() const {
-  return std::ranges::any_of(model_.joints, [&](const JointMaterial& joint) { return is_springs(joint, stage_); });
+  return std::ranges::any_of(model_.joints,
+                             [&](const JointMaterial& joint) { return is_springs(joint, stage_.kinematics); });
 }
 
 // All along both sides.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/terms/velocity_damping.h"
+
 namespace dda {
 namespace {
 
@@ -13,7 +15,7 @@ Complex expm1(Complex x) {
 
 }  // namespace
 
-double kept_in_step(const Stage& stage) { return stage.velocity_factor * std::exp(-stage.damping_rate * stage.dt); }
+double kept_in_step(const Stage& stage) { return velocity_factor(stage.velocity_factor, stage.damping_rate, stage.dt); }
 
 Complex stepped_square(const Integrator& integrator, double dt, Complex s, double kept) {
   const double beta = integrator.beta;

@@ -151,11 +151,12 @@ class Reader {
   }
 
   // `causes`: that have made the trace.
-  [[nodiscard]] std::optional<ArrivalErrors> read(Causes causes, const Trace& trace) const {
+  [[nodiscard]] std::optional<ArrivalErrors> read(Causes causes, const Trace& trace,
+                                                  OtherParts others = OtherParts::ignored) const {
     const double due = on_time(question_, place_);
     const auto exact = [&](double t) { return t > due ? load_.value(t - due) : 0.0; };
     return read_arrival(trace.values, trace.interval, exact, due, load_.period,
-                        lags_of(changed(causes), place_.distance, load_.period), load_.seen_until());
+                        lags_of(changed(causes), place_.distance, load_.period), load_.seen_until(), others);
   }
 
  private:
@@ -230,7 +231,7 @@ std::optional<TotalErrors> total_history_errors(const WaveQuestion& question, co
 
 std::optional<ArrivalErrors> read_other(const WaveQuestion& question, const LoadHistory& load,
                                         const std::vector<double>& trace, double interval) {
-  return Reader(question, load).read(Causes::all, {trace, interval});
+  return Reader(question, load).read(Causes::all, {trace, interval}, OtherParts::compared);
 }
 
 WaveTiming timing_of(const WaveQuestion& question, const LoadHistory& load) {

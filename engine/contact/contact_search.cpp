@@ -121,12 +121,17 @@ bool ContactSearch::widen(const Model& model, const State& state, const Eigen::V
   return wider;
 }
 
+template <typename... IsOut>
+void ContactSearch::find_of_pair(std::size_t k, std::vector<VertexContact>& found, const IsOut&... is_out) const {
+  const auto [a, b] = pairs_[k];
+  const double smaller = std::min(size_of(a), size_of(b));
+  find_vertex_contacts(outlines_, a, b, reach_of(k) + lift_, deepest * smaller, round_off * smaller, is_out..., found);
+}
+
 void ContactSearch::find_between(int a, int b, const std::function<bool(const VertexContact&)>& is_out,
                                  std::vector<VertexContact>& found) const {
   const auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair{a, b});
-  const auto k = static_cast<std::size_t>(pair - pairs_.begin());
-  const double smaller = std::min(size_of(a), size_of(b));
-  find_vertex_contacts(outlines_, a, b, reach_of(k) + lift_, deepest * smaller, round_off * smaller, is_out, found);
+  find_of_pair(static_cast<std::size_t>(pair - pairs_.begin()), found, is_out);
 }
 
 std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, int>>& bonded) const {
@@ -140,12 +145,6 @@ std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, 
   for (std::size_t i = 1; i < found.size(); ++i) all.insert(all.end(), found[i].begin(), found[i].end());
   std::sort(all.begin(), all.end());
   return all;
-}
-
-void ContactSearch::find_of_pair(std::size_t k, std::vector<VertexContact>& found) const {
-  const auto [a, b] = pairs_[k];
-  const double smaller = std::min(size_of(a), size_of(b));
-  find_vertex_contacts(outlines_, a, b, reach_of(k) + lift_, deepest * smaller, round_off * smaller, found);
 }
 
 }  // namespace dda

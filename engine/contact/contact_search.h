@@ -81,7 +81,9 @@ class ContactSearch {
 
  private:
   void list_pairs();
-  void find_of_pair(std::size_t k, std::vector<VertexContact>& found) const;
+  // Appends the contacts of a listed pair; `is_out`, if any: as in find_between.
+  template <typename... IsOut>
+  void find_of_pair(std::size_t k, std::vector<VertexContact>& found, const IsOut&... is_out) const;
   void forget_slowly();
   [[nodiscard]] double reach_of(std::size_t pair) const;
   [[nodiscard]] bool is_absent(std::size_t block) const { return !absent_.empty() && absent_[block]; }

@@ -15,14 +15,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// act(index), shared by threads where there are enough.
-template <typename Act>
-void for_each_of(std::size_t count, const Act& act) {
-  parallel_for(count, contacts_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) act(i);
-  });
-}
-
 // The least distance (m) of a vertex from another one on the way that is foreseen for the step.
 double least_distance(const Outlines& outlines, int vertex, int other) {
   const Vec2 apart = outlines.current[at(vertex)] - outlines.current[at(other)];
@@ -210,14 +202,14 @@ std::vector<char> find_covered(const std::vector<std::pair<std::size_t, int>>& c
   for (std::size_t i = 0; i < found.size(); ++i)
     if (out[i] == 0) covered.add(found[i]);
   covered.sort();
-  for_each_of(corners.size(), [&](std::size_t k) {
+  parallel_for_each(corners.size(), contacts_worth_sharing, [&](std::size_t k) {
     const auto [i, end] = corners[k];
     out[i] = covered.cover(found[i], end) ? 1 : 0;
   });
   for (const auto& [i, end] : corners)
     if (out[i] == 0) covered.add(found[i]);
   covered.sort();
-  for_each_of(corners.size(), [&](std::size_t k) {
+  parallel_for_each(corners.size(), contacts_worth_sharing, [&](std::size_t k) {
     const auto [i, end] = corners[k];
     if (out[i] == 0) out[i] = covered.cover(found[i], end) ? 1 : 0;
   });
@@ -273,8 +265,9 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
                                             const std::vector<VertexContact>& known,
                                             std::vector<VertexContact>& found) {
   std::vector<int> ends(found.size());
-  for_each_of(found.size(),
-              [&](std::size_t i) { ends[i] = shared_corner(search.outlines(), found[i], near_of(search, found[i])); });
+  parallel_for_each(found.size(), contacts_worth_sharing, [&](std::size_t i) {
+    ends[i] = shared_corner(search.outlines(), found[i], near_of(search, found[i]));
+  });
   std::vector<std::pair<std::size_t, int>> corners;
   for (std::size_t i = 0; i < found.size(); ++i)
     if (ends[i] >= 0 && !contains(uncovered, blocks_of(found[i]))) corners.emplace_back(i, ends[i]);

@@ -29,6 +29,11 @@ Springs springs_of(const Model& model, const Interface& interface);
 inline bool is_springs_where_blocks_move(const JointMaterial& joint) {
   return is_dry(joint) && joint.law != InterfaceLaw::projected;
 }
+// The same in the kinematics of a stage.
+inline bool is_springs(const JointMaterial& joint, Kinematics kinematics) {
+  return joint.law == InterfaceLaw::classical ||
+         (kinematics == Kinematics::finite && is_springs_where_blocks_move(joint));
+}
 
 // What the springs of a stretch under the classical law do to the result, to first order.
 struct StiffnessErrors {

@@ -271,18 +271,16 @@ std::vector<Carrier> MovingContacts::follow_stretches(const Model& model, const 
                                                       ContactSet& contacts) const {
   std::vector<InterfaceElement>& elements = contacts.elements.edit();
   std::vector<Carrier> ends(2 * stretches_);
-  parallel_for(stretches_, contacts_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Interface& interface = contacts.interfaces[i];
-      const InterfaceFrame frame = current_frame(model, state, interface);
-      set_geometry(model, acting_frame(model, acting, interface, elements[i].law), elements[i]);
-      measure_gap(model, state, interface, elements[i], contacts.states[i]);
-      const auto end = [&](const Vec2& on_a, const Vec2& on_b) -> Carrier {
-        return {interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)};
-      };
-      ends[2 * i] = end(frame.from_a, frame.from_b);
-      ends[2 * i + 1] = end(frame.to_a, frame.to_b);
-    }
+  parallel_for_each(stretches_, contacts_worth_sharing, [&](std::size_t i) {
+    const Interface& interface = contacts.interfaces[i];
+    const InterfaceFrame frame = current_frame(model, state, interface);
+    set_geometry(model, acting_frame(model, acting, interface, elements[i].law), elements[i]);
+    measure_gap(model, state, interface, elements[i], contacts.states[i]);
+    const auto end = [&](const Vec2& on_a, const Vec2& on_b) -> Carrier {
+      return {interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)};
+    };
+    ends[2 * i] = end(frame.from_a, frame.from_b);
+    ends[2 * i + 1] = end(frame.to_a, frame.to_b);
   });
   return ends;
 }
@@ -328,17 +326,15 @@ std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const St
   contacts.strengths.resize(total);
   std::vector<InterfaceState> states(total);
   std::copy_n(contacts.states.begin(), stretches_, states.begin());
-  parallel_for(all.contacts.size(), contacts_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const VertexContact& contact = all.contacts[i];
-      const std::size_t entry = stretches_ + i;
-      const Interface interface = interface_of(model, contact, all.shares[i]);
-      contacts.interfaces[entry] = interface;
-      elements[entry] = make_element(model, interface, InterfaceLaw::classical);
-      set_geometry(model, acting_frame(model, acting, search_.outlines(), contact), elements[entry]);
-      contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
-      states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i], contacts.states);
-    }
+  parallel_for_each(all.contacts.size(), contacts_worth_sharing, [&](std::size_t i) {
+    const VertexContact& contact = all.contacts[i];
+    const std::size_t entry = stretches_ + i;
+    const Interface interface = interface_of(model, contact, all.shares[i]);
+    contacts.interfaces[entry] = interface;
+    elements[entry] = make_element(model, interface, InterfaceLaw::classical);
+    set_geometry(model, acting_frame(model, acting, search_.outlines(), contact), elements[entry]);
+    contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
+    states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i], contacts.states);
   });
   return states;
 }

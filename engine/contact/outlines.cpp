@@ -19,14 +19,7 @@ void append_ring(const Ring& ring, const Vec2& centroid, Outlines& outlines) {
   }
 }
 
-// Shared by threads where there are enough blocks.
-template <typename Act>
-void for_each_block(const Outlines& outlines, const Act& act) {
-  constexpr std::size_t worth_sharing = 512;
-  parallel_for(outlines.boxes.size(), worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t block = first; block < last; ++block) act(block);
-  });
-}
+constexpr std::size_t outlines_worth_sharing = 512;
 
 }  // namespace
 
@@ -46,7 +39,7 @@ Outlines make_outlines(const Model& model, const State& state) {
 }
 
 void update_outlines(const Model& model, const State& state, Outlines& outlines) {
-  for_each_block(outlines, [&](std::size_t block) {
+  parallel_for_each(outlines.boxes.size(), outlines_worth_sharing, [&](std::size_t block) {
     const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
     Box box;
     for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {
@@ -63,7 +56,7 @@ void foresee_motion(const Model& model, const State& state, double time, Outline
     std::ranges::fill(outlines.coming, Vec2(0, 0));
     return;
   }
-  for_each_block(outlines, [&](std::size_t block) {
+  parallel_for_each(outlines.boxes.size(), outlines_worth_sharing, [&](std::size_t block) {
     const Vec6 increments = time * state.velocity[block];
     const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
     for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {

@@ -11,7 +11,7 @@
 
 namespace dda {
 
-// What is done to each contact is worth telling another thread from twice as many on.
+// What is done to each contact, some 0.1 us and more, is worth telling another thread from twice as many on.
 inline constexpr std::size_t contacts_worth_sharing = 256;
 
 struct VertexContact {

@@ -68,6 +68,14 @@ void parallel_for(std::size_t elements, std::size_t grain, const Body& body) {
   }
 }
 
+// act(index) for every index below `count`.
+template <typename Act>
+void parallel_for_each(std::size_t count, std::size_t grain, const Act& act) {
+  parallel_for(count, grain, [&act](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) act(i);
+  });
+}
+
 // Pieces of a sum: one below twice the grain, so that small sums are those of a plain loop. They know nothing of
 // threads.
 inline constexpr std::size_t most_sum_pieces = 16;

@@ -152,9 +152,7 @@ bool IncompleteCholesky::factorize_places(const BlockMatrix& matrix) {
 
 template <typename Act>
 void IncompleteCholesky::for_each_place(const Act& act) const {
-  parallel_for(places_.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) act(places_[k]);
-  });
+  parallel_for_each(places_.size(), blocks_worth_sharing, [&](std::size_t k) { act(places_[k]); });
 }
 
 template <bool apart>

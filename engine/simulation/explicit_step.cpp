@@ -171,9 +171,7 @@ void ExplicitStep::take_back_block(std::size_t i) {
 // To the end of the step in displacements and stresses, and to its middle in velocities.
 void ExplicitStep::move() {
   const PhaseScope scope(Phase::acceptance);
-  parallel_for(system_.state.velocity.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) move_block(i);
-  });
+  parallel_for_each(system_.state.velocity.size(), blocks_worth_sharing, [this](std::size_t i) { move_block(i); });
 }
 
 void ExplicitStep::move_block(std::size_t i) {

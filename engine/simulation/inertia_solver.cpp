@@ -40,11 +40,9 @@ Status InertiaSolver::invert_blocks(const BlockMatrix& inertia, const HeldUnknow
 
 Status InertiaSolver::solve(const Eigen::VectorXd& force, Eigen::VectorXd& acceleration) {
   if (solver_) return solver_->solve(force, acceleration);
-  parallel_for(which_.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto at = static_cast<Eigen::Index>(6 * i);
-      acceleration.segment<6>(at).noalias() = inverse(i) * force.segment<6>(at);
-    }
+  parallel_for_each(which_.size(), blocks_worth_sharing, [&](std::size_t i) {
+    const auto at = static_cast<Eigen::Index>(6 * i);
+    acceleration.segment<6>(at).noalias() = inverse(i) * force.segment<6>(at);
   });
   return Status::ok;
 }

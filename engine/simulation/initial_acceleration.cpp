@@ -158,7 +158,7 @@ class UnresolvedBlocks {
     return force;
   }
 
-  // Each block on its own, its neighbours at rest, where they have no solution together that has digits left.
+  // Each block on its own, beside others of these at rest, where they have no solution together that has digits left.
   static Eigen::VectorXd solution(const BlockMatrix& matrix, const Eigen::VectorXd& force) {
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(force.size());
     const std::unique_ptr<LinearSolver> solver = make_solver(SolverKind::cholesky);

@@ -82,19 +82,16 @@ Vec3 centrifugal_force_on(const Model& model, std::size_t i, const BlockTerms& t
 }  // namespace
 
 void advance_blocks(const StepCoefficients& step, const BlockTerms& terms, const Eigen::VectorXd& d, State& state) {
-  parallel_for(state.velocity.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
-      advance_motion(step, own, i, state);
-      state.stress[i].noalias() += terms.elasticity[i] * own.tail<3>();
-    }
+  parallel_for_each(state.velocity.size(), blocks_worth_sharing, [&](std::size_t i) {
+    const Vec6 own = d.segment<6>(static_cast<Eigen::Index>(6 * i));
+    advance_motion(step, own, i, state);
+    state.stress[i].noalias() += terms.elasticity[i] * own.tail<3>();
   });
 }
 
 void deform_blocks(Kinematics kinematics, const Eigen::VectorXd& d, const BlockTerms& terms, State& state) {
-  parallel_for(state.velocity.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) deform_block(kinematics, d, i, terms, state);
-  });
+  parallel_for_each(state.velocity.size(), blocks_worth_sharing,
+                    [&](std::size_t i) { deform_block(kinematics, d, i, terms, state); });
 }
 
 void keep_angular_momenta(const Model& model, State& state, BlockTerms& terms) {

@@ -124,25 +124,19 @@ bool breaks_under(Scene scene, double load) {
 // Static steps come to their end from below, and are there to 1e-6 after 40 of them.
 constexpr double share_off = 1e-3;
 
-TEST(ProjectedBond, TearsWhereItsEdgeIsPulledByItsStrength) {
+template <typename Draw>
+void expect_breaks_at_its_strength(const Draw& draw) {
   for (int seed = 0; seed < 40; ++seed) {
     Lot lot(seed);
-    const Scene scene = pulled_off(lot);
+    const Scene scene = draw(lot);
     const double load = breaking_load(scene);
     EXPECT_FALSE(breaks_under(scene, (1 - share_off) * load)) << "seed " << seed;
     EXPECT_TRUE(breaks_under(scene, (1 + share_off) * load)) << "seed " << seed;
   }
 }
 
-TEST(ProjectedBond, IsShearedOffAsAWholeHoweverItIsBent) {
-  for (int seed = 0; seed < 40; ++seed) {
-    Lot lot(seed);
-    const Scene scene = pushed_off(lot);
-    const double load = breaking_load(scene);
-    EXPECT_FALSE(breaks_under(scene, (1 - share_off) * load)) << "seed " << seed;
-    EXPECT_TRUE(breaks_under(scene, (1 + share_off) * load)) << "seed " << seed;
-  }
-}
+TEST(ProjectedBond, TearsWhereItsEdgeIsPulledByItsStrength) { expect_breaks_at_its_strength(pulled_off); }
+TEST(ProjectedBond, IsShearedOffAsAWholeHoweverItIsBent) { expect_breaks_at_its_strength(pushed_off); }
 
 }  // namespace
 }  // namespace dda

@@ -9,6 +9,7 @@
 #include "engine/contact/open_close.h"
 #include "engine/contact/projected_law.h"
 #include "engine/contact/rising_end.h"
+#include "engine/contact/vertex_contact.h"
 #include "engine/core/parallel.h"
 #include "engine/core/phase_clock.h"
 #include "engine/solve/largest_entry.h"
@@ -73,9 +74,6 @@ constexpr double all_digits = 1e-8;
 constexpr double piece_tolerance_of_asked = 100;
 
 constexpr int most_iterations = 400;
-
-// From this many contacts on it is worth telling another thread: one is moved and judged in some 0.1 us.
-constexpr std::size_t contacts_worth_sharing = 256;
 
 }  // namespace
 

@@ -13,6 +13,7 @@ constexpr double contact_rho_inf = 0;
 JointMaterial preset_joint(const Scheme& scheme) {
   JointMaterial joint;
   joint.law = InterfaceLaw::cubic;
+  joint.spring_over_young = 0;  // by the sizes of the blocks that meet
   if (scheme.name == SchemeName::thesis) {
     joint.law = InterfaceLaw::classical;
     joint.spring_over_young = 10;

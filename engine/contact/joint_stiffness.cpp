@@ -47,6 +47,24 @@ double chosen_spring(const Model& model, const Interface& interface) {
   return dt > 0 ? std::min(wanted, largest_chi * mass / (dt * dt)) : wanted;
 }
 
+// Of springs that go by the sizes of blocks, in multiples of the modulus: the thesis' g0; and what keeps the digits of
+// a solve where splinters touch (10,000 made the matrix of a rock indefinite by round-off).
+constexpr double least_over_young = 10, most_over_young = 1000;
+
+double larger_over_smaller(const Model& model, const Interface& interface) {
+  const double a = block_size(block_of(model, interface.block_a)), b = block_size(block_of(model, interface.block_b));
+  return std::max(a, b) / std::min(a, b);
+}
+
+// An end that rides up as it slides turns slip into closing, and a spring that is much stiffer in that than in shear
+// leaves passes nothing to converge to.
+Springs springs_by_sizes(const Model& model, const Interface& interface, const JointMaterial& joint) {
+  const double ratio = joint.dilation_angle > 0 ? 1 : larger_over_smaller(model, interface);
+  const double over_young = std::clamp(ratio, least_over_young, most_over_young);
+  const double young = softer_young(model, interface);
+  return {over_young * young, joint.shear_to_normal * std::sqrt(least_over_young * over_young) * young};
+}
+
 }  // namespace
 
 Springs springs_of(const Model& model, const Interface& interface) {
@@ -57,6 +75,7 @@ Springs springs_of(const Model& model, const Interface& interface) {
   } else if (joint.normal_stiffness > 0) {
     normal = joint.normal_stiffness * length_of_spring(model, interface);
   } else if (normal == 0) {
+    if (joint.spring_over_young == 0) return springs_by_sizes(model, interface, joint);
     normal = joint.spring_over_young * softer_young(model, interface);
   }
   return {normal, joint.shear_stiffness > 0 ? joint.shear_stiffness * length_of_spring(model, interface)

@@ -42,7 +42,7 @@ void check_joint(const Item& item, const JointMaterial& joint) {
   item.not_negative("normal spring", joint.normal_spring);
   item.not_negative("normal stiffness", joint.normal_stiffness);
   item.not_negative("shear stiffness", joint.shear_stiffness);
-  item.positive("spring over Young's modulus", joint.spring_over_young);
+  item.not_negative("spring over Young's modulus", joint.spring_over_young);
   item.not_negative("shear to normal spring", joint.shear_to_normal);
   item.not_negative("contact damping", joint.contact_damping);
   item.not_negative("stabilisation", stabilisation_of(joint));

@@ -47,8 +47,8 @@ double chosen_spring(const Model& model, const Interface& interface) {
   return dt > 0 ? std::min(wanted, largest_chi * mass / (dt * dt)) : wanted;
 }
 
-// Of springs that go by the sizes of blocks, in multiples of the modulus: the thesis' g0; and what keeps the digits of
-// a solve where splinters touch (10,000 made the matrix of a rock indefinite by round-off).
+// Springs that go by the sizes of blocks, in multiples of the modulus: the thesis' g0 at least, and at most what keeps
+// the digits of a solve where splinters touch (10,000 made the matrix of a rock indefinite by round-off).
 constexpr double least_over_young = 10, most_over_young = 1000;
 
 double larger_over_smaller(const Model& model, const Interface& interface) {

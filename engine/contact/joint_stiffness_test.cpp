@@ -54,6 +54,30 @@ TEST(JointStiffness, SpringsAsBefore) {
   EXPECT_DOUBLE_EQ(springs_of_the_joint(stack(joint)).shear, 3.5e8);
 }
 
+// A square stone of side `stone` in the middle of a slab of 4 by 1 m.
+Springs springs_below(double stone, const JointMaterial& joint) {
+  Model model = model_of({{box_ring(0, 0, 4, 1), {}}, {box_ring(2, 1, 2 + stone, 1 + stone), {}}});
+  model.joints = {joint};
+  finish_model(model);
+  return springs_of_the_joint(model);
+}
+
+TEST(JointStiffness, SpringsGoByTheSizesOfBlocksWhereNoneIsGiven) {
+  JointMaterial joint = given(0, 0);
+  joint.spring_over_young = 0;
+  EXPECT_DOUBLE_EQ(springs_below(0.2, joint).normal, 10e9);  // of E = 1 GPa; the ratio is 2/0.2
+  EXPECT_DOUBLE_EQ(springs_below(0.2, joint).shear, 4e9);
+  EXPECT_NEAR(springs_below(0.02, joint).normal, 100e9, 1);
+  EXPECT_NEAR(springs_below(0.02, joint).shear, 0.4 * std::sqrt(10 * 100) * 1e9, 1);
+  EXPECT_DOUBLE_EQ(springs_below(2e-4, joint).normal, 1000e9);
+  joint.dilation_angle = 0.1;
+  joint.friction_angle = 0.5;
+  EXPECT_DOUBLE_EQ(springs_below(0.02, joint).normal, 10e9);
+  joint = given(0, 0);
+  joint.spring_over_young = 7;
+  EXPECT_DOUBLE_EQ(springs_below(0.02, joint).normal, 7e9);
+}
+
 TEST(JointStiffness, AMovingContactTakesHalfOfWhatItsEdgesHaveInCommon) {
   Model model = stack(given(3e9, 0));
   ContactSet contacts = make_contacts(model);

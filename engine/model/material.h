@@ -53,8 +53,8 @@ struct JointMaterial {
   double dilation_angle = 0;                                            // rad
   double zero_dilation_slip = std::numeric_limits<double>::infinity();  // m, slip beyond which it opens no further
 
-  // Classical law: normal stiffness of one spring in N/m (per m of thickness); 0 means spring_over_young * E of the softer
-  // block, where 10 E is the thesis' g0; and 0 for that in turn what goes by the sizes of the blocks (joint_stiffness.h).
+  // Classical law: normal stiffness of one spring in N/m (per m of thickness); 0 means spring_over_young * E of the
+  // softer block (10 E: the thesis' g0), and 0 there what goes by the sizes of blocks (contact/joint_stiffness.h).
   double normal_spring = 0;
   double spring_over_young = 10;
   double shear_to_normal = 0.4;

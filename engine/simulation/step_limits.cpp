@@ -26,8 +26,8 @@ double most_turn_now(const BlockSystem& system) {
 // Below this share of the area of most blocks a block is a splinter.
 constexpr double splinter_share = 1e-6;
 
-// Whether more than half of the blocks that can move are so much larger. Among many stones that are all small, or beside
-// one large block, a small one is none: it may be what the scene is about.
+// Whether more than half of the blocks that can move are so much larger. Among many stones that are all small, or
+// beside one large block, a small one is none: it may be what the scene is about.
 bool is_splinter(const BlockSystem& system, std::size_t block) {
   std::size_t free = 0, larger = 0;
   for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
@@ -83,11 +83,13 @@ std::string turn_problem(const BlockSystem& system) {
   const double most = most_turn_now(system);
   for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
     const double turn = turn_or_strain(system.increment.segment<6>(static_cast<Eigen::Index>(6 * i)));
-    if (turn > most && turn > most_turn_of(system, i, most))
+    if (turn <= most) continue;
+    const double own_most = most_turn_of(system, i, most);
+    if (turn > own_most)
       return fmt::format(
           "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
           "take a smaller dt",
-          system.model.blocks[i].name, turn, system.coefficients.dt, most);
+          system.model.blocks[i].name, turn, system.coefficients.dt, own_most);
   }
   return "";
 }

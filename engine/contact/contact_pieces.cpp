@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/end_answer.h"
 #include "engine/contact/open_close.h"
 #include "engine/contact/projected_law.h"
 
@@ -33,6 +34,16 @@ double sliding_shear(const EndStrength& strength, int end, const InterfaceTrial&
   return cohesion - strength.friction_now(trial.residual[e]) * trial.force(2 * end);
 }
 
+// What an end that is laid on a piece presses with, pulling where that is what the piece goes on to. Means go on to
+// nothing.
+end_answer::Answer pressed_on_piece(const InterfaceSprings& springs, const InterfaceTrial& trial, int end) {
+  const Eigen::Index n = 2 * end;
+  const double gap = trial.normal_gap(end);
+  if (!trial.rule.conserves_energy) return {springs.stiffness(n) * gap, 1};
+  const double dashpot = springs.dashpot(n) * trial.rule.dashpot_rate;
+  return end_answer::press(trial.rule, {springs.stiffness(n), dashpot, trial.start(n), true}, gap);
+}
+
 // Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to
 // stick.
 void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStrength& strength, int end,
@@ -45,8 +56,9 @@ void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStreng
   }
   if (trial.active(n) == 0 || piece != ContactPiece::stuck || strength.dilation > 0) {
     trial.dilation[static_cast<std::size_t>(end)] = 0;
-    trial.force(n) = springs.stiffness(n) * trial.normal_gap(end);
-    trial.active(n) = 1;
+    const end_answer::Answer pressed = pressed_on_piece(springs, trial, end);
+    trial.force(n) = pressed.force;
+    trial.active(n) = pressed.slope;
   }
   if (piece == ContactPiece::stuck) {
     if (ends_of(springs) == 1) trial.coupling = 0;

@@ -275,9 +275,11 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
     const double full = springs.stiffness(normal_row(end));
     const double force = trial.force(normal_row(end));
     const double seen = trial.rise[e] == 0 ? full : std::clamp((trial.pressed[e] - force) / trial.rise[e], 0.0, full);
-    const double slip = slides(trial, end) ? slip_in_step(springs, trial, end) : 0;
+    const bool has_slipped = trial.rule.conserves_energy ? slips(springs, trial, end) : slides(trial, end);
+    const double slip = has_slipped ? slip_in_step(springs, trial, end) : 0;
     const double dilation = strength.lift(trial.slip[e] + slip) - strength.lift(trial.slip[e]);
-    trial.reference[e] = slip == 0 ? 0 : yielded(springs, trial, end);
+    const bool may_yield = slip != 0 || trial.rule.conserves_energy;  // the mean, where the spring has not slipped
+    trial.reference[e] = may_yield ? yielded(springs, trial, end) : 0;
     trial.hardening[e] = hardening_by(seen, strength, trial, e, trial.slip[e] + slip);
     trial.rise[e] = dilation - trial.dilation[e];
     trial.pressed[e] = force;
@@ -375,6 +377,8 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
     if (on_bed ? !presses : trial.broken[e] && state.gap(n) >= 0) {
       state.status[e] = ContactStatus::open;
       state.force.segment<2>(n).setZero();
+      // While it was still closed.
+      if (trial.rule.conserves_energy && trial.dilation[e] != 0) state.slip[e] += slip_in_step(springs, trial, end);
       state.gap(n + 1) = 0;  // a joint that closes again starts without shear
       continue;
     }

@@ -9,6 +9,14 @@
 // spring: then the first solution counts. Beside dashpots k_n and k_s are those of both together, and gaps count from
 // where those would rest.
 //
+// Under integrators that conserve energy p is the mean pressure of the step, whose work is the change of the springs'
+// energy (interface_trial.h), at the normal gap less D; the spring ends the step with what is left of its shear by
+// that,
+//   p = (V(g_n1 - D(s)) - V(g_n0))/(g_n0 - (g_n1 - D(s)))     k_s (|g_t| - s) = c + mu p     s >= 0
+// while the mean of the shear is at most c + mu p on its own account. p grows with D and is convex in it, so there is
+// again one slip on the way out. It is above 0 in a step in which the end opens, too: such an end rises and slips
+// by its share of the step, and what it answers is continuous there.
+//
 // An end that was open when the step began rides up from the next step on: of its tangential motion nobody knows how
 // much was in contact, and the same gaps would have two answers, with and without the rise.
 #pragma once
@@ -23,7 +31,7 @@
 namespace dda {
 
 // The end of this trial is answered so: it has no bond, touched at the start of the step, and its joint dilates. Not
-// under integrators that conserve energy, nor where capacities are given.
+// where capacities are given.
 [[nodiscard]] bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                             int end);
 
@@ -36,7 +44,8 @@ void respond_riding(const InterfaceSprings& springs, const EndStrength& strength
 void take_riding_rows(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial);
 
 // Slopes of the forces (normal, shear) over the gaps (normal, tangential) beyond those of the active rows, of such an
-// end that slides; `side`: 1 or -1, which way. N/m per m of thickness.
+// end that slides, or that rises while the mean of its shear sticks; `side`: 1 or -1, which way it is sheared. N/m per
+// m of thickness.
 [[nodiscard]] Mat2 slopes_beyond_rows(const InterfaceSprings& springs, const EndStrength& strength,
                                       const InterfaceTrial& trial, int end, double side);
 

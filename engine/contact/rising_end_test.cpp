@@ -16,6 +16,7 @@ namespace {
 struct Kind {
   const char* name;
   bool is_vertex, is_damped;
+  bool conserves = false;
 };
 
 class RisingEnds : public testing::TestWithParam<Kind> {
@@ -52,11 +53,20 @@ class RisingEnds : public testing::TestWithParam<Kind> {
     start.gap(0) = start.gap(2) = -0.04;
     start.gap(1) = start.gap(3) = GetParam().is_damped ? number(-0.02, 0.02) : 0;
     start.slip = {number(-0.06, 0.06), number(-0.06, 0.06)};
-    InterfaceTrial trial = start_trial(element(), strength_, start, {.dashpot_rate = rate});
+    if (GetParam().conserves) {
+      start.gap(1) = number(-0.02, 0.02);
+      start.gap(3) = number(-0.02, 0.02);
+      start.force = element().stiffness.cwiseProduct(start.gap);
+    }
+    start_ = start;
+    InterfaceTrial trial =
+        start_trial(element(), strength_, start, {.conserves_energy = GetParam().conserves, .dashpot_rate = rate});
     for (const int end : {0, 1}) trial.gap.segment<2>(2 * end) << number(-0.1, 0.02), number(-0.15, 0.15);
     respond_with_friction(element(), strength_, trial);
     return trial;
   }
+
+  InterfaceState start_;  // of the last trial
 
   static constexpr double rate = 20, normal_dashpot = 2, shear_dashpot = 3;  // dashpots of 0.4 and 1.5 springs
   const EndStrength strength_{.friction = 0.5, .dilation = 0.25, .dilation_slip = 0.04};
@@ -64,11 +74,15 @@ class RisingEnds : public testing::TestWithParam<Kind> {
 };
 INSTANTIATE_TEST_SUITE_P(Dilation, RisingEnds,
                          testing::Values(Kind{"vertex", true, false}, Kind{"stretch", false, false},
-                                         Kind{"dampedVertex", true, true}, Kind{"dampedStretch", false, true}),
+                                         Kind{"dampedVertex", true, true}, Kind{"dampedStretch", false, true},
+                                         Kind{"conservingVertex", true, false, true},
+                                         Kind{"conservingStretch", false, false, true},
+                                         Kind{"dampedConservingVertex", true, true, true}),
                          [](const auto& each) { return each.param.name; });
 
 // Signorini's and Coulomb's laws with the rise that belongs to the slip, whatever the way there.
 TEST_P(RisingEnds, ObeyEveryLawAtOnce) {
+  if (GetParam().conserves) GTEST_SKIP() << "the laws of means are asked below";
   int sliding_ends = 0;
   for (int i = 0; i < 5000; ++i) {
     const InterfaceTrial trial = random_trial();
@@ -97,6 +111,46 @@ TEST_P(RisingEnds, ObeyEveryLawAtOnce) {
     }
   }
   EXPECT_GT(sliding_ends, 1000);
+}
+
+// The mean pressure does the work of the spring, the mean shear and what the spring keeps are at most its friction, the
+// rise is that of the slip, opening or not, and all of it together takes energy. (Of springs alone: what dashpots take
+// is no energy of springs.)
+TEST_P(RisingEnds, ObeyTheLawsOfMeans) {
+  if (!GetParam().conserves || GetParam().is_damped) GTEST_SKIP() << "for springs that conserve energy";
+  const auto stored = [](double spring, double gap) { return spring * gap * gap / 2; };
+  int sliding_ends = 0, opening_ends = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const InterfaceTrial trial = random_trial();
+    const InterfaceState after = finish_trial(element(), start_, trial);
+    for (int end = 0; end < ends_of(element()); ++end) {
+      const auto e = static_cast<std::size_t>(end);
+      const Vec2 begin = start_.gap.segment<2>(2 * end);
+      const Vec2 mean = (trial.force + start_.force).segment<2>(2 * end) / 2;
+      const double gap = trial.normal_gap(end);
+      const double gained = stored(normal_spring, std::min(0.0, gap)) - stored(normal_spring, begin(0));
+      ASSERT_NEAR(mean(0) * (gap - begin(0)), gained, round_off);
+      ASSERT_LT(mean(0), 0);
+      const double friction = -0.5 * mean(0), slip = after.slip[e] - start_.slip[e];
+      ASSERT_NEAR(trial.dilation[e], strength_.lift(after.slip[e]) - strength_.lift(start_.slip[e]), round_off);
+      ASSERT_EQ(after.dilation[e], trial.dilation[e]);
+      ASSERT_LE(std::abs(mean(1)), friction + 100 * round_off);
+      const bool is_open = after.status[e] == ContactStatus::open;
+      if (is_open && trial.dilation[e] == 0) continue;  // its slip is not counted
+      const double kept = shear_spring * (trial.gap(2 * end + 1) - slip);
+      ASSERT_LE(std::abs(kept), friction + 100 * round_off);
+      const double shear_gained =
+          stored(shear_spring, is_open ? 0 : kept / shear_spring) - stored(shear_spring, begin(1));
+      const double work = mean.dot(trial.gap.segment<2>(2 * end) - begin);
+      ASSERT_LE(gained + shear_gained, work + round_off);
+      if (std::abs(slip) < round_off) continue;
+      ASSERT_GT(slip * kept, 0);
+      ASSERT_NEAR(std::abs(kept), friction, 100 * round_off);
+      ++(is_open ? opening_ends : sliding_ends);
+    }
+  }
+  EXPECT_GT(sliding_ends, 1000);
+  EXPECT_GT(opening_ends, 100);
 }
 
 // The outer fixed points have nothing left to do.

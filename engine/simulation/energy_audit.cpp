@@ -115,7 +115,9 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
     // What slides bears what spring and dashpot bear together. Where a step turns the slip round, the mean force may
     // point against it: that is no friction.
     const double slip = after.slip[end] - before.slip[end];
-    const double spring_force = (before.force(shear_row) + after.force(shear_row)) / 2;
+    // Under steps that conserve energy the balance has another mean than those of the springs at both ends of it.
+    const double spring_force =
+        (before.force(shear_row) + after.force(shear_row)) / 2 + extra_force(shear_row) - dashpot_force(shear_row);
     friction += std::max(0.0, (spring_force + dashpot_force(shear_row)) * slip);
     dashpot -= dashpot_force(shear_row) * slip;
     // What sliding up its own slope gives back against the normal force is no loss.

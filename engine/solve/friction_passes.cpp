@@ -265,10 +265,11 @@ void FrictionPasses::list_riding(const Iterate& at, const LiveContact& contact, 
   Riding riding{&contact, {Mat2::Zero(), Mat2::Zero()}};
   bool rides = false;
   for (int end = 0; end < ends_of(contact.springs); ++end) {
-    const ContactPiece piece = contact.pieces[static_cast<std::size_t>(end)];
-    if (!slides(piece) || !rides_up(contact.springs, strength, trial, end)) continue;
-    riding.slopes[static_cast<std::size_t>(end)] =
-        slopes_beyond_rows(contact.springs, strength, trial, end, direction_of(piece));
+    const auto e = static_cast<std::size_t>(end);
+    const ContactPiece piece = contact.pieces[e];
+    const bool rises_stuck = piece == ContactPiece::stuck && trial.dilation[e] != 0;  // where means conserve energy
+    if ((!slides(piece) && !rises_stuck) || !rides_up(contact.springs, strength, trial, end)) continue;
+    riding.slopes[e] = slopes_beyond_rows(contact.springs, strength, trial, end, direction_of(piece));
     shear_by_gap.row(end).setZero();
     rides = true;
   }

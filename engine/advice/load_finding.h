@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/advice/acting_place.h"
 #include "engine/model/time_function.h"
 
 namespace dda {
@@ -13,7 +14,8 @@ struct LoadFinding {
   const TimeFunction* history = nullptr;  // of the model that was searched, by which the load is known again
   std::string sentence;                   // for people, without a full stop
   bool leaves_figures = false;            // what is foretold of the wave still means something beside it
-  std::vector<int> blocks = {};           // on which it acts, of loads that jump
+  double time = 0;                        // s in the run, of the first jump in the stage, of loads that jump
+  std::vector<ActingPlace> places = {};   // where these act
 };
 
 }  // namespace dda

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "engine/advice/chain_path.h"
+#include "engine/advice/closed_joints.h"
 #include "engine/contact/joint_stiffness.h"
 #include "engine/simulation/simulation.h"
 
@@ -119,10 +120,7 @@ bool NearSides::are_felt(const MeshPlace& place, double window) const {
   return std::hypot(place.distance, distance(place)) < fastest * window;
 }
 
-bool NearSides::has_springs() const {
-  return std::ranges::any_of(model_.joints,
-                             [&](const JointMaterial& joint) { return is_springs(joint, stage_.kinematics); });
-}
+bool NearSides::has_springs() const { return one_gives_way_closed(model_.joints, stage_.kinematics); }
 
 // All along both sides.
 bool NearSides::are_rollers(const MeshPlace& place) const {

@@ -6,7 +6,10 @@
 #include <variant>
 #include <vector>
 
+#include "engine/advice/acting_place.h"
 #include "engine/advice/chain_path.h"
+#include "engine/advice/closed_joints.h"
+#include "engine/model/held_motion.h"
 #include "engine/model/rock_change.h"
 
 namespace dda {
@@ -19,7 +22,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 // One entry of the scene that acts with a history.
 struct Drive {
   int block = 0;
-  Vec2 place = Vec2::Zero();
+  ActingPlace acting;
+  Vec2 place = Vec2::Zero();  // m, the middle of that
   Vec2 amplitude = Vec2::Zero();
   const TimeFunction* history = nullptr;
   bool moves = false;  // what it acts on, in place of pushing it
@@ -28,21 +32,23 @@ struct Drive {
 
 std::vector<Drive> drives_of(const Model& model, std::size_t stage) {
   std::vector<Drive> drives;
-  const auto add = [&](const Drive& drive, bool turns = false) {
-    if (!std::holds_alternative<Constant>(*drive.history) && (turns || !drive.amplitude.isZero(0)))
-      drives.push_back(drive);
+  const auto add = [&](const Drive& drive) {
+    if (!std::holds_alternative<Constant>(*drive.history)) drives.push_back(drive);
   };
   for (const EdgeLoad& load : model.edge_loads)
-    if (load.stages.has(stage))
-      add({load.block, (load.from + load.to) / 2, load.traction, &load.history, false, (load.to - load.from).norm()});
+    if (load.stages.has(stage) && !load.traction.isZero(0))
+      add({load.block, place_of(load), (load.from + load.to) / 2, load.traction, &load.history, false,
+           (load.to - load.from).norm()});
   for (const PointLoad& load : model.point_loads)
-    if (load.stages.has(stage)) add({load.block, load.point, load.force, &load.history});
+    if (load.stages.has(stage) && !load.force.isZero(0))
+      add({load.block, place_of(load), load.point, load.force, &load.history});
   for (const PointSupport& support : model.supports)
-    if (support.last_stage < 0 || support.last_stage >= static_cast<int>(stage))
-      add({support.block, support.point, support.amplitude, &support.history, true});
+    if ((support.last_stage < 0 || support.last_stage >= static_cast<int>(stage)) && !support.amplitude.isZero(0))
+      add({support.block, place_of(support), support.point, support.amplitude, &support.history, true});
   for (const HeldBlock& held : model.held_blocks)
-    add({held.block, model.blocks[at(held.block)].moments.centroid, held.amplitude, &held.history, true},
-        held.turn != 0);
+    if (moves(held))
+      add({held.block, place_of(held), model.blocks[at(held.block)].moments.centroid, held.amplitude, &held.history,
+           true});
   return drives;
 }
 
@@ -80,10 +86,12 @@ class Conditions {
 
   [[nodiscard]] std::string run() const {
     if (std::ranges::any_of(others_,
-                            [&](const Drive& drive) { return is_seen(drive.place, start_of(*drive.history)); }))
+                            [&](const Drive& drive) { return is_seen(drive.acting, start_of(*drive.history)); }))
       return "something else that acts in time, or moves, is seen there as well";
     if (std::ranges::any_of(sudden_, [&](const LoadFinding& finding) { return is_seen_to_jump(finding); }))
       return "something else jumps, and is seen there as well";
+    if (std::ranges::any_of(sudden_, [&](const LoadFinding& finding) { return comes_or_goes_on_the_way(finding); }))
+      return "it jumps as another stage begins, and that is seen as well";
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
     if (meets_its_echo())
@@ -102,23 +110,44 @@ class Conditions {
   [[nodiscard]] bool is_of_the_load(const Drive& drive) const {
     if (drive.moves != moved() || !are_alike(*drive.history, *load_.source, end_of_run(model_))) return false;
     if (wave_.row && drive.block == load_.block) return true;
-    return std::abs(along(drive.place - load_.place)) <= slack_ &&
+    const double start = drive.acting.all_of_it ? front_of(drive.block) : along(drive.place);
+    return std::abs(start - front()) <= slack_ &&
            (drive.amplitude - load_.motion).norm() <= tolerance * load_.motion.norm();
   }
 
   // Whether anything that begins there by `start` (s in the run) is in time to be seen where the wave is looked at.
-  [[nodiscard]] bool is_seen(const Vec2& place, double start) const {
+  [[nodiscard]] bool is_seen(const ActingPlace& place, double start) const {
     double fastest = 0;
     for (const Material& material : model_.materials) fastest = std::max(fastest, p_wave_speed(material));
     const bool is_measured = (load_.looked_at - load_.place).norm() > slack_;
     const Vec2 seen = is_measured ? load_.looked_at : Vec2(load_.place + wave_.distance * wave_.direction);
-    return (place - seen).norm() < fastest * (load_.history.start + wave_.timing.window - start);
+    return distance(model_, place, seen) < fastest * (load_.history.start + wave_.timing.window - start);
   }
 
+  // In a stage before, too, which nothing has calmed since, or in one after.
   [[nodiscard]] bool is_seen_to_jump(const LoadFinding& finding) const {
-    if (finding.stage != stage_ || finding.leaves_figures || finding.history == load_.source) return false;
-    return std::ranges::any_of(finding.blocks,
-                               [&](int block) { return is_seen(model_.blocks[at(block)].moments.centroid, 0); });
+    return finding.history != load_.source && is_seen(finding);
+  }
+
+  // A jump in the stage of the wave has a sentence of its own (no_figures.h).
+  [[nodiscard]] bool comes_or_goes_on_the_way(const LoadFinding& finding) const {
+    return finding.history == load_.source && finding.stage != stage_ && is_seen(finding);
+  }
+
+  [[nodiscard]] bool is_seen(const LoadFinding& finding) const {
+    if (finding.stage <= last_calm_stage() || finding.leaves_figures) return false;
+    return std::ranges::any_of(finding.places, [&](const ActingPlace& place) { return is_seen(place, finding.time); });
+  }
+
+  // The last one before that of the wave which leaves nothing to swing; -1: none.
+  [[nodiscard]] int last_calm_stage() const {
+    for (int i = stage_ - 1; i >= 0; --i) {
+      const Stage& stage = model_.stages[at(i)];
+      if (stage.integrator.is_static || stage.velocity_factor != 1 || stage.damping_rate > 0 ||
+          stage.material_damping.mass > 0)
+        return i;
+    }
+    return -1;
   }
 
   // An end that absorbs should send nothing back, so that what it does is an error that no figure counts: springs at
@@ -154,8 +183,7 @@ class Conditions {
   }
 
   [[nodiscard]] bool has_springs() const {
-    return std::ranges::any_of(model_.joints,
-                               [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
+    return one_gives_way_closed(model_.joints, model_.stages[at(stage_)].kinematics);
   }
 
   [[nodiscard]] bool is_driven(int block) const {
@@ -164,9 +192,12 @@ class Conditions {
 
   // m along the way, of the face that sends the wave out.
   [[nodiscard]] double front() const {
-    if (!model_.is_held(load_.block)) return along(load_.place);
+    return model_.is_held(load_.block) ? front_of(load_.block) : along(load_.place);
+  }
+  // The same of a block that sends it out as a whole.
+  [[nodiscard]] double front_of(int block) const {
     double front = -std::numeric_limits<double>::infinity();
-    for (const Vec2& vertex : model_.blocks[at(load_.block)].shape.outer) front = std::max(front, along(vertex));
+    for (const Vec2& vertex : model_.blocks[at(block)].shape.outer) front = std::max(front, along(vertex));
     return front;
   }
 

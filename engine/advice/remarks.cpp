@@ -22,6 +22,7 @@
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/segment.h"
+#include "engine/model/held_motion.h"
 #include "engine/model/step_choice.h"
 #include "engine/simulation/step_coefficients.h"
 
@@ -277,7 +278,6 @@ void remark_on_coarse_steps(const Model& model, const ContactSet& /*contacts*/, 
 }
 
 bool moves(const PointSupport& support) { return !support.amplitude.isZero(0); }
-bool moves(const HeldBlock& held) { return !held.amplitude.isZero(0) || held.turn != 0; }
 
 bool is_shaken(const Model& model) {
   const auto moving = [](const auto& held) { return moves(held); };

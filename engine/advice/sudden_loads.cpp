@@ -63,7 +63,7 @@ std::size_t mark_of(const TimeFunction& history) {
 
 struct Drive {
   const char* what = "the load";
-  int block = 0;
+  ActingPlace place = {};
   Vec2 amplitude = Vec2::Zero();
   const TimeFunction* history = nullptr;
   std::function<double(double)> value;  // that a wave carries, of s in the run; 0 before it
@@ -96,14 +96,14 @@ class Search {
     if (is_new)
       known->second = groups_of(drive);
     else
-      for (const std::size_t group : known->second) groups_[group].blocks.push_back(drive.block);
+      for (const std::size_t group : known->second) groups_[group].places.push_back(drive.place);
   }
 
   [[nodiscard]] std::vector<LoadFinding> take() {
     std::vector<LoadFinding> findings;
     for (const Group& group : groups_)
       findings.push_back(
-          {group.stage, group.first.history, sentence_of(group), group.first.leaves_figures, group.blocks});
+          {group.stage, group.first.history, sentence_of(group), group.first.leaves_figures, group.time, group.places});
     return findings;
   }
 
@@ -112,7 +112,7 @@ class Search {
     Drive first;
     int stage = 0;
     double time = 0;  // s, of the first jump
-    std::vector<int> blocks;
+    std::vector<ActingPlace> places;
   };
 
   // Amplitude, values at times that no period of a history falls in with, what it is, and which table or recording.
@@ -136,11 +136,12 @@ class Search {
       const Stage& stage = model_.stages[i];
       const bool moves = !stage.integrator.is_static && !stage.paces_itself() && drive.stages.has(i);
       const auto inside = [&](double t) { return t < begin + stage.duration && (goes_on ? t >= begin : t > begin); };
-      const auto jump =
-          moves && stage.velocity_factor == 1 ? first_jump(drive, stage.dt, corners, inside) : std::nullopt;
+      std::optional<double> jump;
+      if (moves && stage.velocity_factor == 1) jump = first_jump(drive, stage.dt, corners, inside);
+      if (comes_or_goes_at_once(drive, i, begin, corners)) jump = begin;
       if (jump) {
         groups.push_back(groups_.size());
-        groups_.push_back({drive, static_cast<int>(i), *jump, {drive.block}});
+        groups_.push_back({drive, static_cast<int>(i), *jump, {drive.place}});
       }
       begin += stage.duration;
       goes_on = moves;
@@ -148,15 +149,29 @@ class Search {
     return groups;
   }
 
-  template <typename Inside>
-  [[nodiscard]] static std::optional<double> first_jump(const Drive& drive, double dt,
-                                                        const std::vector<double>& corners, const Inside& inside) {
+  // Acts from the start of this stage on, or to that of the one before, whatever its history does then.
+  [[nodiscard]] bool comes_or_goes_at_once(const Drive& drive, std::size_t index, double begin,
+                                           const std::vector<double>& corners) const {
+    const Stage& stage = model_.stages[index];
+    if (index == 0 || drive.stages.has(index) == drive.stages.has(index - 1)) return false;
+    if (stage.integrator.is_static || stage.paces_itself() || stage.velocity_factor != 1) return false;
+    return std::abs(drive.value(begin)) > jumps[0].change * largest_of(drive, stage.dt, corners);
+  }
+
+  [[nodiscard]] static double largest_of(const Drive& drive, double dt, const std::vector<double>& corners) {
     double largest = 0;
     for (const double t : corners)
       for (const double side : {-1, 1}) {
         const double value = drive.value(t + side * (*drive.thresholds)[0].time * dt / 2);
         if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
       }
+    return largest;
+  }
+
+  template <typename Inside>
+  [[nodiscard]] static std::optional<double> first_jump(const Drive& drive, double dt,
+                                                        const std::vector<double>& corners, const Inside& inside) {
+    const double largest = largest_of(drive, dt, corners);
     const auto jumps_at = [&](double t) {
       return inside(t) && std::ranges::any_of(*drive.thresholds, [&](const Threshold& threshold) {
                const double half = threshold.time * dt / 2;
@@ -168,12 +183,12 @@ class Search {
   }
 
   [[nodiscard]] std::string sentence_of(const Group& group) const {
-    const std::string& block = model_.blocks[static_cast<std::size_t>(group.first.block)].name;
+    const std::string& block = model_.blocks[static_cast<std::size_t>(group.first.place.block)].name;
     return fmt::format(
         "stage \"{}\": {} on block \"{}\"{}, {}, jumps at {:g} s: a jump holds all frequencies, which no mesh and dt "
         "carry without overshoot and ringing; let it rise while the wave crosses several blocks",
         model_.stages[static_cast<std::size_t>(group.stage)].name, group.first.what, block,
-        group.blocks.size() > 1 ? fmt::format(" and {} more", group.blocks.size() - 1) : "",
+        group.places.size() > 1 ? fmt::format(" and {} more", group.places.size() - 1) : "",
         words_for(*group.first.history), group.time);
   }
 
@@ -185,7 +200,7 @@ class Search {
 
 template <typename Load>
 Drive load_on(const Load& load, const Vec2& amplitude) {
-  Drive drive{"the load", load.block, amplitude, &load.history,
+  Drive drive{"the load", place_of(load), amplitude, &load.history,
               [history = load.history](double t) { return t < 0 ? 0 : evaluate(history, t); }};
   drive.stages = load.stages;
   return drive;
@@ -197,7 +212,7 @@ std::vector<Drive> motions_of(const Motion& motion) {
   if (motion.amplitude.isZero(0) || motion.kind == MotionKind::acceleration) return {};
   const auto drive = [&](const char* what, double MotionFactors::*value, const std::array<Threshold, 2>& thresholds) {
     return Drive{what,
-                 motion.block,
+                 place_of(motion),
                  motion.amplitude,
                  &motion.history,
                  [kind = motion.kind, history = motion.history, value](double t) {

@@ -11,7 +11,8 @@
 namespace dda {
 
 // One for every history that jumps in a stage that runs in time without damping velocities from step to step: constant
-// loads that such a run begins with, unless they balance the stress that its blocks begin with; steps of tables, ends
+// loads that such a run begins with, unless they balance the stress that its blocks begin with; what comes or goes with
+// a stage; steps of tables, ends
 // of sines and records, decays without a rise. Of motions the velocity counts, as a wave carries it; that of a place
 // which begins to swing as a sine jumps once, and the swing that follows is as foretold.
 std::vector<LoadFinding> sudden_loads(const Model& model);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/advice/closed_joints.h"
 #include "engine/advice/half_row.h"
 #include "engine/advice/load_trace.h"
 
@@ -14,10 +15,8 @@ namespace {
 
 constexpr double most_samples = 2048;  // of a trace
 
-bool has_springs(const Lattice& lattice) {
-  return std::any_of(lattice.joints.begin(), lattice.joints.end(),
-                     [](const JointMaterial& joint) { return joint.law == InterfaceLaw::classical; });
-}
+// Joints that are springs where blocks move have the law of springs in the lattice.
+bool has_springs(const Lattice& lattice) { return one_gives_way_closed(lattice.joints, Kinematics::small); }
 
 Lattice lattice_of(const WaveQuestion& question, Causes causes) {
   return causes == Causes::blocks && has_springs(question.lattice) ? with_consistent_joints(question.lattice)

@@ -6,13 +6,12 @@
 #include <limits>
 
 #include "engine/geometry/rotation.h"
+#include "engine/model/held_motion.h"
 
 namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-bool moves(const HeldBlock& held) { return !held.amplitude.isZero(0) || held.turn != 0; }
 
 Vec2 quarter_turned(const Vec2& v) { return {-v.y(), v.x()}; }
 

@@ -69,6 +69,7 @@ struct Row : RowDrive {
   double unit = 0;             // s
   double joint_stiffness = 0;  // Pa/m; 0: as the scheme has it
   std::string joint_law;       // JSON members of the joint: `, "law": ...`
+  bool projected = false;      // joints of that law, stronger than any wave, in place of bonds
   std::string steps;           // JSON members of the stage, dt apart
   std::string scheme = "accurate";
   double dt = 0;
@@ -165,7 +166,10 @@ inline std::string materials_of(const Row& row) {
 }
 
 inline std::string joint_of(const Row& row) {
-  std::string joint = R"("bonded": true)" + row.joint_law;
+  const char* const kind =
+      row.projected ? R"("law": "projected", "friction_angle": 0.5, "cohesion": 1e9, "tensile_strength": 1e9)"
+                    : R"("bonded": true)";
+  std::string joint = kind + row.joint_law;
   if (row.joint_stiffness > 0) joint += fmt::format(R"(, "normal_stiffness": {:.9g})", row.joint_stiffness);
   return joint;
 }

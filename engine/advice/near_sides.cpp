@@ -60,12 +60,10 @@ bool is_roller(const PointSupport& support, const Vec2& particles) {
          (!support.holds_y || std::abs(particles.y()) < tolerance);
 }
 
-// As waves are foretold: closed, stuck, and of the law that acts.
+// As waves are foretold: closed, stuck, and of the law that acts. (The projected one takes off blocks what it carries,
+// and without that they would send waves at another speed.)
 void close(JointMaterial& joint, const Stage& stage) {
-  if (is_springs(joint, stage.kinematics))
-    joint.law = InterfaceLaw::classical;
-  else if (joint.law == InterfaceLaw::projected)
-    joint.law = InterfaceLaw::consistent;
+  if (is_springs(joint, stage.kinematics)) joint.law = InterfaceLaw::classical;
   joint.bonded = true;
   joint.contact_damping = 0;
 }

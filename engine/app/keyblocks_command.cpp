@@ -25,9 +25,8 @@ namespace {
 
 constexpr auto details =
     "Judges every block with a free face by block theory: whether it can be removed, whether it falls, slides or is\n"
-    "held, its factor of safety, and the force of bolts that gives the wanted one. Blocks inside of openings are "
-    "taken\n"
-    "out. DIR gets keyblocks.json and keyblocks.svg, a picture.\n\n"
+    "held, its factor of safety, and the force of bolts that gives the wanted one. Blocks inside of openings, and\n"
+    "those that a stage removes, are taken out. DIR gets keyblocks.json and keyblocks.svg, a picture.\n\n"
     "Examples:\n"
     "  dda keyblocks slope.json\n"
     "  dda keyblocks tunnel.json --opening tunnel --fos 1.5 --out keyblocks\n"
@@ -46,7 +45,16 @@ Vec2 acceleration_of(const std::vector<double>& components) {
   return {components[0], components[1]};
 }
 
-// Blocks of all openings are taken out; of the one asked for alone, where there is one.
+// Blocks that some stage removes. Whoever draws an opening as a group of blocks, as `dda cut` writes it, says in the
+// stages alone that it is one.
+std::vector<bool> excavated_blocks(const Model& model) {
+  std::vector<bool> is_excavated(model.blocks.size(), false);
+  for (const Stage& stage : model.stages)
+    for (const int block : stage.removal.blocks) is_excavated[static_cast<std::size_t>(block)] = true;
+  return is_excavated;
+}
+
+// Blocks of all openings are taken out, and all that stages remove; of the opening asked for alone, where there is one.
 void take_out_openings(const SceneParts& scene, const std::string& asked, KeyBlockQuestion& question) {
   std::set<std::string> taken_out;
   for (const PlanOpening& opening : scene.openings) {
@@ -54,8 +62,10 @@ void take_out_openings(const SceneParts& scene, const std::string& asked, KeyBlo
     if (opening.name == asked && opening.left_out) question.opening.push_back({opening.outline, {}});
   }
   if (!asked.empty()) taken_out.insert(asked);
+  const std::vector<bool> is_excavated = excavated_blocks(scene.model);
   for (std::size_t block = 0; block < scene.groups.size(); ++block) {
-    question.is_void.push_back(taken_out.contains(scene.groups[block]));
+    const bool is_removed = asked.empty() && is_excavated[block];
+    question.is_void.push_back(is_removed || taken_out.contains(scene.groups[block]));
     if (scene.groups[block] == asked) question.opening.push_back(scene.model.blocks[block].shape);
   }
   if (!asked.empty() && question.opening.empty()) refuse_opening(asked, scene);
@@ -93,8 +103,8 @@ void add_keyblocks(CLI::App& app, KeyBlocksRequest& request) {
     return command->add_option(name, value, help)->type_name(type);
   };
   add("scene", request.scene, "scene file (JSON)", "SCENE.json")->required();
-  add("--opening", request.opening, "an opening, or a group of blocks, that alone is taken out; default: all openings",
-      "NAME");
+  add("--opening", request.opening,
+      "an opening or group of blocks that alone is taken out; default: openings and what stages remove", "NAME");
   add("--out", request.folder, "folder for the results; made if need be", "DIR");
   add("--fos", request.wanted_safety,
       "factor of safety that bolts are to give, on joints and on what acts; default 1.5", "FACTOR");

@@ -63,6 +63,19 @@ TEST_F(KeyBlocksCommand, TakesGroupsOfBlocksAsOpenings) {
   EXPECT_TRUE(contains(from_cut.out, "key block")) << from_cut.out;
 }
 
+// In the scene that dda cut writes, a stage alone says that the group is an opening.
+TEST_F(KeyBlocksCommand, TakesOutWhatStagesRemove) {
+  std::string scene = tunnel(false);
+  const std::string steps = R"("steps": {"dt": 1e-3, "duration": 1})";
+  scene.replace(scene.find(steps), steps.size(),
+                R"("steps": [{"integrator": "static"}, {"integrator": "static", "remove": ["tunnel"]}])");
+  write("scene.json", scene);
+  ASSERT_EQ(call({"cut", path("scene.json"), "--out", path("cut")}).code, 0);
+  const Outcome from_rock = call({"keyblocks", path("scene.json")});
+  EXPECT_TRUE(contains(from_rock.out, "key block")) << from_rock.out << from_rock.errors;
+  EXPECT_EQ(call({"keyblocks", path("cut/scene.json")}).out, from_rock.out);
+}
+
 TEST_F(KeyBlocksCommand, BoltDirectionAndAcceleration) {
   write("scene.json", tunnel(true));
   const Outcome sideways = call({"keyblocks", path("scene.json"), "--opening", "tunnel", "--bolt-direction", "0deg"});

@@ -111,8 +111,7 @@ void read_dilation(const Field& field, JointMaterial& joint) {
 // Refuses a penalty beside the projected law, which chooses its own, and all else that it has no use for.
 void check_projected_law(const Field& field, const JointMaterial& joint) {
   if (joint.law != InterfaceLaw::projected) return;
-  refuse(field, {"penalty", "stabilisation", "normal_spring", "spring_over_young", "contact_damping"},
-         "with the projected law");
+  refuse(field, {"penalty", "stabilisation", "normal_spring", "spring_over_young"}, "with the projected law");
   if (!field.has("normal_stiffness")) refuse(field, {"shear_to_normal"}, "with the projected law");
   if (joint.bonded) field.at("bonded").fail("false, or to be left out: bonded joints have the consistent law");
   if (joint.automatic_stiffness) field.at("normal_stiffness").fail("in Pa/m, or to be left out with the projected law");

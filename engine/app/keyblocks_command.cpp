@@ -104,7 +104,7 @@ void add_keyblocks(CLI::App& app, KeyBlocksRequest& request) {
   };
   add("scene", request.scene, "scene file (JSON)", "SCENE.json")->required();
   add("--opening", request.opening,
-      "an opening or group of blocks that alone is taken out; default: openings, what stages remove", "NAME");
+      "alone taken out: an opening or group; default: openings, what stages remove", "NAME");
   add("--out", request.folder, "folder for the results; made if need be", "DIR");
   add("--fos", request.wanted_safety,
       "factor of safety that bolts are to give, on joints and on what acts; default 1.5", "FACTOR");

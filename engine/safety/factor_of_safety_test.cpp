@@ -143,6 +143,18 @@ TEST(FactorOfSafety, WhatNothingHoldsStandsAtNoStrength) {
   EXPECT_NE(report.failure.reason.find("nothing holds"), std::string::npos);
 }
 
+// Absorbing edges carry no steady load, so whatever the strength there is no state from which to ask for a factor.
+TEST(FactorOfSafety, WhatIsNotInBalanceUnderItsLoadsStandsAtNoStrength) {
+  Model model = boxes_on_slope(0, {20 * degree});
+  model.held_blocks.clear();
+  model.viscous_edges.push_back({0, {-1, -1}, {3, -1}, 1e7, 5e6});
+  const SafetyReport report = factor_of_safety(model, {});
+  EXPECT_EQ(report.stands, 0);
+  EXPECT_EQ(report.trials.size(), 1U);
+  EXPECT_FALSE(report.failure.is_loaded);
+  EXPECT_NE(report.failure.reason.find("out of balance"), std::string::npos) << report.failure.reason;
+}
+
 TEST(FactorOfSafety, ReducesEveryStrengthButNotThatOfIntactRock) {
   Model model = boxes_on_slope(0, {45 * degree});
   JointMaterial& joint = model.joints[1];

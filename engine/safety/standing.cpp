@@ -57,7 +57,7 @@ class Watch {
   Standing judge(Status status) {
     const std::vector<UnbalancedBlock> loose = loose_while_stuck();
     standing_.status = status;
-    standing_.is_loaded = is_loaded() && loose.empty();
+    standing_.is_loaded = is_loaded() && loose.empty() && is_balanced_while_stuck();
     standing_.stands = status == Status::ok && standing_.is_loaded && !has_failed();
     if (!standing_.stands) standing_.reason = reason(loose);
     return std::move(standing_);
@@ -65,6 +65,11 @@ class Watch {
 
  private:
   [[nodiscard]] bool is_loaded() const { return !std::isnan(simulation_.results().out_of_balance.front()); }
+
+  [[nodiscard]] bool is_balanced_while_stuck() const {
+    return std::ranges::none_of(simulation_.results().unbalanced,
+                                [](const UnbalancedBlock& block) { return block.stage == 0; });
+  }
 
   [[nodiscard]] std::vector<UnbalancedBlock> loose_while_stuck() const {
     std::vector<UnbalancedBlock> loose = simulation_.results().loose;

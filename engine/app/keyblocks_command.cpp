@@ -103,8 +103,8 @@ void add_keyblocks(CLI::App& app, KeyBlocksRequest& request) {
     return command->add_option(name, value, help)->type_name(type);
   };
   add("scene", request.scene, "scene file (JSON)", "SCENE.json")->required();
-  add("--opening", request.opening,
-      "alone taken out: an opening or group; default: openings, what stages remove", "NAME");
+  add("--opening", request.opening, "alone taken out: an opening or group; default: openings, what stages remove",
+      "NAME");
   add("--out", request.folder, "folder for the results; made if need be", "DIR");
   add("--fos", request.wanted_safety,
       "factor of safety that bolts are to give, on joints and on what acts; default 1.5", "FACTOR");

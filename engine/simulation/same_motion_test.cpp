@@ -135,6 +135,24 @@ TEST(SameMotion, TurnedMirroredMovedOrLarger) {
   expect_same_motion(motion(), views);
 }
 
+// Lengths are 4^7 times as large, times 2^7: but for what is not a product or a root of them, as sines, all numbers are
+// the same to the last bit in other units, and so are the passes in which steps come to their end.
+TEST(SameMotion, TakesAsManyPassesOnAnyScale) {
+  int differ = 0;
+  for (int kind = 0; kind < cut_kinds; ++kind)
+    for (std::uint64_t seed = 1; seed <= rocks_of_a_kind; ++seed) {
+      Model rock = dry_rock(static_cast<CutKind>(kind), seed);
+      rock.stages = {motion()};
+      const auto passes_of = [&rock](double scale) {
+        Simulation simulation = simulation_of(seen(rock, {.scale = scale}));
+        for (int step = 0; step < most_steps && simulation.step() == Status::ok; ++step) continue;
+        return simulation.counters().open_close_iterations;
+      };
+      if (passes_of(1) != passes_of(16384)) ++differ;
+    }
+  EXPECT_LE(differ, rocks_with_several_answers);
+}
+
 TEST(SameMotion, SettlesTheSameHoweverNumbered) { expect_same_motion(settling(), other_numberings()); }
 
 // The largest force that acts is the weight of the held floor here: its length counts, and not its larger component.

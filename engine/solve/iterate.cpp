@@ -1,12 +1,20 @@
 #include "engine/solve/iterate.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+
+#include "engine/solve/largest_entry.h"
 
 namespace dda {
 
 double Iterate::round_off_of_forces() const {
-  constexpr double share = 1e-13;  // of the largest entry of the right-hand side
-  return share * problem->rhs.cwiseAbs().maxCoeff();
+  constexpr double share =
+      1e-13;  // of the largest on the right-hand side, moments as forces at the arm of a block's size
+  double largest = 0;
+  for (std::size_t block = 0; block < problem->areas.size(); ++block)
+    largest = std::max(largest, largest_entry(problem->rhs, block, problem->areas[block]));
+  return share * largest;
 }
 
 Status Iterate::bring_matrix_up_to_date(bool& changed) {

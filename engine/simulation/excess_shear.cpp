@@ -116,9 +116,27 @@ void append_faces_of_vertices(const Model& model, const std::optional<JudgedStre
   }
 }
 
-void add(const LoadedFace& face, ExcessShear& sum) {
-  sum.length += face.length;
+// Contacts carry what their law says to this share of the largest force between blocks (solve/friction_passes), so the
+// shear of a joint that slides is off its strength by that, to either side.
+constexpr double share_left_by_steps = 1e-9;
+
+// N per m of thickness.
+double negligible_force(const std::vector<LoadedFace>& faces) {
+  double largest = 0;
+  for (const LoadedFace& face : faces)
+    largest = std::max(largest, face.length * std::max(std::abs(face.normal), std::abs(face.shear)));
+  return share_left_by_steps * largest;
+}
+
+// Pa; 0 where the shear is the strength, up to a `negligible` force.
+double excess_beyond(double negligible, const LoadedFace& face) {
   const double excess = face.excess();
+  return std::abs(excess) * face.length <= negligible ? 0 : excess;
+}
+
+void add(const LoadedFace& face, double negligible, ExcessShear& sum) {
+  sum.length += face.length;
+  const double excess = excess_beyond(negligible, face);
   if (excess > 0) sum.positive += face.length;
   if (sum.length > face.length && excess <= sum.largest) return;
   std::tie(sum.largest, sum.block_a, sum.block_b, sum.normal, sum.shear) =
@@ -131,14 +149,12 @@ std::optional<JudgedStrength> strength_of(const Measurement& measurement) {
   return JudgedStrength{std::tan(measurement.friction_angle.value_or(0)), measurement.cohesion.value_or(0)};
 }
 
-std::vector<LoadedFace> faces_of(const BlockSystem& system, const Measurement& measurement) {
-  std::vector<LoadedFace> faces = loaded_faces(system, strength_of(measurement));
+void keep_measured(const BlockSystem& system, const Measurement& measurement, std::vector<LoadedFace>& faces) {
   const double tolerance = point_tolerance(system.model);
   std::erase_if(faces, [&](const LoadedFace& face) {
     const bool is_other = measurement.joint >= 0 && face.joint != measurement.joint;
     return is_other || (measurement.on_line && !is_on({measurement.from, measurement.to}, face, tolerance));
   });
-  return faces;
 }
 
 }  // namespace
@@ -168,11 +184,13 @@ std::vector<LoadedFace> loaded_faces(const BlockSystem& s, const std::optional<J
 
 std::vector<ExcessShear> excess_by_joint(const BlockSystem& s) {
   std::map<int, ExcessShear> by_joint;
-  for (const LoadedFace& face : loaded_faces(s, std::nullopt)) {
+  const std::vector<LoadedFace> faces = loaded_faces(s, std::nullopt);
+  const double negligible = negligible_force(faces);
+  for (const LoadedFace& face : faces) {
     ExcessShear& sum = by_joint[face.joint];
     sum.stage = static_cast<int>(s.clock.stage);
     sum.joint = face.joint;
-    add(face, sum);
+    add(face, negligible, sum);
   }
   std::vector<ExcessShear> list;
   for (const auto& [joint, sum] : by_joint) list.push_back(sum);
@@ -182,12 +200,17 @@ std::vector<ExcessShear> excess_by_joint(const BlockSystem& s) {
 Vec2 excess_shear(const BlockSystem& system, const Measurement& measurement) {
   ExcessShear sum;
   sum.largest = std::numeric_limits<double>::quiet_NaN();
-  for (const LoadedFace& face : faces_of(system, measurement)) add(face, sum);
+  std::vector<LoadedFace> faces = loaded_faces(system, strength_of(measurement));
+  const double negligible = negligible_force(faces);
+  keep_measured(system, measurement, faces);
+  for (const LoadedFace& face : faces) add(face, negligible, sum);
   return {sum.largest, sum.positive};
 }
 
 bool has_faces(const BlockSystem& system, const Measurement& measurement) {
-  return !faces_of(system, measurement).empty();
+  std::vector<LoadedFace> faces = loaded_faces(system, strength_of(measurement));
+  keep_measured(system, measurement, faces);
+  return !faces.empty();
 }
 
 }  // namespace dda

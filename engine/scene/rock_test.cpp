@@ -188,6 +188,12 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
        "blocks.rock.fill[0].voronoi.graded.size is 2, expected at most the size of cells elsewhere"},
       {fill(R"("size": 1, "graded": {"size": 0.2, "growth": 3})"),
        "blocks.rock.fill[0].voronoi.graded.growth is 3, expected at most 1"},
+      {"{" + square + R"(, "seed": 2147483648})",
+       "blocks.rock.seed is 2147483648, expected 0 or more and at most 2147483647"},
+      {fill(R"("size": 1, "seed": 9223372036854775808)"),
+       "blocks.rock.fill[0].voronoi.seed is 9223372036854775808, expected 0 or more and at most 2147483647"},
+      {rings(R"("count": 2, "thickness": 0.4, "cuts": 10000000)"),
+       "blocks.rock.openings[0].rings.cuts is 10000000, expected 1 or more and at most 10000"},
       {rings(R"("count": 2, "thickness": 0.4)"),
        "blocks.rock.openings[0].rings is 0.8 m away from the outline self-intersecting"},
   };

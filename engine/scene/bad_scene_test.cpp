@@ -51,6 +51,14 @@ const std::vector<Spoiled> syntax = {
 };
 
 const std::vector<Spoiled> shape = {
+    {"absorbing twice",
+     R"([{"edge": "left"}])",
+     R"([{"edge": {"from": [0, 0], "to": [0, 0.5]}, "ratio": 0.5}, {"edge": "left"}])",
+     {"viscous_boundaries[1].edge is along \"bar 1\", where viscous_boundaries[0] absorbs already"}},
+    {"stage called as one without a name",
+     R"({"dt": "1e-4 s", "duration": 0.01})",
+     R"([{"name": "stage 2", "dt": "1e-4 s", "duration": 0.01}, {"dt": "1e-4 s", "duration": 0.01}])",
+     {"steps[1] is without a name, and so \"stage 2\", as a stage before is called", "a name of its own"}},
     {"version", R"("dda": 1)", R"("dda": 2)", {"dda is 2", "expected 1"}},
     {"no version", R"("dda": 1,)", "", {"dda is missing", "version"}},
     {"no blocks", R"("blocks": [{"bar": {"length": 4, "height": 1, "block_length": 2}}],)", "", {"blocks is missing"}},

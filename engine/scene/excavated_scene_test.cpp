@@ -284,6 +284,21 @@ TEST(StressField, IsRefusedOnAnEdgeThatCarriesItAlready) {
   EXPECT_EQ(parse_scene(scene(beside, right), "scene").edge_loads.size(), 2U + 2U + 1U);
 }
 
+// A load with a history may take off what another puts on, and one may follow the other.
+TEST(StressField, IsPutOnAnEdgeByOneLoadAtATime) {
+  const auto scene = [](const std::string& stages_of_one, const std::string& stages_of_other) {
+    return scene_with(R"(, "stress_field": {"xx": -5}, "loads": [{"edge": "outside", "traction": "in-situ")" +
+                          stages_of_one + R"(}, {"edge": "left", "traction": "in-situ")" + stages_of_other + "}]",
+                      "");
+  };
+  expect_sentence_for(
+      scene("", ""),
+      {"loads[1].traction is \"in-situ\" along \"floor 1.1\", on which loads[0] puts it already", "one of the two"});
+  EXPECT_NO_THROW(parse_scene(scene("", R"(, "history": {"table": [[0, 0], [1, -1]]})"), "scene"));
+  const std::string first = R"(, "until_stage": "settle")", second = R"(, "from_stage": "motion")";
+  EXPECT_NO_THROW(parse_scene(scene(first, second), "scene"));
+}
+
 TEST(StressField, ThatSaysTooLittleOrTooMuchIsRefused) {
   const auto refused = [](const std::string& field, const std::vector<std::string>& parts) {
     expect_sentence_for(scene_with(R"(, "stress_field": )" + field, ""), parts);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,8 +90,52 @@ void read_pressure(const Field& field, const std::vector<Stretch>& stretches, co
     field.at("pressure").fail("nowhere on the edge above 0", "a pressure on some part of it");
 }
 
+// Stretches of edges along which entries of the scene act. Two that do the same there would add up, in silence.
+class TakenEdges {
+ public:
+  void take(const Stretch& stretch, const StageSpan& stages, const Field& entry) {
+    taken_.push_back({stretch, stages, entry.path()});
+  }
+
+  // The entry that acts along a part of this stretch in some of these stages; empty: none.
+  [[nodiscard]] std::string taker_of(const Stretch& stretch, const StageSpan& stages, const Model& model) const {
+    for (const Taken& each : taken_)
+      if (each.stretch.block == stretch.block && meet(each.stages, stages, model) &&
+          collinear_overlap({each.stretch.from, each.stretch.to}, {stretch.from, stretch.to}, point_tolerance(model)))
+        return each.entry;
+    return "";
+  }
+
+ private:
+  struct Taken {
+    Stretch stretch;
+    StageSpan stages;
+    std::string entry;
+  };
+
+  static bool meet(const StageSpan& a, const StageSpan& b, const Model& model) {
+    for (std::size_t stage = 0; stage < model.stages.size(); ++stage)
+      if (a.has(stage) && b.has(stage)) return true;
+    return false;
+  }
+
+  std::vector<Taken> taken_;
+};
+
+const std::string& name_of(int block, const Model& model) { return model.blocks[static_cast<std::size_t>(block)].name; }
+
+// A history may take off what another load puts on.
+void take_in_situ(const Field& load, const Stretch& s, const StageSpan& stages, const Model& model, TakenEdges& taken) {
+  if (load.has("history")) return;
+  if (const std::string taker = taken.taker_of(s, stages, model); !taker.empty())
+    load.at("traction")
+        .fail(fmt::format("\"in-situ\" along \"{}\", on which {} puts it already", name_of(s.block, model), taker),
+              "one of the two, as both would double it");
+  taken.take(s, stages, load);
+}
+
 void read_edge_load(const Field& field, const GroundPlan& plan, const std::vector<std::string>& groups,
-                    const StressField& stresses, RecordFiles& records, Model& model) {
+                    const StressField& stresses, RecordFiles& records, TakenEdges& taken, Model& model) {
   const StageSpan stages = read_stages_of(field, model);
   const std::vector<Stretch> stretches = read_loaded_faces(field, plan, groups, stages, model);
   const std::string kind = only_edge_intensity(field);
@@ -106,6 +151,7 @@ void read_edge_load(const Field& field, const GroundPlan& plan, const std::vecto
   if (kind == "traction" && !in_situ) traction = value.vector(Dimension::stress);
   if (kind == "force") traction = value.vector(Dimension::force) / total_length(stretches);
   for (const Stretch& s : stretches) {
+    if (in_situ) take_in_situ(field, s, stages, model, taken);
     const Vec2 own = in_situ ? stresses.traction_on(s, model) : traction;
     model.edge_loads.push_back({s.block, s.from, s.to, own, history, stages});
   }
@@ -146,36 +192,15 @@ std::vector<Stretch> read_free_side(const Field& field, const GroundPlan& plan, 
   return stretches;
 }
 
-// Stretches on which loads put the traction in situ, with the load that does.
-struct InSituLoads {
-  struct Entry {
-    Stretch stretch;
-    std::string load;
-  };
-  std::vector<Entry> entries;
-
-  // A boundary that carries the same traction there would double it.
-  void refuse_on(const Stretch& stretch, const Field& boundary, const Model& model) const {
-    for (const auto& [other, load] : entries) {
-      if (other.block != stretch.block ||
-          !collinear_overlap({other.from, other.to}, {stretch.from, stretch.to}, point_tolerance(model)))
-        continue;
-      boundary.at("carries_initial_stress")
-          .fail(fmt::format("true along \"{}\", on which {} puts the traction in situ already",
-                            model.blocks[static_cast<std::size_t>(stretch.block)].name, load),
-                "one of the two, as both would double it");
-    }
-  }
-};
-
-InSituLoads in_situ_loads(const Field& scene, const GroundPlan& plan, const Model& model) {
-  InSituLoads found;
+// The edges on which loads put the traction in situ, whenever they do.
+TakenEdges in_situ_loads(const Field& scene, const GroundPlan& plan, const Model& model) {
+  TakenEdges found;
   const auto loads = scene.find("loads");
   if (!loads) return found;
   for (const Field& load : loads->items()) {
     const auto traction = load.find("traction");
     if (!traction || !traction->is_text() || is_wall_laid_bare(load)) continue;
-    for (const Stretch& stretch : read_edge(load, plan, model)) found.entries.push_back({stretch, load.path()});
+    for (const Stretch& stretch : read_edge(load, plan, model)) found.take(stretch, {}, load);
   }
   return found;
 }
@@ -189,13 +214,24 @@ void append_free_field_side(const std::vector<Stretch>& stretches, Model& model)
 }
 
 void carry_initial_stress(const Field& boundary, const Stretch& s, const StressField& stresses,
-                          const InSituLoads& in_situ, Model& model) {
-  in_situ.refuse_on(s, boundary, model);
+                          const TakenEdges& in_situ, Model& model) {
+  if (const std::string load = in_situ.taker_of(s, {}, model); !load.empty())
+    boundary.at("carries_initial_stress")
+        .fail(fmt::format("true along \"{}\", on which {} puts the traction in situ already", name_of(s.block, model),
+                          load),
+              "one of the two, as both would double it");
   model.edge_loads.push_back({s.block, s.from, s.to, stresses.traction_on(s, model), Constant{}});
 }
 
+void take_absorbing(const Field& boundary, const Stretch& s, const Model& model, TakenEdges& absorbing) {
+  if (const std::string taker = absorbing.taker_of(s, {}, model); !taker.empty())
+    boundary.at("edge").fail(fmt::format("along \"{}\", where {} absorbs already", name_of(s.block, model), taker),
+                             "one of the two, as both would add up");
+  absorbing.take(s, {}, boundary);
+}
+
 void read_viscous_boundary(const Field& field, const GroundPlan& plan, const StressField& stresses,
-                           const InSituLoads& in_situ, Model& model) {
+                           const TakenEdges& in_situ, TakenEdges& absorbing, Model& model) {
   if (field.has("normal_impedance")) refuse(field, {"normal_speed"}, "beside normal_impedance");
   if (field.has("shear_impedance")) refuse(field, {"shear_speed"}, "beside shear_impedance");
   const double ratio =
@@ -207,6 +243,7 @@ void read_viscous_boundary(const Field& field, const GroundPlan& plan, const Str
   const std::vector<Stretch> stretches =
       free_field ? read_free_side(field, plan, model) : read_edge(field, plan, model);
   for (const Stretch& s : stretches) {
+    take_absorbing(field, s, model, absorbing);
     const Material& material = model.material_of(s.block);
     const double normal =
         read_impedance(field, "normal_impedance", material.density * read_normal_speed(field, material));
@@ -239,21 +276,23 @@ void read_each(const Field& scene, const char* key, Read read) {
 
 void read_loads(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                 const StressField& stresses, RecordFiles& records, Model& model) {
+  TakenEdges in_situ;
   read_each(scene, "loads", [&](const Field& load) {
     if (load.has("point")) {
       read_point_load(load, plan, records, model);
     } else {
-      read_edge_load(load, plan, groups, stresses, records, model);
+      read_edge_load(load, plan, groups, stresses, records, in_situ, model);
     }
   });
 }
 
 void read_viscous_boundaries(const Field& scene, const GroundPlan& plan, const StressField& stresses, Model& model) {
   std::vector<Field> free_edges;
-  const InSituLoads in_situ = in_situ_loads(scene, plan, model);
+  const TakenEdges in_situ = in_situ_loads(scene, plan, model);
+  TakenEdges absorbing;
   read_each(scene, "viscous_boundaries", [&](const Field& edge) {
     const std::size_t before = model.free_field_sides.size();
-    read_viscous_boundary(edge, plan, stresses, in_situ, model);
+    read_viscous_boundary(edge, plan, stresses, in_situ, absorbing, model);
     if (model.free_field_sides.size() > before) free_edges.push_back(edge.at("edge"));
   });
   check_free_field(free_edges, model);

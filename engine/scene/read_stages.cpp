@@ -249,7 +249,10 @@ void read_stages(const Field& scene, const Scheme& scheme, const std::vector<std
   std::set<std::string> names;
   for (const Field& step : steps.items()) {
     append(step, fmt::format("stage {}", model.stages.size() + 1));
-    if (!names.insert(model.stages.back().name).second) step.at("name").fail("a name that no stage before has");
+    const std::string& name = model.stages.back().name;
+    if (names.insert(name).second) continue;
+    if (step.has("name")) step.at("name").fail("a name that no stage before has");
+    step.fail(fmt::format("without a name, and so \"{}\", as a stage before is called", name), "a name of its own");
   }
 }
 

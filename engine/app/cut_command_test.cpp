@@ -1,6 +1,8 @@
 // dda cut: what it writes, and what it refuses.
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "engine/app/command_line_test_support.h"
 #include "engine/record/folder_lock.h"
@@ -182,6 +184,22 @@ TEST_F(Cut, LinesAmongThePointsOfDimensionsAreTold) {
   EXPECT_TRUE(contains(remarks(), "1 lines on Defpoints")) << remarks();
   ASSERT_EQ(call({"cut", path("other.csv"), "--out", path("out"), "--layer", "Defpoints=ignored"}).code, 0);
   EXPECT_FALSE(contains(remarks(), "Defpoints")) << remarks();
+}
+
+// Drawn twice, the other way round, over parts and over the corner of two: each place absorbs once.
+TEST_F(Cut, LinesThatAbsorbCountOnceWhereTheyAreDrawnTwice) {
+  write("absorbing.csv", plan + "absorbing boundary,0,1,0,3\nabsorbing boundary,0,4,0,0\nabsorbing boundary,0,0,0,4\n" +
+                             "absorbing boundary,0,4,4,4\nabsorbing boundary,1,4,2,4\n");
+  const Outcome cut = call({"cut", path("absorbing.csv"), "--out", path("out")});
+  ASSERT_EQ(cut.code, 0) << cut.errors;
+  double length = 0;
+  const nlohmann::json scene = nlohmann::json::parse(text("out/scene.json"));
+  for (const nlohmann::json& boundary : scene["viscous_boundaries"]) {
+    const std::vector<double> from = boundary["edge"]["from"], to = boundary["edge"]["to"];
+    length += std::hypot(to[0] - from[0], to[1] - from[1]);
+  }
+  EXPECT_NEAR(length, 8, 1e-12);
+  EXPECT_EQ(call({"check", path("out/scene.json")}).code, 0);
 }
 
 TEST_F(Cut, FilesForDcSayWhichNumberIsWhichJoint) {

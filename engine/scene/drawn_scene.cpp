@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/drawing/layers.h"
@@ -28,6 +29,17 @@ constexpr double level = 1e-2;              // of that: what lies so near the bo
 const std::string& word(LayerRole role) { return role_names()[static_cast<std::size_t>(role)]; }
 
 json position(const Vec2& point) { return {point.x(), point.y()}; }
+
+// Appends what of `segment` does not run along `other`.
+void append_rest(const Segment& segment, const Segment& other, double tolerance, std::vector<Segment>& rest) {
+  const auto common = collinear_overlap(segment, other, tolerance);
+  if (!common) {
+    rest.push_back(segment);
+    return;
+  }
+  if ((common->first - segment.start).norm() > tolerance) rest.push_back({segment.start, common->first});
+  if ((segment.end - common->second).norm() > tolerance) rest.push_back({common->second, segment.end});
+}
 
 class MarkedPlaces {
  public:
@@ -102,10 +114,24 @@ class MarkedPlaces {
                                         {"block", block}});
   }
 
+  // Lines drawn twice count once: an edge that absorbs twice sends waves back.
   void absorb(const PlanMark& mark) {
     for (std::size_t i = 1; i < mark.points.size(); ++i)
-      scene_["viscous_boundaries"].push_back(
-          {{"edge", {{"from", position(mark.points[i - 1])}, {"to", position(mark.points[i])}}}});
+      for (const Segment& part : not_absorbing_yet({mark.points[i - 1], mark.points[i]})) {
+        scene_["viscous_boundaries"].push_back(
+            {{"edge", {{"from", position(part.start)}, {"to", position(part.end)}}}});
+        absorbing_.push_back(part);
+      }
+  }
+
+  [[nodiscard]] std::vector<Segment> not_absorbing_yet(const Segment& segment) const {
+    std::vector<Segment> parts{segment};
+    for (const Segment& other : absorbing_) {
+      std::vector<Segment> rest;
+      for (const Segment& part : parts) append_rest(part, other, tolerance_, rest);
+      parts = std::move(rest);
+    }
+    return parts;
   }
 
   void hold_and_describe() {
@@ -178,6 +204,7 @@ class MarkedPlaces {
   double bottom_ = 0;
   double tolerance_ = 0;
   std::size_t tables_taken_ = 0;
+  std::vector<Segment> absorbing_;
   std::string held_;
 };
 

@@ -101,7 +101,7 @@ class TakenEdges {
   [[nodiscard]] std::string taker_of(const Stretch& stretch, const StageSpan& stages, const Model& model) const {
     for (const Taken& each : taken_)
       if (each.stretch.block == stretch.block && meet(each.stages, stages, model) &&
-          collinear_overlap({each.stretch.from, each.stretch.to}, {stretch.from, stretch.to}, point_tolerance(model)))
+          run_along(each.stretch, stretch, model))
         return each.entry;
     return "";
   }
@@ -112,6 +112,13 @@ class TakenEdges {
     StageSpan stages;
     std::string entry;
   };
+
+  // Edges whose ends are written in few digits may overlap there by a little.
+  static bool run_along(const Stretch& a, const Stretch& b, const Model& model) {
+    constexpr double negligible = 1e-3;  // of the stretch
+    const auto common = collinear_overlap({a.from, a.to}, {b.from, b.to}, point_tolerance(model));
+    return common && (common->second - common->first).norm() > negligible * (b.to - b.from).norm();
+  }
 
   static bool meet(const StageSpan& a, const StageSpan& b, const Model& model) {
     for (std::size_t stage = 0; stage < model.stages.size(); ++stage)

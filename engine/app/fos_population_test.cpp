@@ -1,0 +1,157 @@
+// `dda fos` of a block on a plane against limit equilibrium: loads, weight and strength come and go with stages by lot,
+// and what acts in the end decides.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "engine/app/command_line_test_support.h"
+#include "engine/geometry/cut_pieces.h"
+
+namespace dda {
+namespace {
+
+using nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double standard_gravity = 9.81;  // m/s2
+constexpr double width = 0.005;            // of the interval that is found
+
+json pair_of(const Vec2& vector) { return {vector.x(), vector.y()}; }
+
+// u runs up the slope and v out of it. Forces are those on the block, N per m of thickness.
+class BlockOnAPlane {
+ public:
+  explicit BlockOnAPlane(std::uint64_t seed) : random_(seed) {
+    turn_ = Eigen::Rotation2Dd(random_.number(15, 55) * degree).toRotationMatrix();
+    if (random_.chance(0.5)) turn_.row(0) *= -1;
+    size_ = random_.magnitude(-1, 1.5);
+    length_ = size_ * random_.number(2, 4);
+    height_ = length_ * random_.number(0.1, 0.3);
+    density_ = random_.number(2000, 3000);
+    friction_ = random_.number(20, 50) * degree;
+    draw();
+    if (random_.chance(0.4)) cohere();
+    if (random_.chance(0.5)) load();
+    if (random_.chance(0.4)) press();
+    if (random_.chance(0.5)) weaken();
+    if (random_.chance(0.5)) soak();
+    if (random_.chance(0.3)) add_stage({{"dt", 1e-4}, {"duration", 1e-3}});
+  }
+
+  [[nodiscard]] std::string text() const { return scene_.dump(); }
+
+  [[nodiscard]] double factor() const {
+    const Vec2 weight = density_ * length_ * height_ * gravity();
+    const Vec2 force = weight + force_;
+    return (cohesion_ * length_ - force.y() * std::tan(friction_)) / -force.x();
+  }
+
+  // The block is pressed on, and slides down, by a fair share of its weight.
+  [[nodiscard]] bool is_fit() const {
+    const double weight = density_ * length_ * height_ * standard_gravity;
+    const Vec2 force = density_ * length_ * height_ * gravity() + force_;
+    return force.y() < -0.2 * weight && force.x() < -0.1 * weight;
+  }
+
+ private:
+  [[nodiscard]] Vec2 gravity() const { return turn_.transpose() * Vec2(0, -standard_gravity); }
+  [[nodiscard]] json at(double u, double v) const { return pair_of(turn_ * Vec2(u, v)); }
+  [[nodiscard]] double weight_at_start() const { return density_ * length_ * height_ * standard_gravity; }
+
+  void add_stage(json stage) {
+    stage["name"] = "stage " + std::to_string(scene_["steps"].size() + 1);
+    scene_["steps"].push_back(std::move(stage));
+  }
+
+  void draw() {
+    const double l = length_, h = height_;
+    scene_ = {
+        {"dda", 1},
+        {"gravity", standard_gravity},
+        {"materials", {{"rock", {{"density", density_}, {"young", random_.magnitude(9, 10.7)}, {"poisson", 0.2}}}}},
+        {"joints", {{"default", {{"friction_angle", friction_}}}}},
+        {"fixed", {"base"}}};
+    const std::string law = std::array{"", "classical", "projected"}[static_cast<std::size_t>(random_.integer(0, 2))];
+    if (!law.empty()) joint()["law"] = law;
+    const json base = {at(-l, -l), at(2 * l, -l), at(2 * l, 0), at(-l, 0)};
+    const json box = {at(0, 0), at(l, 0), at(l, h), at(0, h)};
+    scene_["blocks"] = {{{"polygon", {{"name", "base"}, {"vertices", base}}}},
+                        {{"polygon", {{"name", "box"}, {"vertices", box}}}}};
+    scene_["loads"] = json::array();
+    add_stage({{"integrator", "static"}});
+  }
+
+  json& joint() { return scene_["joints"]["default"]; }
+
+  // It stays when the face has slid, or the face would fail end by end.
+  void cohere() {
+    cohesion_ = weight_at_start() / length_ * random_.number(0.05, 0.6);
+    joint()["cohesion"] = joint()["residual_cohesion"] = cohesion_;
+  }
+
+  void load() {
+    const Vec2 force = weight_at_start() * Vec2(random_.number(-0.2, 0.3), -random_.number(0, 0.3));
+    json load = {{"point", at(length_ / 2, 0.4 * height_)}, {"block", "box"}, {"force", pair_of(turn_ * force)}};
+    const int when = random_.integer(0, 2);
+    if (when > 0) add_stage({{"integrator", "static"}});
+    if (when == 1) load["from_stage"] = "stage 2";
+    if (when == 2) load["until_stage"] = "stage 1";
+    if (when != 2) force_ += force;
+    scene_["loads"].push_back(load);
+  }
+
+  void press() {
+    const double pressure = weight_at_start() / length_ * random_.number(0.05, 0.5);
+    force_.y() -= pressure * length_;
+    scene_["loads"].push_back(
+        {{"edge", {{"from", at(0, height_)}, {"to", at(length_, height_)}}}, {"pressure", pressure}});
+  }
+
+  void weaken() {
+    friction_ = random_.number(15, 45) * degree;
+    json change = {{"friction_angle", friction_}};
+    if (cohesion_ > 0) change["cohesion"] = change["residual_cohesion"] = cohesion_ /= 2;
+    add_stage({{"integrator", "static"}, {"joints", {{"default", change}}}});
+  }
+
+  void soak() {
+    density_ *= random_.number(0.8, 1.2);
+    add_stage({{"integrator", "static"}, {"materials", {{"rock", {{"density", density_}}}}}});
+  }
+
+  SeededNumbers random_;
+  Mat2 turn_;
+  double size_ = 0, length_ = 0, height_ = 0;  // m
+  double density_ = 0;                         // kg/m3
+  double friction_ = 0, cohesion_ = 0;
+  Vec2 force_ = Vec2::Zero();  // beside the weight, in u and v
+  json scene_;
+};
+
+class FosPopulation : public CommandLine {};
+
+TEST_F(FosPopulation, IsLimitEquilibriumOfWhatActsInTheEnd) {
+  int fit = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const BlockOnAPlane block(seed);
+    if (!block.is_fit()) continue;
+    ++fit;
+    write("scene.json", block.text());
+    const Outcome outcome = call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors << block.text();
+    const json report = json::parse(text("out/fos.json"));
+    ASSERT_TRUE(report["factor_of_safety"].is_number()) << outcome.out << block.text();
+    EXPECT_NEAR(report["factor_of_safety"].get<double>() / block.factor(), 1, width) << block.text();
+  }
+  EXPECT_GE(fit, 20);
+}
+
+}  // namespace
+}  // namespace dda

@@ -107,24 +107,22 @@ void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
 void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,
                                     const InterfaceState& after, const Vec4& gap_change, const Vec4& extra_force,
                                     const Vec4& dashpot_force) {
-  const double work = gap_change.dot((before.force + after.force) / 2 + extra_force);
+  // What the balance of the step had of the contact: springs and dashpots together, and under steps that conserve
+  // energy another mean than that of the springs at both ends of the step.
+  const Vec4 borne = (before.force + after.force) / 2 + extra_force;
+  const double work = gap_change.dot(borne);
   double dashpot = gap_change.dot(dashpot_force);
   double friction = 0;
   for (std::size_t end = 0; end < 2; ++end) {
-    const auto shear_row = static_cast<Eigen::Index>(2 * end + 1);
-    // What slides bears what spring and dashpot bear together. Where a step turns the slip round, the mean force may
-    // point against it: that is no friction.
-    const double slip = after.slip[end] - before.slip[end];
-    // Under steps that conserve energy the balance has another mean than those of the springs at both ends of it.
-    const double spring_force =
-        (before.force(shear_row) + after.force(shear_row)) / 2 + extra_force(shear_row) - dashpot_force(shear_row);
-    friction += std::max(0.0, (spring_force + dashpot_force(shear_row)) * slip);
-    dashpot -= dashpot_force(shear_row) * slip;
+    const auto normal_row = static_cast<Eigen::Index>(2 * end), shear_row = normal_row + 1;
+    // Where a step turns the slip round, the mean force may point against it: that is no friction.
+    if (const double slip = after.slip[end] - before.slip[end]; slip != 0) {
+      friction += std::max(0.0, borne(shear_row) * slip);
+      dashpot -= dashpot_force(shear_row) * slip;
+    }
     // What sliding up its own slope gives back against the normal force is no loss.
-    const auto normal_row = shear_row - 1;
-    const double pressing =
-        (before.force(normal_row) + after.force(normal_row)) / 2 + extra_force(normal_row) - dashpot_force(normal_row);
-    friction += pressing * (after.dilation[end] - before.dilation[end]);
+    if (const double rise = after.dilation[end] - before.dilation[end]; rise != 0)
+      friction += (borne(normal_row) - dashpot_force(normal_row)) * rise;
   }
   const double stored = interface_energy(element, after) - interface_energy(element, before);
   ledger_.friction += friction;

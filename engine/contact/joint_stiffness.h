@@ -2,7 +2,7 @@
 //
 // A joint may give the spring of a contact (N/m, or in multiples of Young's modulus), a stiffness per area (Pa/m), or
 // leave the choice to the engine. Where it says nothing a spring is, with E of the softer block,
-//   k_n = E min(max(10, S/s), 1000), k_s = shear_to_normal sqrt(10 E k_n)
+//   k_n = E min(max(10, S/s), 300), k_s = shear_to_normal sqrt(10 E k_n)
 // S, s: sizes of the larger and the smaller block. What presses a splinter goes by the size of the blocks beside it,
 // p S, and would close a spring of 10 E by p S/(10 E) whatever the splinter measures: 10 % of one of a thousandth of S
 // under p = E/1000. With E S/s it is p/E of the splinter, as between blocks that are alike (ADR 88). With "auto" chosen

@@ -40,8 +40,7 @@ end_answer::Answer pressed_on_piece(const InterfaceSprings& springs, const Inter
   const Eigen::Index n = 2 * end;
   const double gap = trial.normal_gap(end);
   if (!trial.rule.conserves_energy) return {springs.stiffness(n) * gap, 1};
-  const double dashpot = springs.dashpot(n) * trial.rule.dashpot_rate;
-  return end_answer::press(trial.rule, {springs.stiffness(n), dashpot, trial.start(n), true}, gap);
+  return end_answer::press(trial.rule, end_answer::row_of(springs, trial, n), gap);
 }
 
 // Forces and slopes as if the end were on that piece. Where pieces are not linear, of ends that touch and only to

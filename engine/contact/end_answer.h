@@ -41,6 +41,11 @@ struct Row {
   bool broken;
 };
 
+inline Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::Index row) {
+  return {springs.stiffness(row), springs.dashpot(row) * trial.rule.dashpot_rate, trial.start(row),
+          trial.broken[static_cast<std::size_t>(row / 2)]};
+}
+
 inline Answer press(const ContactRule& rule, const Row& row, double gap) {
   if (!row.broken) return {row.stiffness * gap, 1};
   const Answer elastic = spring(rule, row.stiffness, row.start, gap);

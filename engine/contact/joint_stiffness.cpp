@@ -48,7 +48,7 @@ double chosen_spring(const Model& model, const Interface& interface) {
 }
 
 // Springs that go by the sizes of blocks, in multiples of the modulus: the thesis' g0 at least, and at most what keeps
-// the digits of a solve where splinters touch (1,000 made the matrices of two rocks of 216 indefinite by round-off).
+// the digits of a solve where splinters touch (1,000 made the matrix of one rock of 200 indefinite by round-off).
 constexpr double least_over_young = 10, most_over_young = 300;
 
 double larger_over_smaller(const Model& model, const Interface& interface) {

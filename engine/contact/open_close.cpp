@@ -19,11 +19,6 @@ namespace {
 using namespace end_answer;
 using namespace sticking;
 
-Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::Index row) {
-  return {springs.stiffness(row), springs.dashpot(row) * trial.rule.dashpot_rate, trial.start(row),
-          trial.broken[static_cast<std::size_t>(row / 2)]};
-}
-
 Eigen::Index normal_row(int end) { return 2 * end; }
 
 Vec2 normal_gaps(const InterfaceTrial& trial) { return {trial.normal_gap(0), trial.normal_gap(1)}; }

@@ -88,10 +88,6 @@ double side_of(const InterfaceSprings& springs, const InterfaceTrial& trial, int
   return std::copysign(1, together(springs, trial, row, trial.start(row)).gap);
 }
 
-end_answer::Row row_of(const InterfaceSprings& springs, const InterfaceTrial& trial, Eigen::Index row) {
-  return {springs.stiffness(row), springs.dashpot(row) * trial.rule.dashpot_rate, trial.start(row), true};
-}
-
 RisingEnd end_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end,
                  double side) {
   const auto e = static_cast<std::size_t>(end);
@@ -112,7 +108,8 @@ RisingEnd end_of(const InterfaceSprings& springs, const EndStrength& strength, c
           strength.dilation,
           strength.dilation_slip,
           side * trial.slip[e],
-          in_mean ? std::optional(MeanPress{trial.rule, row_of(springs, trial, n), trial.before(n)}) : std::nullopt};
+          in_mean ? std::optional(MeanPress{trial.rule, end_answer::row_of(springs, trial, n), trial.before(n)})
+                  : std::nullopt};
 }
 
 // Where the slope of the rise changes next, m of slip; `end.way` where it does not any more.
@@ -196,7 +193,7 @@ void set_rows(const InterfaceSprings& springs, const RisingEnd& at, double slip,
 // The mean of the shear, with that of the start, is at most the friction of the mean pressure.
 bool shear_in_mean(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
   const Eigen::Index row = 2 * end + 1;
-  const end_answer::Row spring = row_of(springs, trial, row);
+  const end_answer::Row spring = end_answer::row_of(springs, trial, row);
   const double capacity = trial.capacity[static_cast<std::size_t>(end)];
   const double stuck = end_answer::stuck_force(spring, trial.gap(row));
   const double both = stuck + trial.before(row);
@@ -213,7 +210,7 @@ void respond_riding_in_mean(const InterfaceSprings& springs, const RisingEnd& at
   const double slip = at.beyond(0) > 0 ? slip_of(at) : 0;
   trial.dilation[e] = at.rise(slip);
   trial.capacity[e] = 2 * at.capacity(at.pressure(slip));
-  const end_answer::Row normal = row_of(springs, trial, 2 * end);
+  const end_answer::Row normal = end_answer::row_of(springs, trial, 2 * end);
   const end_answer::Answer pressed = end_answer::press(trial.rule, normal, trial.normal_gap(end));
   trial.force(2 * end) = pressed.force;
   trial.active(2 * end) = pressed.slope;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "engine/simulation/simulation_models.h"
 
@@ -21,15 +22,14 @@ Model stones_beside(int stones, double small) {
   model.blocks.push_back(rectangle("small", stones + 1, 2, small, small));
   const Stage stage = stage_of(generalized_alpha_integrator(0), 1e-4, steps, Kinematics::finite);
   model.blocks.back().initial_spin = 0.1 / stage.dt;
-  model.held_blocks = {HeldBlock{.block = 0, .history = {}}};
+  model.held_blocks.emplace_back().block = 0;
   model.gravity = {0, -9.81};
   model.stages = {stage};
   return model;
 }
 
 std::int64_t parts_taken(Model model) {
-  finish_model(model);
-  Simulation simulation(model);
+  Simulation simulation = simulation_of(std::move(model));
   while (!simulation.finished()) EXPECT_EQ(simulation.step(), Status::ok) << simulation.message();
   return simulation.counters().steps;
 }

@@ -146,7 +146,7 @@ CholeskySolver::FactorFacts CholeskySolver::factor_facts() const {
   return {implementation_->common.lnz, implementation_->common.fl, factor->is_super != 0};
 }
 
-void CholeskySolver::do_analyze(const BlockMatrix& matrix) {
+void CholeskySolver::order_and_lay_out(const BlockMatrix& matrix) {
   implementation_->order_blocks(matrix);
   implementation_->analyze_scalars(matrix);
 }

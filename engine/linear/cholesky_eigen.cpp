@@ -76,7 +76,7 @@ CholeskySolver::FactorFacts CholeskySolver::factor_facts() const {
   return facts;
 }
 
-void CholeskySolver::do_analyze(const BlockMatrix& matrix) {
+void CholeskySolver::order_and_lay_out(const BlockMatrix& matrix) {
   implementation_ = std::make_unique<Implementation>();
   implementation_->order_blocks(matrix);
   implementation_->permuted = PermutedTriangle(matrix, implementation_->order, PermutedTriangle::Side::upper);

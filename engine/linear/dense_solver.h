@@ -15,6 +15,8 @@ class DenseSolver final : public LinearSolver {
   DenseSolver();
   ~DenseSolver() override;
 
+  [[nodiscard]] bool is_direct() const override { return true; }
+
  private:
   struct Factor;
 

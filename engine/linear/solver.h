@@ -44,6 +44,9 @@ class LinearSolver {
   // `rhs` and `x` are different vectors. not_converged: x holds the last iterate; not_finite: x is of no use.
   [[nodiscard]] Status solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
 
+  // Whether a solution is exact to round-off however far its guess is off, and a factor therefore all that it costs.
+  [[nodiscard]] virtual bool is_direct() const { return false; }
+
   // Whether solutions look at the matrix that was factored: it must then live, unchanged and in place, until the last.
   [[nodiscard]] virtual bool needs_matrix() const { return true; }
 
@@ -54,6 +57,8 @@ class LinearSolver {
   [[nodiscard]] const SolverCounts& counts() const { return counts_; }
 
  protected:
+  // What was factored last was a part.
+  [[nodiscard]] bool is_of_part() const { return part_factored_; }
   void count_iterations(int iterations) { counts_.iterations += iterations; }
 
  private:

@@ -36,7 +36,7 @@ bool has_other_answers(const InterfaceSprings& springs, const InterfaceTrial& tr
 }  // namespace
 
 bool InteriorPasses::serve(const Iterate& at) {
-  if (!at.bolts.empty() || at.problem->dilates || at.matrix.solver().takes_parts()) return false;
+  if (!at.bolts.empty() || at.problem->dilates || !at.matrix.solver().is_direct()) return false;
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     if (has_other_answers(at.contacts.element(k), at.contacts[k])) return false;
   return true;

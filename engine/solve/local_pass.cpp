@@ -13,11 +13,21 @@ constexpr int most_stale_interfaces = 8;
 // Blocks belong to the part when they are out of balance by more than this share of what is negligible.
 constexpr double share_of_negligible = 0.1;
 
-// One ring makes a third more passes than two or three, on walls of 6,400 bricks; six save none.
-constexpr int rings = 3;
+// What a part takes in.
+struct PartRule {
+  double share_of_imbalance;  // blocks that are out of balance by more than this share of the block that is most
+  int rings;                  // of neighbours
+  double largest;             // share of all blocks beyond which it is not worth its factor
+};
 
-// A part beyond this share of all blocks is not worth its factor.
-constexpr double largest_part = 0.6;
+// One ring makes a third more passes than two or three, on walls of 6,400 bricks; six save none.
+constexpr PartRule beside_incomplete_factors{.share_of_imbalance = 0, .rings = 3, .largest = 0.6};
+
+// A complete factor of all blocks takes ten times as long as the rest of a pass, so that a part begins with the blocks
+// that are worst and takes in the others when it has come as near to the balance as they are. (In rock of 1,223 blocks,
+// of which three splinters change contacts for most of the time, a part with two rings moves on twice as fast as one
+// with three, and one with one ring half as fast; shares of 0.1 and 0.001 are as good.)
+constexpr PartRule beside_complete_factors{.share_of_imbalance = 0.01, .rings = 2, .largest = 0.3};
 
 }  // namespace
 
@@ -58,7 +68,8 @@ bool FrictionPasses::choose_part(const Iterate& at) {
   const HeldUnknowns& held = at.problem->held;
   if (!at.matrix.solver().takes_parts() || !at.bolts.empty() || held.move) return false;
   const std::size_t blocks = at.problem->areas.size();
-  const double small = share_of_negligible * negligible_imbalance(at);
+  const PartRule& rule = at.matrix.solver().is_direct() ? beside_complete_factors : beside_incomplete_factors;
+  const double small = std::max(share_of_negligible * negligible_imbalance(at), rule.share_of_imbalance * imbalance_);
   part_.clear(static_cast<int>(blocks));
   for (std::size_t i = 0; i < blocks; ++i)
     if (largest_entry(residual_, i, at.problem->areas[i]) > small) part_.add(static_cast<int>(i));
@@ -68,8 +79,8 @@ bool FrictionPasses::choose_part(const Iterate& at) {
     if (!held.holds(contact.block_a)) part_.add(contact.block_a);
     if (!held.holds(contact.block_b)) part_.add(contact.block_b);
   }
-  const double most = largest_part * static_cast<double>(blocks);
-  for (int ring = 0; ring < rings && part_.size() <= most; ++ring) add_neighbours(at);
+  const double most = rule.largest * static_cast<double>(blocks);
+  for (int ring = 0; ring < rule.rings && part_.size() <= most; ++ring) add_neighbours(at);
   return part_.size() <= most;
 }
 

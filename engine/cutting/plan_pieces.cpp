@@ -85,12 +85,15 @@ class Collector {
     if (from_kept) pieces_.ends.push_back({from, given.from});
     if (to_kept) pieces_.ends.push_back({to, given.to});
     const Vec2 way = pieces_.tolerance * (straight->to - straight->from).normalized();
-    if (prolonged_back && from_kept) add_prolongation(from, given.from - way, number);
-    if (prolonged_on && to_kept) add_prolongation(to, given.to + way, number);
+    if (prolonged_back && from_kept) add_prolongation(from, {given.from, given.from - way}, number);
+    if (prolonged_on && to_kept) add_prolongation(to, {given.to, given.to + way}, number);
   }
 
-  void add_prolongation(const Pixel& from, const Vec2& to, int straight) {
-    pieces_.pieces.push_back({{from, pieces_.grid.pixel_of(to)}, straight});
+  // No further than lines are cut off, whatever the tolerance: there the grid ends.
+  void add_prolongation(const Pixel& from, const Straight& way, int straight) {
+    const auto part = clipped(way, box_);
+    if (!part) return;
+    pieces_.pieces.push_back({{from, pieces_.grid.pixel_of(part->to)}, straight});
     pieces_.prolonged.push_back(straight);
   }
 

@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/cutting/cut_rock.h"
+#include "engine/geometry/diameter.h"
 #include "engine/scene/block_group.h"
 #include "engine/scene/places.h"
 #include "engine/scene/read_drawn_plan.h"
@@ -141,14 +142,17 @@ void remark_on_empty_sets(const Rock& rock, CutRock& cut) {
   }
 }
 
+[[noreturn]] void refuse_tolerance(const Rock& rock, double tolerance) {
+  throw InputError("", rock.path + ".tolerance", fmt::format("{:.4g} m", tolerance),
+                   "a smaller length: all rock is narrower (width 2 area/perimeter)");
+}
+
 // Openings took all of it, or what is narrower than the tolerance was dropped.
 [[noreturn]] void refuse_without_blocks(const Rock& rock, const CutRock& cut) {
   constexpr double all = 1 - 1e-9;  // but for round-off
   if (!rock.plan.openings.empty() && cut.left_out_area >= all * cut.boundary_area)
     throw InputError("", rock.path + ".openings", "around all of the rock", "openings that leave some of it");
-  if (cut.dropped_area > 0)
-    throw InputError("", rock.path + ".tolerance", fmt::format("{:.4g} m", cut.tolerance),
-                     "a smaller length: all rock is narrower (width 2 area/perimeter)");
+  if (cut.dropped_area > 0) refuse_tolerance(rock, cut.tolerance);
   throw InputError("", rock.plan.boundary_origin, "around rock without any block", "rock to cut");
 }
 
@@ -176,6 +180,9 @@ const std::string& group_name(const Rock& rock, const CutBlock& block) {
 }
 
 CutRock cut(const Rock& rock) {
+  // Cutting computes with lengths of the size of the tolerance: one beyond all rock is not for it to find out about.
+  const std::vector<Vec2>& boundary = rock.plan.boundary;
+  if (!boundary.empty() && rock.options.tolerance > diameter(boundary)) refuse_tolerance(rock, rock.options.tolerance);
   CutRock result = cut_rock(rock.plan, rock.options);
   if (result.blocks.empty()) refuse_without_blocks(rock, result);
   remark_on_empty_sets(rock, result);

@@ -169,6 +169,8 @@ TEST(Rock, WrongRockIsRefusedInOneSentence) {
        "blocks.rock.openings is around all of the rock, expected openings that leave some of it"},
       {"{" + square + R"(, "tolerance": "12 m", "lines": [{"points": [[0, 5], [10, 5]], "joint": "bedding"}]})",
        "blocks.rock.tolerance is 12 m, expected a smaller length"},
+      {"{" + square + R"(, "tolerance": 1e308, "lines": [{"points": [[0, 5], [10, 5]], "joint": "bedding"}]})",
+       "blocks.rock.tolerance is 1e+308 m, expected a smaller length"},
       {"{" + square + R"(, "openings": [{"name": "rock", "circle": {"centre": [5, 5], "radius": 2}}]})",
        "blocks.rock.openings[0].name is \"rock\", expected another name than that of the rock's own group"},
       {"{" + square +

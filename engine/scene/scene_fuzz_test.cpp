@@ -61,7 +61,7 @@ constexpr auto waves = R"({"dda": 1, "plane": "strain", "scheme": "accurate", "t
 // Rock that joint sets, lines, an opening with rings, and grains cut.
 constexpr auto rock = R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": "1 GPa", "poisson": 0.2}, "dyke": {"density": 2600, "young": "1 GPa", "poisson": 0.2}},
   "joints": {"default": {"friction_angle": "30 deg"}, "grain": {"cohesion": "1 MPa"}, "mesh": {"bonded": true}},
-  "blocks": {"rock": {"boundary": [[0, 0], [6, 0], [6, 6], [0, 6]], "material": "rock", "seed": 3, "tolerance": "1 mm",
+  "blocks": {"rock": {"boundary": [[0, 0], [6, 0], [6, 6], [0, 6]], "material": "rock", "seed": 3, "tolerance": 0.002,
     "lines": [{"points": [[0, 1], [6, 1.2]], "joint": "default"}],
     "joint_sets": [{"name": "bedding", "dip": "10 deg", "spacing": "2 m", "joint": "default"},
       {"name": "cross", "dip": {"mean": "80 deg", "deviation": "4 deg", "distribution": "uniform"}, "spacing": {"mean": "2 m", "distribution": "exponential"},

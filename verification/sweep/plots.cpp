@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -19,7 +20,10 @@ double axis_value(const JobParameters& job, const std::string& name) {
 // Measured and predicted error (%), and whether they agree.
 std::string errors_of(const JobFile& job, const std::string& quantity) {
   if (job.status != "ok") return "NaN NaN NaN";
-  const auto number = [&](const std::string& name) { return job.result.at(name).get<double>(); };
+  const auto number = [&](const std::string& name) {  // null where nothing was foretold
+    const auto& value = job.result.at(name);
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  };
   return fmt::format("{:.9g} {:.9g} {}", number(quantity + "_error_pct"),
                      number("predicted_" + quantity + "_error_pct"),
                      job.result.at(quantity + "_agrees").get<bool>() ? 1 : 0);

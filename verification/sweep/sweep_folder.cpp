@@ -11,12 +11,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Whether it has all that a table or a plot looks for: what a result has, of the same kind or missing.
+// A truth or, of all others, a number: one that there is not is null.
+bool is_of_kind(const Json& value, const Json& example) {
+  return example.is_boolean() ? value.is_boolean() : value.is_number() || value.is_null();
+}
+
+// Whether it has all that a table or a plot looks for.
 bool is_whole(const Json& result) {
   const Json example = to_json(JobResult{});
   for (const auto& [name, value] : example.items()) {
     const auto found = result.find(name);
-    if (found == result.end() || (!found->is_null() && found->is_boolean() != value.is_boolean())) return false;
+    if (found == result.end() || !is_of_kind(*found, value)) return false;
   }
   return true;
 }

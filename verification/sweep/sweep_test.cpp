@@ -9,6 +9,7 @@
 #include "engine/core/read_file.h"
 #include "engine/core/temporary_folder.h"
 #include "verification/study/process_pool.h"
+#include "verification/sweep/job.h"
 #include "verification/sweep/job_list.h"
 #include "verification/sweep/sweep_command.h"
 #include "verification/sweep/sweep_folder.h"
@@ -139,6 +140,25 @@ TEST_F(Sweep, AJobSaysHowItEnded) {
   std::getline(said, line);
   EXPECT_TRUE(line.starts_with("job 1 failed: ")) << line;
   EXPECT_EQ(SweepFolder(out()).read(1, spec().jobs[1]).status, "failed");
+}
+
+// Tables count truths and plots draw numbers, and take neither for the other.
+TEST_F(Sweep, AJobFileWithValuesOfAnotherKindIsNone) {
+  static_cast<void>(run(false));
+  const SweepFolder folder(out());
+  const auto status_with = [&](const char* name, const nlohmann::ordered_json& value) {
+    JobFile job{"ok", "", to_json(spec().jobs[0]), to_json(JobResult{})};
+    job.result[name] = value;
+    folder.write(0, job);
+    const JobFile read = folder.read(0, spec().jobs[0]);
+    EXPECT_FALSE(summary_of({read}).empty());
+    return read.status;
+  };
+  EXPECT_EQ(status_with("velocity_agrees", true), "ok");
+  EXPECT_EQ(status_with("velocity_agrees", nullptr), "missing");
+  EXPECT_EQ(status_with("predicted_velocity_error_pct", nullptr), "ok");
+  EXPECT_EQ(status_with("predicted_velocity_error_pct", 0.5), "ok");
+  EXPECT_EQ(status_with("predicted_velocity_error_pct", "much"), "missing");
 }
 
 TEST_F(Sweep, HalfAJobFileIsNone) {

@@ -154,12 +154,14 @@ class Measure {
 };
 
 // Unbalanced forces as shares of these, those of held blocks zero. What is no more than round-off of prescribed motions
-// is none.
+// is none, and in linear stages, whose blocks go no further than rock gives way, nor is that of any motion.
 Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_force) {
   Eigen::VectorXd unbalanced = system.unbalanced_forces();
   system.held.clear(unbalanced);
   const Acting acting = largest_acting(system, in_situ_force);
-  if (!acting.as_loads && largest_of_all(system, unbalanced) <= round_off_of_motion(system)) unbalanced.setZero();
+  const bool goes_as_far_as_rock_gives_way = !acting.as_loads || system.plan.linear;
+  if (goes_as_far_as_rock_gives_way && largest_of_all(system, unbalanced) <= round_off_of_motion(system))
+    unbalanced.setZero();
   if (!(acting.largest > 0)) return unbalanced;
   const Measure measure(system, acting.largest);
   for (std::size_t i = 0; i < system.terms.area.size(); ++i)

@@ -19,10 +19,10 @@ void note_exchanged_forces(BlockSystem& system);
 // Largest unbalanced force of any unknown over the largest force that acts: load, weight or `in_situ_force` (N per m of
 // thickness), and where a motion is prescribed, bolts have a pretension, or nothing acts, the largest force exchanged.
 // Moments over the root of the block's area. No size of its own comes in: a scene of millimetres and one of kilometres
-// have the same share. Without loads, what is no more than round-off of the motion so far is no force. A block whose
-// own weight and load are less than a millionth of that largest force is measured by a million times these: a pebble
-// beside a mountain that hangs in the air is out of balance. (Not in linear stages, where blocks stay where they are,
-// nor where round-off of gaps makes more force than the block weighs.)
+// have the same share. Without loads, and in linear stages, what is no more than round-off of the motion so far is no
+// force. A block whose own weight and load are less than a millionth of that largest force is measured by a million
+// times these: a pebble beside a mountain that hangs in the air is out of balance. (Not in linear stages, where blocks
+// stay where they are, nor where round-off of gaps makes more force than the block weighs.)
 double out_of_balance(const BlockSystem& system, double in_situ_force);
 
 // In static stages that ask for equilibrium, before each step: notes how much may be left out of balance on each block,

@@ -57,8 +57,8 @@ Mat3 strains_along(const Vec2& n) {
 // Q, Pa.
 Mat3 jump_modulus(const Material& material, double stabilisation) {
   const Mat3 elasticity = elasticity_matrix(material);
-  const double p = elasticity(0, 0);
   const double g = elasticity(2, 2);
+  const double p = std::min(elasticity(0, 0), mesh::most_compression * g);
   Mat3 modulus = Mat3::Zero();
   modulus(0, 0) = p / 12;
   modulus(0, 1) = modulus(1, 0) = -g / 12;

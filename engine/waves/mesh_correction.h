@@ -42,6 +42,10 @@ namespace mesh {
 // The cap on s D/2 in Q_tt over G: a change of shape (1, -1, 0) has Q = s D/2 and an energy of 2 G, of which the jumps
 // of the shortest waves would take more where D is far above G.
 inline constexpr double most_stabilisation = 1.0 / 3;
+// The cap on D over G in Q: D of Poisson's ratio 0.471. Q couples jumps of volume and of shape by D/12, and blocks that
+// change shape resist with G alone. Rock nearer to incompressible keeps a part of the error of its P waves; where D was
+// left as it is some motions lost all stiffness from 0.49 on.
+inline constexpr double most_compression = 18;
 
 // The cap on what is taken from the mass l d rho between neighbours, as a share. Over the sides of a block l d sums up
 // to at most four times its area, so short waves would lose all of their inertia at 1/8.

@@ -59,7 +59,8 @@ constexpr auto waves = R"({"dda": 1, "plane": "strain", "scheme": "accurate", "t
   "steps": {"dt": "auto", "duration": "5 ms", "kinematics": "small", "damping": {"ratio": 0.02, "frequencies": [50, "200 Hz"]}}})";
 
 // Rock that joint sets, lines, an opening with rings, and grains cut.
-constexpr auto rock = R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": "1 GPa", "poisson": 0.2}, "dyke": {"density": 2600, "young": "1 GPa", "poisson": 0.2}},
+constexpr auto rock =
+    R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": "1 GPa", "poisson": 0.2}, "dyke": {"density": 2600, "young": "1 GPa", "poisson": 0.2}},
   "joints": {"default": {"friction_angle": "30 deg"}, "grain": {"cohesion": "1 MPa"}, "mesh": {"bonded": true}},
   "blocks": {"rock": {"boundary": [[0, 0], [6, 0], [6, 6], [0, 6]], "material": "rock", "seed": 3, "tolerance": 0.002,
     "lines": [{"points": [[0, 1], [6, 1.2]], "joint": "default"}],
@@ -72,8 +73,8 @@ constexpr auto rock = R"({"dda": 1, "materials": {"rock": {"density": 2600, "you
   "supports": [{"edge": "outside"}], "steps": [{"name": "in situ", "integrator": "static"}, {"name": "open", "remove": ["tunnel"], "duration": "0.1 s"}]})";
 
 const std::vector<std::string>& corpus() {
-  static const std::vector<std::string> scenes{blocks, waves, blocks, waves, rock,
-                                               read_file(DDA_DOCS_DIR "/examples/p_bar_2m_thesis.json")};
+  static const std::vector<std::string> scenes{blocks, waves, blocks,
+                                               waves,  rock,  read_file(DDA_DOCS_DIR "/examples/p_bar_2m_thesis.json")};
   return scenes;
 }
 
@@ -86,7 +87,8 @@ void collect(nlohmann::ordered_json& node, std::vector<nlohmann::ordered_json*>&
 // Another value of the scene, of the same kind if one is soon found, or an odd one.
 nlohmann::ordered_json other_than(const nlohmann::ordered_json& node, const std::vector<nlohmann::ordered_json*>& nodes,
                                   Mutator& mutator) {
-  static const std::vector<nlohmann::ordered_json> numbers{0, -1, 1, 2, 3, 1e5, 1e-320, 1e308, 1e-9, -1e9, 0.5, 1.0000001};
+  static const std::vector<nlohmann::ordered_json> numbers{0,      -1,    1,    2,    3,   1e5,
+                                                           1e-320, 1e308, 1e-9, -1e9, 0.5, 1.0000001};
   static const std::vector<nlohmann::ordered_json> others{nullptr, true, "", "1 MPa", "5 deg", "default", {0, 0}};
   if (mutator.one_in(16)) return mutator.one_of(others);
   if (node.is_number() && mutator.one_in(2)) return mutator.one_of(numbers);

@@ -4,8 +4,8 @@
 ci/source_batches.py SIZE SOURCE...   prints the number of its batch for each source, as a list of CMake
 """
 
-import collections
 import functools
+import hashlib
 import re
 import sys
 from pathlib import Path
@@ -52,21 +52,25 @@ class Names:
         return self.own & other.own or self.own & other.used or self.used & other.own
 
 
+def rank(source, number):
+    """By lot, but always the same: which of the lists a source would rather be in."""
+    return hashlib.sha1(f"{Path(source).name} {number}".encode()).digest()
+
+
 def batches(sources, size):
-    """Lists of about `size` sources that do not clash. Sources whose names others have too are spread first; the rest fills
-    up one list after the other, so that most of a list includes the same headers."""
+    """Lists of at most `size` sources that do not clash. A source goes into the list that it ranks first of those that take
+    it: as ranks do not hang on the other sources, one more of them, or one more name, leaves most lists as they were, and
+    with them what is compiled."""
     names = {source: Names(source) for source in sources}
-    often = collections.Counter(name for each in names.values() for name in each.own | each.used)
-    sharing = {source: max((often[name] for name in names[source].own), default=0) for source in sources}
     lists = [[] for _ in range(-(-len(sources) // size))]
-    for source in sorted(sources, key=lambda source: -sharing[source]):
-        free = [each for each in lists
-                if len(each) < size and not any(names[source].clash_with(names[other]) for other in each)]
-        if not free:
-            free = [[]]
-            lists += free
-        (min(free, key=len) if sharing[source] > 1 else free[0]).append(source)
-    return [sorted(each) for each in lists]
+    for source in sorted(sources):
+        for number in sorted(range(len(lists)), key=functools.partial(rank, source)):
+            if len(lists[number]) < size and not any(names[source].clash_with(names[other]) for other in lists[number]):
+                lists[number].append(source)
+                break
+        else:
+            lists.append([source])
+    return [each for each in lists if each]
 
 
 if __name__ == "__main__":

@@ -37,8 +37,10 @@ if(DDA_SANITIZE)
   add_link_options(-fsanitize=${DDA_SANITIZE})
 endif()
 
+# In a file of several sources a local name may be one of another source's.
+set(shadow $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>)
 add_library(dda_options INTERFACE)
-target_compile_options(dda_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+target_compile_options(dda_options INTERFACE -Wall -Wextra -Wpedantic ${shadow} -Wconversion -Wsign-conversion
   -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wnull-dereference -Wdouble-promotion
   $<$<BOOL:${DDA_WERROR}>:-Werror>)
 
@@ -63,24 +65,29 @@ function(dda_same_kernels TEST)
   endif()
 endfunction()
 
-# dda_compile_together(TARGET): in a unity build (the sanitized one, ADR 31) its sources are compiled a few at a time, in
-# batches without two that declare the same name. DDA_ALONE names batches that do not go together all the same.
-set(DDA_ALONE "" CACHE STRING "Batches of a unity build whose sources are compiled one by one, e.g. exact_test_0")
-function(dda_compile_together TARGET)
-  if(NOT CMAKE_UNITY_BUILD)
+# dda_compile_together(TARGET SIZE): its sources are compiled at most SIZE at a time, in batches without two that declare the
+# same name (ADR 31). DDA_ALONE names batches that do not go together all the same, or sources that are being worked on.
+set(DDA_LIBRARIES_TOGETHER 1 CACHE STRING "Sources of libraries that are compiled as one file; 1: each alone")
+set(DDA_TESTS_TOGETHER 4 CACHE STRING "Sources of tests that are compiled as one file; 1: each alone")
+set(DDA_ALONE "" CACHE STRING "Sources and batches of which each source is compiled alone, e.g. bolt_test;exact_test_0")
+function(dda_compile_together TARGET SIZE)
+  if(SIZE LESS 2)
     return()
   endif()
   find_program(DDA_PYTHON python3 REQUIRED)
   get_target_property(sources ${TARGET} SOURCES)
   list(FILTER sources EXCLUDE REGEX "^${CMAKE_BINARY_DIR}")
-  execute_process(COMMAND "${DDA_PYTHON}" -B "${CMAKE_SOURCE_DIR}/ci/source_batches.py" ${CMAKE_UNITY_BUILD_BATCH_SIZE} ${sources}
+  foreach(name ${DDA_ALONE})
+    list(FILTER sources EXCLUDE REGEX "(^|/)${name}\\.cpp$")
+  endforeach()
+  execute_process(COMMAND "${DDA_PYTHON}" -B "${CMAKE_SOURCE_DIR}/ci/source_batches.py" ${SIZE} ${sources}
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE numbers COMMAND_ERROR_IS_FATAL ANY)
   foreach(source number IN ZIP_LISTS sources numbers)
     if(NOT "${TARGET}_${number}" IN_LIST DDA_ALONE)
       set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${TARGET}_${number}")
     endif()
   endforeach()
-  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_MODE GROUP)
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
 # dda_add_layers(): the folders that layers.txt of this folder names, in its order.
@@ -109,7 +116,7 @@ function(dda_module NAME)
     add_library(dda_${NAME} STATIC ${sources})
     target_link_libraries(dda_${NAME} PRIVATE $<BUILD_INTERFACE:dda_options> ${ARG_PRIVATE_LINK})
     dda_use_headers(dda_${NAME} dda_library_headers)
-    dda_compile_together(dda_${NAME})
+    dda_compile_together(dda_${NAME} ${DDA_LIBRARIES_TOGETHER})
   else()
     set(scope INTERFACE)
     add_library(dda_${NAME} INTERFACE)
@@ -137,7 +144,7 @@ function(dda_test NAME)
   target_link_libraries(${NAME} PRIVATE dda_options ${ARG_LINK} GTest::gtest_main)
   dda_fast_to_compile(${NAME})
   dda_use_headers(${NAME} dda_test_headers)
-  dda_compile_together(${NAME})
+  dda_compile_together(${NAME} ${DDA_TESTS_TOGETHER})
   gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60)
   # gtest_discover_tests(PROPERTIES LABELS ...) loses all labels but the first, so they are set when ctest reads the tests.
   set(labels_file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}_labels.cmake")

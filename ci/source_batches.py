@@ -2,6 +2,7 @@
 """Which sources can be compiled as one file: those that do not declare the same name in unnamed namespaces (ADR 31).
 
 ci/source_batches.py SIZE SOURCE...   prints the number of its batch for each source, as a list of CMake
+ci/source_batches.py --self-test      sources that clash are apart, and one source less leaves most batches of tests as they are
 """
 
 import functools
@@ -73,6 +74,27 @@ def batches(sources, size):
     return [each for each in lists if each]
 
 
+def self_test():
+    folders = {path.parent for path in ROOT.glob("*/*/*_test.cpp")}
+    kept = possible = 0
+    for sources in [sorted(map(str, folder.glob("*_test.cpp"))) for folder in folders]:
+        whole = {tuple(each) for each in batches(sources, 4)}
+        names = {source: Names(source) for source in sources}
+        assert sorted(source for each in whole for source in each) == sources
+        assert all(len(each) <= 4 for each in whole)
+        assert not any(names[a].clash_with(names[b]) for each in whole for a in each for b in each if a < b)
+        if len(whole) > 4:
+            for left_out in sources[::5]:
+                rest = {tuple(each) for each in batches([source for source in sources if source != left_out], 4)}
+                kept += len(rest & whole)
+                possible += len(whole)
+    assert kept > 0.75 * possible, (kept, possible)
+    print(f"source_batches: without one source {kept} of {possible} batches are as they were")
+
+
 if __name__ == "__main__":
+    if sys.argv[1:] == ["--self-test"]:
+        self_test()
+        sys.exit()
     number_of = {source: number for number, each in enumerate(batches(sys.argv[2:], int(sys.argv[1]))) for source in each}
     print(";".join(str(number_of[source]) for source in sys.argv[2:]), end="")

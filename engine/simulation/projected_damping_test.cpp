@@ -72,9 +72,7 @@ struct ClosedForm {
   }
 
   // Displacements and velocities at `time` (s), pushed off at the start.
-  [[nodiscard]] Eigen::Vector4d at(double time, double speed) const {
-    return exponential(time * rates).col(2) * speed;
-  }
+  [[nodiscard]] Eigen::Vector4d at(double time, double speed) const { return exponential(time * rates).col(2) * speed; }
   [[nodiscard]] double energy(const Eigen::Vector4d& x) const {
     return (x.tail<2>().dot(mass * x.tail<2>()) + x.head<2>().dot(stiffness * x.head<2>())) / 2;
   }

@@ -13,6 +13,7 @@
 
 #include "engine/advice/changed_rock_remarks.h"
 #include "engine/advice/far_coordinates.h"
+#include "engine/advice/gap_remarks.h"
 #include "engine/advice/held_blocks_acted_on.h"
 #include "engine/advice/joint_remarks.h"
 #include "engine/advice/lining_remarks.h"
@@ -20,8 +21,6 @@
 #include "engine/advice/springs_around_openings.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/geometry/box.h"
-#include "engine/geometry/box_pairs.h"
-#include "engine/geometry/segment.h"
 #include "engine/model/held_motion.h"
 #include "engine/model/step_choice.h"
 #include "engine/simulation/step_coefficients.h"
@@ -37,9 +36,6 @@ constexpr double softest = 1e5;           // Pa: a tenth of the softest soils
 constexpr double lightest = 10;           // kg/m3: below foam; 2.65 is a density in t/m3
 constexpr double heaviest = 25'000;       // kg/m3: above all metals
 constexpr double smallest_share = 1e-2;   // of the median size: such a block decides over dt and conditioning
-constexpr double widest_gap = 1e-2;       // of the smaller block's size: wider ones are seen in a drawing
-constexpr double facing_share = 0.25;     // of the shorter of two edges that run beside each other
-constexpr double facing_cosine = 0.999;   // within 2.5 degrees of opposite directions
 constexpr double longest_fall = 0.1;      // of the smallest block, in one step; contact detection follows less
 constexpr double spoilt_speed = 0.05;     // by time steps, of a wave that is as fast as the loads
 constexpr double spoilt_amplitude = 0.2;  // the same, lost in a period
@@ -162,60 +158,6 @@ void remark_on_sizes(const Model& model, const ContactSet& /*contacts*/, Remarks
   remarks.push_back(fmt::format(
       "{} is {:.2g} m in size, {:.2g} of the middle block's: such slivers make steps dear, or fail; leave them out",
       named(model, tiny), size, size / median));
-}
-
-std::vector<Segment> edges_of(const Block& block) {
-  std::vector<Segment> edges;
-  const Ring& ring = block.shape.outer;
-  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-  return edges;
-}
-
-// The distance at which two edges face each other over a good part of the shorter one; infinity where they do not.
-double facing_distance(const Segment& a, const Segment& b) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const Vec2 along_a = a.end - a.start;
-  const Vec2 along_b = b.end - b.start;
-  const double shorter = std::min(along_a.norm(), along_b.norm());
-  if (along_a.dot(along_b) > -facing_cosine * along_a.norm() * along_b.norm()) return none;
-  const Vec2 unit = along_a.normalized();
-  const double from = std::max(0.0, unit.dot(b.end - a.start));
-  const double to = std::min(along_a.norm(), unit.dot(b.start - a.start));
-  if (to - from < facing_share * shorter) return none;
-  const double gap = cross(b.start + b.end - 2 * a.start, unit) / 2;  // material of `a` lies on its left
-  if (gap <= 0) return none;
-  return gap;
-}
-
-double gap_between(const Block& a, const Block& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Segment& edge_a : edges_of(a))
-    for (const Segment& edge_b : edges_of(b)) least = std::min(least, facing_distance(edge_a, edge_b));
-  return least;
-}
-
-void remark_on_gaps(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  std::set<std::pair<int, int>> touching;
-  for (const Interface& interface : contacts.interfaces)
-    touching.insert(std::minmax(interface.block_a, interface.block_b));
-  std::vector<Box> boxes;
-  for (const Block& block : model.blocks)
-    boxes.push_back(expanded(bounding_box(block.shape), widest_gap * size_of(block)));
-  std::size_t count = 0;
-  std::string first;
-  for (const auto& [a, b] : overlapping_pairs(boxes)) {
-    if (touching.contains({a, b})) continue;
-    const Block& block_a = model.blocks[at(a)];
-    const Block& block_b = model.blocks[at(b)];
-    const double gap = gap_between(block_a, block_b);
-    if (gap <= model.length_tolerance || gap > widest_gap * std::min(size_of(block_a), size_of(block_b))) continue;
-    if (count++ == 0)
-      first = fmt::format("blocks \"{}\" and \"{}\" are {:.2g} m apart", block_a.name, block_b.name, gap);
-  }
-  if (count == 0) return;
-  remarks.push_back(fmt::format("{}{} and do not touch: blocks touch within {:.2g} m", first,
-                                count > 1 ? fmt::format(", {} more pairs as little,", count - 1) : "",
-                                model.length_tolerance));
 }
 
 double extent_of(const Model& model) {
@@ -370,6 +312,10 @@ void remark_on_springs(const Model& model, const ContactSet& /*contacts*/, Remar
 
 void remark_on_changed_rock(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   for (std::string& sentence : changed_rock_remarks(model)) remarks.push_back(std::move(sentence));
+}
+
+void remark_on_gaps(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  for (std::string& sentence : gap_remarks(model, contacts)) remarks.push_back(std::move(sentence));
 }
 
 void remark_on_spins(const Model& model, const ContactSet& contacts, Remarks& remarks) {

@@ -259,6 +259,21 @@ TEST_F(CommandLine, CheckAndRunRemarkOnWhatIsOdd) {
   EXPECT_EQ(nlohmann::json::parse(text("out/summary.json"))["remarks"], nlohmann::json({remark}));
 }
 
+// Where blocks move contacts are followed before they close: those that do not touch are not taken to.
+TEST_F(CommandLine, CheckRemarksOnGapsWhateverTheKinematics) {
+  for (const char* kinematics : {"small", "finite"}) {
+    write("scene.json", std::string(R"({"dda": 1, "gravity": 9.81, "fixed": ["low"],
+      "materials": {"rock": {"density": 2600, "young": "10 GPa", "poisson": 0.2}},
+      "joints": {"default": {"friction_angle": "30 deg"}},
+      "blocks": [{"polygon": {"name": "low", "vertices": [[0, 0], [1, 0], [1, 1], [0, 1]]}},
+                 {"polygon": {"name": "up", "vertices": [[0, 1.001], [1, 1.001], [1, 2], [0, 2]]}}],
+      "steps": {"dt": "1 ms", "duration": "0.01 s", "kinematics": ")") +
+                            kinematics + R"("}})");
+    const Outcome check = call({"check", path("scene.json")});
+    EXPECT_TRUE(contains(check.out, "blocks \"low\" and \"up\" are 0.001 m apart and do not touch")) << check.out;
+  }
+}
+
 // A plate of 1 m at 100 rad/s: rho omega^2/12 = 2.2 MPa.
 TEST_F(CommandLine, RunsOfBlocksThatSpinWarnOfTheStressThatTheyBeginWithout) {
   write("scene.json", R"({"dda": 1, "materials": {"rock": {"density": 2650, "young": "50 GPa", "poisson": 0.2}},

@@ -23,7 +23,7 @@ bool begins_under_stress(const Model& model) {
   return std::ranges::any_of(model.blocks, [](const Block& block) { return !block.initial_stress.isZero(0); });
 }
 
-bool is_damped(const Stage& stage) {
+bool damps_ringing(const Stage& stage) {
   return stage.integrator.is_static || stage.velocity_factor < 1 || stage.damping_rate > 0;
 }
 
@@ -61,7 +61,7 @@ double slowest_swing(const Model& model, const ContactSet& contacts) {
 
 std::vector<std::string> ringing_weight(const Model& model, const ContactSet& contacts) {
   const Stage& stage = model.stages.front();
-  if (model.gravity.isZero(0) || is_damped(stage) || begins_under_stress(model)) return {};
+  if (model.gravity.isZero(0) || damps_ringing(stage) || begins_under_stress(model)) return {};
   const double swing = slowest_swing(model, contacts);
   if (swing == 0) return {};
   const double lost = stage.integrator.is_explicit() ? 0 : step_errors(stage.integrator, swing * stage.dt).amplitude;

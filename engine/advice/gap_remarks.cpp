@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
 
+#include "engine/contact/joint_stiffness.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/box_pairs.h"
+#include "engine/geometry/edge_index.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
@@ -19,17 +20,7 @@ constexpr double widest_gap = 1e-2;      // of the smaller block's size: wider o
 constexpr double facing_share = 0.25;    // of the shorter of two edges that run beside each other
 constexpr double facing_cosine = 0.999;  // within 2.5 degrees of opposite directions
 
-// Side of the square with its area, m.
-double size_of(const Block& block) { return std::sqrt(block.moments.area); }
-
 const Block& block_at(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
-
-std::vector<Segment> edges_of(const Block& block) {
-  std::vector<Segment> edges;
-  const Ring& ring = block.shape.outer;
-  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-  return edges;
-}
 
 // The distance at which two edges face each other over a good part of the shorter one; infinity where they do not.
 double facing_distance(const Segment& a, const Segment& b) {
@@ -47,10 +38,12 @@ double facing_distance(const Segment& a, const Segment& b) {
   return gap;
 }
 
+// Between outlines; holes are not looked at.
 double gap_between(const Block& a, const Block& b) {
+  const std::vector<Segment> edges_of_b = edges_of(Polygon{b.shape.outer, {}});
   double least = std::numeric_limits<double>::infinity();
-  for (const Segment& edge_a : edges_of(a))
-    for (const Segment& edge_b : edges_of(b)) least = std::min(least, facing_distance(edge_a, edge_b));
+  for (const Segment& edge_a : edges_of(Polygon{a.shape.outer, {}}))
+    for (const Segment& edge_b : edges_of_b) least = std::min(least, facing_distance(edge_a, edge_b));
   return least;
 }
 
@@ -72,7 +65,7 @@ std::vector<std::string> gap_remarks(const Model& model, const ContactSet& conta
   const std::set<std::pair<int, int>> touching = touching_pairs(model, contacts);
   std::vector<Box> boxes;
   for (const Block& block : model.blocks)
-    boxes.push_back(expanded(bounding_box(block.shape), widest_gap * size_of(block)));
+    boxes.push_back(expanded(bounding_box(block.shape), widest_gap * block_size(block)));
   std::size_t count = 0;
   std::string first;
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
@@ -80,7 +73,8 @@ std::vector<std::string> gap_remarks(const Model& model, const ContactSet& conta
     const Block& block_a = block_at(model, a);
     const Block& block_b = block_at(model, b);
     const double gap = gap_between(block_a, block_b);
-    if (gap <= model.length_tolerance || gap > widest_gap * std::min(size_of(block_a), size_of(block_b))) continue;
+    if (gap <= model.length_tolerance || gap > widest_gap * std::min(block_size(block_a), block_size(block_b)))
+      continue;
     if (count++ == 0)
       first = fmt::format("blocks \"{}\" and \"{}\" are {:.2g} m apart", block_a.name, block_b.name, gap);
   }

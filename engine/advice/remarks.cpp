@@ -20,6 +20,7 @@
 #include "engine/advice/spin_remarks.h"
 #include "engine/advice/springs_around_openings.h"
 #include "engine/advice/unseen_loads.h"
+#include "engine/contact/joint_stiffness.h"
 #include "engine/geometry/box.h"
 #include "engine/model/held_motion.h"
 #include "engine/model/step_choice.h"
@@ -43,9 +44,6 @@ constexpr double most_damping_in_a_step = 0.02;
 constexpr double most_crossings = 100;  // of the whole scene by a P wave in one step
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-// Side of the square with its area, m.
-double size_of(const Block& block) { return std::sqrt(block.moments.area); }
 
 std::string named(const Model& model, const Blocks& blocks) {
   std::string first = fmt::format("block \"{}\"", model.blocks[at(blocks[0])].name);
@@ -148,13 +146,13 @@ void remark_on_materials(const Model& model, const ContactSet& /*contacts*/, Rem
 
 void remark_on_sizes(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   std::vector<double> sizes;
-  for (const Block& block : model.blocks) sizes.push_back(size_of(block));
+  for (const Block& block : model.blocks) sizes.push_back(block_size(block));
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   const double median = *middle;
-  Blocks tiny = blocks_with(model, [&](const Block& block) { return size_of(block) < smallest_share * median; });
+  Blocks tiny = blocks_with(model, [&](const Block& block) { return block_size(block) < smallest_share * median; });
   if (tiny.empty()) return;
-  const double size = size_of(model.blocks[at(tiny[0])]);
+  const double size = block_size(model.blocks[at(tiny[0])]);
   remarks.push_back(fmt::format(
       "{} is {:.2g} m in size, {:.2g} of the middle block's: such slivers make steps dear, or fail; leave them out",
       named(model, tiny), size, size / median));
@@ -169,7 +167,7 @@ double extent_of(const Model& model) {
 
 void remark_on_steps(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Block& block : model.blocks) smallest = std::min(smallest, size_of(block));
+  for (const Block& block : model.blocks) smallest = std::min(smallest, block_size(block));
   double fastest = 0;
   for (const Material& material : model.materials) fastest = std::max(fastest, p_wave_speed(material));
   for (const Stage& stage : model.stages) {

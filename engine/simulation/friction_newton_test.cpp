@@ -32,6 +32,16 @@ TEST(FrictionNewton, TakesOnePassForABlockThatSlides) {
   EXPECT_LE(simulation.counters().open_close_iterations - before, 110);
 }
 
+// Balances to 1e-10 of the largest contact force in each of a hundred steps, of which 1e-8 are the sum.
+void expect_same_motion(const Simulation& one, const Simulation& other) {
+  double difference = 0, largest = 0;
+  for (std::size_t i = 0; i < one.state().displacement.size(); ++i) {
+    difference = std::max(difference, (one.state().displacement[i] - other.state().displacement[i]).norm());
+    largest = std::max(largest, one.state().displacement[i].norm());
+  }
+  EXPECT_LT(difference, 1e-7 * largest);
+}
+
 Model falling_wall(double friction_angle, SolverRequest solver) {
   Model model = grid_of(6, dry(friction_angle), Pattern::running_bond);
   model.gravity = {1, -9.81};
@@ -45,19 +55,14 @@ Model falling_wall(double friction_angle, SolverRequest solver) {
 // Bricks that gravity is switched on for at once: hundreds of contacts open, close and slide in every step.
 TEST(FrictionNewton, EndsInTheSameStateWithEverySolver) {
   for (const double angle : {0.0, 0.2, 0.6}) {
+    SCOPED_TRACE(angle);
     Simulation one = simulation_of(falling_wall(angle, SolverRequest::cholesky));
     Simulation other = simulation_of(falling_wall(angle, SolverRequest::pcg));
     run(one, 100);
     run(other, 100);
     EXPECT_GT(one.counters().contact_state_changes, 1000);
     EXPECT_LT(static_cast<double>(one.counters().open_close_iterations), 1000);
-    double difference = 0, largest = 0;
-    for (std::size_t i = 0; i < one.state().displacement.size(); ++i) {
-      difference = std::max(difference, (one.state().displacement[i] - other.state().displacement[i]).norm());
-      largest = std::max(largest, one.state().displacement[i].norm());
-    }
-    // Balances to 1e-10 of the largest contact force in each of a hundred steps, of which 1e-8 are the sum.
-    EXPECT_LT(difference, 1e-7 * largest) << angle;
+    expect_same_motion(one, other);
     EXPECT_LT(std::abs(one.energy().relative_residual()), 1e-9);
     EXPECT_LT(std::abs(other.energy().relative_residual()), 1e-9);
   }
@@ -79,15 +84,6 @@ Simulation course_with_a_pile(int bricks, SolverRequest solver) {
   model.stages = {stage_of(thesis_integrator(), 1e-3, 60, Kinematics::finite)};
   model.stages[0].solver = solver;
   return simulation_of(std::move(model));
-}
-
-void expect_same_motion(const Simulation& one, const Simulation& other) {
-  double difference = 0, largest = 0;
-  for (std::size_t i = 0; i < one.state().displacement.size(); ++i) {
-    difference = std::max(difference, (one.state().displacement[i] - other.state().displacement[i]).norm());
-    largest = std::max(largest, one.state().displacement[i].norm());
-  }
-  EXPECT_LT(difference, 1e-7 * largest);  // as above
 }
 
 // Most passes have to do with the pile alone, and leave the same as passes over all.

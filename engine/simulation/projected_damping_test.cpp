@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <unsupported/Eigen/MatrixFunctions>
 
 #include "engine/contact/open_close.h"
 #include "engine/simulation/projected_models.h"
@@ -32,21 +33,6 @@ Model model_of(const Bouncing& of, double dt, int steps) {
   return model;
 }
 
-// By the series of a 2^-n-th of the matrix, whose entries are below 1/4, and n squares. (Eigen's modes of such a matrix
-// take twelve seconds to compile.)
-Eigen::Matrix4d exponential(const Eigen::Matrix4d& matrix) {
-  const int halvings = std::max(0, std::ilogb(matrix.cwiseAbs().maxCoeff()) + 3);
-  const Eigen::Matrix4d part = std::ldexp(1.0, -halvings) * matrix;
-  Eigen::Matrix4d term = Eigen::Matrix4d::Identity();
-  Eigen::Matrix4d sum = term;
-  for (int i = 1; i <= 18; ++i) {  // 1/18! is round-off
-    term = (term * part / i).eval();
-    sum += term;
-  }
-  for (int i = 0; i < halvings; ++i) sum = (sum * sum).eval();
-  return sum;
-}
-
 // M x'' + C x' + K x = 0 of the velocity of the centroid and the strain along y, in their motion from rest; both points
 // of the joint move alike, and see the gap g = v - h/2 e + s E e, s E = w/(2 penalty) with the width w = h and the
 // penalty 3 (lambda = 1 + nu = 1 in plane stress).
@@ -72,7 +58,7 @@ struct ClosedForm {
   }
 
   // Displacements and velocities at `time` (s), pushed off at the start.
-  [[nodiscard]] Eigen::Vector4d at(double time, double speed) const { return exponential(time * rates).col(2) * speed; }
+  [[nodiscard]] Eigen::Vector4d at(double time, double speed) const { return (time * rates).exp().col(2) * speed; }
   [[nodiscard]] double energy(const Eigen::Vector4d& x) const {
     return (x.tail<2>().dot(mass * x.tail<2>()) + x.head<2>().dot(stiffness * x.head<2>())) / 2;
   }

@@ -106,11 +106,12 @@ void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
 
 void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,
                                     const InterfaceState& after, const Vec4& gap_change, const Vec4& extra_force,
-                                    const Vec4& dashpot_force) {
+                                    double dashpot_delay) {
   // What the balance of the step had of the contact: springs and dashpots together, and under steps that conserve
   // energy another mean than that of the springs at both ends of the step.
   const Vec4 borne = (before.force + after.force) / 2 + extra_force;
   const double work = gap_change.dot(borne);
+  const Vec4 dashpot_force = (1 - dashpot_delay) * after.dashpot + dashpot_delay * before.dashpot;
   double dashpot = gap_change.dot(dashpot_force);
   double friction = 0;
   for (std::size_t end = 0; end < 2; ++end) {
@@ -122,7 +123,7 @@ void EnergyAudit::interface_changed(const InterfaceElement& element, const Inter
     }
     // What sliding up its own slope gives back against the normal force is no loss.
     if (const double rise = after.dilation[end] - before.dilation[end]; rise != 0)
-      friction += (borne(normal_row) - dashpot_force(normal_row)) * rise;
+      friction += (borne(normal_row) - after.dashpot(normal_row)) * rise;
   }
   const double stored = interface_energy(element, after) - interface_energy(element, before);
   ledger_.friction += friction;

@@ -64,9 +64,12 @@ class EnergyAudit {
 
   // Work of friction and of dashpots on one interface, and what status changes within the step make of it.
   // `extra_force`: what the balance of the step had beyond the force that `after` keeps, times the weight of forces at
-  // the end of the step; `dashpot_force`: the part of it that is dashpots'.
+  // the end of the step. `dashpot_delay`: how far (as a share of a step) behind the middle of the step the moment lies
+  // to which its balance belongs. A dashpot has the force of the velocity in that middle and acts at that moment, by
+  // this share already in the motion of the step that follows: where blocks meet, its first force is one of full speed
+  // on half of the way.
   void interface_changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-                         const Vec4& gap_change, const Vec4& extra_force, const Vec4& dashpot_force);
+                         const Vec4& gap_change, const Vec4& extra_force, double dashpot_delay);
 
   // A bolt, or an element of a lining, in the step: what it dissipated, and what else of the work on it is not stored.
   void bolt_changed(double plastic, double numerical) {

@@ -362,6 +362,7 @@ void GeneralStep::accept_contacts() {
   BlockSystem& s = system_;
   const double weight = s.coefficients.stiffness;
   const bool gaps_are_foreseen = s.plan.finite_kinematics && s.coefficients.acts_at != 0.5;  // and do no work
+  const double dashpot_delay = s.coefficients.acts_at - 0.5;
   const InterfaceTrials& trials = solver_.contacts();
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const std::size_t i = trials.place(k);
@@ -377,9 +378,9 @@ void GeneralStep::accept_contacts() {
     // Slip of ends that do not rise in the step is not counted (open_close.h), but takes energy.
     const bool slides =
         before.slip != after.slip || std::ranges::find(after.status, ContactStatus::sliding) != after.status.end();
-    if (before.status != after.status || slides || drops || gaps_are_foreseen || bends)
+    if (before.status != after.status || slides || drops || gaps_are_foreseen || bends || !before.dashpot.isZero(0))
       s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
-                                after.dashpot);
+                                dashpot_delay);
     if (moving_) count_free_slip(element, trials[k].gap, after);
     s.contacts.states[i] = after;
   }

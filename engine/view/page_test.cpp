@@ -44,7 +44,7 @@ TEST_F(PageTest, NeedsNothingElse) {
   EXPECT_TRUE(text.starts_with("<!doctype html>"));
   for (const char* outside : {"http:", "https:", "src=", "@import", "url(", "import(", "{{", "fetch("})
     EXPECT_EQ(text.find(outside), std::string::npos) << outside;
-  EXPECT_EQ(page_scripts().size(), 12U);
+  EXPECT_EQ(page_scripts().size(), 14U);
   for (const std::string_view script : page_scripts()) EXPECT_NE(text.find(script), std::string::npos);
   EXPECT_NE(text.find(page_style()), std::string::npos);
 }

@@ -93,6 +93,10 @@ class Chromium:
         self._call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
         self.settle()
 
+    def save_into(self, folder):
+        """Where files go that the page saves."""
+        self._call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+
     def screenshot(self, scale=1):
         """PNG as bytes, of the window, smaller by `scale`: decoding takes its time."""
         width, height = self._window

@@ -8,23 +8,14 @@ Fails, and does not skip, where Chromium is missing.
 import json
 import math
 import pathlib
-import subprocess
 import sys
 
 from chromium import Chromium, pixels
+from page_files import check_chosen_block, check_files, check_stressed_rock
+from page_support import FRAMES, FRAME_BLOCK, colour_at, make_run, on_screen
 from vtp_frame import VtpFrame, near, outline_on_page
 
-FRAMES = 8
-SMALLER = 0.5    # screenshots
-FRAME_BLOCK = 1  # of the scene: a square with a square hole
-
-
-def make_run(program, scene, work):
-    subprocess.run([program, "run", scene, "--out", work, "--frames", str(FRAMES), "--quiet"], check=True)
-    page = pathlib.Path(work, "view.html")
-    page.unlink(missing_ok=True)
-    subprocess.run([program, "view", work, "--quantity", "stress_yy"], check=True, stdout=subprocess.DEVNULL)
-    return page.resolve().as_uri()
+SMALLER = 0.5  # screenshots
 
 
 def check_frame(page, work, frame, blocks):
@@ -45,18 +36,6 @@ def check_frame(page, work, frame, blocks):
                 near(point[axis], wanted[axis], step + extent * 2**-22, f"frame {frame}, block {block}")
         value = page.evaluate(f"dda.run.value(dda.run.quantityIndex('stress_yy'), {frame}, {block})")
         near(value, stresses[block], (max(stresses) - min(stresses)) / 65534, f"stress of block {block}")
-
-
-def colour_at(image, x, y):
-    width, height, rows = image
-    assert 0 <= x < width and 0 <= y < height, f"({x}, {y}) is outside the picture"
-    return tuple(rows[int(y)][3 * int(x):3 * int(x) + 3])
-
-
-def on_screen(page, x, y):
-    return page.evaluate(
-        f"(() => {{ const [x0, y0] = dda.run.header.origin; const box = dda.stage.canvas.getBoundingClientRect();"
-        f"const [px, py] = dda.stage.camera.toScreen({x} - x0, {y} - y0); return [px + box.left, py + box.top]; }})()")
 
 
 def inside(outline):
@@ -364,11 +343,14 @@ def main():
         check_forces(page, work, FRAMES)
         check_bolts(page, work)
         check_controls(page)
+        check_chosen_block(page, work)
+        check_files(page, work)
         check_deformation_scale(page, work)
         check_sizes(page)
         page.size(1000, 700)
         check_settling(program, work, page)
         check_coming_and_going(program, work, page)
+        check_stressed_rock(program, work, page)
         assert not page.problems, page.problems
     print(f"{blocks} blocks, {FRAMES + 1} frames: the page shows what the frames hold")
 

@@ -31,24 +31,31 @@ class ColourScale {
   }
 }
 
-// Shows a scale as the colour bar of the page.
-function showColourBar(quantity, scale) {
+// What is written beside a scale: title, notes, and numbers with their share of its length.
+function colourBar(quantity, scale) {
   const unit = scaledUnit(quantity.unit, Math.max(Math.abs(scale.low), Math.abs(scale.high)));
   const beyond = [scale.least, scale.most].map((value) => Number((value / unit.factor).toPrecision(2)));
   const clipped = scale.least < scale.low || scale.most > scale.high;
   const signed = quantity.unit === "Pa" && quantity.id !== "max_shear";
+  const { step, values } = ticksBetween(scale.low / unit.factor, scale.high / unit.factor, 6);
+  return {
+    title: `${quantity.title} [${unit.name}]`,
+    notes: [signed ? "tension positive" : "", clipped ? `values ${beyond.join(" to ").replaceAll("-", "\u2212")}` : ""],
+    ticks: values.map((value) => ({ text: label(value, step),
+                                    share: (value * unit.factor - scale.low) / (scale.high - scale.low) })),
+  };
+}
+
+// Shows a scale as the colour bar of the page.
+function showColourBar(quantity, scale) {
+  const { title, notes, ticks } = colourBar(quantity, scale);
   document.getElementById("bar-title").replaceChildren(
-    `${quantity.title} [${unit.name}]`,
-    Object.assign(document.createElement("small"), { textContent: signed ? "tension positive" : "" }),
-    Object.assign(document.createElement("small"),
-                  { textContent: clipped ? `values ${beyond.join(" to ").replaceAll("-", "\u2212")}` : "" }));
+    title, ...notes.map((text) => Object.assign(document.createElement("small"), { textContent: text })));
   const gradient = document.getElementById("gradient");
   const stops = Array.from({ length: 33 }, (_, i) => scale.colourAt(i / 32));
   gradient.style.setProperty("--stops", stops.join(","));
-  const { step, values } = ticksBetween(scale.low / unit.factor, scale.high / unit.factor, 6);
-  gradient.replaceChildren(...values.map((value) => {
-    const tick = Object.assign(document.createElement("span"), { textContent: label(value, step) });
-    const share = (value * unit.factor - scale.low) / (scale.high - scale.low);
+  gradient.replaceChildren(...ticks.map(({ text, share }) => {
+    const tick = Object.assign(document.createElement("span"), { textContent: text });
     tick.style.setProperty("--at", `${100 * share}%`);
     return tick;
   }));

@@ -36,18 +36,25 @@ function connectPlayer(player) {
   click("last", () => player.go(player.frames - 1));
 }
 
-// Drag, wheel, two fingers.
-function connectPointers(stage, redraw, readOut) {
+// Drag, wheel, two fingers; and a click, which is a pointer that goes up where it went down.
+function connectPointers(stage, redraw, readOut, choose) {
   const { canvas, camera } = stage;
   const down = new Map();
+  let start = null; // of what may become a click
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, event);
+    start = down.size === 1 ? event : null;
+  });
+  canvas.addEventListener("pointerup", (event) => {
+    if (start && down.has(event.pointerId)) choose(event.offsetX, event.offsetY);
+    start = null;
   });
   for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => down.delete(event.pointerId));
   canvas.addEventListener("pointermove", (event) => {
     const before = down.get(event.pointerId);
     if (!before) return readOut(event.offsetX, event.offsetY);
+    if (start && Math.hypot(event.offsetX - start.offsetX, event.offsetY - start.offsetY) > 3) start = null;
     const other = [...down.values()].find((pointer) => pointer.pointerId !== event.pointerId);
     if (other) {
       const distance = (pointer) => Math.hypot(pointer.offsetX - other.offsetX, pointer.offsetY - other.offsetY);
@@ -98,6 +105,7 @@ function connectKeys(stage, player, redraw, fit) {
     c: ["c", "contact status", click("status")],
     x: ["x", "principal stresses", click("crosses")],
     o: ["o", "outlines", click("outlines")],
+    p: ["p", "the picture as a file", click("picture")],
     ...(stage.run.header.bolts && { b: ["b", "bolts", click("bolts")] }),
   };
   fillTable("shortcuts", Object.values(actions).filter(([key]) => key).map(([key, what]) => {

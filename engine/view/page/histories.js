@@ -28,7 +28,7 @@ class HistoryPanel {
   }
 
   get plot() {
-    return { left: 62, right: this.canvas.clientWidth - 14, top: 10, bottom: this.canvas.clientHeight - 20 };
+    return { left: 78, right: this.canvas.clientWidth - 14, top: 10, bottom: this.canvas.clientHeight - 20 };
   }
 
   x(time) {
@@ -134,15 +134,28 @@ class HistoryPanel {
   }
 }
 
-// One panel for each unit, in the order of the measurements; none hides the section. `stages` as for TimeAxis.
-function historyPanels(histories, stages, seek) {
-  const section = document.getElementById("histories");
-  section.hidden = !histories || histories.columns.length === 0 || histories.times.length < 2;
-  if (section.hidden) return [];
-  const axis = new TimeAxis(histories.times[0], histories.times.at(-1), stages);
+// One panel for each unit, in the order of the columns.
+function panelsByUnit(times, axis, columns, seek) {
   const byUnit = new Map();
-  for (const column of histories.columns) byUnit.set(column.unit, [...(byUnit.get(column.unit) || []), column]);
-  const panels = [...byUnit].map(([unit, columns]) => new HistoryPanel(histories.times, axis, unit, columns, seek));
+  for (const column of columns) byUnit.set(column.unit, [...(byUnit.get(column.unit) || []), column]);
+  return [...byUnit].map(([unit, ofUnit]) => new HistoryPanel(times, axis, unit, ofUnit, seek));
+}
+
+// The section is there for measurements, and for a block that was clicked at.
+function showHistories() {
+  const shown = ["measured", "chosen"].some((id) => !document.getElementById(id).hidden);
+  document.getElementById("histories").hidden = !shown;
+}
+
+// Panels of the measurements; none hides their part. `stages` as for TimeAxis.
+function historyPanels(histories, stages, title, seek) {
+  const part = document.getElementById("measured");
+  part.hidden = !histories || histories.columns.length === 0 || histories.times.length < 2;
+  showHistories();
+  if (part.hidden) return [];
+  const { times, columns } = histories;
+  const panels = panelsByUnit(times, new TimeAxis(times[0], times.at(-1), stages), columns, seek);
   document.getElementById("panels").replaceChildren(...panels.map((panel) => panel.element));
+  document.getElementById("measured-csv").addEventListener("click", () => saveCsv(title, times, columns));
   return panels;
 }

@@ -33,7 +33,7 @@ const dda = (() => {
     showColourBar(run.quantities[show.quantity], stage.colours);
     byId("deformation-text").textContent = `\u00d7 ${show.deformationScale.toLocaleString("en")}`;
     byId("time").textContent = timeText(run.times[show.frame], interval);
-    for (const panel of panels) panel.draw(run.times[show.frame]);
+    for (const panel of [...panels, chosen]) panel.draw(run.times[show.frame]);
     redraw();
   }
 
@@ -46,10 +46,18 @@ const dda = (() => {
     refresh();
   });
 
-  const panels = historyPanels(run.header.histories, run.header.summary?.stages, (time) => {
+  const seek = (time) => {
     const away = run.times.map((at) => Math.abs(at - time));
     player.go(away.indexOf(Math.min(...away)));
-  });
+  };
+  const stages = run.header.summary?.stages;
+  const panels = historyPanels(run.header.histories, stages, run.header.title, seek);
+  const chosen = new ChosenBlock(run, new TimeAxis(run.times[0], run.times.at(-1), stages), seek);
+
+  function choose(px, py) {
+    chosen.choose(stage.chosen = stage.blockAt(px, py));
+    refresh();
+  }
 
   function readOut(px, py) {
     const hovered = px < 0 ? -1 : stage.blockAt(px, py);
@@ -72,8 +80,17 @@ const dda = (() => {
   byId("bolts-choice").hidden = !run.header.bolts;
   connectChoices(stage, refresh);
   connectPlayer(player);
-  connectPointers(stage, redraw, readOut);
+  connectPointers(stage, redraw, readOut, choose);
   connectKeys(stage, player, redraw, fit);
+  byId("chosen-close").addEventListener("click", () => {
+    stage.chosen = -1;
+    redraw();
+  });
+  byId("picture").addEventListener("click", () => {
+    stage.draw();
+    pictureOf(stage, run.header.title, byId("time").textContent)
+      .toBlob((blob) => saveFile(`${fileName(run.header.title)}_${show.frame}.png`, blob));
+  });
   const zoom = (factor) => () => {
     camera.zoom(factor);
     redraw();
@@ -92,5 +109,9 @@ const dda = (() => {
   stage.resize();
   stage.fitRun();
   player.go(run.frames - 1);
-  return { run, stage, player, panels, refresh };
+  if (stage.forcesCrowd()) {
+    show.forces = byId("forces").value = "none";
+    refresh();
+  }
+  return { run, stage, player, panels, chosen, refresh };
 })();

@@ -1,9 +1,12 @@
 "use strict";
 // Draws one frame of the run into the canvas.
 
+const LEAST_CROWD = 20; // blocks
+const CROWDED = 1.25; // joints a block that carry the largest force
+
 class Stage {
   constructor(run, canvas) {
-    Object.assign(this, { run, canvas, context: canvas.getContext("2d"), camera: new Camera(), hovered: -1 });
+    Object.assign(this, { run, canvas, context: canvas.getContext("2d"), camera: new Camera(), hovered: -1, chosen: -1 });
     this.show = { frame: 0, quantity: 0, range: "run", forces: "joints", thickness: 1, deformationScale: 1, status: false,
                   crosses: false, outlines: true, bolts: true };
     this.typicalBlock = [...run.blockSize].sort((a, b) => a - b)[Math.floor(run.blocks / 2)] || 1;
@@ -31,6 +34,15 @@ class Stage {
   thickestForce() {
     return this.show.range === "run" ? this.run.header.thickest_force[this.show.forces]
                                      : this.lines.reduce((most, { force }) => Math.max(most, force), 0);
+  }
+
+  // Whether lines of forces would hide the blocks: where most joints carry about as much as the one that carries most, as
+  // in rock under stress. (A wall under its weight has 1 by this measure, and an arch 0.9.)
+  forcesCrowd() {
+    const { lines, run: { blocks } } = this;
+    const most = lines.reduce((largest, { force }) => Math.max(largest, force), 0);
+    const together = lines.reduce((sum, { force }) => sum + force / 2, 0); // two lines a joint
+    return blocks >= LEAST_CROWD && together > CROWDED * blocks * most;
   }
 
   // Width of a bolt, in pixels: it is seen without a force too.
@@ -117,10 +129,12 @@ class Stage {
       context.strokeStyle = show.outlines ? this.ink.outline : colour; // its own colour closes the hairlines
       context.stroke(path);
     }
-    if (this.hovered < 0 || !run.isPresent(show.frame, this.hovered)) return;
-    context.strokeStyle = this.ink.accent;
-    context.lineWidth = 3;
-    context.stroke(this.pathOf(this.hovered));
+    for (const block of new Set([this.hovered, this.chosen])) {
+      if (block < 0 || !run.isPresent(show.frame, block)) continue;
+      context.strokeStyle = this.ink.accent;
+      context.lineWidth = 3;
+      context.stroke(this.pathOf(block));
+    }
   }
 
   strokeLine(x, y, dx, dy, before, after) {

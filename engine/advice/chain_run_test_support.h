@@ -24,7 +24,6 @@
 
 namespace dda {
 
-// Poisson's ratio of both is 0.2.
 struct LayerRock {
   double density, young;
 };
@@ -59,6 +58,8 @@ struct RowDrive {
 struct Row : RowDrive {
   std::string name;
   std::vector<LayerRock> rocks = {{2400, 25e9}, {2700, 60e9}};
+  double poisson = 0.2;  // of both
+  bool plane_strain = false;
   std::vector<TestLayer> blocks;
   char wave = 'b';  // bar, p or s
   int columns = 1;
@@ -77,8 +78,13 @@ struct Row : RowDrive {
   double duration = 0;
 
   [[nodiscard]] double speed(int rock) const {
-    const double modulus = wave == 'b' ? 1 : (wave == 'p' ? 1 / 0.96 : 1 / 2.4);  // over Young's, plane stress
-    return std::sqrt(modulus * rock_of(rock).young / rock_of(rock).density);
+    return std::sqrt(modulus() * rock_of(rock).young / rock_of(rock).density);
+  }
+  // Over Young's.
+  [[nodiscard]] double modulus() const {
+    if (wave == 's') return 1 / (2 * (1 + poisson));
+    if (wave == 'b') return 1 / (plane_strain ? 1 - poisson * poisson : 1);
+    return plane_strain ? (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) : 1 / (1 - poisson * poisson);
   }
   [[nodiscard]] double impedance(int rock) const { return rock_of(rock).density * speed(rock); }
   [[nodiscard]] const LayerRock& rock_of(int rock) const { return rocks[static_cast<std::size_t>(rock)]; }
@@ -160,8 +166,8 @@ inline std::string sides_of(const Row& row, const TurnedRow& drawing, double end
 inline std::string materials_of(const Row& row) {
   std::string materials;
   for (std::size_t i = 0; i < row.rocks.size(); ++i)
-    materials += fmt::format(R"({}"r{}": {{"density": {:.12g}, "young": {:.12g}, "poisson": 0.2}})", i > 0 ? ", " : "",
-                             i, row.rocks[i].density, row.rocks[i].young);
+    materials += fmt::format(R"({}"r{}": {{"density": {:.12g}, "young": {:.12g}, "poisson": {:.12g}}})",
+                             i > 0 ? ", " : "", i, row.rocks[i].density, row.rocks[i].young, row.poisson);
   return materials;
 }
 
@@ -190,12 +196,13 @@ inline std::string scene_of(const Row& row) {
   }
   const double y = (std::floor(row.columns / 2.0) + 0.4) * row.width;
   return fmt::format(
-      R"({{"dda": 1, "scheme": "{}",
+      R"({{"dda": 1, "scheme": "{}", "plane": "{}",
  "materials": {{{}}}, "joints": {{"default": {{{}}}}}, "blocks": [{}], "loads": [{}], "supports": [{}],
  "measurements": [{{"quantity": "traction_{}", "point": {}, "name": "s"}}],
  "steps": {{"dt": {:.9g}, "duration": {:.9g}, "kinematics": "small"{}}}}})",
-      row.scheme, materials_of(row), joint_of(row), blocks_of(row, drawing), loads, supports,
-      row.wave == 's' ? "shear" : "normal", drawing.point(row.place(), y), row.dt, row.duration, row.steps);
+      row.scheme, row.plane_strain ? "strain" : "stress", materials_of(row), joint_of(row), blocks_of(row, drawing),
+      loads, supports, row.wave == 's' ? "shear" : "normal", drawing.point(row.place(), y), row.dt, row.duration,
+      row.steps);
 }
 
 // Stress at the joint at 0, unit, 2 unit, ..., pressure positive, over the load or over velocity times impedance. It

@@ -27,6 +27,7 @@
 #include "engine/app/run_warnings.h"
 #include "engine/app/stage_end_report.h"
 #include "engine/app/stop_signal.h"
+#include "engine/app/unsettled_report.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/core/phase_clock.h"
@@ -289,7 +290,9 @@ class Run {
     summary.excess_shear = excess_shear_json(simulation_);
     summary.penetration = penetration();
     if (!linings_of(simulation_).empty()) summary.linings = linings_json(simulation_);
+    summary.unsettled_steps = unsettled_json(simulation_);
     summary.remarks = remarks_;
+    if (const std::string remark = unsettled_remark(simulation_); !remark.empty()) summary.remarks.push_back(remark);
     return summary;
   }
 
@@ -314,6 +317,7 @@ class Run {
     for (const auto& [name, share] : static_stages())
       out << fmt::format("static stage \"{}\": forces out of balance by {:.1e} of the largest force\n", name, share);
     out << unbalanced_lines(simulation_);
+    if (const std::string remark = unsettled_remark(simulation_); !remark.empty()) out << "remark: " << remark << '\n';
     out << fmt::format("{}: {} steps to {:.6g} s in {:.3g} s, energy residual {:.1e}; results in {}\n",
                        to_string(status), simulation_.state().step, simulation_.state().time, wall_seconds() - began_,
                        simulation_.energy().relative_residual(), options_.folder.string());

@@ -110,6 +110,7 @@ Json to_json(const RunSummary& summary) {
   if (!summary.linings.is_null()) json["linings"] = summary.linings;
   if (!summary.peaks.is_null()) json["peaks"] = summary.peaks;
   json["deepest_penetration"] = summary.penetration ? to_json(*summary.penetration) : Json(nullptr);
+  if (!summary.unsettled_steps.is_null()) json["unsettled_steps"] = summary.unsettled_steps;
   json["remarks"] = summary.remarks;
   json["histories"] = Json::array();
   for (const HistoryFile& history : summary.histories) json["histories"].push_back(to_json(history));

@@ -69,6 +69,7 @@ struct RunSummary {
   nlohmann::ordered_json linings;  // null, and left out: there are none
   nlohmann::ordered_json peaks;    // null, and left out: not asked for, or the run did not come to their stage
   std::optional<DeepestPenetration> penetration;  // none: no contacts that can change, or never pressed
+  nlohmann::ordered_json unsettled_steps;         // null, and left out: there were none
   std::vector<std::string> remarks;               // on what is legal in the scene but odd
   std::vector<HistoryFile> histories;
   std::vector<std::string> outputs;  // files written

@@ -25,6 +25,7 @@
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/step_plan.h"
 #include "engine/simulation/support_set.h"
+#include "engine/simulation/unsettled_steps.h"
 #include "engine/solve/costs.h"
 #include "engine/solve/held_unknowns.h"
 #include "engine/waves/wave_corrections.h"
@@ -50,14 +51,16 @@ struct BlockForces {
   }
 };
 
-// What is watched of a run while it goes on: its energies, and how far blocks go in small kinematics.
+// What is watched of a run while it goes on: its energies, how far blocks go in small kinematics, and which steps were
+// not settled as a whole.
 struct RunAudit : EnergyAudit {
   SmallMotionWatch small_motion;
+  UnsettledSteps unsettled;
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     using Energies = std::conditional_t<std::is_const_v<Self>, const EnergyAudit, EnergyAudit>;
-    archive(static_cast<Energies&>(self), self.small_motion);
+    archive(static_cast<Energies&>(self), self.small_motion, self.unsettled);
   }
 };
 

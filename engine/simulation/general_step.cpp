@@ -48,6 +48,13 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
 }
 
+void note_unsettled(const StepSolution& solution, BlockSystem& s) {
+  const int place = solution.restless_contact;
+  const Interface* restless = place < 0 ? nullptr : &s.contacts.interfaces[static_cast<std::size_t>(place)];
+  s.audit.unsettled.note(s.state.step, s.state.time, restless ? restless->block_a : -1,
+                         restless ? restless->block_b : -1);
+}
+
 }  // namespace
 
 GeneralStep::GeneralStep(BlockSystem& system) : system_(system), solver_(system.costs), base_(0, {}) {
@@ -272,6 +279,7 @@ Status GeneralStep::solve() {
     message_ = "linings that yield find no balance";
     return Status::not_converged;
   }
+  if (solution.failure == Failure::unsettled) note_unsettled(solution, system_);
   message_ = solution.failure == Failure::unsettled ? unsettled_message(solution, system_) : sentence(solution.failure);
   return solution.status;
 }

@@ -20,6 +20,18 @@ void press_no_more(double distance, double moved, InterfaceState& state) {
   state.seat[0] = std::min(state.seat[0], distance - state.dilation[0] - pressed);
 }
 
+// Where springs go by length those of another face may be many times as stiff, and would turn the depth of before into
+// as many times its force. So may those of the same face when it loses another contact; when it grows as blocks slide,
+// they are stiffer by little in a step. Returns the share of a depth that keeps its force.
+double keep_force(const Vec2& stiffness_before, const InterfaceElement& element, bool is_other_face,
+                  InterfaceState& state) {
+  const double grown = is_other_face ? 1 : 2;
+  if (state.gap(0) >= 0 || element.stiffness(0) <= grown * stiffness_before(0)) return 1;
+  for (const Eigen::Index row : {0, 1})
+    if (element.stiffness(row) > 0) state.gap(row) *= std::min(1.0, stiffness_before(row) / element.stiffness(row));
+  return stiffness_before(0) / element.stiffness(0);
+}
+
 // A face that has grown is pressed in where it is new as it is beside, and no more: its springs begin with a share of
 // the stiffness that may be small, but need not be.
 void share_depth(const InterfaceState& beside, double distance, InterfaceState& state) {
@@ -62,14 +74,16 @@ std::ptrdiff_t heavier(std::ptrdiff_t earlier, std::ptrdiff_t ended, std::size_t
   return pressure(ended) > pressure(earlier) ? ended : earlier;
 }
 
-InterfaceState continued_state(const InterfaceState& earlier, const VertexContact& before,
-                               const VertexContact& contact) {
+InterfaceState continued_state(const InterfaceState& earlier, const VertexContact& before, const VertexContact& contact,
+                               const Vec2& stiffness_before, const InterfaceElement& element) {
   InterfaceState own = earlier;
   const double moved = std::abs(own.gap(0) + own.held_open(0) - before.gap);
-  if (is_same(contact, before)) {
+  const bool same = is_same(contact, before);
+  const double share = keep_force(stiffness_before, element, !same, own);
+  if (same) {
     forgive_turn(contact.gap, own);
   } else {
-    press_no_more(contact.gap, moved, own);
+    press_no_more(contact.gap, share * moved, own);
   }
   return own;
 }

@@ -18,9 +18,10 @@ namespace dda {
 std::ptrdiff_t heavier(std::ptrdiff_t earlier, std::ptrdiff_t ended, std::size_t first,
                        const std::vector<InterfaceState>& states);
 
-// The state of a contact that goes on from a known one, `before`, which had the state `earlier`.
-InterfaceState continued_state(const InterfaceState& earlier, const VertexContact& before,
-                               const VertexContact& contact);
+// The state of a contact that goes on from a known one, `before`, which had the state `earlier` and springs of that
+// stiffness, normal and shear. `element`: what it is now.
+InterfaceState continued_state(const InterfaceState& earlier, const VertexContact& before, const VertexContact& contact,
+                               const Vec2& stiffness_before, const InterfaceElement& element);
 
 // The state of a contact at `distance` (m) that goes on from none. `from_stretch`: what ends of stretches leave to it,
 // or null. They come with a force of their own, and with the depth of another contact the springs would have that one's

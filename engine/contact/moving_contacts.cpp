@@ -318,8 +318,11 @@ std::vector<MovingContacts::Heritage> MovingContacts::heritage_of(
 
 // Puts what was found in the place of the vertex contacts of before; returns the states of all.
 std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const State& acting, const FoundContacts& all,
-                                                    const std::vector<Heritage>& heritage, ContactSet& contacts) const {
+                                                    const std::vector<Heritage>& heritage, ContactSet& contacts) {
   std::vector<InterfaceElement>& elements = contacts.elements.edit();
+  stiffness_before_.clear();
+  for (std::size_t i = stretches_; i < elements.size(); ++i)
+    stiffness_before_.emplace_back(elements[i].stiffness.head<2>());
   const std::size_t total = stretches_ + all.contacts.size();
   contacts.interfaces.resize(total);
   elements.resize(total);
@@ -346,7 +349,8 @@ InterfaceState MovingContacts::state_of(const JointMaterial& joint, const Interf
   const auto state_before = [&](std::ptrdiff_t known) { return &states[stretches_ + static_cast<std::size_t>(known)]; };
   InterfaceState own;
   if (heritage.earlier >= 0) {
-    own = continued_state(*state_before(heritage.earlier), known_[static_cast<std::size_t>(heritage.earlier)], contact);
+    own = continued_state(*state_before(heritage.earlier), known_[static_cast<std::size_t>(heritage.earlier)], contact,
+                          stiffness_before_[static_cast<std::size_t>(heritage.earlier)], element);
   } else {
     const InterfaceState* beside = heritage.beside < 0 ? nullptr : state_before(heritage.beside);
     own = first_state(joint, element, contact.gap, heritage.from_stretch, beside);

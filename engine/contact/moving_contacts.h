@@ -61,8 +61,8 @@ class MovingContacts {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [search, surfaces, lost_ends, stretches, known, covered, uncovered] = self;
-    // Surfaces are the drawing's; no end is lost between steps.
+    auto& [search, surfaces, lost_ends, stretches, known, stiffness_before, covered, uncovered] = self;
+    // Surfaces are the drawing's; no end is lost between steps; what springs were is asked within a search.
     archive(search, stretches, known, covered);
     archive.pairs_of_blocks(uncovered);
   }
@@ -96,7 +96,7 @@ class MovingContacts {
                                                   const std::vector<std::optional<InterfaceState>>& left,
                                                   const ContactSet& contacts, Succession& succession) const;
   std::vector<InterfaceState> take_in(const Model& model, const State& acting, const FoundContacts& all,
-                                      const std::vector<Heritage>& heritage, ContactSet& contacts) const;
+                                      const std::vector<Heritage>& heritage, ContactSet& contacts);
   [[nodiscard]] InterfaceState state_of(const JointMaterial& joint, const InterfaceElement& element,
                                         const VertexContact& contact, const Heritage& heritage,
                                         const std::vector<InterfaceState>& states) const;
@@ -110,6 +110,7 @@ class MovingContacts {
   LostEnds lost_ends_;                          // between the loss of a stretch and the next search
   std::size_t stretches_ = 0;                   // leading entries of the ContactSet that are joints with strength
   std::vector<VertexContact> known_;            // the others, in the same order
+  std::vector<Vec2> stiffness_before_;          // of their springs at the search before, normal and shear
   std::vector<VertexContact> covered_;          // what the last search has taken out
   std::vector<std::pair<int, int>> uncovered_;  // blocks whose corners are contacts all the same; smaller first, sorted
 };

@@ -85,9 +85,11 @@ void excavate(BlockSystem& s, GeneralStep& general) {
   if (removal.blocks.empty()) return;
   ContactSet at_rest = s.contacts;  // what a linear stage keeps of them
   if (s.plan.linear) write_linear_states(s);
+  // Before contacts are looked for where the blocks are now: some of their forces are others then, and it is with those
+  // of the last step that the blocks were in balance.
+  const Eigen::VectorXd internal_before = s.forces.internal_old;
   if (s.plan.finite_kinematics) general.place_geometry(0);
   const StoredEnergy stored = s.stored_energy_now();
-  const Eigen::VectorXd internal_before = s.forces.internal_old;
   leave_out_absent(s, general);
   for (const int block : removal.blocks) lay_to_rest(block, s.state);
   s.audit.blocks_removed(stored, s.stored_energy_now());

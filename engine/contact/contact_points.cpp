@@ -29,13 +29,29 @@ EndForces end_forces(const Model& model, const Interface& interface, const Inter
   return {state.force.head<2>(), state.force.tail<2>()};
 }
 
+// A projected stretch that gapes at one end presses at one place, and is shown as its other end there: told of both
+// ends its force would have the open one pull.
+void show_gaping_stretch(const InterfaceElement& element, const InterfaceState& state, const Interface& interface,
+                         EndForces& forces, std::array<Vec2, 2>& references) {
+  const bool first_gapes = state.status[0] == ContactStatus::open;
+  if (element.law != InterfaceLaw::projected || first_gapes == (state.status[1] == ContactStatus::open)) return;
+  const double normal = state.force(0) + state.force(2);
+  if (normal == 0) return;
+  const double place = element.lever * (state.force(2) - state.force(0)) / normal;  // -1 to 1 from end to end
+  const std::size_t pressing = first_gapes ? 1 : 0;
+  references[pressing] = (interface.from + interface.to + place * (interface.to - interface.from)) / 2;
+  forces[pressing] += forces[1 - pressing];
+  forces[1 - pressing].setZero();
+}
+
 }  // namespace
 
 void append_contact_points(const Model& model, const State& blocks, const Interface& interface,
                            const InterfaceElement& element, const InterfaceState& state,
                            std::vector<ContactPoint>& points) {
-  const EndForces forces = end_forces(model, interface, element, state);
-  const std::array references = {interface.from, interface.to};
+  EndForces forces = end_forces(model, interface, element, state);
+  std::array references = {interface.from, interface.to};
+  show_gaping_stretch(element, state, interface, forces, references);
   const std::size_t ends = interface.length > 0 ? 2 : 1;
   for (std::size_t end = 0; end < ends; ++end) {
     ContactPoint& point = points.emplace_back();

@@ -1,5 +1,5 @@
-// Contacts as points with a force and a status, for display: an interface of some length is shown by its two ends,
-// which together carry its forces and its moment.
+// Contacts as points with a force and a status, for display: an interface of some length is shown by its two ends, of
+// which one may stand where it presses; together they carry its forces and its moment.
 #pragma once
 
 #include <vector>

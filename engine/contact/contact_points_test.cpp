@@ -63,6 +63,25 @@ TEST(ContactPoints, CarryTheForceAndTheMomentOfTheInterface) {
   }
 }
 
+// The page of a run leaves out what is open, and with it lost a part of the force.
+TEST(ContactPoints, OfAStretchThatGapesPressAtOnePlace) {
+  for (const double angle : {0.0, 0.7, -2.0})
+    for (const std::size_t gaping : {0U, 1U}) {
+      Pair pair(InterfaceLaw::projected, angle);
+      InterfaceState& state = pair.contacts.states[0];
+      state.force << -3e5, 4e4, 1e5, -1e4;
+      if (gaping == 0) state.force << 1e5, -1e4, -3e5, 4e4;
+      state.status[gaping] = ContactStatus::open;
+      state.status[1 - gaping] = ContactStatus::locked;
+      const auto points = pair.points();
+      ASSERT_EQ(points.size(), 2U);
+      EXPECT_EQ(points[gaping].force().norm(), 0);
+      const Vec3 expected = force_and_moment_on_b(pair);
+      const Vec3 found = force_and_moment_of(points, pair.model.blocks[1].moments.centroid);
+      EXPECT_LE((found - expected).norm(), round_off * expected.norm()) << angle;
+    }
+}
+
 // The reconstruction's normal force is not that of row 0, but mean_traction gives it; its moment is that of row 3.
 TEST(ContactPoints, OfTheCubicLawCarryItsMeanTractionAndMoment) {
   Pair pair(InterfaceLaw::cubic, 0.3);

@@ -1,18 +1,9 @@
 #include "engine/advice/projected_offer.h"
 
-#include <algorithm>
-
 #include "engine/contact/joint_stiffness.h"
 #include "engine/model/moving_stages.h"
 
 namespace dda {
-
-bool stages_can_have_projected_joints(const Model& model) {
-  const auto refuses = [](const Stage& stage) {
-    return stage.kinematics == Kinematics::finite && with_contacts(stage.integrator).conserves_contact_energy;
-  };
-  return std::ranges::none_of(model.stages, refuses);
-}
 
 // Joints with dashpots can have the law as well, but what is foretold of it knows no dashpots.
 bool could_be_projected(const Model& model, const JointMaterial& joint) {

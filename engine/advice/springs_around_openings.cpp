@@ -154,8 +154,7 @@ bool lays_walls_free(const Model& model) {
 
 std::string remedy(const Model& model, const std::set<int>& joints) {
   const auto could = [&](int joint) { return could_be_projected(model, model.joints[at(joint)]); };
-  if (stages_can_have_projected_joints(model) && std::ranges::all_of(joints, could))
-    return "with \"law\": \"projected\" for them by 1 %";
+  if (std::ranges::all_of(joints, could)) return "with \"law\": \"projected\" for them by 1 %";
   return "smaller blocks lock less, and so do joints of the law \"projected\", where what else the scene asks for can "
          "be "
          "had with them";

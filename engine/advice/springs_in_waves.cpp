@@ -27,9 +27,7 @@ double largest_error(const Advice& advice) {
 std::string springs_in_waves(const Model& model, const Advice& advice) {
   const double error = largest_error(advice);
   const auto could = [&](const JointMaterial& joint) { return could_have_the_law(model, joint); };
-  if (error <= advice.wanted_error || !stages_can_have_projected_joints(model) ||
-      std::ranges::none_of(model.joints, could))
-    return "";
+  if (error <= advice.wanted_error || std::ranges::none_of(model.joints, could)) return "";
   return fmt::format(
       "springs at closed joints make the speed of waves up to {:.2g} % wrong: with \"law\": \"projected\" for the "
       "joint, closed joints carry waves as solid rock does",

@@ -73,9 +73,6 @@ TEST(SpringsInWaves, DoesNotNameItWhereItIsNotMeantOrNotToBeHad) {
   Model damped = dry_squares(InterfaceLaw::classical, Kinematics::finite);
   damped.joints[0].contact_damping = 0.1;
   EXPECT_EQ(advice_on(damped).springs, "");
-  Model conserving = dry_squares(InterfaceLaw::classical, Kinematics::finite);
-  conserving.stages[0].integrator = trapezoidal_integrator();
-  EXPECT_EQ(advice_on(conserving).springs, "");
 }
 
 }  // namespace

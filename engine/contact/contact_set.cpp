@@ -38,15 +38,26 @@ InterfaceMatrices stiffness_of_rows(const InterfaceElement& element, const Vec4&
 
 }  // namespace
 
+void take_off_nothing(std::size_t blocks, ContactSet& contacts) {
+  contacts.outline_compliance.assign(blocks, Mat3::Zero());
+  contacts.outline_strain.assign(blocks, Vec3::Zero());
+  contacts.outline_constant.assign(blocks, 0);
+}
+
 void take_off_blocks(std::size_t blocks, ContactSet& contacts) {
-  std::vector<Mat3>& sums = contacts.outline_compliance;
   const bool any = std::ranges::count(contacts.elements.kinds(), InterfaceLaw::projected, &InterfaceElement::law) > 0;
-  sums.assign(any ? blocks : 0, Mat3::Zero());
+  take_off_nothing(any ? blocks : 0, contacts);
   if (!any) return;
+  const auto take_off = [&contacts](int block, const TakenOff& part) {
+    const auto i = static_cast<std::size_t>(block);
+    contacts.outline_compliance[i] += part.compliance;
+    contacts.outline_strain[i] += part.strain;
+    contacts.outline_constant[i] += part.energy;
+  };
   for (const InterfaceElement& element : contacts.elements.own()) {
     if (element.law != InterfaceLaw::projected) continue;
-    sums[static_cast<std::size_t>(element.block_a)] += traction_compliance(element, element.softness(0));
-    sums[static_cast<std::size_t>(element.block_b)] += traction_compliance(element, element.softness(1));
+    take_off(element.block_a, taken_off(element, element.softness(0), element.by_weight_a));
+    take_off(element.block_b, taken_off(element, element.softness(1), element.by_weight_b));
   }
 }
 
@@ -55,13 +66,14 @@ Mat3 outline_stiffness(const ContactSet& contacts, std::size_t block, const Mat3
 }
 
 Vec3 outline_force(const ContactSet& contacts, std::size_t block, const Mat3& elasticity, const Vec3& stress) {
-  return elasticity * (contacts.outline_compliance[block] * stress);
+  return elasticity * (contacts.outline_compliance[block] * stress + contacts.outline_strain[block]);
 }
 
 double outline_energy(const ContactSet& contacts, const std::vector<Vec3>& stress) {
   double energy = 0;
   for (std::size_t i = 0; i < contacts.outline_compliance.size(); ++i)
-    energy += stress[i].dot(contacts.outline_compliance[i] * stress[i]) / 2;
+    energy += stress[i].dot(contacts.outline_compliance[i] * stress[i] / 2 + contacts.outline_strain[i]) +
+              contacts.outline_constant[i];
   return energy;
 }
 

@@ -19,17 +19,23 @@ struct ContactSet {
   std::vector<EndStrength> strengths;
   std::vector<InterfaceState> states;
   bool can_change = false;  // some joint can open, slide or break
-  // What projected stretches take off each block (traction_compliance), m3/N per m of thickness; empty without any.
+  // What projected stretches take off each block (TakenOff, projected_law.h); empty without any.
   std::vector<Mat3> outline_compliance;
+  std::vector<Vec3> outline_strain;
+  std::vector<double> outline_constant;
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [interfaces, elements, strengths, states, can_change, outline_compliance] = self;
+    auto& [interfaces, elements, strengths, states, can_change, outline_compliance, outline_strain, outline_constant] =
+        self;
     archive(interfaces, elements, strengths, states);
     archive.of_blocks(outline_compliance);
+    archive.of_blocks(outline_strain);
+    archive.of_blocks(outline_constant);
     // Whether something can change is the drawing's.
     archive.expect(elements.size() == interfaces.size() && strengths.size() == interfaces.size() &&
-                   states.size() == interfaces.size());
+                   states.size() == interfaces.size() && outline_strain.size() == outline_compliance.size() &&
+                   outline_constant.size() == outline_compliance.size());
   }
 };
 
@@ -45,6 +51,9 @@ Vec2 carried_force(const InterfaceElement& element, const Vec4& force);
 // reconstruction has at the interface. Zero where blocks touch in a point.
 Vec2 mean_traction(const Model& model, const Interface& interface, const InterfaceElement& element,
                    const InterfaceState& state);
+
+// So many blocks of which nothing is taken off.
+void take_off_nothing(std::size_t blocks, ContactSet& contacts);
 
 // What projected stretches, with the normals that they have now, take off each of so many blocks.
 void take_off_blocks(std::size_t blocks, ContactSet& contacts);

@@ -72,6 +72,8 @@ Springs springs_of(const Model& model, const Interface& interface) {
   double normal = joint.normal_spring;
   if (joint.automatic_stiffness) {
     normal = chosen_spring(model, interface);
+    const Springs least = springs_by_sizes(model, interface, joint);
+    if (joint.law == InterfaceLaw::projected && least.normal > normal) return least;
   } else if (joint.normal_stiffness > 0) {
     normal = joint.normal_stiffness * length_of_spring(model, interface);
   } else if (normal == 0) {

@@ -96,17 +96,13 @@ Mat43 stress_rows(const Mat2& axes, double length, InterfaceLaw law, double side
   return rows;
 }
 
-}  // namespace
-
+// Stiffness (N/m) of the four rows under a law that is not projected; see JointMaterial for the parameters.
 Vec4 interface_stiffness(const Model& model, const Interface& interface, InterfaceLaw law) {
-  switch (law) {
-    case InterfaceLaw::classical: return classical_stiffness(model, interface);
-    case InterfaceLaw::consistent: return consistent_stiffness(model, interface);
-    case InterfaceLaw::projected: return projected_stiffness(model, interface);
-    case InterfaceLaw::cubic: break;
-  }
-  return cubic_stiffness(model, interface);
+  if (law == InterfaceLaw::classical) return classical_stiffness(model, interface);
+  return law == InterfaceLaw::consistent ? consistent_stiffness(model, interface) : cubic_stiffness(model, interface);
 }
+
+}  // namespace
 
 InterfaceElement make_element(const Model& model, const Interface& interface, InterfaceLaw law) {
   InterfaceElement element;
@@ -114,12 +110,10 @@ InterfaceElement make_element(const Model& model, const Interface& interface, In
   element.block_b = interface.block_b;
   element.law = law;
   element.length = interface.length;
-  element.stiffness = interface_stiffness(model, interface, law);
-  if (law == InterfaceLaw::projected) {
-    element.lever = projected_lever(model, interface);
-    element.spread = projected_spread(model, interface);
-    element.softness = projected_softness(model, interface);
-  }
+  if (law == InterfaceLaw::projected)
+    set_projected_springs(model, interface, element);
+  else
+    element.stiffness = interface_stiffness(model, interface, law);
   const double damping = model.joints[static_cast<std::size_t>(interface.joint)].contact_damping;
   if (damping > 0 && (law == InterfaceLaw::classical || law == InterfaceLaw::projected)) {
     const double mass = std::min(model.mass_of(interface.block_a), model.mass_of(interface.block_b));

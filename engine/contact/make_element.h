@@ -8,9 +8,6 @@
 
 namespace dda {
 
-// Stiffness (N/m) of the four rows under a law; see JointMaterial for the parameters.
-Vec4 interface_stiffness(const Model& model, const Interface& interface, InterfaceLaw law);
-
 // An element with everything but the geometry, which set_geometry fills.
 InterfaceElement make_element(const Model& model, const Interface& interface, InterfaceLaw law);
 void set_geometry(const Model& model, const InterfaceFrame& frame, InterfaceElement& element);

@@ -7,9 +7,12 @@
 
 #include "engine/contact/block_across.h"
 #include "engine/contact/cubic_law.h"
+#include "engine/contact/joint_stiffness.h"
 
 namespace dda {
 namespace {
+
+constexpr double unlike_sizes = 3, least_share_by_sizes = 1.0 / 30;
 
 // w/(2 D) R^T R of the header in terms of stress, m/Pa for each m of outline: what a penalty of 1 takes.
 Mat3 unit_compliance(const Model& model, int block, const Vec2& normal) {
@@ -32,10 +35,20 @@ double spreading_length(const Model& model, int block, const Interface& interfac
   return spreading_share * width_across(model, block, along);
 }
 
+// What presses a small block goes by the size of the one beside it, S, which strains it, of size s, by S/s times as
+// much as that one; and where its joints press unevenly they close by as much of its size. So where blocks differ by
+// more than three times joints are stiffer in proportion, up to 30 times, as springs are there (joint_stiffness.h).
+// Uniform stress passes exactly whatever the stiffness.
+double share_by_sizes(const Model& model, const Interface& interface) {
+  if (model.is_held(interface.block_a) || model.is_held(interface.block_b)) return 1;
+  const double a = block_size(block_of(model, interface.block_a)), b = block_size(block_of(model, interface.block_b));
+  return std::clamp(unlike_sizes * std::min(a, b) / std::max(a, b), least_share_by_sizes, 1.0);
+}
+
 // Width of the block as the joint sees it, m: across, or less where the stretch is a small share of its side.
 double loaded_width(const Model& model, int block, const Interface& interface) {
   const double share = std::min(1.0, interface.length / spreading_length(model, block, interface));
-  return share * width_across(model, block, interface.normal);
+  return share * share_by_sizes(model, interface) * width_across(model, block, interface.normal);
 }
 
 // 1/(2 gamma), m/Pa: the gap that a traction of the block makes.
@@ -43,10 +56,6 @@ double gap_by_traction(const Model& model, int block, const Interface& interface
   if (model.is_held(block)) return 0;
   const double modulus = plane_modulus(model.material_of(block));
   return loaded_width(model, block, interface) / (2 * projected_penalty(model, block) * modulus);
-}
-
-double gap_by_traction(const Model& model, const Interface& interface) {
-  return projected_softness(model, interface).sum();
 }
 
 // The compliance of half of the block as a column, m/Pa.
@@ -101,6 +110,20 @@ double largest_traction_share(const Model& model, int block) {
   return shares.eigenvalues().maxCoeff();
 }
 
+Vec2 traction_by_weight(const Model& model, int block, const Interface& interface) {
+  const Vec2& gravity = model.gravity;
+  if (model.is_held(block) || gravity.isZero(0)) return Vec2::Zero();
+  const Block& own = block_of(model, block);
+  const Vec2 way = (interface.from + interface.to) / 2 - own.moments.centroid;
+  const double pull = -model.material_of(block).density * gravity.dot(way) / gravity.squaredNorm();
+  return local_axes(interface.normal) * (pull * gravity.dot(interface.normal) * gravity);
+}
+
+void set_weights(const Model& model, const Interface& interface, InterfaceElement& element) {
+  element.by_weight_a = traction_by_weight(model, interface.block_a, interface);
+  element.by_weight_b = traction_by_weight(model, interface.block_b, interface);
+}
+
 Vec2 projected_softness(const Model& model, const Interface& interface) {
   return {gap_by_traction(model, interface.block_a, interface), gap_by_traction(model, interface.block_b, interface)};
 }
@@ -109,17 +132,17 @@ double projected_penalty(const Model& model, int block) {
   return std::max(least_penalty, penalty_margin * largest_traction_share(model, block));
 }
 
-Vec4 projected_stiffness(const Model& model, const Interface& interface) {
-  const Vec2 compliance = Vec2::Constant(gap_by_traction(model, interface)) + joint_compliance(model, interface);
+Vec4 projected_stiffness(const Model& model, const Interface& interface, const Vec2& softness) {
+  const Vec2 compliance = Vec2::Constant(softness.sum()) + joint_compliance(model, interface);
   const Vec2 stiffness = (interface.length / 2 * compliance.cwiseInverse());
   return {stiffness(0), stiffness(1), stiffness(0), stiffness(1)};
 }
 
 // bed = 3 lever^2 is the share of the gap's compliance in that of the bed: the turn of the two points, stiffness
 // K lever^2, is then that of the bed, K bed/3.
-double projected_lever(const Model& model, const Interface& interface) {
+double projected_lever(const Model& model, const Interface& interface, const Vec2& softness) {
   const double own = joint_compliance(model, interface)(0);
-  const double gap = gap_by_traction(model, interface) + own;
+  const double gap = softness.sum() + own;
   const double bed = column_compliance(model, interface.block_a, interface) +
                      column_compliance(model, interface.block_b, interface) + own;
   return std::sqrt(gap / bed / 3);
@@ -134,6 +157,14 @@ double projected_spread(const Model& model, const Interface& interface) {
     spread += column * std::min(1.0, spreading_length(model, block, interface) / interface.length);
   }
   return spread / bed;
+}
+
+void set_projected_springs(const Model& model, const Interface& interface, InterfaceElement& element) {
+  element.softness = projected_softness(model, interface);
+  element.stiffness = projected_stiffness(model, interface, element.softness);
+  element.lever = projected_lever(model, interface, element.softness);
+  element.spread = projected_spread(model, interface);
+  set_weights(model, interface, element);
 }
 
 void set_projected_rows(const Model& model, const InterfaceFrame& frame, InterfaceElement& element) {
@@ -163,9 +194,11 @@ std::array<Vec2, 2> forces_at_ends(const InterfaceSprings& springs, const Vec4& 
   return {(sum - difference) / 2, (sum + difference) / 2};
 }
 
-Mat3 traction_compliance(const InterfaceElement& element, double softness) {
+TakenOff taken_off(const InterfaceElement& element, double softness, const Vec2& by_weight) {
   const Mat23 rows = traction_rows(normal_of(element));
-  return element.length * softness * rows.transpose() * rows;
+  const double share = element.length * softness;
+  const Vec2 weight = local_axes(normal_of(element)).transpose() * by_weight;
+  return {share * rows.transpose() * rows, share * (rows.transpose() * weight), share * weight.squaredNorm() / 2};
 }
 
 }  // namespace dda

@@ -54,15 +54,25 @@ double largest_traction_share(const Model& model, int block);
 // The penalty of a block, without units.
 double projected_penalty(const Model& model, int block);
 
-// The stiffness of a stretch's four rows, N/m per m of thickness, and the lever of its points.
-Vec4 projected_stiffness(const Model& model, const Interface& interface);
-double projected_lever(const Model& model, const Interface& interface);
+// 1/(2 gamma) of both blocks, m/Pa: an eigenvalue of each block, so it is asked once for a stretch.
+Vec2 projected_softness(const Model& model, const Interface& interface);
+
+// The stiffness of a stretch's four rows, N/m per m of thickness, and the lever of its points, with that softness.
+Vec4 projected_stiffness(const Model& model, const Interface& interface, const Vec2& softness);
+double projected_lever(const Model& model, const Interface& interface, const Vec2& softness);
 
 // The closed part of a stretch, over its length, below which its bed is stiffer than a column (no_tension_bed.h).
 double projected_spread(const Model& model, const Interface& interface);
 
-// 1/(2 gamma) of both blocks, m/Pa.
-Vec2 projected_softness(const Model& model, const Interface& interface);
+// What a block's weight makes of its stress between its centroid and the middle of a stretch, as the traction there,
+// Pa: normal and shear, by the directions of the drawing.
+Vec2 traction_by_weight(const Model& model, int block, const Interface& interface);
+
+// Brings the same of both blocks to an element of this law.
+void set_weights(const Model& model, const Interface& interface, InterfaceElement& element);
+
+// Fills all of these, and the weights, of an element of this law.
+void set_projected_springs(const Model& model, const Interface& interface, InterfaceElement& element);
 
 // Fills the rows of an element of this law.
 void set_projected_rows(const Model& model, const InterfaceFrame& frame, InterfaceElement& element);
@@ -105,8 +115,16 @@ inline Vec2 pressing_slope(const InterfaceSprings& springs, const Vec4& force, c
   return force(2 - 2 * end) > 0 ? Vec2(by_gaps.colwise().sum()) : Vec2(by_gaps.row(end));
 }
 
-// What a stretch takes off a block that has this softness in it: energy -s . Q s/2 for the block's stress s (Pa), Q in
-// m3/N per m of thickness. The normal is that of now.
-Mat3 traction_compliance(const InterfaceElement& element, double softness);
+// What stretches take off a block of the stress s (Pa): the energy -(s . compliance s/2 + strain . s + energy), per m
+// of thickness.
+struct TakenOff {
+  Mat3 compliance = Mat3::Zero();  // m3/N
+  Vec3 strain = Vec3::Zero();      // m2
+  double energy = 0;               // N
+};
+
+// By a stretch that has this softness in the block, and this traction there by the block's weight. The normal is that
+// of now.
+TakenOff taken_off(const InterfaceElement& element, double softness, const Vec2& by_weight);
 
 }  // namespace dda

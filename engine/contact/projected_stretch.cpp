@@ -149,12 +149,14 @@ void count_free_slip(const InterfaceElement& element, const Vec4& gap, Interface
 StressLetGo stress_let_go(const Model& model, const State& state, const InterfaceElement& element, const Vec4& force) {
   const Vec2 normal = normal_of(element);
   const Vec2 carried = local_axes(normal).transpose() * (force.head<2>() + force.tail<2>()) / element.length;
-  const auto of = [&](int block, double softness) -> Vec3 {
-    const Vec2 beyond = traction_rows(normal) * stress_of(state, block) - carried;
+  const auto of = [&](int block, double softness, const Vec2& by_weight) -> Vec3 {
+    const Vec2 own = traction_rows(normal) * stress_of(state, block) + local_axes(normal).transpose() * by_weight;
+    const Vec2 beyond = own - carried;
     return -element.length * softness / block_of(model, block).moments.area *
            (elasticity_matrix(model.material_of(block)) * (traction_rows(normal).transpose() * beyond));
   };
-  return {of(element.block_a, element.softness(0)), of(element.block_b, element.softness(1))};
+  return {of(element.block_a, element.softness(0), element.by_weight_a),
+          of(element.block_b, element.softness(1), element.by_weight_b)};
 }
 
 std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const InterfaceState& state) {

@@ -22,9 +22,9 @@ std::optional<TiedSides> tied_sides(const Model& model, int block, const Vec2& n
   interface.joint = found->second;
   interface.normal = normal;
   interface.length = block_of(model, block).moments.area / width_across(model, block, normal);
-  const Vec4 stiffness = projected_stiffness(model, interface);
-  return TiedSides{interface.length, projected_softness(model, interface).sum(),
-                   stiffness.head<2>() + stiffness.tail<2>()};
+  const Vec2 softness = projected_softness(model, interface);
+  const Vec4 stiffness = projected_stiffness(model, interface, softness);
+  return TiedSides{interface.length, softness.sum(), stiffness.head<2>() + stiffness.tail<2>()};
 }
 
 std::optional<TiedSides> tied_sides(const Model& model, const PointSupport& tie) {
@@ -41,7 +41,7 @@ void take_off_blocks(const Model& model, ContactSet& contacts) {
   for (const PointSupport& tie : model.supports) {
     const auto sides = tied_sides(model, tie);
     if (!sides) continue;
-    if (contacts.outline_compliance.empty()) contacts.outline_compliance.assign(model.blocks.size(), Mat3::Zero());
+    if (contacts.outline_compliance.empty()) take_off_nothing(model.blocks.size(), contacts);
     const Mat23 rows = gap_by_stress(*sides, tie);
     contacts.outline_compliance[static_cast<std::size_t>(tie.block)] +=
         sides->length / sides->softness * rows.transpose() * rows;

@@ -185,6 +185,7 @@ void Simulation::go_on_from(const Simulation& settled) {
   if (s.free_field) s.free_field->go_on_from(*before.free_field);
   const State geometry = s.geometry_moves() ? general.acting() : initial_state(s.model);
   take_over_what_holds(before, geometry, s);
+  if (s.model.gravity != before.model.gravity) s.audit.rock_changed(0, 0, renew_weights(s));
   take_over_loads(before, geometry, s);
   take_over_viscous_edges(before, geometry, s);
   pace_ = settled.pace_;

@@ -142,12 +142,6 @@ TEST(ProjectedJoint, IsRefusedWhereItIsNotAvailable) {
           m.joints[0].contact_damping = 0.1;
         },
         "contact damping and an integrator that damps nothing");
-  expect_refused(
-      [](Model& m) {
-        m.stages[0].integrator = energy_conserving_integrator();
-        m.stages[0].kinematics = Kinematics::finite;
-      },
-      "finite kinematics and an integrator that damps nothing");
   expect_refused([](Model& m) { m.joints[0].dilation_angle = 0.1; }, "dilation");
 }
 

@@ -6,7 +6,9 @@
 
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
+#include "engine/contact/projected_law.h"
 #include "engine/contact/renew_springs.h"
+#include "engine/contact/tied_sides.h"
 #include "engine/model/rock_change.h"
 #include "engine/simulation/linear_states.h"
 
@@ -46,7 +48,27 @@ double change_springs(const std::vector<bool>& others, bool gaps_are_measured, B
   return stored;
 }
 
+// What is no longer taken off the blocks, or more of it, acts on their strains.
+void renew_internal_forces(const std::vector<Vec3>& outline_before, BlockSystem& s) {
+  for (std::size_t i = 0; i < outline_before.size(); ++i)
+    s.forces.internal_old.segment<3>(static_cast<Eigen::Index>(6 * i + 3)) -=
+        s.terms.elasticity[i] * (s.contacts.outline_strain[i] - outline_before[i]);
+}
+
 }  // namespace
+
+double renew_weights(BlockSystem& s) {
+  if (s.contacts.outline_compliance.empty()) return 0;
+  const double energy_before = outline_energy(s.contacts, s.state.stress);
+  const std::vector<Vec3> outline_before = s.contacts.outline_strain;
+  for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
+    InterfaceElement& element = s.contacts.elements.edit()[i];
+    if (element.law == InterfaceLaw::projected) set_weights(s.model, s.contacts.interfaces[i], element);
+  }
+  take_off_blocks(s.model, s.contacts);
+  renew_internal_forces(outline_before, s);
+  return energy_before - outline_energy(s.contacts, s.state.stress);
+}
 
 void renew_strengths(bool contacts_move, BlockSystem& s) {
   for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
@@ -76,8 +98,9 @@ void change_rock(bool contacts_move, BlockSystem& s) {
   const std::vector<Material> materials_before = s.model.materials;
   take_rock_in_force(s);
   if (!rock.joints.empty()) renew_strengths(contacts_move, s);
-  const double contact =
+  double contact =
       change_springs(other_springs(joints_before, !rock.materials.empty(), s.model.joints), contacts_move, s);
+  if (!rock.materials.empty()) contact += renew_weights(s);
   s.audit.rock_changed(kinetic_energy(s.terms, s.state) - kinetic, strain_energy(s.terms, s.state) - strain, contact);
   if (!std::ranges::equal(materials_before, s.model.materials, have_same_moduli)) sum_forces_of_states(s);
 }

@@ -14,6 +14,10 @@ namespace dda {
 // The strengths of all contacts by the joints of the model. `contacts_move`: see Simulation::follows_contacts.
 void renew_strengths(bool contacts_move, BlockSystem& s);
 
+// What blocks' weights, which have changed, make of their tractions at projected joints. Returns by how much what is
+// stored has grown, J per m of thickness.
+double renew_weights(BlockSystem& s);
+
 // Model, blocks, their weight and what joints see of their stresses become those of the stage in force. Strengths and
 // springs, which a run keeps, are left alone.
 void take_rock_in_force(BlockSystem& s);

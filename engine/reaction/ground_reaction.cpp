@@ -113,6 +113,12 @@ std::vector<UnbalancedBlock> loose_at_full_share(Model model, const Settled& set
   return newly_loose(simulation, settled);
 }
 
+// What is left out of balance in situ is there in every point, whose largest force, of which it is a share, is another.
+Model settled_well(Model model) {
+  for (std::size_t i = 0; i + 1 < model.stages.size(); ++i) model.stages[i].equilibrium /= 2;
+  return model;
+}
+
 std::vector<int> numbers_of(const std::vector<UnbalancedBlock>& blocks) {
   std::vector<int> numbers;
   for (const UnbalancedBlock& block : blocks) numbers.push_back(block.block);
@@ -124,7 +130,7 @@ std::vector<int> numbers_of(const std::vector<UnbalancedBlock>& blocks) {
 ReactionCurve ground_reaction(const Model& model, const ReactionQuestion& question,
                               const std::function<void(const ReactionPoint&)>& progress) {
   const Unloading unloading = unloading_of(model, question.opening);
-  const Model& scene = unloading.model;
+  const Model scene = settled_well(unloading.model);
   ReactionCurve curve;
   curve.left_out = unloading.left_out;
   curve.removed_with_it = unloading.removed_with_it;

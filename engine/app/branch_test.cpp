@@ -165,7 +165,8 @@ TEST_F(Branch, RefusesWhatMustNotDiffer) {
     return changed;
   };
   expect_no_branch(with("/materials/rock/young", 2e9), "first", "scene.json: materials.rock.young is 2000000000, ");
-  expect_no_branch(with("/joints/default/spring_over_young", 5), "first", "joints.default.spring_over_young is 5, ");
+  expect_no_branch(with("/joints/default/spring_over_young", 5), "first",
+                   "joints.default.law is cubic, expected projected");
   expect_no_branch(with("/joints/default/cohesion", 1e5), "first",
                    "joints.default is with cohesion or tensile strength");
   expect_no_branch(with("/blocks/1/polygon/vertices/0/0", 0.1), "first", "block \"low\" is of another outline");
@@ -180,6 +181,15 @@ TEST_F(Branch, RefusesWhatMustNotDiffer) {
   held["supports"] = {{{"block", "floor"}, {"displacement", {"1 mm", 0}}}};
   expect_no_branch(held, "first", "the held block \"floor\" is 0.001 m");
   EXPECT_EQ(run(scene, "first", {"--from", path("first")}).code, 2);
+}
+
+TEST_F(Branch, RefusesOtherSprings) {
+  json scene = bricks({settle, shake});
+  scene["joints"]["default"]["spring_over_young"] = 10;
+  ASSERT_EQ(run(scene, "first").code, 0);
+  scene["steps"].push_back(rest);
+  scene["joints"]["default"]["spring_over_young"] = 5;
+  expect_no_branch(scene, "first", "joints.default.spring_over_young is 5, ");
 }
 
 // Springs that joints have from when they break are chosen by the pressure that a scene expects: where that is above

@@ -81,7 +81,8 @@ Model layered_ground(int seed, const nlohmann::json& joint, const char* kinemati
 }
 
 TEST(LayeredGround, StaysWhereItIs) {
-  const nlohmann::json joints[] = {{{"bonded", true}}, {{"friction_angle", "40 deg"}}};
+  const nlohmann::json joints[] = {
+      {{"bonded", true}}, {{"friction_angle", "40 deg"}}, {{"friction_angle", "40 deg"}, {"law", "classical"}}};
   for (const nlohmann::json& joint : joints)
     for (const char* kinematics : {"small", "finite"})
       for (int seed = 1; seed <= 8; ++seed) {

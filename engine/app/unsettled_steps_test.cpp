@@ -101,14 +101,15 @@ json loose_bricks(unsigned seed) {
             {{"quantity", quantity}, {"point", {column + (row % 2 == 0 ? 0.37 : 0.63), (row + 0.47) * height}}});
   json materials = rock();
   materials["rock"]["young"] = std::vector<double>{5e9, 20e9, 50e9}[static_cast<std::size_t>(between(0, 3))];
-  return {{"dda", 1},
-          {"materials", materials},
-          {"joints", {{"default", {{"friction_angle", between(10, 45) * std::numbers::pi / 180}}}}},
-          {"blocks", {{{"grid", grid}}, box("base", -3, -1, columns + 3, 0)}},
-          {"fixed", {"base"}},
-          {"gravity", {9.81 * std::sin(tilt), -9.81}},
-          {"measurements", measurements},
-          {"steps", {{"dt", dt}, {"duration", 60 * dt}}}};
+  return {
+      {"dda", 1},
+      {"materials", materials},
+      {"joints", {{"default", {{"friction_angle", between(10, 45) * std::numbers::pi / 180}, {"law", "classical"}}}}},
+      {"blocks", {{{"grid", grid}}, box("base", -3, -1, columns + 3, 0)}},
+      {"fixed", {"base"}},
+      {"gravity", {9.81 * std::sin(tilt), -9.81}},
+      {"measurements", measurements},
+      {"steps", {{"dt", dt}, {"duration", 60 * dt}}}};
 }
 
 // Whether two runs of one scene part by more than 1e-6 of the largest motion, at any time.

@@ -8,6 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
 #include "engine/model/finish_model.h"
+#include "engine/scene/choose_laws.h"
 #include "engine/scene/file_kind.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/read_openings.h"
@@ -77,6 +78,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
   finish_blocks(model);  // what follows needs the moments, and blocks that do not overlap
   StressField stresses(scene, std::move(facts.own_stress), model);
   read_stages(scene, scheme, parts.groups, model);
+  choose_laws(scene, model);
   stresses.fill(model);
   read_what_acts(scene, parts, stresses, folder, model);
   read_peaks(scene, parts.groups, parts.openings, model);

@@ -63,7 +63,7 @@ TEST(Scene, JointsThatMayBreakHaveChosenSpringsUnlessTheyHaveTheirOwn) {
     return bar_with(R"("joints": {"default": {)" + joint + "}}").joints[0].automatic_stiffness;
   };
   EXPECT_TRUE(are_chosen(R"("cohesion": 1e6)") && are_chosen(R"("law": "consistent", "tensile_strength": 1e6)"));
-  for (const char* joint : {R"("friction_angle": 0.5)", R"("bonded": true)", R"("law": "classical", "cohesion": 1e6)",
+  for (const char* joint : {R"("bonded": true)", R"("law": "classical", "cohesion": 1e6)",
                             R"("cohesion": 1e6, "spring_over_young": 9)", R"("cohesion": 1e6, "normal_spring": 1e9)"})
     EXPECT_FALSE(are_chosen(joint)) << joint;
 }

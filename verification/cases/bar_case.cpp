@@ -50,7 +50,7 @@ exact::InterfaceLaw interface_of(const BarCase& bar, const exact::BlockChain& ch
                                                                : 0);
   }
   const dda::Model model = model_of(bar);
-  const dda::Vec4 k = dda::interface_stiffness(model, dda::find_interfaces(model).front(), bar.joint.law);
+  const dda::Vec4 k = dda::make_element(model, dda::find_interfaces(model).front(), bar.joint.law).stiffness;
   return bar.joint.law == dda::InterfaceLaw::classical ? exact::corner_springs(k(0), k(1))
                                                        : exact::consistent_edge(k(0), k(3));
 }

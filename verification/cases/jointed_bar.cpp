@@ -90,7 +90,7 @@ double JointedBar::impedance() const { return density * speed(); }
 exact::BlockChain shear_chain_of(const JointedBar& bar) {
   const dda::Model model = model_of(bar);
   const dda::Vec4 k =
-      dda::interface_stiffness(model, dda::find_interfaces(model).front(), dda::InterfaceLaw::consistent);
+      dda::make_element(model, dda::find_interfaces(model).front(), dda::InterfaceLaw::consistent).stiffness;
   exact::BlockChain chain;
   chain.blocks = bar.blocks;
   chain.length = bar.block_length;

@@ -155,7 +155,7 @@ TEST(Fclib, StepsOfARunAreSuchProblems) {
   dda::Simulation run(dda::parse_scene(R"({
     "dda": 1,
     "materials": {"brick": {"density": 1900, "young": 10e9, "poisson": 0.2}},
-    "joints": {"default": {"friction_angle": "31 deg"}},
+    "joints": {"default": {"friction_angle": "31 deg", "law": "classical"}},
     "blocks": [{"polygon": {"name": "floor", "vertices": [[-1, -1], [5, -1], [5, 0], [-1, 0]]}},
                {"grid": {"columns": 4, "rows": 5, "pattern": "running_bond", "block_width": 1, "block_height": 0.5}}],
     "gravity": 9.81, "fixed": ["floor"], "steps": {"dt": 1e-3, "duration": 1}})",

@@ -162,8 +162,8 @@ RandomRock random_rock(std::uint64_t seed, const RockFamily& family) {
     scene["joints"]["grain"] = {{"friction_angle", "35 deg"},
                                 {"cohesion", made.unit * random.magnitude(4, 6)},
                                 {"tensile_strength", made.unit * random.magnitude(4, 5)}};
-  if (joints == RockJoints::projected)
-    for (Json& joint : scene["joints"]) joint["law"] = "projected";
+  if (joints == RockJoints::springs)
+    for (const char* name : {"default", "dry"}) scene["joints"][name]["law"] = "classical";
   scene["blocks"] = {rock(random, made.kind, box, made.unit)};
   add_walls(box, made.unit, made.kind, scene);
   hold_walls(random, made.kind, made.motion, scene);

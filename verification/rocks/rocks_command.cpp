@@ -39,14 +39,14 @@ void tell(const RockResult& result, std::ostream& errors) {
 // Kinds of joints are flags on the command line.
 struct RocksArguments {
   RocksCommand command;
-  bool dilating = false, projected = false;
+  bool dilating = false, springs = false;
 };
 
 std::vector<CommandOption> options_of(RocksArguments& a) {
   std::vector<CommandOption> options{out_folder(a.command.folder)};
   add_lots(a.command.seed, "rock", a.command.count, options);
   options.push_back({"--dilating", &a.dilating, "smaller rocks, with joints that ride up as they slide"});
-  options.push_back({"--projected", &a.projected, "joints of the projected law"});
+  options.push_back({"--springs", &a.springs, "joints with springs, the classical law"});
   options.push_back({.name = "--extent",
                      .target = &a.command.family.extent,
                      .help = "times as wide and high, with joints as far apart: its square times as many blocks",
@@ -92,7 +92,7 @@ StudyCommand rocks_command() {
       options_of, [](const RocksArguments& a, const Surroundings& s) {
         RocksCommand command = a.command;
         if (a.dilating) command.family.joints = RockJoints::dilating;
-        if (a.projected) command.family.joints = RockJoints::projected;
+        if (a.springs) command.family.joints = RockJoints::springs;
         return run_rocks(command, s.out, s.errors);
       });
 }

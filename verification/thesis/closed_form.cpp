@@ -26,7 +26,7 @@ exact::InterfaceLaw interface_law(const dda::Model& model, const exact::BlockCha
     const double error = exact::period_error(time_scheme_of(stage.integrator));
     return exact::cubic_edge(stage.correct_time_dispersion ? exact::inertia_reduction(chain, error, stage.dt) : 0);
   }
-  const dda::Vec4 stiffness = dda::interface_stiffness(model, dda::find_interfaces(model).front(), law);
+  const dda::Vec4 stiffness = dda::make_element(model, dda::find_interfaces(model).front(), law).stiffness;
   if (law == dda::InterfaceLaw::classical) return exact::corner_springs(stiffness(0), stiffness(1));
   return exact::consistent_edge(stiffness(0), stiffness(3));
 }

@@ -1,0 +1,16 @@
+// The law of joints for which a scene names none.
+//
+// A dry joint whose blocks move and turn has springs where nothing else is said of it: these lock blocks whose strains
+// differ, and let waves through at a wrong speed (ADR 35). So where the scene leaves both the law and the springs open,
+// its dry joints get the projected law, in every scene with finite kinematics that can have it.
+#pragma once
+
+#include "engine/model/model.h"
+#include "engine/scene/field.h"
+
+namespace dda {
+
+// Needs the stages, and what they change of the rock.
+void choose_laws(const Field& scene, Model& model);
+
+}  // namespace dda

@@ -1,0 +1,64 @@
+// Which law joints have for which a scene names none.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "engine/scene/scene.h"
+
+namespace dda {
+namespace {
+
+Model squares(const std::string& joints, const std::string& steps, const std::string& more = "") {
+  return parse_scene(R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": 1e10, "poisson": 0.2}}, )" + more +
+                         R"("joints": {)" + joints +
+                         R"(}, "blocks": [{"grid": {"columns": 2, "rows": 2, "block_width": 1, "block_height": 1}}],
+      "steps": [)" + steps +
+                         "]}",
+                     "scene.json");
+}
+
+const std::string moving = R"({"dt": 1e-3, "duration": 1})";
+const std::string as_drawn = R"({"dt": 1e-3, "duration": 1, "kinematics": "small"})";
+
+InterfaceLaw law_of(const std::string& joint, const std::string& steps = moving, const std::string& more = "") {
+  return squares("\"default\": {" + joint + "}", steps, more).joints[0].law;
+}
+
+TEST(ChooseLaws, DryJointsThatNameNoLawAreProjectedWhereBlocksMove) {
+  EXPECT_EQ(law_of(""), InterfaceLaw::projected);
+  EXPECT_EQ(law_of(R"("friction_angle": 0.5, "residual_friction_angle": 0.4)"), InterfaceLaw::projected);
+  EXPECT_EQ(law_of("", as_drawn + ", " + moving), InterfaceLaw::projected);
+  EXPECT_EQ(law_of("", R"({"integrator": "trapezoidal", "dt": 1e-3, "duration": 1})"), InterfaceLaw::projected);
+  EXPECT_NE(law_of("", as_drawn), InterfaceLaw::projected);
+}
+
+TEST(ChooseLaws, WhatNamesALawOrSpringsOrHasStrengthKeepsItsOwn) {
+  for (const char* joint : {R"("bonded": true)", R"("cohesion": 1e5)", R"("tensile_strength": 1e5)",
+                            R"("law": "classical")", R"("law": "consistent")", R"("normal_stiffness": 1e11)",
+                            R"("normal_stiffness": "auto")", R"("normal_spring": 1e10)", R"("spring_over_young": 10)",
+                            R"("shear_to_normal": 0.4)", R"("contact_damping": 0.2)", R"("penalty": 4)",
+                            R"("stabilisation": 0.1)", R"("friction_angle": 0.5, "dilation_angle": 0.1)"})
+    EXPECT_NE(law_of(joint), InterfaceLaw::projected) << joint;
+  EXPECT_EQ(law_of("", moving, R"("scheme": "thesis", )"), InterfaceLaw::classical);
+}
+
+// A stage that changes what the law cannot: moduli, or springs that it does not have.
+TEST(ChooseLaws, StagesThatChangeModuliOrSpringsHaveSprings) {
+  const auto then = [](const std::string& change) {
+    return law_of("", R"({"name": "first", "dt": 1e-3, "duration": 1}, {"dt": 1e-3, "duration": 1, )" + change + "}");
+  };
+  EXPECT_NE(then(R"("materials": {"rock": {"young": 8e9}})"), InterfaceLaw::projected);
+  EXPECT_NE(then(R"("joints": {"default": {"spring_over_young": 5}})"), InterfaceLaw::projected);
+  EXPECT_EQ(then(R"("materials": {"rock": {"density": 2700}})"), InterfaceLaw::projected);
+  EXPECT_EQ(then(R"("joints": {"default": {"friction_angle": 0.3}})"), InterfaceLaw::projected);
+}
+
+TEST(ChooseLaws, EachJointHasItsOwn) {
+  const Model model = squares(R"("default": {}, "weak": {"law": "classical"})", moving,
+                              R"("joint_lines": [{"points": [[0, 1], [2, 1]], "joint": "weak"}], )");
+  EXPECT_EQ(model.joints[0].law, InterfaceLaw::projected);
+  EXPECT_EQ(model.joints[1].law, InterfaceLaw::classical);
+}
+
+}  // namespace
+}  // namespace dda

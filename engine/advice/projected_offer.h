@@ -1,4 +1,4 @@
-// Where the projected law can be had in place of springs at closed joints
+// Where the projected law can be had in place of springs at closed joints.
 #pragma once
 
 #include "engine/model/model.h"

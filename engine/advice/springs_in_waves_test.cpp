@@ -58,10 +58,12 @@ TEST(SpringsInWaves, HasNothingToSayOfWhatIsNoSpring) {
   }
 }
 
-TEST(SpringsInWaves, NamesTheLawToIntegratorsThatDampNothingInSmallKinematics) {
-  Model conserving = dry_squares(InterfaceLaw::classical, Kinematics::small);
-  conserving.stages[0].integrator = trapezoidal_integrator();
-  EXPECT_NE(advice_on(conserving).springs.find("projected"), std::string::npos);
+TEST(SpringsInWaves, NamesTheLawToIntegratorsThatDampNothing) {
+  for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
+    Model conserving = dry_squares(InterfaceLaw::classical, kinematics);
+    conserving.stages[0].integrator = trapezoidal_integrator();
+    EXPECT_NE(advice_on(conserving).springs.find("projected"), std::string::npos);
+  }
 }
 
 // A stiffness that is given is the joint's own, and of damped contacts nothing is foretold.

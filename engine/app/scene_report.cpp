@@ -24,6 +24,7 @@
 #include "engine/geometry/box.h"
 #include "engine/linear/cholesky_solver.h"
 #include "engine/model/free_field_side.h"
+#include "engine/model/law_name.h"
 #include "engine/model/rock_change.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/probes.h"
@@ -55,16 +56,6 @@ class Text {
 
 std::string count(std::size_t n, const char* singular) {
   return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
-}
-
-const char* to_text(InterfaceLaw law) {
-  switch (law) {
-    case InterfaceLaw::classical: return "classical";
-    case InterfaceLaw::consistent: return "consistent";
-    case InterfaceLaw::cubic: return "cubic";
-    case InterfaceLaw::projected: return "projected";
-  }
-  return "";
 }
 
 void add_blocks(const Model& model, Text& text) {
@@ -116,7 +107,7 @@ void add_contacts(const Model& model, const ContactSet& contacts, Text& text) {
             points > 0 ? fmt::format(", {} of them in a point", points) : "");
   for (const auto& [group, number] : groups) {
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(group.first)];
-    text.line("joint", "\"{}\": {} {}, {}", joint.name, number, to_text(group.second), strength_of(joint));
+    text.line("joint", "\"{}\": {} {}, {}", joint.name, number, law_name(group.second), strength_of(joint));
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "engine/contact/joint_stiffness.h"
 #include "engine/contact/make_contacts.h"
 #include "engine/core/error.h"
+#include "engine/model/law_name.h"
 #include "engine/model/rock_change.h"
 
 namespace dda {
@@ -32,11 +32,6 @@ void expect_equal(const Value& then, const Value& now, const std::string& field)
 
 void expect_equal(bool then, bool now, const std::string& field) {
   if (then != now) refuse(field, now ? "true" : "false", then ? "true" : "false");
-}
-
-std::string name_of(InterfaceLaw law) {
-  constexpr std::array names = {"classical", "consistent", "cubic", "projected"};
-  return names.at(static_cast<std::size_t>(law));
 }
 
 void check(const Block& then, const Block& now) {
@@ -68,7 +63,7 @@ void check(const JointMaterial& then, const JointMaterial& now) {
   if (is_dry(then) != is_dry(now))
     refuse(field, is_dry(now) ? "without cohesion and tensile strength" : "with cohesion or tensile strength",
            is_dry(then) ? "none" : "some");
-  if (then.law != law) refuse(field + ".law", name_of(law), name_of(then.law));
+  if (then.law != law) refuse(field + ".law", law_name(law), law_name(then.law));
   expect_equal(then.automatic_stiffness, automatic_stiffness, field + ".normal_stiffness \"auto\"");
   expect_equal(then.normal_spring, normal_spring, field + ".normal_spring");
   expect_equal(then.spring_over_young, spring_over_young, field + ".spring_over_young");

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/model/law_name.h"
 #include "verification/study/grid.h"
 #include "verification/thesis/reference.h"
 
@@ -137,7 +138,7 @@ void expect_used(const Field& grid, const std::vector<JobParameters>& jobs) {
     const bool idle =
         std::any_of(jobs.begin(), jobs.end(), [only = law](const JobParameters& j) { return j.joint.law != only; });
     if (values && idle)
-      values->fail(fmt::format("to be left out unless every \"law\" of the grid is \"{}\"", law_name(law)));
+      values->fail(fmt::format("to be left out unless every \"law\" of the grid is \"{}\"", dda::law_name(law)));
   }
 }
 

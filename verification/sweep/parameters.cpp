@@ -1,5 +1,6 @@
 #include "verification/sweep/parameters.h"
 
+#include "engine/model/law_name.h"
 #include "verification/thesis/reference.h"
 
 namespace verify {
@@ -21,11 +22,6 @@ JobParameters default_parameters() {
   return parameters;
 }
 
-std::string law_name(dda::InterfaceLaw law) {
-  if (law == dda::InterfaceLaw::classical) return "classical";
-  return law == dda::InterfaceLaw::consistent ? "consistent" : "cubic";
-}
-
 std::string pulse_name(Pulse pulse) { return pulse == Pulse::cycle ? "cycle" : "tone"; }
 
 nlohmann::ordered_json to_json(const JobParameters& parameters) {
@@ -33,7 +29,7 @@ nlohmann::ordered_json to_json(const JobParameters& parameters) {
           {"block_length", parameters.block_length},
           {"cfl", parameters.cfl()},
           {"dt", parameters.dt},
-          {"law", law_name(parameters.joint.law)},
+          {"law", dda::law_name(parameters.joint.law)},
           {"spring_over_young", parameters.joint.spring_over_young},
           {"shear_to_normal", parameters.joint.shear_to_normal},
           {"penalty", parameters.joint.penalty},

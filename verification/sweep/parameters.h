@@ -35,7 +35,6 @@ struct JobParameters {
 // One flat object with every parameter, the columns of the table; two jobs are the same if theirs are.
 [[nodiscard]] nlohmann::ordered_json to_json(const JobParameters& parameters);
 
-[[nodiscard]] std::string law_name(dda::InterfaceLaw law);
 [[nodiscard]] std::string pulse_name(Pulse pulse);
 
 }  // namespace verify

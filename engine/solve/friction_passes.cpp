@@ -50,12 +50,6 @@ constexpr int passes_before_one_by_one = 6;
 constexpr int most_one_by_one = 8;
 constexpr double share_of_work_one_by_one = 0.25;
 
-// Where stretches lie on beds a step is halved up to so many times as long as it takes the iterate farther from the
-// balance: little is closed of a bed that all but lets go, so it has hardly any stiffness, and a whole step throws its
-// blocks far past it. (Of seed 14 of `dda-verify rocks --projected` 412 of 958 searches for a balance failed after 17
-// passes in the mean, and 33 of 242 do.) Springs have pieces to keep to.
-constexpr int most_halvings = 5;
-
 // Passes in which ends may open or close as they like. From then on those that keep hopping are made to slide first.
 constexpr int free_passes = 4;
 
@@ -84,14 +78,6 @@ void FrictionPasses::resize(Eigen::Index unknowns) {
   gmres_.resize(unknowns);
 }
 
-Vec4 FrictionPasses::gap(const LiveContact& contact, const Eigen::VectorXd& d) {
-  return contact.points.gap(d.segment<6>(6 * contact.block_a), d.segment<6>(6 * contact.block_b));
-}
-
-void FrictionPasses::add_force(const LiveContact& contact, const Vec4& contact_force, Eigen::VectorXd& force) {
-  contact.points.add_force(contact_force, force.segment<6>(6 * contact.block_a), force.segment<6>(6 * contact.block_b));
-}
-
 void FrictionPasses::take_all() {
   is_local_ = false;
   taken_.resize(live_.size());
@@ -110,7 +96,7 @@ bool FrictionPasses::has_something_to_settle(const Iterate& at) {
   live_.clear();
   between_pieces_ = on_beds_ = false;
   live_.reserve(at.contacts.size());
-  pieces_.reserve(at.contacts.size());
+  left_.pieces.reserve(at.contacts.size());
   couplings_.reserve(at.contacts.size());
   taken_.reserve(at.contacts.size());
   for (std::size_t k = 0; k < at.contacts.size(); ++k) {
@@ -134,25 +120,20 @@ bool FrictionPasses::find_balance(Iterate& at) {
   const std::span<const double> asked = at.problem->asked_balance;
   largest_asked_ = asked.empty() ? 0 : std::ranges::max(asked);
   const double most_work = at.problem->contacts.rule.capacity_is_given ? patience_with_given_capacities : patience;
-  double best = imbalance_;
-  int best_pass = 0;
-  double work = 0;  // since then, in passes over all blocks
+  nearest_.begin(imbalance_, 0);
   int for_more = 0;
   for (int pass = 0; !is_balanced(at) || (for_more++ < most_passes_for_more && is_asked_for_more(at)); ++pass) {
-    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || work > most_work) break;
+    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || nearest_.work > most_work) break;
     if (pass > 0 && prepare_pass(at, changed) != Status::ok) break;
     ++at.costs.counters.open_close_iterations;
     const double enough =
         is_balanced(at) ? all_digits : last_step_margin * std::min(1.0, negligible_imbalance(at) / imbalance_);
     if (solve_newton_step(at, changed ? std::max(enough, step_tolerance) : enough) != Status::ok) break;
-    const bool one_by_one = changes_one_by_one(pass - best_pass);
-    if (!one_by_one && goes_in_circles(pass - best_pass)) step_ /= 2;
-    take_step(at, pass >= free_passes, one_by_one);
-    work += work_of_pass(at) * (one_by_one ? share_of_work_one_by_one : 1);
-    if (imbalance_ >= best) continue;
-    best = imbalance_;
-    best_pass = pass;
-    work = 0;
+    const bool one_by_one = changes_one_by_one(pass - nearest_.pass);
+    if (!one_by_one && goes_in_circles(pass - nearest_.pass)) step_ /= 2;
+    take_step(at, {pass >= free_passes, one_by_one});
+    nearest_.work += work_of_pass(at) * (one_by_one ? share_of_work_one_by_one : 1);
+    if (!(imbalance_ >= nearest_.imbalance)) nearest_.begin(imbalance_, pass);
   }
   if (!is_balanced(at)) return false;  // one that is and was asked for more stays what it is
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
@@ -206,7 +187,7 @@ void FrictionPasses::form_residual(const Iterate& at) {
   largest_force_ = at.bolts.largest_force();
   for (const LiveContact& contact : live_) {
     const Vec4 constant = at.contacts.constant_force(contact.trial, contact.springs);
-    if (!constant.isZero(0)) add_force(contact, -at.problem->factor * constant, residual_);
+    if (!constant.isZero(0)) contact.add_force(-at.problem->factor * constant, residual_);
     largest_force_ = std::max(largest_force_, at.contacts[contact.trial].force.cwiseAbs().maxCoeff());
   }
   at.bolts.add_rhs(at.problem->factor, residual_);
@@ -287,15 +268,15 @@ void FrictionPasses::multiply_in_pass(const Iterate& at, const Eigen::VectorXd& 
 void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const {
   multiply_in_pass(at, v, w);
   for (const auto& [contact, slopes] : couplings_) {
-    const Vec4 opening = gap(*contact, v);
+    const Vec4 opening = contact->gap(v);
     const Vec2 shear = slopes * Vec2(opening(0), opening(2));
-    add_force(*contact, at.problem->factor * Vec4(0, shear(0), 0, shear(1)), w);
+    contact->add_force(at.problem->factor * Vec4(0, shear(0), 0, shear(1)), w);
   }
   for (const auto& [contact, slopes] : riding_) {
-    const Vec4 opening = gap(*contact, v);
+    const Vec4 opening = contact->gap(v);
     Vec4 force;
     force << slopes[0] * opening.head<2>(), slopes[1] * opening.tail<2>();
-    add_force(*contact, at.problem->factor * force, w);
+    contact->add_force(at.problem->factor * force, w);
   }
   at.problem->held.clear(w);
 }
@@ -309,27 +290,11 @@ void FrictionPasses::order_by_depth(const Iterate& at) {
   std::ranges::sort(taken_, {}, depth);
 }
 
-void FrictionPasses::take_step(Iterate& at, bool strictly, bool one_by_one) {
-  if (!on_beds_) return take_newton_step(at, strictly, one_by_one);
-  const double before = imbalance_;
-  whole_step_ = step_;
-  pieces_.clear();
-  for (const LiveContact& contact : live_) pieces_.push_back(contact.pieces);
-  take_newton_step(at, strictly, one_by_one);
-  double share = 1;
-  for (int halving = 0; halving < most_halvings && !(imbalance_ <= before); ++halving) {
-    share /= 2;
-    step_ = -share * whole_step_;  // back by half of the way gone
-    for (std::size_t k = 0; k < live_.size(); ++k) live_[k].pieces = pieces_[k];
-    take_newton_step(at, strictly, one_by_one);
-  }
-}
-
-void FrictionPasses::take_newton_step(Iterate& at, bool strictly, bool one_by_one) {
+void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
   const PhaseScope scope(Phase::judging);
-  const PieceRule rule{.strict = strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
+  const PieceRule rule{.strict = judged_by.strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
   at.increment += step_;
-  if (one_by_one) order_by_depth(at);
+  if (judged_by.one_by_one) order_by_depth(at);
   if (is_local_) {
     multiply_in_pass(at, step_, image_);
     residual_ -= image_;
@@ -344,19 +309,19 @@ void FrictionPasses::take_newton_step(Iterate& at, bool strictly, bool one_by_on
       const PieceRule own_rule = all_are_asked_alike ? rule : rule_of(contact, rule, at);
       const Vec4 force_before = trial.force;
       const ContactPieces pieces_before = contact.pieces;
-      const Vec4 moved = gap(contact, step_);
+      const Vec4 moved = contact.gap(step_);
       trial.gap += moved;
       respond_with_friction(contact.springs, strength, trial);
       contact.between = keep_to_bordering_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       contact.changes = contact.pieces != pieces_before;
-      if (one_by_one && contact.changes && std::exchange(one_changes, true)) {
+      if (judged_by.one_by_one && contact.changes && std::exchange(one_changes, true)) {
         contact.pieces = pieces_before;
         contact.between = stay_on_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       }
       if (is_local_) follow_residual(at, contact, moved, force_before);
     }
   };
-  if (is_local_ || one_by_one) {
+  if (is_local_ || judged_by.one_by_one) {
     move_contacts(0, taken_.size());  // blocks share their residual, contacts who may change
   } else {
     parallel_for(taken_.size(), contacts_worth_sharing, move_contacts);

@@ -18,12 +18,11 @@
 #include <vector>
 
 #include "engine/contact/contact_pieces.h"
-#include "engine/contact/interface_element.h"
-#include "engine/contact/point_kinematics.h"
 #include "engine/core/status.h"
 #include "engine/linear/block_part.h"
 #include "engine/linear/krylov.h"
 #include "engine/solve/iterate.h"
+#include "engine/solve/live_contact.h"
 
 namespace dda {
 
@@ -37,16 +36,6 @@ class FrictionPasses {
   [[nodiscard]] bool find_balance(Iterate& at);
 
  private:
-  struct LiveContact {
-    std::size_t trial;
-    int block_a, block_b;
-    ContactPieces pieces;  // what the pass takes its ends to be
-    bool between;          // its forces are not what it answers: keep_to_bordering_pieces
-    bool changes;          // what it answers is on other pieces than the last pass took it to be on
-    InterfaceSprings springs;
-    PointKinematics points;
-  };
-
   // How friction ties the shear forces of sliding ends to their normal gaps.
   struct Coupling {
     const LiveContact* contact;
@@ -59,10 +48,24 @@ class FrictionPasses {
     std::array<Mat2, 2> slopes;  // of each end, N/m per m of thickness: normal and shear force by these gaps
   };
 
-  static constexpr int basis = 40;  // of GMRES
+  // How a step judges the contacts that it moves.
+  struct JudgedBy {
+    bool strictly;    // PieceRule
+    bool one_by_one;  // only the first of those that want to goes over to other pieces
+  };
 
-  [[nodiscard]] static Vec4 gap(const LiveContact& contact, const Eigen::VectorXd& d);
-  static void add_force(const LiveContact& contact, const Vec4& contact_force, Eigen::VectorXd& force);
+  // What the pass nearest to the balance came to, and what was done since.
+  struct Nearest {
+    double imbalance = 0;  // N per m of thickness
+    int pass = 0;
+    double work = 0;             // since then, in passes over all blocks
+    int steps_away = 0;          // since then, on trust
+    bool is_trust_lost = false;  // from then on steps that lead away are halved
+
+    void begin(double imbalance_reached, int by_pass) { *this = {imbalance_reached, by_pass}; }
+  };
+
+  static constexpr int basis = 40;  // of GMRES
 
   void resize(Eigen::Index unknowns);
   void take_all();
@@ -84,8 +87,12 @@ class FrictionPasses {
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void multiply_coupled(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
   void order_by_depth(const Iterate& at);
-  void take_step(Iterate& at, bool strictly, bool one_by_one);
-  void take_newton_step(Iterate& at, bool strictly, bool one_by_one);
+  void take_whole_step(Iterate& at, const JudgedBy& judged_by);
+
+  // trusted_steps.cpp
+  void take_step(Iterate& at, const JudgedBy& judged_by);
+  void go_back_to_first_step(Iterate& at, const JudgedBy& judged_by);
+  void halve_step(Iterate& at, const JudgedBy& judged_by, double enough);
 
   // local_pass.cpp
   [[nodiscard]] Status prepare_pass(Iterate& at, bool& changed);
@@ -99,17 +106,17 @@ class FrictionPasses {
   std::vector<std::size_t> taken_;  // of these, those that the pass moves
   std::vector<Coupling> couplings_;
   std::vector<Riding> riding_;
-  BlockPart part_;                     // the blocks that a local pass moves
-  bool is_local_ = false;              // the pass
-  bool between_pieces_ = false;        // some live contact is
-  bool on_beds_ = false;               // some live contact lies
-  std::vector<ContactPieces> pieces_;  // of all live contacts, before the pass
+  BlockPart part_;               // the blocks that a local pass moves
+  bool is_local_ = false;        // the pass
+  bool between_pieces_ = false;  // some live contact is
+  bool on_beds_ = false;         // some live contact lies
+  Nearest nearest_;
+  PointLeft left_;
 
   // 6 entries a block.
-  Eigen::VectorXd residual_;    // what is left of the balance at the increments reached
-  Eigen::VectorXd step_;        // of Newton's method
-  Eigen::VectorXd whole_step_;  // before it was halved
-  Eigen::VectorXd image_;       // matrix * increments
+  Eigen::VectorXd residual_;  // what is left of the balance at the increments reached
+  Eigen::VectorXd step_;      // of Newton's method
+  Eigen::VectorXd image_;     // matrix * increments
   ConjugateGradients gradients_;
   Gmres gmres_{basis};
 

@@ -112,7 +112,7 @@ void FrictionPasses::follow_residual(const Iterate& at, const LiveContact& conta
   const Vec4 expected = at.contacts.force_in_matrix(contact.trial, contact.springs, moved);
   const Vec4 beyond = trial.force - force_before - expected;
   largest_force_ = std::max(largest_force_, trial.force.cwiseAbs().maxCoeff());
-  if (!beyond.isZero(0)) add_force(contact, -at.problem->factor * beyond, residual_);
+  if (!beyond.isZero(0)) contact.add_force(-at.problem->factor * beyond, residual_);
 }
 
 }  // namespace dda

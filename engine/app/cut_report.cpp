@@ -6,8 +6,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
+#include "engine/core/parallel.h"
 #include "engine/scene/cut_remarks.h"
+#include "engine/scene/json_pieces.h"
 
 namespace dda {
 namespace {
@@ -15,6 +19,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double degrees = 180 / std::numbers::pi;
+constexpr std::size_t entries_in_part = 10'000;  // of a list that threads write together
 
 void add(const CutEntry& entry, CutFigures& figures) {
   figures.blocks += entry.cut.blocks.size();
@@ -36,12 +41,45 @@ void add(const CutEntry& entry, CutFigures& figures) {
   figures.statistics.push_back(statistics_of(entry.cut, entry.rock.plan));
 }
 
-json entry_of(const Cleaned& cleaned) {
-  json entry = {
-      {"what", to_string(cleaned.what)}, {"at", {cleaned.from.x(), cleaned.from.y()}}, {"size", cleaned.size}};
-  if (cleaned.from != cleaned.to) entry["to"] = {cleaned.to.x(), cleaned.to.y()};
-  if (!cleaned.origin.empty()) entry["line"] = cleaned.origin;
-  return entry;
+void append_place(const Vec2& place, std::string& text) {
+  text += "[\n    ";
+  append_json_number(place.x(), text);
+  text += ",\n    ";
+  append_json_number(place.y(), text);
+  text += "\n   ]";
+}
+
+// As the JSON library would write it there, keys in their order.
+void append_entry(const Cleaned& cleaned, std::string& text) {
+  text += "  {\n   \"at\": ";
+  append_place(cleaned.from, text);
+  if (!cleaned.origin.empty()) {
+    text += ",\n   \"line\": ";
+    append_json_text(cleaned.origin, text);
+  }
+  text += ",\n   \"size\": ";
+  append_json_number(cleaned.size, text);
+  if (cleaned.from != cleaned.to) {
+    text += ",\n   \"to\": ";
+    append_place(cleaned.to, text);
+  }
+  text += ",\n   \"what\": ";
+  append_json_text(to_string(cleaned.what), text);
+  text += "\n  }";
+}
+
+std::string cleaned_list(const std::vector<const Cleaned*>& all) {
+  std::vector<std::string> parts(1 + all.size() / entries_in_part);
+  parallel_for_each(parts.size(), 1, [&](std::size_t part) {
+    const std::size_t last = std::min(all.size(), (part + 1) * entries_in_part);
+    for (std::size_t i = part * entries_in_part; i < last; ++i) {
+      parts[part] += i == 0 ? "[\n" : ",\n";
+      append_entry(*all[i], parts[part]);
+    }
+  });
+  std::string text;
+  for (std::string& part : parts) text += std::exchange(part, {});
+  return text.empty() ? "[]" : text + "\n ]";
 }
 
 json point_entry(const PlanPoint& point) {
@@ -87,7 +125,7 @@ CutFigures figures_of(const CutScene& scene, double seconds) {
 }
 
 std::string report_json(const CutScene& scene, const CutFigures& figures) {
-  json cleaned = json::array();
+  std::vector<const Cleaned*> cleaned;
   json statistics = json::array();
   json fills = json::array();
   json points = json::array();
@@ -97,7 +135,7 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
     for (const CutFill& fill : entry.cut.fills) fills.push_back(fill_entry(fill));
     for (const PlanPoint& point : entry.rock.plan.points) points.push_back(point_entry(point));
     for (const std::string& remark : entry.rock.remarks) remarks.push_back(remark);
-    for (const Cleaned& each : entry.cut.cleaned) cleaned.push_back(entry_of(each));
+    for (const Cleaned& each : entry.cut.cleaned) cleaned.push_back(&each);
   }
   const json report = {{"blocks", figures.blocks},
                        {"area", figures.area},
@@ -117,8 +155,15 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
                        {"fills", fills},
                        {"points", points},
                        {"remarks", remarks},
-                       {"cleaned", cleaned}};
-  return report.dump(1) + "\n";
+                       {"cleaned", json::array()}};
+  // What was cleaned is most of it. Within texts of a document there are no ends of lines, so the key is where it is.
+  constexpr std::string_view key = "\n \"cleaned\": ";
+  std::string text = report.dump(1) + "\n";
+  const std::size_t list = text.find(key) + key.size();
+  std::string rest = text.substr(list + std::string_view("[]").size());
+  text.resize(list);
+  text += cleaned_list(cleaned);
+  return text + rest;
 }
 
 std::string report_text(const CutScene& scene, const CutFigures& figures) {

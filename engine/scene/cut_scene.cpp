@@ -118,20 +118,24 @@ class Cutter {
     result_.entries.push_back(std::move(cut_entry));
   }
 
+  // Takes the document that was read apart: there may be a million lines in it, which the new one has no use for.
   [[nodiscard]] json with_polygons() {
-    json cut = document_;
-    const json& old = document_["blocks"];
-    cut["blocks"] = json::array();
+    const json old = std::exchange(document_["blocks"], json::array());
+    json cut = std::move(document_);
     json lines = json::array();
     std::size_t number = 0;
-    for (const json& entry : old.is_array() ? old : json::array({old})) {
+    const auto take = [&](const json& entry) {
       if (entry.contains("rock"))
         append(result_.entries[number++], entry["rock"], cut["blocks"], lines);
       else
         cut["blocks"].push_back(entry);
-    }
-    if (document_.contains("joint_lines")) {
-      for (const json& line : document_["joint_lines"]) lines.push_back(line);
+    };
+    if (old.is_array())
+      for (const json& entry : old) take(entry);
+    else
+      take(old);
+    if (cut.contains("joint_lines")) {
+      for (const json& line : cut["joint_lines"]) lines.push_back(line);
     }
     if (!lines.empty()) cut["joint_lines"] = std::move(lines);
     drop_unused_joints(cut);

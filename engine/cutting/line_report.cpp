@@ -63,7 +63,10 @@ class Lines {
     const Straight& line = pieces_.straights[at(straight)];
     const Vec2 along = (line.to - line.from).normalized();
     const auto way = [&](int half_edge) {
-      return along.dot(arrangement_.position(arrangement_.origin(half_edge)) - line.from);
+      const Vec2& place = arrangement_.position(arrangement_.origin(half_edge));
+      // As if it were prolonged there: what dangles then ends at the end that was drawn, not beside it by round-off.
+      if (pieces_.ends_alone[at(straight)] && place == line.to) return (line.to - line.from).norm() + pieces_.tolerance;
+      return along.dot(place - line.from);
     };
     const auto [from, to] = std::minmax({way(2 * edge), way(2 * edge + 1)});
     stretches_.push_back({straight, fate, from, to});

@@ -32,7 +32,7 @@ std::vector<ProlongedLink> prolonged_links(const Noding& noding, const PlanPiece
   std::vector<ProlongedLink> found;
   for (std::size_t i = 0; i < noding.links.size(); ++i) {
     const Link& link = noding.links[i];
-    if (!std::binary_search(pieces.prolonged.begin(), pieces.prolonged.end(), link.straight)) continue;
+    if (!pieces.prolonged[at(link.straight)]) continue;
     if (const double share = share_beyond(link, noding, pieces); share != 0)
       found.push_back({static_cast<int>(i), link.straight, share > 0, std::abs(share)});
   }

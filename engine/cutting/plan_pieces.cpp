@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/cutting/lonely_ends.h"
 #include "engine/geometry/diameter.h"
 
 namespace dda {
@@ -44,7 +45,7 @@ std::optional<Straight> clipped(const Straight& given, const Box& box) {
 class Collector {
  public:
   Collector(const RockPlan& plan, const Box& box, double tolerance)
-      : plan_(plan), box_(box), pieces_{PixelGrid(box), tolerance, {}, {}, {}, {}, {}, {}} {}
+      : plan_(plan), box_(box), pieces_{PixelGrid(box), tolerance, {}, {}, {}, {}, {}, {}, {}} {}
 
   void add_ring(const Ring& ring, int curve) {
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -63,6 +64,7 @@ class Collector {
   PlanPieces take() {
     std::sort(pieces_.ends.begin(), pieces_.ends.end(),
               [](const KnownNode& a, const KnownNode& b) { return a.pixel < b.pixel; });
+    drop_lonely_prolongations();
     return std::move(pieces_);
   }
 
@@ -94,7 +96,23 @@ class Collector {
     const auto part = clipped(way, box_);
     if (!part) return;
     pieces_.pieces.push_back({{from, pieces_.grid.pixel_of(part->to)}, straight});
-    pieces_.prolonged.push_back(straight);
+  }
+
+  void drop_lonely_prolongations() {
+    const std::vector<bool> is_lonely = lonely_prolongations(pieces_, plan_);
+    pieces_.prolonged.assign(pieces_.straights.size(), false);
+    pieces_.ends_alone.assign(pieces_.straights.size(), false);
+    std::vector<Piece> kept;
+    for (std::size_t i = 0; i < is_lonely.size(); ++i) {
+      const Piece& piece = pieces_.pieces[i];
+      const auto straight = static_cast<std::size_t>(piece.straight);
+      if (!is_lonely[i])
+        kept.push_back(piece);
+      else if (piece.segment.from == pieces_.grid.pixel_of(pieces_.straights[straight].to))
+        pieces_.ends_alone[straight] = true;
+      if (!is_lonely[i] && i > 0 && pieces_.pieces[i - 1].straight == piece.straight) pieces_.prolonged[straight] = true;
+    }
+    pieces_.pieces = std::move(kept);
   }
 
   void note_no_length(const Straight& given, const Source& source) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -52,18 +53,20 @@ Vec2 place_of_crossing(const Pixel& pixel, const Straight& a, const Straight& b,
 
 void add_crossings(const std::vector<Piece>& pieces, const std::vector<Straight>& straights, const PixelGrid& grid,
                    std::vector<Candidate>& found) {
-  visit_crowds(pieces, [&](const Quadrant& quadrant, const std::vector<int>& crowd) {
+  std::vector<std::vector<Candidate>> parts(most_parts_of_plane);
+  visit_crowds(pieces, [&](std::size_t part, const Quadrant& quadrant, std::span<const NearPiece> crowd) {
     for (std::size_t i = 0; i < crowd.size(); ++i) {
       for (std::size_t j = i + 1; j < crowd.size(); ++j) {
-        const Piece& a = pieces[at(crowd[i])];
-        const Piece& b = pieces[at(crowd[j])];
-        const auto pixel = crossing(a.segment, b.segment);
+        const auto pixel = crossing(crowd[i].segment, crowd[j].segment);
         if (!pixel || !quadrant.holds(*pixel)) continue;
-        found.push_back({*pixel, Kind::crossing,
-                         place_of_crossing(*pixel, straights[at(a.straight)], straights[at(b.straight)], grid)});
+        const Straight& a = straights[at(pieces[at(crowd[i].piece)].straight)];
+        const Straight& b = straights[at(pieces[at(crowd[j].piece)].straight)];
+        parts[part].push_back({*pixel, Kind::crossing, place_of_crossing(*pixel, a, b, grid)});
       }
     }
   });
+  const std::vector<Candidate> crossings = in_one_list(std::move(parts));
+  found.insert(found.end(), crossings.begin(), crossings.end());
 }
 
 std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
@@ -99,21 +102,62 @@ bool operator<(const Entry& a, const Entry& b) {
   return std::tie(a.piece, a.way, a.node) < std::tie(b.piece, b.way, b.node);
 }
 
+// The way between two pixels is the sum of the differences in x and y, at most as many times their distance.
+constexpr double way_of_diagonal = 1.5;  // more than the root of 2
+
 std::int64_t way_along(const PixelSegment& segment, const Pixel& pixel) {
   const Pixel along = segment.to - segment.from;
   return (along.x < 0 ? -pixel.x : pixel.x) + (along.y < 0 ? -pixel.y : pixel.y);
 }
 
-std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels) {
-  std::vector<Entry> entries;
-  visit_meetings(pieces, pixels, 0, [&](const std::vector<int>& crowd, const std::vector<int>& nodes) {
-    for (const int piece : crowd) {
-      const PixelSegment& segment = pieces[at(piece)].segment;
-      for (const int node : nodes) {
-        if (enters(segment, pixels[at(node)])) entries.push_back({piece, way_along(segment, pixels[at(node)]), node});
-      }
-    }
-  });
+// What of a plan comes near something else, or may: nodes by number.
+using Crowded = std::vector<int>;
+
+// Whether a segment passes within some pixels of one, or may: with pixels to spare, more than the round-off.
+class Passing {
+ public:
+  explicit Passing(const PixelSegment& segment, double reach)
+      : from_(segment.from),
+        dx_(static_cast<double>(segment.to.x - segment.from.x)),
+        dy_(static_cast<double>(segment.to.y - segment.from.y)),
+        length_(std::hypot(dx_, dy_)),
+        room_((reach + pixels_to_spare) * length_) {}
+
+  [[nodiscard]] bool by(const Pixel& pixel) const {
+    const auto x = static_cast<double>(pixel.x - from_.x);
+    const auto y = static_cast<double>(pixel.y - from_.y);
+    if (std::abs(x * dy_ - y * dx_) > room_) return false;
+    const double along = x * dx_ + y * dy_;
+    return along >= -room_ && along <= length_ * length_ + room_;
+  }
+
+ private:
+  static constexpr double pixels_to_spare = 4;
+  Pixel from_;
+  double dx_, dy_, length_, room_;
+};
+
+// Which nodes each piece enters, by piece and along it. Lists in `crowded` nodes that a piece passes within `reach`
+// without entering them.
+std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels, double reach,
+                              Crowded* crowded) {
+  std::vector<std::vector<Entry>> parts(most_parts_of_plane);
+  std::vector<Crowded> near(most_parts_of_plane);
+  visit_meetings(pieces, pixels, reach,
+                 [&](std::size_t part, std::span<const NearPiece> crowd, std::span<const NearNode> nodes) {
+                   for (const NearPiece& piece : crowd) {
+                     const Passing passing(piece.segment, reach);
+                     for (const NearNode& node : nodes) {
+                       if (!passing.by(node.pixel)) continue;
+                       if (enters(piece.segment, node.pixel))
+                         parts[part].push_back({piece.piece, way_along(piece.segment, node.pixel), node.node});
+                       else
+                         near[part].push_back(node.node);
+                     }
+                   }
+                 });
+  if (crowded != nullptr) *crowded = in_one_list(std::move(near));
+  std::vector<Entry> entries = in_one_list(std::move(parts));
   std::sort(entries.begin(), entries.end());
   return entries;
 }
@@ -198,7 +242,7 @@ class Again {
       pixels.push_back(noding_.pixels[node]);
       numbers.push_back(static_cast<int>(node));
     }
-    const std::vector<Entry> entries = entries_of(near_, pixels);
+    const std::vector<Entry> entries = entries_of(near_, pixels, 0, nullptr);
     for (std::size_t i = 1; i < entries.size(); ++i) {
       if (entries[i].piece != entries[i - 1].piece) continue;
       add_link(noding_, numbers[at(entries[i - 1].node)], numbers[at(entries[i].node)],
@@ -217,16 +261,20 @@ class Again {
 }  // namespace
 
 Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
-                   const std::vector<KnownNode>& known, const PixelGrid& grid) {
+                   const std::vector<KnownNode>& known, const PixelGrid& grid, double reach) {
   Noding noding;
   noding.pieces_noded = pieces.size();
   fill_nodes(candidates_of(pieces, straights, known, grid), noding);
-  const std::vector<Entry> entries = entries_of(pieces, noding.pixels);
+  Crowded crowded;
+  const std::vector<Entry> entries = entries_of(pieces, noding.pixels, reach, &crowded);
   for (std::size_t i = 1; i < entries.size(); ++i) {
-    if (entries[i].piece == entries[i - 1].piece)
-      add_link(noding, entries[i - 1].node, entries[i].node, pieces[at(entries[i].piece)].straight);
+    if (entries[i].piece != entries[i - 1].piece) continue;
+    add_link(noding, entries[i - 1].node, entries[i].node, pieces[at(entries[i].piece)].straight);
+    if (static_cast<double>(entries[i].way - entries[i - 1].way) <= way_of_diagonal * (reach + 1))
+      crowded.push_back(entries[i].node);
   }
   put_in_order(noding.links);
+  for (const int node : crowded) noding.crowded.push_back({noding.pixels[at(node)], noding.pixels[at(node)]});
   return noding;
 }
 

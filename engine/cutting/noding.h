@@ -43,13 +43,15 @@ struct Noding {
   std::vector<Pixel> pixels;     // of the nodes, ascending
   std::vector<Vec2> positions;   // m, of the nodes; each in its pixel: an end as given, else the crossing
   std::vector<Link> links;       // ascending, each once
+  std::vector<PixelBox> crowded;  // where nodes lie near others, or near a piece that does not enter them
   std::size_t pieces_noded = 0;  // how many pieces were compared with others, what that cost
   bool is_unfinished = false;    // welding used up its rounds: places nearer than round-off may be left
 };
 
-// `known` are the places of the drawing that nodes keep. Other ends of pieces get the middle of a pixel.
+// `known` are the places of the drawing that nodes keep. Other ends of pieces get the middle of a pixel. What comes
+// within `reach` steps of the grid is told as crowded.
 Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
-                   const std::vector<KnownNode>& known, const PixelGrid& grid);
+                   const std::vector<KnownNode>& known, const PixelGrid& grid, double reach);
 
 // A link of a noding that was changed, with the nodes' numbers there.
 struct ChangedLink {

@@ -34,13 +34,12 @@ struct Seen {
 
 Seen look_at(const std::vector<Piece>& pieces) {
   Seen seen;
-  visit_crowds(pieces, [&](const Quadrant& quadrant, const std::vector<int>& crowd) {
+  visit_crowds(pieces, [&](std::size_t, const Quadrant& quadrant, std::span<const NearPiece> crowd) {
     seen.compared += crowd.size() * (crowd.size() - 1) / 2;
-    for (const int i : crowd) {
-      for (const int j : crowd) {
-        const auto met =
-            crossing(pieces[static_cast<std::size_t>(i)].segment, pieces[static_cast<std::size_t>(j)].segment);
-        if (i < j && met && quadrant.holds(*met)) seen.crossings.insert({i, j});
+    for (const NearPiece& a : crowd) {
+      for (const NearPiece& b : crowd) {
+        const auto met = crossing(a.segment, b.segment);
+        if (a.piece < b.piece && met && quadrant.holds(*met)) seen.crossings.insert({a.piece, b.piece});
       }
     }
   });

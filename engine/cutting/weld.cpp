@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -41,8 +41,8 @@ using Places = std::vector<PixelBox>;
 // One round: which nodes become one, where links have to be led, and what comes of it.
 class Welder {
  public:
-  // `unseen`: around what came or changed since nodes and links were last compared; nothing: compare all.
-  Welder(Noding& noding, const PlanPieces& pieces, const RockPlan& plan, const std::optional<Places>& unseen,
+  // `unseen`: around what came or changed since nodes and links were last compared.
+  Welder(Noding& noding, const PlanPieces& pieces, const RockPlan& plan, const Places& unseen,
          std::vector<Cleaned>& cleaned)
       : noding_(noding),
         pieces_(pieces),
@@ -50,6 +50,7 @@ class Welder {
         cleaned_(cleaned),
         round_off_(round_off_of(pieces)),
         reach_(static_cast<std::int64_t>(2 * round_off_ / pieces.grid.step() + 2 * least_steps)),
+        region_(noding.pixels, unseen, reach_),
         into_(noding.pixels.size()),
         bounds_(noding.pixels.size(), {none, none}),
         links_at_(noding.pixels.size(), 0),
@@ -57,7 +58,6 @@ class Welder {
         is_moved_(noding.pixels.size(), false),
         is_dropped_(needless_prolongations(noding, pieces)) {
     std::iota(into_.begin(), into_.end(), 0);
-    if (unseen) region_.emplace(noding.pixels, *unseen, reach_);
     for (const Link& link : noding_.links) {
       for (const int node : {link.from, link.to}) {
         ++links_at_[at(node)];
@@ -190,7 +190,7 @@ class Welder {
     return (noding_.positions[at(a)] - noding_.positions[at(b)]).norm();
   }
 
-  [[nodiscard]] bool is_unseen(const PixelBox& box) const { return !region_ || region_->meets(box); }
+  [[nodiscard]] bool is_unseen(const PixelBox& box) const { return region_.meets(box); }
 
   [[nodiscard]] std::vector<std::pair<int, int>> near_pairs() const {
     std::vector<Box> boxes;
@@ -274,19 +274,23 @@ class Welder {
       pixels.push_back(noding_.pixels[node]);
       nodes.push_back(static_cast<int>(node));
     }
-    const double steps = round_off_ / pieces_.grid.step() + least_steps;
-    visit_meetings(pieces, pixels, steps, [&](const std::vector<int>& crowd, const std::vector<int>& near) {
-      for (const int piece : crowd) {
-        for (const int node : near) add_detour(links[at(piece)], nodes[at(node)]);
-      }
-    });
+    const double steps = steps_of_round_off(pieces_);
+    std::vector<std::vector<Detour>> parts(most_parts_of_plane);
+    visit_meetings(pieces, pixels, steps,
+                   [&](std::size_t part, std::span<const NearPiece> crowd, std::span<const NearNode> near) {
+                     for (const NearPiece& piece : crowd) {
+                       for (const NearNode& node : near)
+                         add_detour(links[at(piece.piece)], nodes[at(node.node)], parts[part]);
+                     }
+                   });
+    detours_ = in_one_list(std::move(parts));
     std::sort(detours_.begin(), detours_.end(), [](const Detour& a, const Detour& b) {
       return std::tie(a.link, a.share, a.node) < std::tie(b.link, b.share, b.node);
     });
     move_onto_bounds();
   }
 
-  void add_detour(int number, int node) {
+  void add_detour(int number, int node, std::vector<Detour>& found) const {
     const Link link = joined(noding_.links[at(number)]);
     if (node == link.from || node == link.to) return;
     const Segment way{noding_.positions[at(link.from)], noding_.positions[at(link.to)]};
@@ -295,7 +299,7 @@ class Welder {
       return;
     const bool is_kept =
         is_bound(pieces_, link.straight, plan_) && bounds_[at(node)][0] != none;  // two that would not bend
-    if (!is_kept) detours_.push_back({number, share, node});
+    if (!is_kept) found.push_back({number, share, node});
   }
 
   // Links of boundary and holes do not bend: the node moves.
@@ -359,7 +363,7 @@ class Welder {
   std::vector<Cleaned>& cleaned_;
   double round_off_;
   std::int64_t reach_;  // pixels around what changed in which something else may be near it
-  std::optional<PixelRegion> region_;
+  PixelRegion region_;
   bool has_compared_ = false;
   std::vector<int> into_;                   // by node: that which it becomes, itself where it stays
   std::vector<std::array<int, 2>> bounds_;  // by node: straights of boundary and holes that it lies on
@@ -376,9 +380,13 @@ double round_off_of(const PlanPieces& pieces) {
   return std::max(share_of_tolerance * pieces.tolerance, least_steps * pieces.grid.step());
 }
 
+double steps_of_round_off(const PlanPieces& pieces) {
+  return round_off_of(pieces) / pieces.grid.step() + least_steps;
+}
+
 Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned,
               int most_rounds) {
-  std::optional<Places> unseen;
+  Places unseen = std::move(noding.crowded);
   for (int round = 0; round < most_rounds; ++round) {
     Welder welder(noding, pieces, plan, unseen, cleaned);
     if (!welder.weld()) return noding;
@@ -386,8 +394,8 @@ Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std
     const Renoding changed = welder.renoding();
     if (welder.has_compared())
       unseen = changed.places;
-    else if (unseen)
-      unseen->insert(unseen->end(), changed.places.begin(), changed.places.end());
+    else
+      unseen.insert(unseen.end(), changed.places.begin(), changed.places.end());
     noding = node_again(changed, pieces.straights, pieces.grid);
     noding.pieces_noded += noded;
   }

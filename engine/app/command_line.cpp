@@ -217,6 +217,9 @@ void add_cut(CLI::App& app, Arguments& arguments) {
   cut->add_option("--out", arguments.folder, "folder for the results; made if need be")->required()->type_name("DIR");
   cut->add_option("--export", arguments.cut.exported, "the blocks as a drawing, too: .dxf, .geojson or .dc")
       ->type_name("FILE");
+  cut->add_option("--threads", arguments.cut.threads, "that share the work; default one a core; same results with any")
+      ->type_name("N")
+      ->check(number_of_threads);
   add_drawing_options(*cut, arguments.cut.drawing);
 }
 

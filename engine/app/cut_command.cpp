@@ -13,6 +13,7 @@
 #include "engine/app/exported_blocks.h"
 #include "engine/app/statistics_picture.h"
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/drawing/write_blocks.h"
 #include "engine/record/atomic_file.h"
 #include "engine/record/folder_lock.h"
@@ -84,6 +85,7 @@ std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, c
 
 void cut_into_folder(const CutRequest& request, std::ostream& out) {
   check_outputs(request);
+  const ThreadsInUse threads(request.threads > 0 ? request.threads : cores());
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };

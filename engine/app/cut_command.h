@@ -12,6 +12,7 @@ struct CutRequest {
   std::filesystem::path folder;
   std::filesystem::path exported;  // a drawing of the blocks; empty: none
   DrawingOptions drawing;
+  int threads = 0;  // that share the work; 0: one a core
 };
 
 // Writes scene.json (blocks and joints written out), cut.json (figures and what was cleaned) and cut.svg (a picture)

@@ -180,22 +180,20 @@ struct Overlaps::Indexed : Shape {
   explicit Indexed(const Polygon& given) : Shape(given) { make_index(); }
 };
 
-Overlaps::Overlaps(std::vector<const Polygon*> polygons) : polygons_(std::move(polygons)), indexed_(polygons_.size()) {}
+// Where corners are so few that looking at all edges costs less there is no index.
+Overlaps::Overlaps(std::vector<const Polygon*> polygons) : polygons_(std::move(polygons)), indexed_(polygons_.size()) {
+  for (std::size_t i = 0; i < polygons_.size(); ++i) {
+    if (corner_count(*polygons_[i]) >= corners_worth_an_index)
+      indexed_[i] = std::make_unique<const Indexed>(*polygons_[i]);
+  }
+}
 Overlaps::~Overlaps() = default;
 
-// Returns the index of polygon `i`, or nullptr where its corners are so few that looking at all edges costs less.
-const Overlaps::Indexed* Overlaps::indexed(int i) {
-  const Polygon& polygon = *polygons_[static_cast<std::size_t>(i)];
-  auto& indexed = indexed_[static_cast<std::size_t>(i)];
-  if (!indexed && corner_count(polygon) >= corners_worth_an_index) indexed = std::make_unique<const Indexed>(polygon);
-  return indexed.get();
-}
-
-bool Overlaps::between(int a, int b, double tolerance) {
+bool Overlaps::between(int a, int b, double tolerance) const {
   const Polygon& first = *polygons_[static_cast<std::size_t>(a)];
   const Polygon& second = *polygons_[static_cast<std::size_t>(b)];
-  const Indexed* large_a = indexed(a);
-  const Indexed* large_b = indexed(b);
+  const Indexed* large_a = indexed_[static_cast<std::size_t>(a)].get();
+  const Indexed* large_b = indexed_[static_cast<std::size_t>(b)].get();
   if (large_a == nullptr && large_b == nullptr) return interiors_overlap(first, second, tolerance);
   if (large_a == nullptr) return shapes_overlap(Shape(first), *large_b, tolerance);
   if (large_b == nullptr) return shapes_overlap(*large_a, Shape(second), tolerance);

@@ -15,21 +15,21 @@ namespace dda {
 // (defect()), of either orientation; `tolerance` must be positive and well above the round-off of the coordinates.
 bool interiors_overlap(const Polygon& a, const Polygon& b, double tolerance);
 
-// The same of many pairs of some polygons, which must outlive it. Those with many edges are made ready once, with an
-// index of their edges: a large block with thousands of small neighbours takes time that goes with their number.
+// The same of many pairs of some polygons, which must outlive it. Those with many edges are made ready beforehand, with
+// an index of their edges: a large block with thousands of small neighbours takes time that goes with their number.
 class Overlaps {
  public:
   explicit Overlaps(std::vector<const Polygon*> polygons);
   ~Overlaps();
 
-  bool between(int a, int b, double tolerance);
+  // May be asked by several threads at once.
+  [[nodiscard]] bool between(int a, int b, double tolerance) const;
 
  private:
   struct Indexed;
-  const Indexed* indexed(int i);  // null for one with few edges
 
   std::vector<const Polygon*> polygons_;
-  std::vector<std::unique_ptr<const Indexed>> indexed_;  // of each with many edges that was asked for
+  std::vector<std::unique_ptr<const Indexed>> indexed_;  // of each with many edges
 };
 
 }  // namespace dda

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
-#include <set>
+#include <optional>
+#include <unordered_set>
 
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/geometry/near_shapes.h"
 #include "engine/geometry/overlap.h"
 #include "engine/model/check_parts.h"
@@ -10,11 +12,6 @@
 
 namespace dda::model_checks {
 namespace {
-
-void check_block(const Model& model, const Item& item, const Block& block) {
-  if (const auto why = defect(block.shape)) item.fail("shape", *why, "a simple polygon");
-  item.index("material", block.material, model.materials.size());
-}
 
 void check_initial_state(const Item& item, const Block& block) {
   item.finite("initial stress", block.initial_stress);
@@ -34,15 +31,31 @@ std::vector<std::pair<int, int>> suspect_pairs(const Model& model) {
   return pairs_of_near_shapes(outlines, boxes);
 }
 
+// The numbers below `count` for which `holds` says so, in their order; threads ask it.
+template <typename Condition>
+std::vector<std::size_t> where(std::size_t count, const Condition& holds) {
+  constexpr std::size_t worth_sharing = 256;
+  std::vector<char> found(count);
+  parallel_for_each(count, worth_sharing, [&](std::size_t i) { found[i] = holds(i) ? 1 : 0; });
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < count; ++i)
+    if (found[i] != 0) numbers.push_back(i);
+  return numbers;
+}
+
 }  // namespace
 
 void check_blocks(const Model& model) {
   if (model.blocks.empty()) throw InputError("", "blocks", "empty", "at least one block");
-  std::set<std::string_view> names;
+  constexpr std::size_t worth_sharing = 256;
+  std::vector<std::optional<std::string>> defects(model.blocks.size());
+  parallel_for_each(defects.size(), worth_sharing, [&](std::size_t i) { defects[i] = defect(model.blocks[i].shape); });
+  std::unordered_set<std::string_view> names;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
     const Item item("blocks", i, block.name);
-    check_block(model, item, block);
+    if (defects[i]) item.fail("shape", *defects[i], "a simple polygon");
+    item.index("material", block.material, model.materials.size());
     if (!block.name.empty() && !names.insert(block.name).second) {
       item.fail("name", fmt::format("\"{}\"", block.name), "a name that no other block has");
     }
@@ -57,9 +70,12 @@ void check_initial_state(const Model& model) {
 void check_overlaps(const Model& model) {
   std::vector<const Polygon*> shapes;
   for (const Block& block : model.blocks) shapes.push_back(&block.shape);
-  Overlaps overlaps(std::move(shapes));
-  for (const auto& [a, b] : suspect_pairs(model)) {
-    if (!overlaps.between(a, b, model.length_tolerance)) continue;
+  const Overlaps overlaps(std::move(shapes));
+  const std::vector<std::pair<int, int>> pairs = suspect_pairs(model);
+  for (const std::size_t i : where(pairs.size(), [&](std::size_t pair) {
+         return overlaps.between(pairs[pair].first, pairs[pair].second, model.length_tolerance);
+       })) {
+    const auto& [a, b] = pairs[i];
     const Block& first = model.blocks[static_cast<std::size_t>(a)];
     const Block& second = model.blocks[static_cast<std::size_t>(b)];
     const Item item("blocks", static_cast<std::size_t>(b), second.name);

@@ -29,8 +29,11 @@ void add(const CutEntry& entry, CutFigures& figures) {
   figures.lines += entry.rock.plan.lines.size();
   figures.dangles_trimmed += entry.cut.dangles_trimmed;
   figures.merged += entry.cut.merged;
-  for (const CutBlock& block : entry.cut.blocks) {
-    const BlockShape shape = shape_of(block.shape);
+  std::vector<BlockShape> shapes(entry.cut.blocks.size());
+  constexpr std::size_t worth_sharing = 256;
+  parallel_for_each(shapes.size(), worth_sharing,
+                    [&](std::size_t i) { shapes[i] = shape_of(entry.cut.blocks[i].shape); });
+  for (const BlockShape& shape : shapes) {
     figures.area += shape.area;
     figures.smallest_area = std::min(figures.smallest_area, shape.area);
     figures.smallest_angle = std::min(figures.smallest_angle, shape.sharpest);
@@ -68,7 +71,7 @@ void append_entry(const Cleaned& cleaned, std::string& text) {
   text += "\n  }";
 }
 
-std::string cleaned_list(const std::vector<const Cleaned*>& all) {
+void append_list(const std::vector<const Cleaned*>& all, std::string& text) {
   std::vector<std::string> parts(1 + all.size() / entries_in_part);
   parallel_for_each(parts.size(), 1, [&](std::size_t part) {
     const std::size_t last = std::min(all.size(), (part + 1) * entries_in_part);
@@ -77,9 +80,12 @@ std::string cleaned_list(const std::vector<const Cleaned*>& all) {
       append_entry(*all[i], parts[part]);
     }
   });
-  std::string text;
+  std::size_t size = text.size();
+  for (const std::string& part : parts) size += part.size();
+  constexpr std::size_t end = 64;  // of the list and of what follows it
+  text.reserve(size + end);
   for (std::string& part : parts) text += std::exchange(part, {});
-  return text.empty() ? "[]" : text + "\n ]";
+  text += all.empty() ? "[]" : "\n ]";
 }
 
 json point_entry(const PlanPoint& point) {
@@ -160,10 +166,11 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
   constexpr std::string_view key = "\n \"cleaned\": ";
   std::string text = report.dump(1) + "\n";
   const std::size_t list = text.find(key) + key.size();
-  std::string rest = text.substr(list + std::string_view("[]").size());
+  const std::string rest = text.substr(list + std::string_view("[]").size());
   text.resize(list);
-  text += cleaned_list(cleaned);
-  return text + rest;
+  append_list(cleaned, text);
+  text += rest;
+  return text;
 }
 
 std::string report_text(const CutScene& scene, const CutFigures& figures) {

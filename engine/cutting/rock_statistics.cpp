@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/core/parallel.h"
 #include "engine/cutting/drawn_traces.h"
 #include "engine/geometry/box.h"
 
@@ -72,12 +73,20 @@ double quality_on_levels(const std::vector<CutBlock>& blocks, const std::vector<
   for (const CutBlock& block : blocks) {
     for (const Vec2& vertex : block.shape.outer) box = expanded(box, vertex);
   }
+  struct Level {
+    std::vector<Piece> pieces;
+    std::vector<double> parted_at;
+  };
+  std::vector<Level> levels(scan_lines);
+  parallel_for_each(levels.size(), 1, [&](std::size_t i) {
+    const double share = (static_cast<double>(i) + 0.5) / scan_lines;
+    const double height = box.lower.y() + share * (box.upper.y() - box.lower.y());
+    levels[i] = {pieces_on(blocks, height), crossings_of(traces, height)};
+  });
   double sound = 0;
   double all = 0;
-  for (int i = 0; i < scan_lines; ++i) {
-    const double height = box.lower.y() + (i + 0.5) / scan_lines * (box.upper.y() - box.lower.y());
-    const std::vector<double> parted_at = crossings_of(traces, height);
-    for (const Piece& piece : pieces_on(blocks, height)) {
+  for (const auto& [pieces, parted_at] : levels) {
+    for (const Piece& piece : pieces) {
       all += piece.to - piece.from;
       sound += sound_length(piece, parted_at);
     }

@@ -18,6 +18,7 @@
 #include "engine/scene/json_text.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
+#include "engine/scene/written_scene.h"
 #include "engine/scene/schema_check.h"
 #include "engine/scene/sections.h"
 
@@ -62,25 +63,10 @@ void move_records(json& value, const std::filesystem::path& from, const std::fil
   }
 }
 
-// One line for each entry of a list, so that the file can be read and compared.
-std::string written(const json& document) {
-  std::string text = "{";
-  for (const auto& [key, value] : document.items()) {
-    text += fmt::format("{}\n  {}: ", text.size() == 1 ? "" : ",", json(key).dump());
-    if (!value.is_array() || value.empty()) {
-      text += value.dump();
-      continue;
-    }
-    text += '[';
-    for (std::size_t i = 0; i < value.size(); ++i) text += (i == 0 ? "\n    " : ",\n    ") + value[i].dump();
-    text += "\n  ]";
-  }
-  return text + "\n}\n";
-}
-
 struct NewScene {
-  CutScene scene;  // but for its text
-  json document;
+  CutScene scene;                  // but for its text
+  json document;                   // with the first block only of each rock
+  std::vector<GivenBlocks> rocks;  // their blocks
 };
 
 class Cutter {
@@ -101,9 +87,9 @@ class Cutter {
     for (const JointMaterial& joint : model_.joints) result_.joint_names.push_back(joint.name);
     for (const Material& material : model_.materials) result_.material_names.push_back(material.name);
     json cut = with_polygons();
-    if (finish_) finish_(result_.entries.front().rock, blocks_, cut);
+    if (finish_) finish_(result_.entries.front().rock, rocks_.front().blocks, cut);
     move_records(cut, from, to);
-    return {std::move(result_), std::move(cut)};
+    return {std::move(result_), std::move(cut), std::move(rocks_)};
   }
 
  private:
@@ -161,12 +147,12 @@ class Cutter {
     Model part;
     part.materials = model_.materials;
     part.joints = model_.joints;
-    std::vector<std::string> groups;
-    append_rock(entry.rock, entry.cut, part, groups);
-    for (std::size_t i = 0; i < part.blocks.size(); ++i)
-      blocks.push_back(polygon_entry(part.blocks[i], groups[i], rock, part));
+    GivenBlocks& given = rocks_.emplace_back();
+    given.entry = blocks.size();
+    append_rock(entry.rock, entry.cut, part, given.groups);
+    blocks.push_back(polygon_entry(part.blocks.front(), given.groups.front(), rock, part));
     for (const JointLine& line : part.joint_lines) lines.push_back(joint_line_entry(line, part));
-    std::ranges::move(part.blocks, std::back_inserter(blocks_));
+    given.blocks = std::move(part.blocks);
   }
 
   json document_;
@@ -174,7 +160,7 @@ class Cutter {
   const std::function<void(std::string_view)>& progress_;
   Model model_;
   CutScene result_;
-  std::vector<Block> blocks_;
+  std::vector<GivenBlocks> rocks_;
 };
 
 NewScene cut_document(const std::filesystem::path& file, const std::filesystem::path& folder,
@@ -225,13 +211,13 @@ json with_one_of_each(const json& document) {
 
 // Rock in many blocks is a long text, and takes as long to write as to check. So the document is checked: to read the
 // text again would only check the library that writes it.
-void check_document(const json& document, const std::string& name, const std::filesystem::path& folder) {
+void check_document(const NewScene& made, const std::string& name, const std::filesystem::path& folder) {
   try {
-    check_schema(with_one_of_each(document));
+    check_schema(with_one_of_each(made.document));
   } catch (const InputError& error) {
     throw error.in_file(name);
   }
-  read_document(document, name, folder);
+  read_document(made.document, made.rocks, name, folder);
 }
 
 }  // namespace
@@ -240,8 +226,10 @@ CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::pat
                    const std::function<void(std::string_view)>& progress) {
   NewScene made = is_drawing(file) ? cut_drawing(file, folder, words, progress) : cut_document(file, folder, progress);
   if (progress) progress("checking the scene");
-  std::future<std::string> text = std::async(std::launch::async, [&] { return written(made.document); });
-  check_document(made.document, file.string() + " (cut)", folder);
+  std::future<std::string> text = std::async(std::launch::async, [&] {
+    return written_scene(made.document, made.rocks, made.scene.material_names);
+  });
+  check_document(made, file.string() + " (cut)", folder);
   made.scene.text = text.get();
   return std::move(made.scene);
 }

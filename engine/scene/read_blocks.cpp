@@ -103,15 +103,26 @@ void read_entry(const std::string& kind, const Field& field, const std::filesyst
                       value_or(field, is_polygon ? "group" : "name", name, [](const Field& f) { return f.name(); }));
 }
 
+void append_given(const GivenBlocks& given, Model& model, BlockFacts& facts) {
+  model.blocks.insert(model.blocks.end(), given.blocks.begin(), given.blocks.end());
+  facts.groups.insert(facts.groups.end(), given.groups.begin(), given.groups.end());
+}
+
 }  // namespace
 
-BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model) {
+BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, const std::vector<GivenBlocks>& given,
+                       Model& model) {
   const Field blocks = scene.at("blocks");
+  const std::vector<Field> entries = blocks.is_array() ? blocks.items() : std::vector<Field>{blocks};
   BlockFacts facts;
-  for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
-    const auto members = entry.members();
+  auto next = given.begin();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto members = entries[i].members();
     const auto& [kind, field] = members.front();
-    read_entry(kind, field, folder, model, facts);
+    if (next != given.end() && next->entry == i)
+      append_given(*next++, model, facts);
+    else
+      read_entry(kind, field, folder, model, facts);
     facts.own_stress.resize(model.blocks.size(), field.has("initial_stress"));
   }
   return facts;

@@ -20,10 +20,10 @@ namespace dda {
 namespace {
 
 BlockFacts read_blocks_and_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
-                                  Model& model) {
+                                  const std::vector<GivenBlocks>& given, Model& model) {
   read_materials(scene, model);
   const std::vector<std::string> remarks = read_joints(scene, scheme, folder, model);
-  BlockFacts facts = read_blocks(scene, folder, model);
+  BlockFacts facts = read_blocks(scene, folder, given, model);
   facts.remarks.insert(facts.remarks.begin(), remarks.begin(), remarks.end());
   read_joint_pairs(scene, facts.groups, model);
   read_gravity(scene, model);
@@ -64,14 +64,15 @@ std::string line_of(const Field& field) {
   return text;
 }
 
-SceneParts read_parts(const Field& scene, const std::filesystem::path& folder) {
+SceneParts read_parts(const Field& scene, const std::filesystem::path& folder,
+                      const std::vector<GivenBlocks>& given = {}) {
   SceneParts parts;
   Model& model = parts.model;
   const Scheme scheme = read_scheme(scene);
   if (const auto frequency = scene.find("target_frequency"))
     model.expected.frequency = frequency->positive(Dimension::frequency);
   if (const auto title = scene.find("title")) model.title = line_of(*title);
-  BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, model);
+  BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, given, model);
   parts.groups = std::move(facts.groups);
   parts.remarks = std::move(facts.remarks);
   parts.openings = openings_of(scene, model);
@@ -103,10 +104,10 @@ Model parse_scene(std::string_view json_text, const std::string& name_for_errors
   return parse_scene_parts(json_text, name_for_errors, folder).model;
 }
 
-Model read_document(const nlohmann::json& document, const std::string& name_for_errors,
-                    const std::filesystem::path& folder) {
+Model read_document(const nlohmann::json& document, const std::vector<GivenBlocks>& given,
+                    const std::string& name_for_errors, const std::filesystem::path& folder) {
   try {
-    return read_parts(Field(document, ""), folder).model;
+    return read_parts(Field(document, ""), folder, given).model;
   } catch (const InputError& error) {
     throw error.in_file(name_for_errors);
   }

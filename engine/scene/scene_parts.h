@@ -10,6 +10,7 @@
 
 #include "engine/cutting/rock_plan.h"
 #include "engine/model/model.h"
+#include "engine/scene/given_blocks.h"
 
 namespace dda {
 
@@ -25,8 +26,8 @@ SceneParts read_scene_parts(const std::filesystem::path& file);
 SceneParts parse_scene_parts(std::string_view json_text, const std::string& name_for_errors,
                              const std::filesystem::path& folder = {});
 
-// As parse_scene of the text of a document that is known to follow the schema.
-Model read_document(const nlohmann::json& document, const std::string& name_for_errors,
-                    const std::filesystem::path& folder);
+// As parse_scene of the text of a document that is known to follow the schema. `given`: in the order of their entries.
+Model read_document(const nlohmann::json& document, const std::vector<GivenBlocks>& given,
+                    const std::string& name_for_errors, const std::filesystem::path& folder);
 
 }  // namespace dda

@@ -11,6 +11,7 @@
 #include "engine/cutting/rock_plan.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
+#include "engine/scene/given_blocks.h"
 #include "engine/scene/record_files.h"
 #include "engine/scene/stress_field.h"
 
@@ -30,8 +31,9 @@ struct BlockFacts {
   std::vector<std::string> remarks;  // on cutting rock, see cut_remarks.h
 };
 
-// Drawings are looked for relative to `folder`.
-BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, Model& model);
+// Drawings are looked for relative to `folder`. Entries for which blocks are given are not read for theirs.
+BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, const std::vector<GivenBlocks>& given,
+                       Model& model);
 void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_gravity(const Field& scene, Model& model);
 

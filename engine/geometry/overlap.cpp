@@ -167,7 +167,9 @@ bool are_parted(const Ring& a, const Ring& b, double tolerance) {
 
 bool shapes_overlap(const Shape& a, const Shape& b, double tolerance) {
   if (!overlap(a.box, b.box)) return false;
-  return edge_enters(a, b, tolerance) || edge_enters(b, a, tolerance) || holds_deep_part(a, b, tolerance);
+  if (edge_enters(a, b, tolerance) || edge_enters(b, a, tolerance)) return true;
+  // The one with fewer edges is gone around.
+  return a.edges.size() < b.edges.size() ? holds_deep_part(b, a, tolerance) : holds_deep_part(a, b, tolerance);
 }
 
 }  // namespace

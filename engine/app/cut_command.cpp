@@ -6,6 +6,7 @@
 #include <future>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/app/cut_picture.h"
@@ -73,8 +74,7 @@ std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, c
   std::future<std::string> picture = std::async(std::launch::async, [&] { return cut_picture(cut); });
   std::future<std::string> statistics =
       std::async(std::launch::async, [&] { return statistics_picture(cut, figures); });
-  std::vector<Output> outputs{{request.folder / "scene.json", cut.text, ""},
-                              {request.folder / "cut.json", report_json(cut, figures), ""}};
+  std::vector<Output> outputs{{request.folder / "cut.json", report_json(cut, figures), ""}};
   outputs.push_back({request.folder / "cut.svg", picture.get(), ""});
   outputs.push_back({request.folder / "statistics.svg", statistics.get(), ""});
   if (!request.exported.empty()) outputs.push_back(exported(cut, request.exported));
@@ -91,11 +91,16 @@ void cut_into_folder(const CutRequest& request, std::ostream& out) {
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   std::ostream* const screen = terminal();
   const DrawingWords words = words_of(request.drawing, request.scene);
-  const CutScene cut = cut_scene(request.scene, request.folder, words, [&](std::string_view what) {
+  const auto tell = [&](std::string_view what) {
     if (screen != nullptr && seconds() > worth_telling) *screen << fmt::format("{:6.1f} s  {}\n", seconds(), what);
+  };
+  CutFigures figures;
+  std::vector<Output> outputs;
+  CutScene cut = cut_scene(request.scene, request.folder, words, tell, [&](const CutScene& unchecked) {
+    figures = figures_of(unchecked, seconds());
+    outputs = outputs_of(unchecked, figures, request);
   });
-  const CutFigures figures = figures_of(cut, seconds());
-  const std::vector<Output> outputs = outputs_of(cut, figures, request);
+  outputs.insert(outputs.begin(), {request.folder / "scene.json", std::exchange(cut.text, {}), ""});
   const FolderLock lock(request.folder);
   for (const Output& output : outputs) write_file(output.file, output.text);
   out << report_text(cut, figures);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/core/parallel_sort.h"
 #include "engine/cutting/edge_left_of.h"
 
 namespace dda {
@@ -44,7 +45,7 @@ void Arrangement::sort_around_nodes() {
   std::vector<int> leaving(origin_.size());
   std::iota(leaving.begin(), leaving.end(), 0);
   const auto direction = [&](int half_edge) { return pixel(target(half_edge)) - pixel(origin(half_edge)); };
-  std::sort(leaving.begin(), leaving.end(), [&](int a, int b) {
+  parallel_sort(leaving, [&](int a, int b) {
     if (origin(a) != origin(b)) return origin(a) < origin(b);
     return before_in_angle(direction(a), direction(b));
   });

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/core/parallel_sort.h"
 #include "engine/cutting/quadrants.h"
 #include "engine/geometry/segment.h"
 
@@ -82,8 +83,7 @@ std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std
 }
 
 void fill_nodes(std::vector<Candidate> candidates, Noding& noding) {
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); });
+  parallel_sort(candidates, [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); });
   for (const Candidate& candidate : candidates) {
     if (!noding.pixels.empty() && noding.pixels.back() == candidate.pixel) continue;
     noding.pixels.push_back(candidate.pixel);
@@ -158,7 +158,7 @@ std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vecto
                  });
   if (crowded != nullptr) *crowded = in_one_list(std::move(near));
   std::vector<Entry> entries = in_one_list(std::move(parts));
-  std::sort(entries.begin(), entries.end());
+  parallel_sort(entries);
   return entries;
 }
 
@@ -167,7 +167,7 @@ void add_link(Noding& noding, int a, int b, int straight) {
 }
 
 void put_in_order(std::vector<Link>& links) {
-  std::sort(links.begin(), links.end());
+  parallel_sort(links);
   links.erase(std::unique(links.begin(), links.end()), links.end());
 }
 
@@ -216,7 +216,7 @@ class Again {
       return Candidate{changed_.pixels[at(node)], Kind::known, changed_.positions[at(node)]};
     };
     const auto less = [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); };
-    std::sort(staying.begin(), staying.end(), [&](int a, int b) { return less(candidate(a), candidate(b)); });
+    parallel_sort(staying, [&](int a, int b) { return std::pair(candidate(a).key(), a) < std::pair(candidate(b).key(), b); });
     std::sort(crossings.begin(), crossings.end(), less);
     new_number_.assign(changed_.stays.size(), -1);
     auto crossing = crossings.begin();

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/core/parallel_sort.h"
 #include "engine/cutting/needless_prolongations.h"
 #include "engine/cutting/quadrants.h"
 #include "engine/geometry/box_pairs.h"
@@ -84,8 +85,8 @@ class Welder {
   [[nodiscard]] Renoding renoding() {
     Renoding changed;
     lead_links(changed);
-    std::sort(changed.links.begin(), changed.links.end(),
-              [](const ChangedLink& a, const ChangedLink& b) { return a.link < b.link; });
+    // Of those that are the same it is only asked whether all have changed.
+    parallel_sort(changed.links, [](const ChangedLink& a, const ChangedLink& b) { return a.link < b.link; });
     std::vector<ChangedLink> links;
     for (auto first = changed.links.begin(), last = first; first != changed.links.end(); first = last) {
       last = std::find_if(first, changed.links.end(),

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <unordered_set>
 
@@ -35,8 +36,11 @@ std::vector<std::pair<int, int>> suspect_pairs(const Model& model) {
 template <typename Condition>
 std::vector<std::size_t> where(std::size_t count, const Condition& holds) {
   constexpr std::size_t worth_sharing = 256;
+  constexpr std::size_t at_once = 20'000;  // threads that others had may be free by the next ones
   std::vector<char> found(count);
-  parallel_for_each(count, worth_sharing, [&](std::size_t i) { found[i] = holds(i) ? 1 : 0; });
+  for (std::size_t first = 0; first < count; first += at_once)
+    parallel_for_each(std::min(at_once, count - first), worth_sharing,
+                      [&](std::size_t i) { found[first + i] = holds(first + i) ? 1 : 0; });
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < count; ++i)
     if (found[i] != 0) numbers.push_back(i);

@@ -67,6 +67,7 @@ struct NewScene {
   CutScene scene;                  // but for its text
   json document;                   // with the first block only of each rock
   std::vector<GivenBlocks> rocks;  // their blocks
+  std::future<void> gone;          // when the document that was read is given back, which takes a while
 };
 
 class Cutter {
@@ -89,7 +90,7 @@ class Cutter {
     json cut = with_polygons();
     if (finish_) finish_(result_.entries.front().rock, rocks_.front().blocks, cut);
     move_records(cut, from, to);
-    return {std::move(result_), std::move(cut), std::move(rocks_)};
+    return {std::move(result_), std::move(cut), std::move(rocks_), std::move(gone_)};
   }
 
  private:
@@ -106,7 +107,7 @@ class Cutter {
 
   // Takes the document that was read apart: there may be a million lines in it, which the new one has no use for.
   [[nodiscard]] json with_polygons() {
-    const json old = std::exchange(document_["blocks"], json::array());
+    json old = std::exchange(document_["blocks"], json::array());
     json cut = std::move(document_);
     json lines = json::array();
     std::size_t number = 0;
@@ -125,6 +126,7 @@ class Cutter {
     }
     if (!lines.empty()) cut["joint_lines"] = std::move(lines);
     drop_unused_joints(cut);
+    gone_ = std::async(std::launch::async, [all = std::move(old)]() mutable { all = nullptr; });
     return cut;
   }
 
@@ -161,6 +163,7 @@ class Cutter {
   Model model_;
   CutScene result_;
   std::vector<GivenBlocks> rocks_;
+  std::future<void> gone_;
 };
 
 NewScene cut_document(const std::filesystem::path& file, const std::filesystem::path& folder,
@@ -168,7 +171,7 @@ NewScene cut_document(const std::filesystem::path& file, const std::filesystem::
   const std::string text = scene_text(file);
   try {
     json document = parse_json(text);
-    check_schema(document);
+    check_schema_of_many(document);
     return Cutter(std::move(document), {}, progress).cut(file.parent_path(), folder);
   } catch (const InputError& error) {
     throw error.in_file(file.string());
@@ -223,10 +226,11 @@ void check_document(const NewScene& made, const std::string& name, const std::fi
 }  // namespace
 
 CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder, const DrawingWords& words,
-                   const std::function<void(std::string_view)>& progress) {
+                   const std::function<void(std::string_view)>& progress, const UseOfCut& meanwhile) {
   NewScene made = is_drawing(file) ? cut_drawing(file, folder, words, progress) : cut_document(file, folder, progress);
   if (progress) progress("checking the scene");
   std::future<std::string> text = std::async(std::launch::async, [&] {
+    if (meanwhile) meanwhile(made.scene);
     return written_scene(made.document, made.rocks, made.scene.material_names);
   });
   check_document(made, file.string() + " (cut)", folder);

@@ -37,7 +37,10 @@ inline const std::string& joint_name(const CutScene& scene, const CutJoint& run)
 // `folder` is where the new scene will stand: paths of records are written relative to it. The new scene has been
 // read as a document, so it is known to work. Throws InputError, also for a scene without rock.
 // `words` are for a drawing; a scene has its own.
+// `meanwhile` is called while the new scene is being checked, on a thread of its own and with all but its text.
+using UseOfCut = std::function<void(const CutScene&)>;
 CutScene cut_scene(const std::filesystem::path& file, const std::filesystem::path& folder,
-                   const DrawingWords& words = {}, const std::function<void(std::string_view)>& progress = {});
+                   const DrawingWords& words = {}, const std::function<void(std::string_view)>& progress = {},
+                   const UseOfCut& meanwhile = {});
 
 }  // namespace dda

@@ -1,13 +1,18 @@
 #include "engine/scene/schema_check.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 #include <vector>
 
+#include "engine/core/parallel.h"
 #include "engine/scene/scene_schema.h"
 #include "engine/scene/schema_advice.h"
 
@@ -62,12 +67,71 @@ Context deepest_error(const json& scene) {
   return deepest;
 }
 
+bool follows_schema(const json& scene) {
+  return valijson::Validator(valijson::Validator::kStrongTypes).validate(schema().compiled, Adapter(scene), nullptr);
+}
+
+const json::json_pointer& place_of_lines() {
+  static const json::json_pointer place("/blocks/rock/lines");
+  return place;
+}
+
+// Nothing is known of the scene yet.
+bool has_many_lines(const json& scene) {
+  constexpr std::size_t many = 10'000;
+  if (!scene.contains(place_of_lines())) return false;
+  const json& lines = scene[place_of_lines()];
+  return lines.is_array() && lines.size() >= many;
+}
+
+// Scenes with a part of the lines each and all else: where these follow the schema, the whole does.
+class Parts {
+ public:
+  explicit Parts(json& scene) : lines_(scene[place_of_lines()]), scenes_(parts) {
+    json::array_t all = std::exchange(lines_, json::array()).get_ref<json::array_t&>();
+    for (json& each : scenes_) each = scene;
+    size_ = all.size();
+    for (std::size_t i = 0; i < size_; ++i) lines_of(i * parts / size_).push_back(std::move(all[i]));
+  }
+
+  [[nodiscard]] bool follow_schema() const {
+    std::array<bool, parts> follows{};
+    parallel_for_each(parts, 1, [&](std::size_t i) { follows[i] = follows_schema(scenes_[i]); });
+    return std::ranges::all_of(follows, [](bool each) { return each; });
+  }
+
+  void put_back() {
+    lines_.get_ref<json::array_t&>().reserve(size_);
+    for (std::size_t i = 0; i < parts; ++i)
+      for (json& line : lines_of(i)) lines_.push_back(std::move(line));
+  }
+
+ private:
+  static constexpr std::size_t parts = 8;
+  [[nodiscard]] json::array_t& lines_of(std::size_t i) { return scenes_[i][place_of_lines()].get_ref<json::array_t&>(); }
+
+  json& lines_;
+  std::vector<json> scenes_;
+  std::size_t size_ = 0;
+};
+
 }  // namespace
 
 void check_schema(const json& scene) {
-  valijson::Validator validator(valijson::Validator::kStrongTypes);
-  if (validator.validate(schema().compiled, Adapter(scene), nullptr)) return;
+  if (follows_schema(scene)) return;
   throw schema_violation(schema().text, scene, place_of(scene, deepest_error(scene)).to_string());
+}
+
+void check_schema_of_many(json& scene) {
+  if (!has_many_lines(scene)) {
+    check_schema(scene);
+    return;
+  }
+  schema();  // made once, before threads ask for it
+  Parts parts(scene);
+  const bool all_follow = parts.follow_schema();
+  parts.put_back();
+  if (!all_follow) check_schema(scene);
 }
 
 }  // namespace dda

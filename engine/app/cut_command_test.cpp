@@ -52,6 +52,38 @@ TEST_F(Cut, ADrawingBecomesASceneThatRunsAndADrawingOfItsBlocks) {
   EXPECT_EQ(nlohmann::json::parse(text("again.geojson"))["features"].size(), 3U);
 }
 
+// Parts of the files are written without the JSON library, by as many threads as there are; all is as it would write
+// it.
+TEST_F(Cut, FilesAreThoseOfTheJsonLibraryWithAnyNumberOfThreads) {
+  std::string lines;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j)
+      lines += (lines.empty() ? "" : ",") +
+               std::string(R"({"joint": "default", "points": [[)") + std::to_string(i + 0.013 * j) + "," +
+               std::to_string(j) + "],[" + std::to_string(i + 1.4) + "," + std::to_string(j + 0.3 + 0.02 * i) + "]]}";
+  write("lines.json", R"({"dda": 1, "materials": {"a": {"density": 2600, "young": 2e10, "poisson": 0.25},
+      "rock \"b\"": {"density": 2600, "young": 2e10, "poisson": 0.25}}, "steps": {"dt": 1e-3, "duration": 1e-3},
+      "blocks": {"rock": {"name": "r\u00f6ck", "material": "a", "initial_velocity": [0, 1], "boundary": [[0, 0], [40, 0],
+      [40, 40], [0, 40]], "regions": [{"outline": [[-1, -1], [41, -1], [41, 20.1], [-1, 20.1]], "material":
+      "rock \"b\""}], "lines": [)" + lines + R"(,{"joint": "default", "points": [[0, 5], [9, 5]]},
+      {"joint": "default", "points": [[3, 2], [8, 2], [8, 8], [3, 8], [3, 2]]}]}}})");
+  std::vector<std::string> scenes, reports;
+  for (const char* threads : {"1", "2", "4"}) {
+    const Outcome cut = call({"cut", path("lines.json"), "--out", path("out"), "--threads", threads});
+    ASSERT_EQ(cut.code, 0) << cut.errors;
+    auto report = nlohmann::json::parse(text("out/cut.json"));
+    EXPECT_EQ(report.dump(1) + "\n", text("out/cut.json"));
+    report.erase("seconds");
+    reports.push_back(report.dump());
+    scenes.push_back(text("out/scene.json"));
+    EXPECT_EQ(reports.back(), reports.front()) << threads;
+    EXPECT_EQ(scenes.back(), scenes.front()) << threads;
+  }
+  const auto scene = nlohmann::json::parse(scenes.front());
+  EXPECT_GT(scene["blocks"].size(), 100U);
+  for (const auto& block : scene["blocks"]) EXPECT_TRUE(contains(scenes.front(), "\n    " + block.dump())) << block;
+}
+
 TEST_F(Cut, NothingIsWrittenOfWhatIsWrong) {
   write("open.csv", plan.substr(0, plan.find("boundary,0,4")));
   write("none.csv", "layer,x1,y1,x2,y2\nrock,0,0,1,1\ntunnel,0,0,1,0\ntunnel,1,0,1,1\ntunnel,1,1,0,0\n");

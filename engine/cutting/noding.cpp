@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -52,10 +53,15 @@ Vec2 place_of_crossing(const Pixel& pixel, const Straight& a, const Straight& b,
   return (computed - centre).cwiseAbs().maxCoeff() <= grid.step() ? computed : centre;
 }
 
-void add_crossings(const std::vector<Piece>& pieces, const std::vector<Straight>& straights, const PixelGrid& grid,
-                   std::vector<Candidate>& found) {
+std::size_t sum_of(const std::vector<std::size_t>& counts) { return std::reduce(counts.begin(), counts.end()); }
+
+// Returns how many pairs were looked at.
+std::size_t add_crossings(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
+                          const PixelGrid& grid, std::vector<Candidate>& found) {
+  std::vector<std::size_t> looked_at(most_parts_of_plane, 0);
   std::vector<std::vector<Candidate>> parts(most_parts_of_plane);
   visit_crowds(pieces, [&](std::size_t part, const Quadrant& quadrant, std::span<const NearPiece> crowd) {
+    looked_at[part] += crowd.size() * (crowd.size() - 1) / 2;
     for (std::size_t i = 0; i < crowd.size(); ++i) {
       for (std::size_t j = i + 1; j < crowd.size(); ++j) {
         const auto pixel = crossing(crowd[i].segment, crowd[j].segment);
@@ -68,17 +74,19 @@ void add_crossings(const std::vector<Piece>& pieces, const std::vector<Straight>
   });
   const std::vector<Candidate> crossings = in_one_list(std::move(parts));
   found.insert(found.end(), crossings.begin(), crossings.end());
+  return sum_of(looked_at);
 }
 
 std::vector<Candidate> candidates_of(const std::vector<Piece>& pieces, const std::vector<Straight>& straights,
-                                     const std::vector<KnownNode>& known, const PixelGrid& grid) {
+                                     const std::vector<KnownNode>& known, const PixelGrid& grid,
+                                     std::size_t& looked_at) {
   std::vector<Candidate> found;
   for (const KnownNode& node : known) found.push_back({node.pixel, Kind::known, node.position});
   for (const Piece& piece : pieces) {
     for (const Pixel& end : {piece.segment.from, piece.segment.to})
       found.push_back({end, Kind::end_of_piece, grid.centre_of(end)});
   }
-  add_crossings(pieces, straights, grid, found);
+  looked_at += add_crossings(pieces, straights, grid, found);
   return found;
 }
 
@@ -110,9 +118,6 @@ std::int64_t way_along(const PixelSegment& segment, const Pixel& pixel) {
   return (along.x < 0 ? -pixel.x : pixel.x) + (along.y < 0 ? -pixel.y : pixel.y);
 }
 
-// What of a plan comes near something else, or may: nodes by number.
-using Crowded = std::vector<int>;
-
 // Whether a segment passes within some pixels of one, or may: with pixels to spare, more than the round-off.
 class Passing {
  public:
@@ -137,14 +142,19 @@ class Passing {
   double dx_, dy_, length_, room_;
 };
 
-// Which nodes each piece enters, by piece and along it. Lists in `crowded` nodes that a piece passes within `reach`
-// without entering them.
-std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels, double reach,
-                              Crowded* crowded) {
+struct Entries {
+  std::vector<Entry> all;     // which nodes each piece enters, by piece and along it
+  std::vector<int> crowded;   // nodes that a piece passes within reach without entering them
+  std::size_t looked_at = 0;  // pairs
+};
+
+Entries entries_of(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels, double reach) {
   std::vector<std::vector<Entry>> parts(most_parts_of_plane);
-  std::vector<Crowded> near(most_parts_of_plane);
+  std::vector<std::vector<int>> near(most_parts_of_plane);
+  std::vector<std::size_t> looked_at(most_parts_of_plane, 0);
   visit_meetings(pieces, pixels, reach,
                  [&](std::size_t part, std::span<const NearPiece> crowd, std::span<const NearNode> nodes) {
+                   looked_at[part] += crowd.size() * nodes.size();
                    for (const NearPiece& piece : crowd) {
                      const Passing passing(piece.segment, reach);
                      for (const NearNode& node : nodes) {
@@ -156,9 +166,8 @@ std::vector<Entry> entries_of(const std::vector<Piece>& pieces, const std::vecto
                      }
                    }
                  });
-  if (crowded != nullptr) *crowded = in_one_list(std::move(near));
-  std::vector<Entry> entries = in_one_list(std::move(parts));
-  parallel_sort(entries);
+  Entries entries{in_one_list(std::move(parts)), in_one_list(std::move(near)), sum_of(looked_at)};
+  parallel_sort(entries.all);
   return entries;
 }
 
@@ -182,7 +191,7 @@ class Again {
       if (is_near_.back()) near_.push_back({segment, each.link.straight});
     }
     std::vector<Candidate> crossings;
-    add_crossings(near_, straights, grid, crossings);
+    noding_.pairs_looked_at = add_crossings(near_, straights, grid, crossings);
     place_nodes(std::move(crossings));
   }
 
@@ -242,7 +251,9 @@ class Again {
       pixels.push_back(noding_.pixels[node]);
       numbers.push_back(static_cast<int>(node));
     }
-    const std::vector<Entry> entries = entries_of(near_, pixels, 0, nullptr);
+    const Entries found = entries_of(near_, pixels, 0);
+    const std::vector<Entry>& entries = found.all;
+    noding_.pairs_looked_at += found.looked_at;
     for (std::size_t i = 1; i < entries.size(); ++i) {
       if (entries[i].piece != entries[i - 1].piece) continue;
       add_link(noding_, numbers[at(entries[i - 1].node)], numbers[at(entries[i].node)],
@@ -264,17 +275,18 @@ Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>
                    const std::vector<KnownNode>& known, const PixelGrid& grid, double reach) {
   Noding noding;
   noding.pieces_noded = pieces.size();
-  fill_nodes(candidates_of(pieces, straights, known, grid), noding);
-  Crowded crowded;
-  const std::vector<Entry> entries = entries_of(pieces, noding.pixels, reach, &crowded);
+  fill_nodes(candidates_of(pieces, straights, known, grid, noding.pairs_looked_at), noding);
+  Entries found = entries_of(pieces, noding.pixels, reach);
+  noding.pairs_looked_at += found.looked_at;
+  const std::vector<Entry>& entries = found.all;
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (entries[i].piece != entries[i - 1].piece) continue;
     add_link(noding, entries[i - 1].node, entries[i].node, pieces[at(entries[i].piece)].straight);
     if (static_cast<double>(entries[i].way - entries[i - 1].way) <= way_of_diagonal * (reach + 1))
-      crowded.push_back(entries[i].node);
+      found.crowded.push_back(entries[i].node);
   }
   put_in_order(noding.links);
-  for (const int node : crowded) noding.crowded.push_back({noding.pixels[at(node)], noding.pixels[at(node)]});
+  for (const int node : found.crowded) noding.crowded.push_back({noding.pixels[at(node)], noding.pixels[at(node)]});
   return noding;
 }
 

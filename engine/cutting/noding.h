@@ -45,6 +45,7 @@ struct Noding {
   std::vector<Link> links;       // ascending, each once
   std::vector<PixelBox> crowded;  // where nodes lie near others, or near a piece that does not enter them
   std::size_t pieces_noded = 0;  // how many pieces were compared with others, what that cost
+  std::size_t pairs_looked_at = 0;  // of pieces and pieces, and of pieces and nodes, for that
   bool is_unfinished = false;    // welding used up its rounds: places nearer than round-off may be left
 };
 

@@ -57,6 +57,7 @@ struct CutRock {
   int dangles_trimmed = 0;
   std::size_t outlines_traced = 0;  // of blocks, before any were merged and after
   std::size_t pieces_noded = 0;     // straight pieces that were compared with others to find where they meet
+  std::size_t pairs_looked_at = 0;  // of these with each other and with nodes, the dearest part of cutting
 };
 
 }  // namespace dda

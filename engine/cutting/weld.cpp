@@ -391,7 +391,7 @@ Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std
   for (int round = 0; round < most_rounds; ++round) {
     Welder welder(noding, pieces, plan, unseen, cleaned);
     if (!welder.weld()) return noding;
-    const std::size_t noded = noding.pieces_noded;
+    const std::size_t noded = noding.pieces_noded, looked_at = noding.pairs_looked_at;
     const Renoding changed = welder.renoding();
     if (welder.has_compared())
       unseen = changed.places;
@@ -399,6 +399,7 @@ Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std
       unseen.insert(unseen.end(), changed.places.begin(), changed.places.end());
     noding = node_again(changed, pieces.straights, pieces.grid);
     noding.pieces_noded += noded;
+    noding.pairs_looked_at += looked_at;
   }
   noding.is_unfinished = true;
   return noding;

@@ -58,14 +58,15 @@ TEST_F(Cut, FilesAreThoseOfTheJsonLibraryWithAnyNumberOfThreads) {
   std::string lines;
   for (int i = 0; i < 40; ++i)
     for (int j = 0; j < 40; ++j)
-      lines += (lines.empty() ? "" : ",") +
-               std::string(R"({"joint": "default", "points": [[)") + std::to_string(i + 0.013 * j) + "," +
-               std::to_string(j) + "],[" + std::to_string(i + 1.4) + "," + std::to_string(j + 0.3 + 0.02 * i) + "]]}";
+      lines += (lines.empty() ? "" : ",") + std::string(R"({"joint": "default", "points": [[)") +
+               std::to_string(i + 0.013 * j) + "," + std::to_string(j) + "],[" + std::to_string(i + 1.4) + "," +
+               std::to_string(j + 0.3 + 0.02 * i) + "]]}";
   write("lines.json", R"({"dda": 1, "materials": {"a": {"density": 2600, "young": 2e10, "poisson": 0.25},
       "rock \"b\"": {"density": 2600, "young": 2e10, "poisson": 0.25}}, "steps": {"dt": 1e-3, "duration": 1e-3},
       "blocks": {"rock": {"name": "r\u00f6ck", "material": "a", "initial_velocity": [0, 1], "boundary": [[0, 0], [40, 0],
       [40, 40], [0, 40]], "regions": [{"outline": [[-1, -1], [41, -1], [41, 20.1], [-1, 20.1]], "material":
-      "rock \"b\""}], "lines": [)" + lines + R"(,{"joint": "default", "points": [[0, 5], [9, 5]]},
+      "rock \"b\""}], "lines": [)" +
+                          lines + R"(,{"joint": "default", "points": [[0, 5], [9, 5]]},
       {"joint": "default", "points": [[3, 2], [8, 2], [8, 8], [3, 8], [3, 2]]}]}}})");
   std::vector<std::string> scenes, reports;
   for (const char* threads : {"1", "2", "4"}) {

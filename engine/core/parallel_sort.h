@@ -22,9 +22,8 @@ void parallel_sort(std::vector<Element>& elements, const Less& less) {
   const auto begin_of = [](auto& list, std::size_t part) {
     return list.begin() + static_cast<std::ptrdiff_t>(part * list.size() / parts);
   };
-  parallel_for_each(parts, 1, [&](std::size_t part) {
-    std::sort(begin_of(elements, part), begin_of(elements, part + 1), less);
-  });
+  parallel_for_each(parts, 1,
+                    [&](std::size_t part) { std::sort(begin_of(elements, part), begin_of(elements, part + 1), less); });
   std::vector<Element> merged(elements.size());
   for (std::size_t width = 1; width < parts; width *= 2) {
     parallel_for_each(parts / (2 * width), 1, [&](std::size_t i) {

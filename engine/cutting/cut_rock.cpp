@@ -117,8 +117,9 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   rock.boundary_area = boundary_area(plan);
   append(rock.cleaned, std::move(pieces.cleaned));
   say("finding crossings");
-  Noding noding = welded(node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid, steps_of_round_off(pieces)),
-                         pieces, plan, rock.cleaned, options.most_rounds);
+  Noding noding =
+      welded(node_pieces(pieces.pieces, pieces.straights, pieces.ends, pieces.grid, steps_of_round_off(pieces)), pieces,
+             plan, rock.cleaned, options.most_rounds);
   rock.pieces_noded = noding.pieces_noded;
   rock.pairs_looked_at = noding.pairs_looked_at;
   if (noding.is_unfinished) rock.remarks.push_back(unfinished_remark(pieces));

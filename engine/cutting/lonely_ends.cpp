@@ -14,9 +14,9 @@ namespace {
 // How near another line counts, in tolerances: an end and the other line are both prolonged by one, and welding, whose
 // rounds move places by a hundredth each, has as much room for either of them.
 constexpr double near_in_tolerances = 4;
-constexpr std::size_t grain = 4096;         // ends, for which starting a thread pays
-constexpr std::int64_t most_in_cell = 32;   // where more lines pass, all ends stay: each is compared with few
-constexpr std::int64_t most_cells = 9;      // around an end; a tolerance that needs more is no small one
+constexpr std::size_t grain = 4096;        // ends, for which starting a thread pays
+constexpr std::int64_t most_in_cell = 32;  // where more lines pass, all ends stay: each is compared with few
+constexpr std::int64_t most_cells = 9;     // around an end; a tolerance that needs more is no small one
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -87,8 +87,8 @@ class Raster {
     const double wide = static_cast<double>(upper.x - lower_.x) + 1, high = static_cast<double>(upper.y - lower_.y) + 1;
     const auto count = static_cast<double>(pieces_.size());
     constexpr double cells_a_piece = 4;
-    cell_ = static_cast<std::int64_t>(
-        std::ceil(std::max({std::sqrt(wide * high / count), std::max(wide, high) / count, length / (cells_a_piece * count)})));
+    cell_ = static_cast<std::int64_t>(std::ceil(
+        std::max({std::sqrt(wide * high / count), std::max(wide, high) / count, length / (cells_a_piece * count)})));
     columns_ = (upper.x - lower_.x) / cell_ + 1;
     rows_ = (upper.y - lower_.y) / cell_ + 1;
   }
@@ -110,10 +110,12 @@ class Raster {
   // Row by row, the cells from where the piece comes into the row to where it leaves it, with two pixels to spare.
   template <typename Visit>
   void visit_cells(const PixelSegment& segment, int piece, const Visit& visit) const {
-    const auto [low, high] = std::minmax(segment.from, segment.to,
-                                         [](const Pixel& a, const Pixel& b) { return a.y < b.y; });
+    const auto [low, high] =
+        std::minmax(segment.from, segment.to, [](const Pixel& a, const Pixel& b) { return a.y < b.y; });
     const double slope = high.y > low.y ? static_cast<double>(high.x - low.x) / static_cast<double>(high.y - low.y) : 0;
-    const auto x_at = [&](std::int64_t y) { return static_cast<double>(low.x) + slope * static_cast<double>(y - low.y); };
+    const auto x_at = [&](std::int64_t y) {
+      return static_cast<double>(low.x) + slope * static_cast<double>(y - low.y);
+    };
     const auto [left, right] = std::minmax(low.x, high.x);
     for (std::int64_t row = row_of(low.y); row <= row_of(high.y); ++row) {
       const std::int64_t from = std::max(low.y, lower_.y + row * cell_);
@@ -161,18 +163,19 @@ class KeptGround {
 
 }  // namespace
 
-std::vector<bool> lonely_prolongations(const PlanPieces& plan_pieces, const RockPlan& plan) {
-  const std::vector<Piece>& pieces = plan_pieces.pieces;
-  const double margin = near_in_tolerances * plan_pieces.tolerance;
-  const double reach = margin / plan_pieces.grid.step();
+std::vector<bool> lonely_prolongations(const std::vector<Piece>& pieces, const PixelGrid& grid, double tolerance,
+                                       const RockPlan& plan) {
+  const double margin = near_in_tolerances * tolerance;
+  const double reach = margin / grid.step();
   const Raster raster(pieces);
-  const KeptGround kept(plan_pieces.grid, plan);
+  const KeptGround kept(grid, plan);
   const auto is_lonely = [&](std::size_t i) {
     if (!is_prolongation(pieces, i)) return false;
     const Piece& piece = pieces[i];
     const std::size_t drawn = is_prolongation(pieces, i - 1) ? i - 2 : i - 1;
     const PixelSegment& line = pieces[drawn].segment;
-    const double length = std::hypot(static_cast<double>(line.to.x - line.from.x), static_cast<double>(line.to.y - line.from.y));
+    const double length =
+        std::hypot(static_cast<double>(line.to.x - line.from.x), static_cast<double>(line.to.y - line.from.y));
     return length > reach && !kept.holds(piece.segment.from, margin) &&
            !raster.has_company(piece.segment.from, piece.straight, reach);
   };

@@ -4,13 +4,17 @@
 
 #include <vector>
 
-#include "engine/cutting/plan_pieces.h"
+#include "engine/cutting/piece.h"
+#include "engine/cutting/rock_plan.h"
 
 namespace dda {
 
 // By piece: whether it prolongs a line from an end that no other line comes near. Pieces stay that might meet anything
 // when places move by round-off, and those where what is left out would change the rounding of sums: beyond the box of
 // the boundary and in openings that are left out.
-std::vector<bool> lonely_prolongations(const PlanPieces& pieces, const RockPlan& plan);
+//
+// `pieces`: a piece of each straight as drawn, then those that prolong it. `tolerance`: m, by which they do.
+std::vector<bool> lonely_prolongations(const std::vector<Piece>& pieces, const PixelGrid& grid, double tolerance,
+                                       const RockPlan& plan);
 
 }  // namespace dda

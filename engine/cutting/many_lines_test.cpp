@@ -58,7 +58,7 @@ TEST(ManyLines, WorkGrowsNoFasterThanTheirNumber) {
   EXPECT_LT(ratio(half.pairs_looked_at, whole.pairs_looked_at), 2.2);
   EXPECT_LT(ratio(half.pieces_noded, whole.pieces_noded), 2.2);
   EXPECT_LT(ratio(half.outlines_traced, whole.outlines_traced), 2.2);
-  EXPECT_LT(ratio(40'000, whole.pieces_noded), 1.2);      // ends that have nothing near them are not prolonged
+  EXPECT_LT(ratio(40'000, whole.pieces_noded), 1.2);       // ends that have nothing near them are not prolonged
   EXPECT_LT(ratio(40'000, whole.pairs_looked_at), 100.0);  // 2.5 crossings a line are found among these
 }
 

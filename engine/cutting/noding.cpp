@@ -225,7 +225,8 @@ class Again {
       return Candidate{changed_.pixels[at(node)], Kind::known, changed_.positions[at(node)]};
     };
     const auto less = [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); };
-    parallel_sort(staying, [&](int a, int b) { return std::pair(candidate(a).key(), a) < std::pair(candidate(b).key(), b); });
+    parallel_sort(staying,
+                  [&](int a, int b) { return std::pair(candidate(a).key(), a) < std::pair(candidate(b).key(), b); });
     std::sort(crossings.begin(), crossings.end(), less);
     new_number_.assign(changed_.stays.size(), -1);
     auto crossing = crossings.begin();

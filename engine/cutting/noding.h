@@ -40,13 +40,13 @@ struct KnownNode {
 };
 
 struct Noding {
-  std::vector<Pixel> pixels;     // of the nodes, ascending
-  std::vector<Vec2> positions;   // m, of the nodes; each in its pixel: an end as given, else the crossing
-  std::vector<Link> links;       // ascending, each once
-  std::vector<PixelBox> crowded;  // where nodes lie near others, or near a piece that does not enter them
-  std::size_t pieces_noded = 0;  // how many pieces were compared with others, what that cost
+  std::vector<Pixel> pixels;        // of the nodes, ascending
+  std::vector<Vec2> positions;      // m, of the nodes; each in its pixel: an end as given, else the crossing
+  std::vector<Link> links;          // ascending, each once
+  std::vector<PixelBox> crowded;    // where nodes lie near others, or near a piece that does not enter them
+  std::size_t pieces_noded = 0;     // how many pieces were compared with others, what that cost
   std::size_t pairs_looked_at = 0;  // of pieces and pieces, and of pieces and nodes, for that
-  bool is_unfinished = false;    // welding used up its rounds: places nearer than round-off may be left
+  bool is_unfinished = false;       // welding used up its rounds: places nearer than round-off may be left
 };
 
 // `known` are the places of the drawing that nodes keep. Other ends of pieces get the middle of a pixel. What comes

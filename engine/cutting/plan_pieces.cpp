@@ -99,7 +99,7 @@ class Collector {
   }
 
   void drop_lonely_prolongations() {
-    const std::vector<bool> is_lonely = lonely_prolongations(pieces_, plan_);
+    const std::vector<bool> is_lonely = lonely_prolongations(pieces_.pieces, pieces_.grid, pieces_.tolerance, plan_);
     pieces_.prolonged.assign(pieces_.straights.size(), false);
     pieces_.ends_alone.assign(pieces_.straights.size(), false);
     std::vector<Piece> kept;
@@ -110,7 +110,8 @@ class Collector {
         kept.push_back(piece);
       else if (piece.segment.from == pieces_.grid.pixel_of(pieces_.straights[straight].to))
         pieces_.ends_alone[straight] = true;
-      if (!is_lonely[i] && i > 0 && pieces_.pieces[i - 1].straight == piece.straight) pieces_.prolonged[straight] = true;
+      if (!is_lonely[i] && i > 0 && pieces_.pieces[i - 1].straight == piece.straight)
+        pieces_.prolonged[straight] = true;
     }
     pieces_.pieces = std::move(kept);
   }

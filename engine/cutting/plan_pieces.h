@@ -25,8 +25,8 @@ struct PlanPieces {
   std::vector<Straight> straights;
   std::vector<Source> sources;  // by straight
   std::vector<Piece> pieces;
-  std::vector<KnownNode> ends;  // as drawn, by pixel
-  std::vector<bool> prolonged;  // by straight: whether it is prolonged at an end or both
+  std::vector<KnownNode> ends;   // as drawn, by pixel
+  std::vector<bool> prolonged;   // by straight: whether it is prolonged at an end or both
   std::vector<bool> ends_alone;  // by straight: whether it is not prolonged at its end, as nothing is near
   std::vector<Cleaned> cleaned;
 };
@@ -43,8 +43,8 @@ inline bool is_bound(const PlanPieces& pieces, int straight, const RockPlan& pla
 }
 
 // Lines are cut off well outside the boundary, and prolonged by the tolerance at both of their ends: a line that should
-// end on another meets it whatever the round-off, and what then sticks out is trimmed with the other dangling ends. Ends
-// that have nothing near them are not prolonged (lonely_ends.h): most of those of short lines by lot.
+// end on another meets it whatever the round-off, and what then sticks out is trimmed with the other dangling ends.
+// Ends that have nothing near them are not prolonged (lonely_ends.h): most of those of short lines by lot.
 PlanPieces pieces_of(const RockPlan& plan, double tolerance);
 
 }  // namespace dda

@@ -204,7 +204,8 @@ struct Lists {
 // joints right through the plane has to stay in one, to be parted along its way.
 class Board {
  public:
-  Board(const std::vector<Piece>& pieces, double reach) : pieces_(pieces), reach_(reach), root_(root_of(pieces, static_cast<std::int64_t>(std::ceil(reach)))) {
+  Board(const std::vector<Piece>& pieces, double reach)
+      : pieces_(pieces), reach_(reach), root_(root_of(pieces, static_cast<std::int64_t>(std::ceil(reach)))) {
     constexpr std::size_t worth_sharing = 10'000;  // pieces
     constexpr std::size_t most_squares_a_piece = 3;
     exponent_ = pieces.size() < worth_sharing || root_.size < (1 << most_exponent) ? 0 : most_exponent;
@@ -242,8 +243,10 @@ class Board {
     const auto spare = static_cast<std::int64_t>(reach_) + 4;
     const PixelBox box = box_of(segment);
     const auto index = [&](std::int64_t way) { return std::clamp(way / size, std::int64_t{0}, last); };
-    const std::int64_t left = index(box.lower.x - spare - root_.lower.x), right = index(box.upper.x + spare - root_.lower.x);
-    const std::int64_t low = index(box.lower.y - spare - root_.lower.y), high = index(box.upper.y + spare - root_.lower.y);
+    const std::int64_t left = index(box.lower.x - spare - root_.lower.x),
+                       right = index(box.upper.x + spare - root_.lower.x);
+    const std::int64_t low = index(box.lower.y - spare - root_.lower.y),
+                       high = index(box.upper.y + spare - root_.lower.y);
     for (std::int64_t row = low; row <= high; ++row) {
       for (std::int64_t column = left; column <= right; ++column) {
         const auto i = static_cast<std::size_t>((row << exponent_) + column);
@@ -289,9 +292,8 @@ std::vector<std::vector<NearNode>> nodes_by_square(const Board& board, const std
 void visit_crowds(const std::vector<Piece>& pieces, const VisitCrowd& visit) {
   if (pieces.empty()) return;
   const Board board(pieces, 0);
-  parallel_for_each(board.squares(), 1, [&](std::size_t part) {
-    Crowds(part, visit).divide(board.square(part), board.crowd(part), 0);
-  });
+  parallel_for_each(board.squares(), 1,
+                    [&](std::size_t part) { Crowds(part, visit).divide(board.square(part), board.crowd(part), 0); });
 }
 
 void visit_meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes, double reach,

@@ -19,8 +19,6 @@
 namespace dda {
 namespace {
 
-constexpr double share_of_tolerance = 1e-2;
-constexpr double least_steps = 4;  // of the grid: twice what rounding moves a node, on either side
 // The share of round-off by which a link may pass a node without going through it: 1/sqrt(2). Let the corners A and B
 // of a triangle be further apart than round-off, and A as near to BC as B is to AC. Were both links led through the
 // other corner, they would change places, round after round. With this share the angles at A and B are less than 45
@@ -50,7 +48,7 @@ class Welder {
         plan_(plan),
         cleaned_(cleaned),
         round_off_(round_off_of(pieces)),
-        reach_(static_cast<std::int64_t>(2 * round_off_ / pieces.grid.step() + 2 * least_steps)),
+        reach_(static_cast<std::int64_t>(2 * round_off_ / pieces.grid.step() + 2 * least_steps_of_round_off)),
         region_(noding.pixels, unseen, reach_),
         into_(noding.pixels.size()),
         bounds_(noding.pixels.size(), {none, none}),
@@ -85,7 +83,7 @@ class Welder {
   [[nodiscard]] Renoding renoding() {
     Renoding changed;
     lead_links(changed);
-    // Of those that are the same it is only asked whether all have changed.
+    // Links that are the same may come in any order: it is only asked whether all of them have changed.
     parallel_sort(changed.links, [](const ChangedLink& a, const ChangedLink& b) { return a.link < b.link; });
     std::vector<ChangedLink> links;
     for (auto first = changed.links.begin(), last = first; first != changed.links.end(); first = last) {
@@ -376,14 +374,6 @@ class Welder {
 };
 
 }  // namespace
-
-double round_off_of(const PlanPieces& pieces) {
-  return std::max(share_of_tolerance * pieces.tolerance, least_steps * pieces.grid.step());
-}
-
-double steps_of_round_off(const PlanPieces& pieces) {
-  return round_off_of(pieces) / pieces.grid.step() + least_steps;
-}
 
 Noding welded(Noding noding, const PlanPieces& pieces, const RockPlan& plan, std::vector<Cleaned>& cleaned,
               int most_rounds) {

@@ -10,14 +10,9 @@
 #include <vector>
 
 #include "engine/cutting/plan_pieces.h"
+#include "engine/cutting/round_off.h"
 
 namespace dda {
-
-// What counts as round-off, m: a hundredth of the tolerance, and no less than some steps of the grid.
-double round_off_of(const PlanPieces& pieces);
-
-// The same in steps of the grid, with room for rounding: what is not crowded within these has nothing to be welded.
-double steps_of_round_off(const PlanPieces& pieces);
 
 // Boundary and holes stay as drawn: what is near them moves onto them. Appends to `cleaned` what moved by more than a
 // step of the grid. Two rounds do; there are more only where welding brings other places together. When they are used

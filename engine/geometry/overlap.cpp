@@ -75,7 +75,8 @@ struct Shape {
   template <typename Condition>
   bool any_edge(const Box& near, const Condition& holds) const {
     if (!index)
-      return std::ranges::any_of(edges, [&](const Segment& edge) { return overlap(edge_box(edge, 0), near) && holds(edge); });
+      return std::ranges::any_of(edges,
+                                 [&](const Segment& edge) { return overlap(edge_box(edge, 0), near) && holds(edge); });
     const std::vector<int> found = index->near(near);
     return std::any_of(found.begin(), found.end(), [&](int i) { return holds(edges[static_cast<std::size_t>(i)]); });
   }

@@ -18,9 +18,9 @@
 #include "engine/scene/json_text.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
-#include "engine/scene/written_scene.h"
 #include "engine/scene/schema_check.h"
 #include "engine/scene/sections.h"
+#include "engine/scene/written_scene.h"
 
 namespace dda {
 namespace {

@@ -31,7 +31,8 @@ TEST(JsonPieces, NumbersAreThoseOfTheLibrary) {
 }
 
 TEST(JsonPieces, TextsAreThoseOfTheLibrary) {
-  for (const std::string text : {"", "lines[3]", "a \"b\" \\ c", "tab\tend\n", "m\xc2\xb2 \xe2\x82\xac", "\x7f", "\x01"}) {
+  for (const std::string text :
+       {"", "lines[3]", "a \"b\" \\ c", "tab\tend\n", "m\xc2\xb2 \xe2\x82\xac", "\x7f", "\x01"}) {
     std::string piece;
     append_json_text(text, piece);
     EXPECT_EQ(piece, nlohmann::json(text).dump());

@@ -108,7 +108,9 @@ class Parts {
 
  private:
   static constexpr std::size_t parts = 8;
-  [[nodiscard]] json::array_t& lines_of(std::size_t i) { return scenes_[i][place_of_lines()].get_ref<json::array_t&>(); }
+  [[nodiscard]] json::array_t& lines_of(std::size_t i) {
+    return scenes_[i][place_of_lines()].get_ref<json::array_t&>();
+  }
 
   json& lines_;
   std::vector<json> scenes_;

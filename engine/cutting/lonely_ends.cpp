@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "engine/core/parallel.h"
 #include "engine/geometry/box.h"
@@ -107,28 +108,32 @@ class Raster {
     }
   }
 
-  // Row by row, the cells from where the piece comes into the row to where it leaves it, with two pixels to spare.
+  // Row by row, the cells from where the piece comes into the row to where it leaves it.
   template <typename Visit>
   void visit_cells(const PixelSegment& segment, int piece, const Visit& visit) const {
-    const auto [low, high] =
-        std::minmax(segment.from, segment.to, [](const Pixel& a, const Pixel& b) { return a.y < b.y; });
-    const double slope = high.y > low.y ? static_cast<double>(high.x - low.x) / static_cast<double>(high.y - low.y) : 0;
-    const auto x_at = [&](std::int64_t y) {
-      return static_cast<double>(low.x) + slope * static_cast<double>(y - low.y);
-    };
-    const auto [left, right] = std::minmax(low.x, high.x);
+    Pixel low = segment.from;
+    Pixel high = segment.to;
+    if (low.y > high.y) std::swap(low, high);
     for (std::int64_t row = row_of(low.y); row <= row_of(high.y); ++row) {
-      const std::int64_t from = std::max(low.y, lower_.y + row * cell_);
-      const std::int64_t to = std::min(high.y, lower_.y + (row + 1) * cell_);
-      auto [a, b] = std::minmax({x_at(from), x_at(to)});
-      if (high.y == low.y) {
-        a = static_cast<double>(left);
-        b = static_cast<double>(right);
-      }
-      const std::int64_t first = column_of(std::max(left, static_cast<std::int64_t>(std::floor(a)) - 2));
-      const std::int64_t last = column_of(std::min(right, static_cast<std::int64_t>(std::ceil(b)) + 2));
-      for (std::int64_t column = first; column <= last; ++column) visit(at(row * columns_ + column), piece);
+      const Columns columns = columns_in(low, high, row);
+      for (std::int64_t column = columns.first; column <= columns.last; ++column)
+        visit(at(row * columns_ + column), piece);
     }
+  }
+
+  struct Columns {
+    std::int64_t first, last;
+  };
+
+  // Two pixels to spare on either side, which is more than the round-off.
+  [[nodiscard]] Columns columns_in(const Pixel& low, const Pixel& high, std::int64_t row) const {
+    const std::int64_t left = std::min(low.x, high.x), right = std::max(low.x, high.x);
+    if (low.y == high.y) return {column_of(left), column_of(right)};
+    const double slope = static_cast<double>(high.x - low.x) / static_cast<double>(high.y - low.y);
+    const auto x_at = [&](std::int64_t y) { return low.x + std::llround(slope * static_cast<double>(y - low.y)); };
+    const std::int64_t one = x_at(std::max(low.y, lower_.y + row * cell_));
+    const std::int64_t other = x_at(std::min(high.y, lower_.y + (row + 1) * cell_));
+    return {column_of(std::max(left, std::min(one, other) - 2)), column_of(std::min(right, std::max(one, other) + 2))};
   }
 
   const std::vector<Piece>& pieces_;

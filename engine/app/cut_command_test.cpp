@@ -59,8 +59,8 @@ TEST_F(Cut, FilesAreThoseOfTheJsonLibraryWithAnyNumberOfThreads) {
   for (int i = 0; i < 40; ++i)
     for (int j = 0; j < 40; ++j)
       lines += (lines.empty() ? "" : ",") + std::string(R"({"joint": "default", "points": [[)") +
-               std::to_string(i + 0.013 * j) + "," + std::to_string(j) + "],[" + std::to_string(i + 1.4) + "," +
-               std::to_string(j + 0.3 + 0.02 * i) + "]]}";
+               std::to_string(i + 0.013 * j) + "," + std::to_string(j) + "],[" + std::to_string(i + 2.4) + "," +
+               std::to_string(j + (i % 2 == 0 ? 1.7 : -1.7)) + "]]}";
   write("lines.json", R"({"dda": 1, "materials": {"a": {"density": 2600, "young": 2e10, "poisson": 0.25},
       "rock \"b\"": {"density": 2600, "young": 2e10, "poisson": 0.25}}, "steps": {"dt": 1e-3, "duration": 1e-3},
       "blocks": {"rock": {"name": "r\u00f6ck", "material": "a", "initial_velocity": [0, 1], "boundary": [[0, 0], [40, 0],

@@ -65,7 +65,7 @@ void move_records(json& value, const std::filesystem::path& from, const std::fil
 
 struct NewScene {
   CutScene scene;                  // but for its text
-  json document;                   // with the first block only of each rock
+  json document;                   // with the first block only of each rock below
   std::vector<GivenBlocks> rocks;  // their blocks
   std::future<void> gone;          // when the document that was read is given back, which takes a while
 };
@@ -88,7 +88,7 @@ class Cutter {
     for (const JointMaterial& joint : model_.joints) result_.joint_names.push_back(joint.name);
     for (const Material& material : model_.materials) result_.material_names.push_back(material.name);
     json cut = with_polygons();
-    if (finish_) finish_(result_.entries.front().rock, rocks_.front().blocks, cut);
+    if (finish_) finish_(result_.entries.front().rock, drawn_blocks_, cut);
     move_records(cut, from, to);
     return {std::move(result_), std::move(cut), std::move(rocks_), std::move(gone_)};
   }
@@ -149,12 +149,18 @@ class Cutter {
     Model part;
     part.materials = model_.materials;
     part.joints = model_.joints;
-    GivenBlocks& given = rocks_.emplace_back();
-    given.entry = blocks.size();
-    append_rock(entry.rock, entry.cut, part, given.groups);
-    blocks.push_back(polygon_entry(part.blocks.front(), given.groups.front(), rock, part));
+    std::vector<std::string> groups;
+    append_rock(entry.rock, entry.cut, part, groups);
+    // Run data of a drawing say the state of each block, for which all of them have to be in the document.
+    const std::size_t written_out = finish_ ? part.blocks.size() : 1;
+    const std::size_t first = blocks.size();
+    for (std::size_t i = 0; i < written_out; ++i)
+      blocks.push_back(polygon_entry(part.blocks[i], groups[i], rock, part));
     for (const JointLine& line : part.joint_lines) lines.push_back(joint_line_entry(line, part));
-    given.blocks = std::move(part.blocks);
+    if (finish_)
+      std::ranges::move(part.blocks, std::back_inserter(drawn_blocks_));
+    else
+      rocks_.push_back({first, std::move(part.blocks), std::move(groups)});
   }
 
   json document_;
@@ -163,6 +169,7 @@ class Cutter {
   Model model_;
   CutScene result_;
   std::vector<GivenBlocks> rocks_;
+  std::vector<Block> drawn_blocks_;  // where `finish_` asks for them
   std::future<void> gone_;
 };
 

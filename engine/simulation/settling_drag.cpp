@@ -35,6 +35,7 @@ double motion_share(const Vec6& increments, double area) {
 
 bool SettlingDrag::ease() {
   std::fill(moved_.begin(), moved_.end(), 0.0);
+  std::fill(is_carried_.begin(), is_carried_.end(), char{0});
   bool changed = false;
   for (double& factor : factors_) {
     if (factor == 1) continue;
@@ -47,11 +48,13 @@ bool SettlingDrag::ease() {
 bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, const Eigen::VectorXd& d) {
   factors_.resize(terms.area.size(), 1.0);
   moved_.resize(terms.area.size(), 0.0);
+  is_carried_.resize(terms.area.size(), 0);
   bool raised = false;
   for (std::size_t i = 0; i < factors_.size(); ++i) {
     if (held.holds(static_cast<int>(i))) continue;
     const double before = moved_[i];
     moved_[i] = motion_share(own(d, i), terms.area[i]);
+    if (before > most_motion && moved_[i] > carried * before) is_carried_[i] = 1;
     if (moved_[i] <= most_motion || (before > 0 && moved_[i] > carried * before)) continue;
     factors_[i] *= 2 * moved_[i] / most_motion;
     raised = true;
@@ -61,9 +64,10 @@ bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, cons
 
 bool SettlingDrag::follow(const BlockTerms& terms, const Eigen::VectorXd& d) {
   travelled_.resize(factors_.size(), 0.0);
+  is_carried_.resize(factors_.size(), 0);
   const std::size_t before = loose_.size();
   for (std::size_t i = 0; i < factors_.size(); ++i) {
-    if (factors_[i] <= 1 || travelled_[i] > most_travel) continue;
+    if (factors_[i] <= 1 || is_carried_[i] != 0 || travelled_[i] > most_travel) continue;
     travelled_[i] += motion_share(own(d, i), terms.area[i]);
     if (travelled_[i] > most_travel) loose_.push_back(static_cast<int>(i));
   }

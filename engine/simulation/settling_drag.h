@@ -37,7 +37,8 @@ class SettlingDrag {
   bool raise(const BlockTerms& terms, const HeldUnknowns& held, const Eigen::VectorXd& d);
 
   // Accepts a step of increments `d`. What has gone half of its size under drag will not find what it could come to lie
-  // on: from then on it is loose, and to be held. True when there are more of these.
+  // on: from then on it is loose, and to be held. True when there are more of these. What others carry does not go
+  // under drag, however far.
   bool follow(const BlockTerms& terms, const Eigen::VectorXd& d);
   [[nodiscard]] const std::vector<int>& loose() const { return loose_; }
   // Adds the loose to the blocks that are held, of `blocks` in all.
@@ -51,15 +52,16 @@ class SettlingDrag {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [factors, moved, travelled, loose] = self;
+    auto& [factors, moved, is_carried, travelled, loose] = self;
     archive.of_blocks(factors);
     archive.of_blocks(travelled);
-    archive.lists_blocks(loose);  // `moved` is of the step under way
+    archive.lists_blocks(loose);  // `moved` and `is_carried` are of the step under way
   }
 
  private:
   std::vector<double> factors_;    // on each block's mass; empty as long as no block needed any
   std::vector<double> moved_;      // shares of the last solution of this step, 0 before the first
+  std::vector<char> is_carried_;   // too far in this step, by others: more drag did not hold it back
   std::vector<double> travelled_;  // under drag, in each block's size
   std::vector<int> loose_;         // blocks, in the order found
 };

@@ -314,6 +314,18 @@ TEST(Settling, LooseStoneIsNamedAndStopsNothing) {
   EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
 }
 
+// What moves it is the floor, however far that is in its own size.
+TEST(Settling, PebbleOnAFloorThatRisesIsNotLoose) {
+  Model model = stone_over_floor(0.01, 0);
+  model.held_blocks[0].amplitude = {0, 0.05};
+  model.held_blocks[0].history = Constant{};
+  model.stages = {settling()};
+  Simulation simulation = simulation_of(std::move(model));
+  while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  EXPECT_TRUE(simulation.results().loose.empty());
+  EXPECT_NEAR(simulation.state().displacement[1](1), 0.05, 1e-5);
+}
+
 TEST(Settling, LastStageWithALooseBlockIsNoEquilibrium) {
   Model model = stone_over_floor(0.1, 1);
   model.stages = {settling()};

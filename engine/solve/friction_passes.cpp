@@ -309,8 +309,8 @@ void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
       const PieceRule own_rule = all_are_asked_alike ? rule : rule_of(contact, rule, at);
       const Vec4 force_before = trial.force;
       const ContactPieces pieces_before = contact.pieces;
-      const Vec4 gap_before = trial.gap;
-      trial.gap = trial.start + contact.gap(at.increment);  // no round-off is left of steps that went far and came back
+      const Vec4 moved = contact.gap(step_);
+      trial.gap = judged_by.goes_back ? Vec4(trial.start + contact.gap(at.increment)) : Vec4(trial.gap + moved);
       respond_with_friction(contact.springs, strength, trial);
       contact.between = keep_to_bordering_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       contact.changes = contact.pieces != pieces_before;
@@ -318,7 +318,7 @@ void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
         contact.pieces = pieces_before;
         contact.between = stay_on_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       }
-      if (is_local_) follow_residual(at, contact, trial.gap - gap_before, force_before);
+      if (is_local_) follow_residual(at, contact, moved, force_before);
     }
   };
   if (is_local_ || judged_by.one_by_one) {

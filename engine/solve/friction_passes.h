@@ -50,8 +50,9 @@ class FrictionPasses {
 
   // How a step judges the contacts that it moves.
   struct JudgedBy {
-    bool strictly;    // PieceRule
-    bool one_by_one;  // only the first of those that want to goes over to other pieces
+    bool strictly;           // PieceRule
+    bool one_by_one;         // only the first of those that want to goes over to other pieces
+    bool goes_back = false;  // gaps are measured anew: steps that went far would leave their round-off in them
   };
 
   // What the pass nearest to the balance came to, and what was done since.
@@ -91,7 +92,7 @@ class FrictionPasses {
 
   // trusted_steps.cpp
   void take_step(Iterate& at, const JudgedBy& judged_by);
-  void go_back_to_first_step(Iterate& at, const JudgedBy& judged_by);
+  void go_back(Iterate& at, JudgedBy judged_by);
   void halve_step(Iterate& at, const JudgedBy& judged_by, double enough);
 
   // local_pass.cpp

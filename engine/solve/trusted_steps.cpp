@@ -32,15 +32,16 @@ void FrictionPasses::take_step(Iterate& at, const JudgedBy& judged_by) {
   if (!nearest_.is_trust_lost) {
     left_.way += step_;
     if (++nearest_.steps_away <= steps_on_trust) return;
-    go_back_to_first_step(at, judged_by);
+    nearest_.is_trust_lost = true;
+    take_all();  // the steps since then may have moved other parts of the blocks
+    step_ = left_.step - left_.way;
+    go_back(at, judged_by);
   }
   halve_step(at, judged_by, before);
 }
 
-void FrictionPasses::go_back_to_first_step(Iterate& at, const JudgedBy& judged_by) {
-  nearest_.is_trust_lost = true;
-  take_all();  // the steps since then may have moved other parts of the blocks
-  step_ = left_.step - left_.way;
+void FrictionPasses::go_back(Iterate& at, JudgedBy judged_by) {
+  judged_by.goes_back = true;
   left_.put_back_pieces(live_);
   take_whole_step(at, judged_by);
 }
@@ -50,8 +51,7 @@ void FrictionPasses::halve_step(Iterate& at, const JudgedBy& judged_by, double e
   for (int halving = 0; halving < most_halvings && !(imbalance_ <= enough); ++halving) {
     share /= 2;
     step_ = -share * left_.step;  // back by half of the way gone
-    left_.put_back_pieces(live_);
-    take_whole_step(at, judged_by);
+    go_back(at, judged_by);
   }
 }
 

@@ -173,7 +173,8 @@ class Meetings {
 
   void divide(const Quadrant& quadrant, std::span<const NearPiece> crowd, std::span<const NearNode> nodes) const {
     if (crowd.empty() || nodes.empty()) return;
-    if (crowd.size() * nodes.size() <= small_meeting || nodes.size() == 1) {
+    const bool in_one_place = static_cast<double>(quadrant.size) <= std::max(reach_, 1.0);  // all near to all
+    if (in_one_place || crowd.size() * nodes.size() <= small_meeting || nodes.size() == 1) {
       visit_(part_, crowd, nodes);
       return;
     }

@@ -78,5 +78,23 @@ TEST(Crowds, CrossingsOfASetWithOthers) {
   EXPECT_EQ(look_at(pieces).crossings, brute_force(pieces));
 }
 
+// Ends of many lines on one pixel come up as that many nodes.
+TEST(Meetings, NodesOnOnePixel) {
+  std::vector<Piece> pieces = joint_set(40, 0.7, 1.0);
+  const Pixel place = pieces.front().segment.to;
+  for (int i = 0; i < 40; ++i) pieces.push_back({{pixel(0.02 * i, 0.9), place}, 40 + i});
+  const std::vector<Pixel> nodes(60, place);
+  std::vector<std::set<int>> met(nodes.size());
+  visit_meetings(pieces, nodes, 2, [&](std::size_t, std::span<const NearPiece> crowd, std::span<const NearNode> near) {
+    for (const NearNode& node : near) {
+      for (const NearPiece& each : crowd) met[static_cast<std::size_t>(node.node)].insert(each.piece);
+    }
+  });
+  for (const std::set<int>& each : met) {
+    EXPECT_TRUE(each.contains(0));
+    for (int i = 40; i < 80; ++i) EXPECT_TRUE(each.contains(i)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace dda

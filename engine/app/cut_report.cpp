@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
 #include "engine/core/parallel.h"
 #include "engine/scene/cut_remarks.h"
@@ -72,20 +71,14 @@ void append_entry(const Cleaned& cleaned, std::string& text) {
 }
 
 void append_list(const std::vector<const Cleaned*>& all, std::string& text) {
-  std::vector<std::string> parts(1 + all.size() / entries_in_part);
-  parallel_for_each(parts.size(), 1, [&](std::size_t part) {
-    const std::size_t last = std::min(all.size(), (part + 1) * entries_in_part);
-    for (std::size_t i = part * entries_in_part; i < last; ++i) {
-      parts[part] += i == 0 ? "[\n" : ",\n";
-      append_entry(*all[i], parts[part]);
-    }
-  });
-  std::size_t size = text.size();
-  for (const std::string& part : parts) size += part.size();
-  constexpr std::size_t end = 64;  // of the list and of what follows it
-  text.reserve(size + end);
-  for (std::string& part : parts) text += std::exchange(part, {});
-  text += all.empty() ? "[]" : "\n ]";
+  if (all.empty()) {
+    text += "[]";
+    return;
+  }
+  text += "[\n";
+  const auto append_one = [&](std::size_t i, std::string& to) { append_entry(*all[i], to); };
+  append_entries(all.size(), entries_in_part, ",\n", append_one, text);
+  text += "\n ]";
 }
 
 json point_entry(const PlanPoint& point) {

@@ -2,10 +2,14 @@
 // hundred million small objects for the library, and takes ten times as long.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include "engine/core/types.h"
+#include "engine/core/parallel.h"
 
 namespace dda {
 
@@ -14,5 +18,37 @@ void append_json_number(double value, std::string& text);
 
 // In quotes. Throws nlohmann::json::type_error for bytes that are no UTF-8.
 void append_json_text(std::string_view value, std::string& text);
+
+// The list of what `append_one` makes of each entry, on one line.
+template <typename List, typename AppendOne>
+void append_json_list(const List& list, const AppendOne& append_one, std::string& text) {
+  text += '[';
+  bool is_first = true;
+  for (const auto& each : list) {
+    if (!std::exchange(is_first, false)) text += ',';
+    append_one(each, text);
+  }
+  text += ']';
+}
+
+// What `append_one` makes of entry 0 to `count` - 1, with `separator` between, `in_part` entries each by the threads
+// that there are.
+template <typename AppendOne>
+void append_entries(std::size_t count, std::size_t in_part, std::string_view separator, const AppendOne& append_one,
+                    std::string& text) {
+  std::vector<std::string> parts((count + in_part - 1) / in_part);
+  parallel_for_each(parts.size(), 1, [&](std::size_t part) {
+    const std::size_t last = std::min(count, (part + 1) * in_part);
+    for (std::size_t i = part * in_part; i < last; ++i) {
+      if (i > 0) parts[part] += separator;
+      append_one(i, parts[part]);
+    }
+  });
+  std::size_t size = text.size();
+  for (const std::string& part : parts) size += part.size();
+  constexpr std::size_t end = 64;  // of the list and of what follows it
+  text.reserve(size + end);
+  for (std::string& part : parts) text += std::exchange(part, {});
+}
 
 }  // namespace dda

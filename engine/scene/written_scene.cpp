@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <utility>
+#include <string_view>
 
-#include "engine/core/parallel.h"
 #include "engine/scene/json_pieces.h"
 
 namespace dda {
@@ -15,30 +13,9 @@ namespace {
 
 using nlohmann::json;
 
-void append_point(const Vec2& point, std::string& text) {
-  text += '[';
-  append_json_number(point.x(), text);
-  text += ',';
-  append_json_number(point.y(), text);
-  text += ']';
-}
-
 void append_ring(const Ring& ring, std::string& text) {
-  text += '[';
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (i > 0) text += ',';
-    append_point(ring[i], text);
-  }
-  text += ']';
-}
-
-void append_holes(const std::vector<Ring>& holes, std::string& text) {
-  text += '[';
-  for (std::size_t i = 0; i < holes.size(); ++i) {
-    if (i > 0) text += ',';
-    append_ring(holes[i], text);
-  }
-  text += ']';
+  append_json_list(
+      ring, [](const Vec2& point, std::string& to) { append_json_list(point, append_json_number, to); }, text);
 }
 
 // Blocks of one rock, by the entry of the first of them: keys in their order, as the JSON library writes them.
@@ -52,7 +29,7 @@ class Polygons {
     append_own("group", group, text);
     if (!block.shape.holes.empty()) {
       text += ",\"holes\":";
-      append_holes(block.shape.holes, text);
+      append_json_list(block.shape.holes, append_ring, text);
     }
     for (const char* key : {"initial_spin", "initial_stress", "initial_velocity"})
       if (polygon_.contains(key)) text += fmt::format(",\"{}\":{}", key, polygon_[key].dump());
@@ -82,15 +59,10 @@ constexpr std::string_view next_entry = ",\n    ";
 
 void append_blocks(const GivenBlocks& given, const Polygons& polygons, std::string& text) {
   constexpr std::size_t in_part = 1000;
-  std::vector<std::string> parts(1 + (given.blocks.size() - 1) / in_part);
-  parallel_for_each(parts.size(), 1, [&](std::size_t part) {
-    const std::size_t last = std::min(given.blocks.size(), (part + 1) * in_part);
-    for (std::size_t i = part * in_part; i < last; ++i) {
-      if (i > 0) parts[part] += next_entry;
-      polygons.append(given.blocks[i], given.groups[i], parts[part]);
-    }
-  });
-  for (std::string& part : parts) text += std::exchange(part, {});
+  const auto append_one = [&](std::size_t i, std::string& to) {
+    polygons.append(given.blocks[i], given.groups[i], to);
+  };
+  append_entries(given.blocks.size(), in_part, next_entry, append_one, text);
 }
 
 }  // namespace

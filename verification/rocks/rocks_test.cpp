@@ -118,12 +118,17 @@ TEST(Rocks, SettleAndMoveOnSprings) {
 
 // Slopes whose stretches gape took 18,207 and 24,595 passes: each pass threw light blocks away from the balance, and
 // steps of given friction were cut at every stretch that opened. Which way such a slope goes differs with the last
-// digits, and so between processors: the two take 4,900 to 8,500 passes in the geometric mean, where they took 21,200.
+// digits, and so between processors: by the kernels of OpenBLAS seed 14 takes 7,700, 14,100, 22,700 or 23,300 passes
+// (5,500 or 15,400 before steps were taken on trust), seed 22 always 5,400 to 5,500. So seed 22 is bounded by itself,
+// and the geometric mean of both, 6,500 to 11,200 where it was 21,200.
 TEST(Rocks, SlopesThatGapeAreDoneInSomeThousandPasses) {
   double logarithms = 0;
   for (const unsigned seed : {14U, 22U}) {
     const RockResult result = run_rock(random_rock(seed), 60);
     EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
+    if (seed == 22U) {
+      EXPECT_LT(result.passes, 9000);
+    }
     logarithms += std::log(static_cast<double>(result.passes));
   }
   EXPECT_LT(std::exp(logarithms / 2), 13000);

@@ -93,11 +93,12 @@ std::vector<bool> lonely_prolongations(const std::vector<Piece>& pieces, const P
   std::vector<char> has_company(candidates.ends.size(), 0);
   visit_meetings(drawn, candidates.ends, reach,
                  [&](std::size_t, std::span<const NearPiece> crowd, std::span<const NearNode> near) {
-                   for (const auto& [end, number] : near) {
-                     const int own = pieces[candidates.pieces[at(number)]].straight;
-                     has_company[at(number)] = std::ranges::any_of(crowd, [&](const NearPiece& each) {
-                       return drawn[at(each.piece)].straight != own && distance_from(end, each.segment) <= reach;
+                   for (const NearNode& end : near) {
+                     const int own = pieces[candidates.pieces[at(end.node)]].straight;
+                     const bool found = std::ranges::any_of(crowd, [&](const NearPiece& each) {
+                       return drawn[at(each.piece)].straight != own && distance_from(end.pixel, each.segment) <= reach;
                      });
+                     has_company[at(end.node)] = found ? 1 : 0;
                    }
                  });
   std::vector<bool> lonely(pieces.size(), false);

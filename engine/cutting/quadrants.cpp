@@ -23,6 +23,10 @@ constexpr int most_fruitless = 4;
 constexpr double most_of_them = 0.6;
 constexpr double hardly_more = 1.2;
 
+// Nothing on the grid, whose coordinates stay below 2^40, lies farther from anything than this; a reach that goes
+// beyond would leave the integers.
+constexpr double whole_grid = 0x1p42;  // pixels
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Whether it passes within some steps of the square: separating axes, with a pixel to spare, which is far more than the
@@ -300,10 +304,11 @@ void visit_crowds(const std::vector<Piece>& pieces, const VisitCrowd& visit) {
 void visit_meetings(const std::vector<Piece>& pieces, const std::vector<Pixel>& nodes, double reach,
                     const VisitMeeting& visit) {
   if (pieces.empty()) return;
-  const Board board(pieces, reach);
+  const double within = std::min(reach, whole_grid);
+  const Board board(pieces, within);
   const std::vector<std::vector<NearNode>> by_square = nodes_by_square(board, nodes);
   parallel_for_each(board.squares(), 1, [&](std::size_t part) {
-    Meetings(part, reach, visit).divide(board.square(part), board.crowd(part), by_square[part]);
+    Meetings(part, within, visit).divide(board.square(part), board.crowd(part), by_square[part]);
   });
 }
 

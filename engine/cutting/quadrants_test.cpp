@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -93,6 +94,20 @@ TEST(Meetings, NodesOnOnePixel) {
   for (const std::set<int>& each : met) {
     EXPECT_TRUE(each.contains(0));
     for (int i = 40; i < 80; ++i) EXPECT_TRUE(each.contains(i)) << i;
+  }
+}
+
+// A tolerance may be anything, so that a reach may lead beyond the integers.
+TEST(Meetings, BeyondTheGridAllAreNear) {
+  const std::vector<Piece> pieces = joint_set(20, 0.7, 1.0);
+  const std::vector<Pixel> nodes{pixel(0.5, 0.5), pixel(-900, 900)};
+  for (const double reach : {1e14, 9.2e18, 1e300, std::numeric_limits<double>::infinity()}) {
+    std::size_t pairs = 0;
+    visit_meetings(pieces, nodes, reach,
+                   [&](std::size_t, std::span<const NearPiece> crowd, std::span<const NearNode> near) {
+                     pairs += crowd.size() * near.size();
+                   });
+    EXPECT_EQ(pairs, pieces.size() * nodes.size()) << reach;
   }
 }
 

@@ -111,13 +111,13 @@ void add_contacts(const Model& model, const ContactSet& contacts, Text& text) {
   }
 }
 
-// Springs take part in the result: how much, joint by joint.
+// What gives way in a joint takes part in the result: how much, joint by joint.
 void add_stiffness(const Model& model, Text& text) {
   const std::vector<std::optional<JointSurvey>> joints = survey_joints(model);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (!joints[i]) continue;
     const JointSurvey& survey = *joints[i];
-    text.line("springs",
+    text.line(model.joints[i].law == InterfaceLaw::projected ? "gives way" : "springs",
               "\"{}\": {:.3g} to {:.3g} GPa/m{}; adds at most {:.3g} % to the compliance of the blocks; blocks "
               "pressed in by at most {:.2g} of their size under {:.3g} MPa",
               model.joints[i].name, survey.softest / 1e9, survey.stiffest / 1e9,

@@ -11,6 +11,11 @@
 namespace dda {
 namespace {
 
+// A projected joint adds no compliance but the one that it was given.
+bool has_compliance_of_its_own(const JointMaterial& joint) {
+  return joint.law == InterfaceLaw::projected && joint.normal_stiffness > 0;
+}
+
 void add(const Model& model, const Interface& interface, std::optional<JointSurvey>& survey) {
   const double per_area = 2 * springs_of(model, interface).normal / interface.length;
   const StiffnessErrors errors = stiffness_errors(model, interface);
@@ -30,9 +35,10 @@ std::vector<std::optional<JointSurvey>> survey_joints(const Model& model) {
   for (std::size_t i = 0; i < drawn.interfaces.size(); ++i) {
     const Interface& interface = drawn.interfaces[i];
     const auto joint = static_cast<std::size_t>(interface.joint);
-    const bool springs = drawn.elements.but_for_blocks(i).law == InterfaceLaw::classical ||
-                         (finite && is_springs_where_blocks_move(model.joints[joint]));
-    if (springs && interface.length > 0) add(model, interface, joints[joint]);
+    const bool gives_way = drawn.elements.but_for_blocks(i).law == InterfaceLaw::classical ||
+                           has_compliance_of_its_own(model.joints[joint]) ||
+                           (finite && is_springs_where_blocks_move(model.joints[joint]));
+    if (gives_way && interface.length > 0) add(model, interface, joints[joint]);
   }
   return joints;
 }

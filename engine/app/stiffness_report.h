@@ -1,4 +1,4 @@
-// What the springs of joints do to the result, before anything is run.
+// What the stiffness of joints does to the result, before anything is run.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,15 @@
 
 namespace dda {
 
-// Over all drawn stretches of a joint that are closed by springs.
+// Over all drawn stretches of a joint that give way by springs, or by a stiffness of the joint's own.
 struct JointSurvey {
   double softest = 0, stiffest = 0;  // normal stiffness per area, Pa/m
   StiffnessErrors worst;
 };
 
 // One entry a joint; none where it has no such stretch: springs follow the classical law, and finite kinematics where
-// blocks are neither bonded nor joined with cohesion or tensile strength.
+// blocks are neither bonded nor joined with cohesion or tensile strength; a projected joint has a stiffness of its own
+// where it was given one.
 std::vector<std::optional<JointSurvey>> survey_joints(const Model& model);
 
 // The penalty of a projected joint, over all of its drawn stretches.

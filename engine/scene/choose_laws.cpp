@@ -12,33 +12,46 @@ namespace {
 
 // Whoever gives one of these has a law in mind.
 bool names_law(const Field& joint) {
-  constexpr std::array keys = {"law",
-                               "penalty",
-                               "stabilisation",
-                               "normal_spring",
-                               "spring_over_young",
-                               "shear_to_normal",
-                               "normal_stiffness",
-                               "shear_stiffness",
-                               "contact_damping"};
+  constexpr std::array keys = {"law",           "penalty",           "stabilisation",
+                               "normal_spring", "spring_over_young", "contact_damping"};
   return std::ranges::any_of(keys, [&](const char* key) { return joint.has(key); });
+}
+
+// A stiffness per area is what the joint itself gives way by, whatever the law.
+bool has_stiffness_of_its_own(const JointMaterial& joint) { return joint.normal_stiffness > 0; }
+
+bool names_springs(const Field& given, const JointMaterial& joint) {
+  return joint.automatic_stiffness || (given.has("shear_to_normal") && !has_stiffness_of_its_own(joint));
 }
 
 bool is_left_open(const Field& scene, const JointMaterial& joint) {
   const auto joints = scene.find("joints");
-  return !joints || !joints->has(joint.name) || !names_law(joints->at(joint.name));
+  if (!joints || !joints->has(joint.name)) return true;
+  const Field given = joints->at(joint.name);
+  return !names_law(given) && !names_springs(given, joint);
 }
 
-// What a projected joint takes off its blocks goes by their moduli at the start, and it has no springs that could
-// change.
+// A joint that has a stiffness of its own can have another one in a stage; no other projected joint has springs.
+bool springs_suit(const JointMaterial& before, const JointMaterial& now) {
+  const bool both_have_their_own = has_stiffness_of_its_own(before) && has_stiffness_of_its_own(now);
+  return have_same_springs(before, now) ||
+         (both_have_their_own && !now.automatic_stiffness && now.contact_damping == before.contact_damping);
+}
+
+// What a projected joint takes off its blocks goes by their moduli at the start.
 bool allow_the_law(const Model& model, std::size_t joint) {
   const auto keeps_moduli = [&](const Stage& stage) {
     return stage.rock.materials.empty() || std::ranges::equal(stage.rock.materials, model.materials, have_same_moduli);
   };
   const auto keeps_springs = [&](const Stage& stage) {
-    return stage.rock.joints.empty() || have_same_springs(stage.rock.joints[joint], model.joints[joint]);
+    return stage.rock.joints.empty() || springs_suit(model.joints[joint], stage.rock.joints[joint]);
   };
   return std::ranges::all_of(model.stages, keeps_moduli) && std::ranges::all_of(model.stages, keeps_springs);
+}
+
+// Dry joints of a thesis scene have its springs throughout.
+bool would_be_springs(const JointMaterial& joint, const Scheme& scheme) {
+  return scheme.name != SchemeName::thesis && is_dry(joint) && joint.dilation_angle == 0;
 }
 
 void make_projected(std::size_t joint, Model& model) {
@@ -49,12 +62,12 @@ void make_projected(std::size_t joint, Model& model) {
 
 }  // namespace
 
-void choose_laws(const Field& scene, Model& model) {
+void choose_laws(const Field& scene, const Scheme& scheme, Model& model) {
   if (!has_finite_kinematics(model)) return;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const JointMaterial& joint = model.joints[i];
-    const bool would_be_springs = joint.law != InterfaceLaw::classical && is_dry(joint) && joint.dilation_angle == 0;
-    if (would_be_springs && is_left_open(scene, joint) && allow_the_law(model, i)) make_projected(i, model);
+    if (would_be_springs(joint, scheme) && is_left_open(scene, joint) && allow_the_law(model, i))
+      make_projected(i, model);
   }
 }
 

@@ -33,13 +33,37 @@ TEST(ChooseLaws, DryJointsThatNameNoLawAreProjectedWhereBlocksMove) {
 }
 
 TEST(ChooseLaws, WhatNamesALawOrSpringsOrHasStrengthKeepsItsOwn) {
-  for (const char* joint : {R"("bonded": true)", R"("cohesion": 1e5)", R"("tensile_strength": 1e5)",
-                            R"("law": "classical")", R"("law": "consistent")", R"("normal_stiffness": 1e11)",
-                            R"("normal_stiffness": "auto")", R"("normal_spring": 1e10)", R"("spring_over_young": 10)",
-                            R"("shear_to_normal": 0.4)", R"("contact_damping": 0.2)", R"("penalty": 4)",
-                            R"("stabilisation": 0.1)", R"("friction_angle": 0.5, "dilation_angle": 0.1)"})
+  for (const char* joint :
+       {R"("bonded": true)", R"("cohesion": 1e5)", R"("tensile_strength": 1e5)", R"("law": "classical")",
+        R"("law": "consistent")", R"("normal_stiffness": "auto")", R"("normal_stiffness": 1e11, "cohesion": 1e5)",
+        R"("normal_stiffness": 1e11, "contact_damping": 0.2)", R"("normal_spring": 1e10)", R"("spring_over_young": 10)",
+        R"("shear_to_normal": 0.4)", R"("contact_damping": 0.2)", R"("penalty": 4)", R"("stabilisation": 0.1)",
+        R"("friction_angle": 0.5, "dilation_angle": 0.1)"})
     EXPECT_NE(law_of(joint), InterfaceLaw::projected) << joint;
   EXPECT_EQ(law_of("", moving, R"("scheme": "thesis", )"), InterfaceLaw::classical);
+}
+
+// It is what the joint gives way by, and no choice of springs; the law has it in series with that of the blocks.
+TEST(ChooseLaws, StiffnessPerAreaNamesNoLaw) {
+  EXPECT_EQ(law_of(R"("normal_stiffness": 1e11)"), InterfaceLaw::projected);
+  EXPECT_EQ(law_of(R"("normal_stiffness": 1e11, "shear_stiffness": 1e10)"), InterfaceLaw::projected);
+  EXPECT_EQ(law_of(R"("normal_stiffness": 1e11, "shear_to_normal": 0.2)"), InterfaceLaw::projected);
+  EXPECT_EQ(law_of(R"("normal_stiffness": 1e11)", as_drawn), InterfaceLaw::classical);
+  EXPECT_EQ(law_of(R"("normal_stiffness": 1e11)", moving, R"("scheme": "thesis", )"), InterfaceLaw::classical);
+}
+
+// Stages can change it, but not for springs or dashpots.
+TEST(ChooseLaws, StagesMayChangeAStiffnessPerArea) {
+  const auto then = [](const std::string& change) {
+    return law_of(
+        R"("normal_stiffness": 1e11)",
+        R"({"name": "first", "dt": 1e-3, "duration": 1}, {"dt": 1e-3, "duration": 1, "joints": {"default": {)" +
+            change + "}}}");
+  };
+  EXPECT_EQ(then(R"("normal_stiffness": 5e10)"), InterfaceLaw::projected);
+  EXPECT_EQ(then(R"("shear_stiffness": 5e10)"), InterfaceLaw::projected);
+  EXPECT_EQ(then(R"("normal_stiffness": "auto")"), InterfaceLaw::classical);
+  EXPECT_EQ(then(R"("contact_damping": 0.1)"), InterfaceLaw::classical);
 }
 
 // A stage that changes what the law cannot: moduli, or springs that it does not have.

@@ -79,7 +79,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder,
   finish_blocks(model);  // what follows needs the moments, and blocks that do not overlap
   StressField stresses(scene, std::move(facts.own_stress), model);
   read_stages(scene, scheme, parts.groups, model);
-  choose_laws(scene, model);
+  choose_laws(scene, scheme, model);
   stresses.fill(model);
   read_what_acts(scene, parts, stresses, folder, model);
   read_peaks(scene, parts.groups, parts.openings, model);

@@ -179,12 +179,12 @@ TEST(Scene, ResidualStrengthAndDilationOfAJoint) {
   EXPECT_TRUE(std::isinf(plain.zero_dilation_slip));
 }
 
-TEST(Scene, StiffnessPerAreaMakesAJointClassical) {
+TEST(Scene, StiffnessPerAreaIsTheJointsOwnWhateverTheLaw) {
   const auto joint_with = [](const std::string& entries) {
     return bar_with(R"("joints": {"default": {)" + entries + "}}").joints[0];
   };
   const JointMaterial given = joint_with(R"("normal_stiffness": "20 GPa/m", "shear_stiffness": "8 MN/m3")");
-  EXPECT_EQ(given.law, InterfaceLaw::classical);
+  EXPECT_EQ(given.law, InterfaceLaw::projected);
   EXPECT_EQ(given.normal_stiffness, 20e9);
   EXPECT_EQ(given.shear_stiffness, 8e6);
   EXPECT_FALSE(given.automatic_stiffness);

@@ -123,6 +123,18 @@ void let_ride_up(std::uint64_t seed, double unit, Json& joint) {
   if (seed / all_rock_kinds.size() % 2 == 0) joint["zero_dilation_slip"] = unit * random.magnitude(-3.5, -2);
 }
 
+// Drawn apart as well. A joint gives way as a tenth to ten units of rock do, and in shear up to ten times as much.
+void let_give_way(std::uint64_t seed, double unit, Json& scene) {
+  constexpr std::uint64_t other_numbers = 0x6b6e;
+  SeededNumbers random(seed ^ (other_numbers << 32));
+  const double rock = scene["materials"]["rock"]["young"].get<double>() / unit;
+  for (const char* name : {"default", "dry"}) {
+    const double normal = rock * random.magnitude(-1, 1);
+    scene["joints"][name]["normal_stiffness"] = normal;
+    scene["joints"][name]["shear_stiffness"] = normal * random.magnitude(-1, 0);
+  }
+}
+
 }  // namespace
 
 std::string name_of(RockKind kind) {
@@ -164,6 +176,7 @@ RandomRock random_rock(std::uint64_t seed, const RockFamily& family) {
                                 {"tensile_strength", made.unit * random.magnitude(4, 5)}};
   if (joints == RockJoints::springs)
     for (const char* name : {"default", "dry"}) scene["joints"][name]["law"] = "classical";
+  if (joints == RockJoints::compliant) let_give_way(seed, made.unit, scene);
   scene["blocks"] = {rock(random, made.kind, box, made.unit)};
   add_walls(box, made.unit, made.kind, scene);
   hold_walls(random, made.kind, made.motion, scene);

@@ -30,7 +30,8 @@ inline constexpr std::array all_rock_kinds{RockKind::two_sets, RockKind::three_s
 enum class RockJoints {
   dry,       // as every scene has them that does not ask for more, or with some cohesion
   dilating,  // they ride up as they slide, those of half of the rocks without end; a third as many blocks
-  springs    // the same rocks as dry ones, on springs
+  springs,   // the same rocks as dry ones, on springs
+  compliant  // the same rocks as dry ones, with joints that give way by a stiffness per area of their own
 };
 
 // What a population is of.

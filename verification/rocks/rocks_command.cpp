@@ -39,7 +39,7 @@ void tell(const RockResult& result, std::ostream& errors) {
 // Kinds of joints are flags on the command line.
 struct RocksArguments {
   RocksCommand command;
-  bool dilating = false, springs = false;
+  bool dilating = false, springs = false, compliant = false;
 };
 
 std::vector<CommandOption> options_of(RocksArguments& a) {
@@ -47,6 +47,7 @@ std::vector<CommandOption> options_of(RocksArguments& a) {
   add_lots(a.command.seed, "rock", a.command.count, options);
   options.push_back({"--dilating", &a.dilating, "smaller rocks, with joints that ride up as they slide"});
   options.push_back({"--springs", &a.springs, "joints with springs, the classical law"});
+  options.push_back({"--compliant", &a.compliant, "joints that give way by a stiffness per area of their own"});
   options.push_back({.name = "--extent",
                      .target = &a.command.family.extent,
                      .help = "times as wide and high, with joints as far apart: its square times as many blocks",
@@ -93,6 +94,7 @@ StudyCommand rocks_command() {
         RocksCommand command = a.command;
         if (a.dilating) command.family.joints = RockJoints::dilating;
         if (a.springs) command.family.joints = RockJoints::springs;
+        if (a.compliant) command.family.joints = RockJoints::compliant;
         return run_rocks(command, s.out, s.errors);
       });
 }

@@ -116,6 +116,17 @@ TEST(Rocks, SettleAndMoveOnSprings) {
   }
 }
 
+// One of each kind. A stiffness per area is a compliance of the joint beside that of its blocks.
+TEST(Rocks, SettleAndMoveWithJointsThatGiveWay) {
+  for (std::uint64_t seed = 16; seed < 24; ++seed) {
+    const RandomRock rock = random_rock(seed, {.joints = RockJoints::compliant});
+    for (const dda::JointMaterial& joint : dda::parse_scene(rock.scene, "scene.json").joints)
+      EXPECT_TRUE(joint.law == dda::InterfaceLaw::projected || !dda::is_dry(joint)) << seed << ": " << joint.name;
+    const RockResult result = run_rock(rock, 60);
+    EXPECT_EQ(result.outcome, RunOutcome::right) << seed << ": " << result.reason();
+  }
+}
+
 // Slopes whose stretches gape took 18,207 and 24,595 passes: each pass threw light blocks away from the balance, and
 // steps of given friction were cut at every stretch that opened. Which way such a slope goes differs with the last
 // digits, and so between processors: by the kernels of OpenBLAS seed 14 takes 7,700, 14,100, 22,700 or 23,300 passes

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -157,18 +158,21 @@ class EnergyAudit {
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
 
-  // A stage begins; and what it lost to time integration was settling, as the velocities that static steps take out
-  // are. (Counted as numerical it would hide what later stages gain.)
-  void begin_stage() {
+  // A stage begins. Nothing is gained for a while where blocks settle: static steps go from one guess at a balance to
+  // the next, what contacts store on the way moves nothing, and no dt would change it.
+  void begin_stage(bool settles) {
     numerical_before_ = ledger_.numerical;
-    lost_before_ = lost();
+    lost_before_ = settles ? -std::numeric_limits<double>::infinity() : lost();
   }
+  // What a stage lost to time integration was settling, as the velocities that static steps take out are. (Counted as
+  // numerical it would hide what later stages gain.)
   void has_settled();
 
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
-  // The most, at the end of any step, that was stored beyond what the stage began with and what was brought in it (J
-  // per m of thickness). What a run gains for a while it can lose again, and its sums at the end tell nothing of it.
+  // The most, at the end of any step of a stage in motion, that was stored beyond what the stage began with and what
+  // was brought in it (J per m of thickness). What a run gains for a while it can lose again, and its sums at the end
+  // tell nothing of it.
   [[nodiscard]] double most_gained() const { return std::max(most_gained_, lost_before_ - lost()); }
 
   template <typename Self, typename Archive>

@@ -103,7 +103,7 @@ void Simulation::begin_stage() {
   const PhaseScope scope(Phase::stage);
   BlockSystem& s = *system_;
   if (s.clock.stage > 0) stage_step().end();
-  s.audit.begin_stage();
+  s.audit.begin_stage(s.stage().integrator.is_static);
   s.clock.begun = true;
   s.clock.step = 0;
   s.clock.start = s.state.time;

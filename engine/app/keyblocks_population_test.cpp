@@ -226,7 +226,7 @@ Tally population(int first, int last) {
   return tally;
 }
 
-// Runs that do not end compare nothing: none of those on a thousand rocks; 0.28 % disagree
+// Runs that do not end compare nothing: none of those on a thousand rocks; 0.26 % disagree
 // (engine/keyblocks/README.md).
 void expect_agreement(int first, int last, double most_unexplained) {
   Tally tally = population(first, last);

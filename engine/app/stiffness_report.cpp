@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/advice/closed_joints.h"
 #include "engine/contact/contact_set.h"
 #include "engine/contact/make_contacts.h"
 #include "engine/contact/projected_law.h"
@@ -10,11 +11,6 @@
 
 namespace dda {
 namespace {
-
-// A projected joint adds no compliance but the one that it was given.
-bool has_compliance_of_its_own(const JointMaterial& joint) {
-  return joint.law == InterfaceLaw::projected && joint.normal_stiffness > 0;
-}
 
 void add(const Model& model, const Interface& interface, std::optional<JointSurvey>& survey) {
   const double per_area = 2 * springs_of(model, interface).normal / interface.length;
@@ -31,13 +27,12 @@ void add(const Model& model, const Interface& interface, std::optional<JointSurv
 std::vector<std::optional<JointSurvey>> survey_joints(const Model& model) {
   std::vector<std::optional<JointSurvey>> joints(model.joints.size());
   const ContactSet drawn = make_contacts(model);
-  const bool finite = has_finite_kinematics(model);
+  const Kinematics kinematics = has_finite_kinematics(model) ? Kinematics::finite : Kinematics::small;
   for (std::size_t i = 0; i < drawn.interfaces.size(); ++i) {
     const Interface& interface = drawn.interfaces[i];
     const auto joint = static_cast<std::size_t>(interface.joint);
     const bool gives_way = drawn.elements.but_for_blocks(i).law == InterfaceLaw::classical ||
-                           has_compliance_of_its_own(model.joints[joint]) ||
-                           (finite && is_springs_where_blocks_move(model.joints[joint]));
+                           gives_way_closed(model.joints[joint], kinematics);
     if (gives_way && interface.length > 0) add(model, interface, joints[joint]);
   }
   return joints;

@@ -34,8 +34,7 @@ bool is_left_open(const Field& scene, const JointMaterial& joint) {
 // A joint that has a stiffness of its own can have another one in a stage; no other projected joint has springs.
 bool springs_suit(const JointMaterial& before, const JointMaterial& now) {
   const bool both_have_their_own = has_stiffness_of_its_own(before) && has_stiffness_of_its_own(now);
-  return have_same_springs(before, now) ||
-         (both_have_their_own && !now.automatic_stiffness && now.contact_damping == before.contact_damping);
+  return have_same_springs(before, now) || (both_have_their_own && now.contact_damping == before.contact_damping);
 }
 
 // What a projected joint takes off its blocks goes by their moduli at the start.

@@ -115,18 +115,19 @@ void hold_walls(SeededNumbers& random, RockKind kind, double motion, Json& scene
                         {"history", {{"sine", {{"frequency", 2 / motion}, {"cycles", 2}}}}}}};
 }
 
-// Drawn apart from the rest, which is that of the seed without it. No steeper than friction allows.
+// What a family adds is drawn apart from the rest, which is that of the seed without it.
+SeededNumbers numbers_apart(std::uint64_t seed, std::uint64_t family) { return SeededNumbers(seed ^ (family << 32)); }
+
+// No steeper than friction allows.
 void let_ride_up(std::uint64_t seed, double unit, Json& joint) {
-  constexpr std::uint64_t other_numbers = 0x646c;
-  SeededNumbers random(seed ^ (other_numbers << 32));
+  SeededNumbers random = numbers_apart(seed, 0x646c);
   joint["dilation_angle"] = degrees(random.number(5, 15));
   if (seed / all_rock_kinds.size() % 2 == 0) joint["zero_dilation_slip"] = unit * random.magnitude(-3.5, -2);
 }
 
-// Drawn apart as well. A joint gives way as a tenth to ten units of rock do, and in shear up to ten times as much.
+// A joint gives way as a tenth to ten units of rock do, and in shear up to ten times as much.
 void let_give_way(std::uint64_t seed, double unit, Json& scene) {
-  constexpr std::uint64_t other_numbers = 0x6b6e;
-  SeededNumbers random(seed ^ (other_numbers << 32));
+  SeededNumbers random = numbers_apart(seed, 0x6b6e);
   const double rock = scene["materials"]["rock"]["young"].get<double>() / unit;
   for (const char* name : {"default", "dry"}) {
     const double normal = rock * random.magnitude(-1, 1);

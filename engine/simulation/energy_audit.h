@@ -158,8 +158,8 @@ class EnergyAudit {
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
 
-  // A stage begins. Nothing is gained for a while where blocks settle: static steps go from one guess at a balance to
-  // the next, what contacts store on the way moves nothing, and no dt would change it.
+  // A stage begins. Nothing counts as gained for a while where blocks settle: static steps go from one guess at a
+  // balance to the next and keep no velocity, so what contacts store on the way stays in the stage, whatever its dt.
   void begin_stage(bool settles) {
     numerical_before_ = ledger_.numerical;
     lost_before_ = settles ? -std::numeric_limits<double>::infinity() : lost();
@@ -191,7 +191,7 @@ class EnergyAudit {
   EnergyLedger ledger_;
   double replaced_ = 0;          // losses by interface_replaced in the step under way
   double numerical_before_ = 0;  // losses of the stages before, by time integration
-  double lost_before_ = 0;       // and all of them
+  double lost_before_ = 0;       // and all of them; -infinity in a stage in which nothing counts as gained
   double most_gained_ = 0;       // up to the start of the step under way
   double free_step_ = 0;         // what the accelerations of the stage's start would give in a step
 };

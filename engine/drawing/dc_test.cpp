@@ -87,6 +87,66 @@ TEST(ReadDc, LinesThatEncloseNoSinglePieceAreRefused) {
                  "a.dc is a drawing of 2 pieces of rock apart");
 }
 
+// As the MATLAB code of Appendix A of the thesis writes it: the square of 4 m with both joints and absorbing edges at
+// the left and the right, which are lines as well; a fixed point, two load points, a measured point, a hole point and a
+// point in a block to be removed. Numbers that are not whole have an exponent.
+const std::string of_appendix =
+    "1.000000e-03 \n6 0 \n0 0 1 2 1 1 0 1 \n"
+    "0 0 4 0 1 \n4 0 4 4 1 \n4 4 0 4 1 \n0 4 0 0 1 \n-5.000000e-01 2 4.500000e+00 2 1 \n2 -1 2 5 1 \n"
+    "1 1 1 \n1 \n3 1 \n1 3 \n5.000000e-01 1 \n3 3 \n3 1 \n1 1 \n2 \n4 0 4 4 \n0 4 0 0 \n0 \n";
+
+TEST(ReadDc, FilesOfAppendixAAreWhatTheirTableIs) {
+  const RockPlan plan = plan_of(read_dc(of_appendix, "a.dc", 0), {});
+  const RockPlan of_table = plan_of(read_csv_drawing("layer,x1,y1,x2,y2,x,y\n"
+                                                     "boundary,0,0,4,0,,\nboundary,4,4,0,4,,\n"
+                                                     "absorbing boundary,4,0,4,4,,\nabsorbing boundary,0,4,0,0,,\n"
+                                                     "rock,-0.5,2,4.5,2,,\nrock,2,-1,2,5,,\n"
+                                                     "fix point,,,,,1,1\nload point,,,,,3,1\nload point,,,,,1,3\n"
+                                                     "measure point,,,,,0.5,1\n",
+                                                     "a.csv", 0),
+                                    {});
+  EXPECT_EQ(std::abs(signed_area(plan.boundary)), std::abs(signed_area(of_table.boundary)));
+  ASSERT_EQ(plan.marks.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(plan.marks[i].points, of_table.marks[i].points);
+    EXPECT_EQ(plan.marks[i].layer, of_table.marks[i].layer);
+  }
+  ASSERT_EQ(plan.points.size(), of_table.points.size() + 2);
+  for (std::size_t i = 0; i < of_table.points.size(); ++i) {
+    EXPECT_EQ(plan.points[i].at, of_table.points[i].at);
+    EXPECT_EQ(plan.points[i].name, of_table.points[i].name);
+  }
+  EXPECT_EQ(cut_rock(of_table).blocks.size(), 4U);
+}
+
+// The block of the hole point is no rock; that of the other point is, until a stage removes it.
+TEST(ReadDc, PointsInBlocksToBeRemovedNameTheseBlocks) {
+  const RockPlan plan = plan_of(read_dc(of_appendix, "a.dc", 0), {});
+  ASSERT_EQ(plan.openings.size(), 2U);
+  const CutRock rock = cut_rock(plan);
+  ASSERT_EQ(rock.blocks.size(), 3U);
+  int removable = 0;
+  for (const CutBlock& block : rock.blocks) {
+    if (block.opening < 0) continue;
+    ++removable;
+    EXPECT_EQ(plan.openings[static_cast<std::size_t>(block.opening)].name, "removable hole 1");
+    EXPECT_EQ(locate(block.shape, {3, 1}), Location::inside);
+  }
+  EXPECT_EQ(removable, 1);
+}
+
+TEST(ReadDc, WhatIsWrongInAppendixALayoutIsSaid) {
+  const std::vector<std::pair<std::string, std::string>> all{
+      {with(of_appendix, "1 1 \n2 \n", "1 2 \n2 \n"),
+       "a.dc line 17 is 2 for the ratio by which the speed of waves is reduced"},
+      {with(of_appendix, "0 0 1 2 1 1 0 1", "0 0 1 2 1 1 3 1"), "a.dc line 3 is 3 bolts, expected none"},
+      {with(of_appendix, "0 4 0 0 \n0 \n", "0 4 0 0 \n5 \n"), "a.dc line 21 is 5 traction lines, expected none"},
+  };
+  for (const auto& each : all) expect_refused([&] { read_dc(each.first, "a.dc", 0); }, each.second);
+  expect_refused([] { plan_of(read_dc(with(of_appendix, "0 4 0 0 \n0 \n", "1 4 1 0 \n0 \n"), "a.dc", 0), {}); },
+                 "off the boundary, expected a line along the boundary");
+}
+
 // Four sides that are not quite upright, lines at random from side to side that stick out a little.
 std::string random_lines(unsigned seed) {
   std::mt19937_64 random(seed);

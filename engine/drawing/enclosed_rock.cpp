@@ -63,23 +63,23 @@ Ring without_flat_corners(const Ring& ring, double distance_allowed) {
   return kept;
 }
 
-// The block with the point inside, and none other in it, as an opening without blocks.
-PlanOpening opening_around(const PlanPoint& hole, const std::vector<CutBlock>& blocks, double flat_below) {
+// The block with the point inside, and none other in it.
+PlanOpening opening_around(const PlanPoint& point, const std::vector<CutBlock>& blocks, double flat_below) {
   const auto found = std::ranges::find_if(
-      blocks, [&](const CutBlock& block) { return locate(block.shape, hole.at) == Location::inside; });
+      blocks, [&](const CutBlock& block) { return locate(block.shape, point.at) == Location::inside; });
   if (found == blocks.end())
-    throw InputError("", hole.origin, "at " + written(hole.at) + ", in no block", "a place inside a block");
+    throw InputError("", point.origin, "at " + written(point.at) + ", in no block", "a place inside a block");
   if (!found->shape.holes.empty())
-    throw InputError("", hole.origin, "at " + written(hole.at) + ", in a block with others inside",
+    throw InputError("", point.origin, "at " + written(point.at) + ", in a block with others inside",
                      "a block whose outline is one closed line");
-  return {hole.name, without_flat_corners(found->shape.outer, flat_below), "", true, hole.origin};
+  return {point.name, without_flat_corners(found->shape.outer, flat_below), "", false, point.origin};
 }
 
 // Several points in one block take it out once.
-void add_holes(const std::vector<PlanPoint>& holes, const std::vector<CutBlock>& blocks, double flat_below,
-               RockPlan& plan) {
-  for (const PlanPoint& hole : holes) {
-    PlanOpening opening = opening_around(hole, blocks, flat_below);
+void add_openings(const std::vector<PlanPoint>& points, const std::vector<CutBlock>& blocks, double flat_below,
+                  RockPlan& plan) {
+  for (const PlanPoint& point : points) {
+    PlanOpening opening = opening_around(point, blocks, flat_below);
     const auto is_same = [&](const PlanOpening& other) { return other.outline == opening.outline; };
     if (std::ranges::none_of(plan.openings, is_same)) plan.openings.push_back(std::move(opening));
   }
@@ -100,11 +100,11 @@ bool lies_along(const PlanLine& line, const Ring& ring, double reach) {
 
 }  // namespace
 
-void enclose_rock(const std::string& name, double reach, const std::vector<PlanPoint>& holes, RockPlan& plan) {
+void enclose_rock(const std::string& name, double reach, const std::vector<PlanPoint>& points, RockPlan& plan) {
   CutRock frame = cut_frame(plan, name, reach);
   plan.boundary = without_flat_corners(outline_in(frame, frame_around(plan).front(), name), flat * reach);
   plan.boundary_origin = name;
-  add_holes(holes, frame.blocks, flat * reach, plan);
+  add_openings(points, frame.blocks, flat * reach, plan);
   std::erase_if(plan.lines, [&](const PlanLine& line) { return lies_along(line, plan.boundary, reach); });
 }
 

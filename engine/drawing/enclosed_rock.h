@@ -9,8 +9,8 @@
 namespace dda {
 
 // Gives the plan the outline of all that its lines enclose as its boundary, and takes away lines that lie along it
-// within `reach` (m). Blocks around `holes` become openings that are left out. `name` is the drawing's. Throws
-// InputError for lines that enclose nothing, or several pieces apart, and for a hole point in no block.
-void enclose_rock(const std::string& name, double reach, const std::vector<PlanPoint>& holes, RockPlan& plan);
+// within `reach` (m). Blocks around `points` become openings with the names of the points. `name` is the drawing's.
+// Throws InputError for lines that enclose nothing, or several pieces apart, and for such a point in no block.
+void enclose_rock(const std::string& name, double reach, const std::vector<PlanPoint>& points, RockPlan& plan);
 
 }  // namespace dda

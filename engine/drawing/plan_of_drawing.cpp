@@ -48,6 +48,8 @@ bool takes_points(LayerRole role) {
   return !takes_lines(role) || role == LayerRole::removable_hole || role == LayerRole::blast;
 }
 
+bool marks_opening(LayerRole role) { return role == LayerRole::hole_point || role == LayerRole::removable_hole; }
+
 double smallest_x(const Ring& ring) { return bounding_box(ring).lower.x(); }
 
 double distance_to(const Ring& ring, const Vec2& point) {
@@ -57,12 +59,13 @@ double distance_to(const Ring& ring, const Vec2& point) {
   return least;
 }
 
-// In a drawing whose lines enclose the rock they are joints whatever the name of their layer, unless the table says
-// else.
+// In a drawing whose lines enclose the rock they are joints whatever the name of their layer, unless they are absorbing
+// lines or the table says else.
 std::map<std::string, LayerUse> table_for(const LineDrawing& drawing, const DrawingOptions& options) {
   std::map<std::string, LayerUse> table;
   if (drawing.encloses) {
     for (const DrawnLine& line : drawing.lines) table[bare_layer(line.layer)].role = LayerRole::rock;
+    table.erase(bare_layer(name_of(LayerRole::absorbing_boundary)));
   }
   for (const auto& [layer, use] : options.layers) table[bare_layer(layer)] = use;
   return table;
@@ -83,7 +86,7 @@ class Planner {
     add_boundary();
     add_joints();
     for (const LayerRole role : {LayerRole::tunnel, LayerRole::removable_hole, LayerRole::blast}) add_openings(role);
-    if (!encloses_.empty()) enclose_rock(encloses_, reach_, hole_points(), plan_);
+    if (!encloses_.empty()) enclose_rock(encloses_, reach_, points_in_openings(), plan_);
     add_points();
     add_marks();
     return std::move(plan_);
@@ -219,20 +222,21 @@ class Planner {
     }
   }
 
-  [[nodiscard]] std::vector<PlanPoint> hole_points() const {
-    std::vector<PlanPoint> holes;
+  [[nodiscard]] std::vector<PlanPoint> points_in_openings() const {
+    std::vector<PlanPoint> found;
+    std::map<LayerRole, int> counts;
     for (const RolePoint& point : points_) {
-      if (point.role != LayerRole::hole_point) continue;
+      if (!marks_opening(point.role)) continue;
       const std::string& layer = name_of(point.role);
-      holes.push_back({point.at, layer, fmt::format("{} {}", layer, holes.size() + 1), point.origin});
+      found.push_back({point.at, layer, fmt::format("{} {}", layer, ++counts[point.role]), point.origin});
     }
-    return holes;
+    return found;
   }
 
   void add_points() {
     std::map<LayerRole, int> counts;
     for (const RolePoint& point : points_) {
-      if (point.role == LayerRole::hole_point || point.role == LayerRole::removable_hole) mark_opening(point);
+      if (marks_opening(point.role)) mark_opening(point);
       const std::string& layer = name_of(point.role);
       plan_.points.push_back({point.at, layer, fmt::format("{} {}", layer, ++counts[point.role]), point.origin});
     }

@@ -7,13 +7,28 @@
 //   points x1 y1 x2 y2 and number of joint material of each line x1 y1 x2 y2 and number of block material of each
 //   material line x1 y1 x2 y2 of each fixed line, both ends the same for a fixed point x y of each load point, measured
 //   point and hole point
+//
+// The dc that has absorbing edges and stages of excavation reads another layout, which Appendix A of the thesis writes
+// (fprintf by fprintf; the rock's lines have material 1, absorbing ones are among them a second time):
+//
+//   least distance
+//   number of lines, of those that bound the rock
+//   number of material lines, bolts, fixed lines, load, measured and hole points, bolts again, points in blocks to be
+//   removed
+//   lines, fixed lines, points, as above; points in blocks to be removed
+//   twice 1, by which the speed of waves is reduced at absorbing lines; number of absorbing lines; x1 y1 x2 y2 of each
+//   number of traction lines
+//
+// No word in a file says which layout it has. How many numbers follow the counts does.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/drawing/number_list.h"
+#include "engine/drawing/number_text.h"
 #include "engine/drawing/read_formats.h"
 #include "engine/geometry/segment_crossing.h"
 
@@ -21,12 +36,42 @@ namespace dda {
 namespace {
 
 struct Counts {
-  int lines = 0, material_lines = 0, fixed = 0, loads = 0, measured = 0, holes = 0;
+  int lines = 0, material_lines = 0, fixed = 0, loads = 0, measured = 0, holes = 0, removed = 0;
 };
+
+// Up to the first word that is no number.
+std::vector<double> all_numbers(std::string_view text, const std::string& name) {
+  NumberList list(text, name);
+  std::vector<double> numbers;
+  while (!list.at_end()) {
+    const auto number = number_in<double>(list.word());
+    if (!number) break;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+// How many numbers there are up to the last point, `head` of which are the distance and counts.
+double up_to_points(const std::vector<double>& numbers, std::size_t head, double removed) {
+  const double points = numbers[6] + numbers[7] + numbers[8] + removed;
+  return static_cast<double>(head) + 5 * (numbers[1] + numbers[3]) + 4 * numbers[5] + 2 * points;
+}
+
+// Whether a file has just as many numbers as the layout of Appendix A asks for, and not as many as the other one.
+bool is_of_the_appendix(std::string_view text, const std::string& name) {
+  const std::vector<double> numbers = all_numbers(text, name);
+  constexpr std::size_t head = 11, foot = 4, original_head = 9;  // foot: two ratios and two counts
+  const auto count = static_cast<double>(numbers.size());
+  if (numbers.size() < head + foot || up_to_points(numbers, original_head, 0) == count) return false;
+  const double before = up_to_points(numbers, head, numbers[10]);
+  const double absorbing = (count - before - foot) / 4;
+  return before >= head && absorbing >= 0 && numbers[static_cast<std::size_t>(before) + 2] == absorbing;
+}
 
 class DcReader {
  public:
-  DcReader(std::string_view text, const std::string& name, double metres) : numbers_(text, name), metres_(metres) {
+  DcReader(std::string_view text, const std::string& name, double metres)
+      : numbers_(text, name), metres_(metres), of_the_appendix_(is_of_the_appendix(text, name)) {
     drawing_.name = name;
     drawing_.encloses = true;
   }
@@ -39,6 +84,8 @@ class DcReader {
     for (int i = 0; i < counts.loads; ++i) read_point("load point");
     for (int i = 0; i < counts.measured; ++i) read_point("measure point");
     for (int i = 0; i < counts.holes; ++i) read_point("hole point");
+    for (int i = 0; i < counts.removed; ++i) read_point("removable hole");
+    if (of_the_appendix_) read_absorbing_lines();
     numbers_.expect_end("the last point",
                         "as many numbers as the counts at the top ask for; files of other versions of dc have others");
     return std::move(drawing_);
@@ -54,14 +101,43 @@ class DcReader {
     counts.lines = numbers_.whole("the number of lines");
     numbers_.whole("the number of lines that bound the rock");
     counts.material_lines = numbers_.whole("the number of material lines");
-    if (const int bolts = numbers_.whole("the number of bolts"); bolts > 0)
-      throw InputError("", numbers_.here(), fmt::format("{} bolts", bolts),
-                       "none: give bolts in the scene, as versions of dc differ in how they write them");
+    expect_no_bolts();
     counts.fixed = numbers_.whole("the number of fixed lines");
     counts.loads = numbers_.whole("the number of load points");
     counts.measured = numbers_.whole("the number of measured points");
     counts.holes = numbers_.whole("the number of hole points");
+    if (!of_the_appendix_) return counts;
+    expect_no_bolts();
+    counts.removed = numbers_.whole("the number of points in blocks to be removed");
     return counts;
+  }
+
+  void expect_none(const char* what, const char* expected) {
+    if (const int count = numbers_.whole(fmt::format("the number of {}", what).c_str()); count > 0)
+      throw InputError("", numbers_.here(), fmt::format("{} {}", count, what), expected);
+  }
+
+  void expect_no_bolts() {
+    expect_none("bolts", "none: give bolts in the scene, as versions of dc differ in how they write them");
+  }
+
+  void read_absorbing_lines() {
+    for (int i = 0; i < 2; ++i) {
+      const double ratio = numbers_.number("the ratio by which the speed of waves is reduced");
+      if (ratio != 1)
+        throw InputError("", numbers_.here(),
+                         fmt::format("{:g} for the ratio by which the speed of waves is reduced", ratio),
+                         "1: edges absorb at the speed of the rock's own waves");
+    }
+    const int count = numbers_.whole("the number of absorbing lines");
+    for (int i = 0; i < count; ++i) read_absorbing_line();
+    expect_none("traction lines", "none: give tractions as loads in the scene");
+  }
+
+  void read_absorbing_line() {
+    const Vec2 from = place("the start of an absorbing line");
+    const Vec2 to = place("the end of an absorbing line");
+    pencil_.add(DrawnLine{"absorbing boundary", numbers_.here(), from, {{to, nullptr}}, ""});
   }
 
   Vec2 place(const char* what) {
@@ -106,6 +182,7 @@ class DcReader {
 
   NumberList numbers_;
   double metres_;
+  bool of_the_appendix_;
   LineDrawing drawing_;
   Pencil pencil_{drawing_};
 };

@@ -97,6 +97,13 @@ TEST(Mutations, OfDc) {
                      0, read_dc, 10000));
 }
 
+TEST(Mutations, OfDcAsAppendixAHasIt) {
+  expect_both(read_mutations(
+      "0.001\n6 0\n0 0 1 1 1 1 0 1\n0 0 4 0 1\n4 0 4 4 1\n4 4 0 4 1\n0 4 0 0 1\n-0.5 2 4.5 2 1\n2 -0.5 2 4.5 1\n"
+      "1 1 1\n1\n3 1\n0.5 1\n3 3\n3 1\n1 1\n2\n4 0 4 4\n0 4 0 0\n0\n",
+      0, read_dc, 10000));
+}
+
 TEST(Mutations, OfBlck) {
   expect_both(read_mutations(
       "2 0 16\n1 1 1\n1 1 4\n2 9 12\n1 0 0\n1 4 0\n2 4 1\n1 0 1\n1 0 0\n0 4 0\n0 8 2\n0 0 0\n2 0 1\n2 2 1\n"

@@ -83,6 +83,8 @@ TEST(ReadDc, LinesThatEncloseNoSinglePieceAreRefused) {
   const std::string triangle = "0 0 1 0 1\n1 0 0 1 1\n0 1 0 0 1\n";
   const auto plan = [&](const std::string& text) { return [text] { plan_of(read_dc(text, "a.dc", 0), {}); }; };
   expect_refused(plan("0\n1 0\n0\n0\n0\n0\n0\n0\n0 0 1 0 1\n"), "a.dc is a drawing whose lines enclose nothing");
+  expect_refused(plan("0\n0 0\n0 0 0 0 0 0 0 0\n1 1\n1\n0 0 1 0\n0\n"),
+                 "a.dc is a drawing whose lines enclose nothing");
   expect_refused(plan(head + triangle + "5 5 6 5 1\n6 5 5 6 1\n5 6 5 5 1\n"),
                  "a.dc is a drawing of 2 pieces of rock apart");
 }
@@ -145,6 +147,16 @@ TEST(ReadDc, WhatIsWrongInAppendixALayoutIsSaid) {
   for (const auto& each : all) expect_refused([&] { read_dc(each.first, "a.dc", 0); }, each.second);
   expect_refused([] { plan_of(read_dc(with(of_appendix, "0 4 0 0 \n0 \n", "1 4 1 0 \n0 \n"), "a.dc", 0), {}); },
                  "off the boundary, expected a line along the boundary");
+}
+
+// Nothing is left of the frame around the lines then, either.
+TEST(ReadDc, RockSmallerThanWhatCountsAsOnePlaceIsRefused) {
+  DrawingOptions options;
+  options.reach = 100;
+  expect_refused([&] { plan_of(read_dc(quarters, "a.dc", 0), options); },
+                 "a.dc is smaller than 100 m, within which ends belong together, expected larger blocks, a tolerance");
+  expect_refused([] { plan_of(read_dc(with(of_appendix, "4 0 4 4 \n0 4 0 0", "2e9 0 4 4 \n0 4 0 0"), "a.dc", 0), {}); },
+                 "or no line far away from them");
 }
 
 // Four sides that are not quite upright, lines at random from side to side that stick out a little.

@@ -36,12 +36,20 @@ CutRock cut_frame(const RockPlan& plan, const std::string& name, double toleranc
   return cut_rock(frame, options);
 }
 
-Ring outline_in(CutRock& frame, const Vec2& corner, const std::string& name) {
+[[noreturn]] void refuse_as_enclosing_nothing(const std::string& name) {
+  throw InputError("", name, "a drawing whose lines enclose nothing", "lines around blocks");
+}
+
+// Nothing of the frame is left where all of it is narrower than what counts as one place.
+Ring outline_in(CutRock& frame, const Vec2& corner, const std::string& name, double reach) {
   const auto outside = std::ranges::find_if(
       frame.blocks, [&](const CutBlock& block) { return std::ranges::count(block.shape.outer, corner) > 0; });
+  if (outside == frame.blocks.end())
+    throw InputError("", name, fmt::format("smaller than {:.4g} m, within which ends belong together", reach),
+                     "larger blocks, a tolerance, or no line far away from them");
   std::vector<Ring> outlines = std::move(outside->shape.holes);
   frame.blocks.erase(outside);
-  if (outlines.empty()) throw InputError("", name, "a drawing whose lines enclose nothing", "lines around blocks");
+  if (outlines.empty()) refuse_as_enclosing_nothing(name);
   if (outlines.size() > 1)
     throw InputError("", name,
                      fmt::format("a drawing of {} pieces of rock apart, at {} and {}", outlines.size(),
@@ -101,8 +109,9 @@ bool lies_along(const PlanLine& line, const Ring& ring, double reach) {
 }  // namespace
 
 void enclose_rock(const std::string& name, double reach, const std::vector<PlanPoint>& points, RockPlan& plan) {
+  if (plan.lines.empty()) refuse_as_enclosing_nothing(name);
   CutRock frame = cut_frame(plan, name, reach);
-  plan.boundary = without_flat_corners(outline_in(frame, frame_around(plan).front(), name), flat * reach);
+  plan.boundary = without_flat_corners(outline_in(frame, frame_around(plan).front(), name, reach), flat * reach);
   plan.boundary_origin = name;
   add_openings(points, frame.blocks, flat * reach, plan);
   std::erase_if(plan.lines, [&](const PlanLine& line) { return lies_along(line, plan.boundary, reach); });

@@ -25,17 +25,32 @@ std::string penetration_warning(const Simulation& simulation) {
 }
 
 // What no contact knows of is in no force either.
-std::string shared_ground_warning(const Simulation& simulation) {
-  const std::vector<SharedGround> found = shared_ground(simulation);
-  if (found.empty()) return "";
-  const SharedGround& worst = found.front();
-  std::string warning = fmt::format(
-      "warning: blocks \"{}\" and \"{}\" end {:.3g} m deep in each other at ({:.4g}, {:.4g}) m, {:.2g} % of the "
-      "smaller one, by more than contacts of theirs give way",
-      name_of(simulation, worst.block_a), name_of(simulation, worst.block_b), worst.depth, worst.place.x(),
+std::string in_words(const Simulation& simulation, const char* verb, const SharedGround& worst, int pairs) {
+  std::string words = fmt::format(
+      "blocks \"{}\" and \"{}\" {} {:.3g} m deep in each other at ({:.4g}, {:.4g}) m, {:.2g} % of the smaller one, by "
+      "more than contacts of theirs give way",
+      name_of(simulation, worst.block_a), name_of(simulation, worst.block_b), verb, worst.depth, worst.place.x(),
       worst.place.y(), 100 * worst.share);
-  if (found.size() > 1) warning += fmt::format("; so do {} other pairs, by less", found.size() - 1);
-  return warning;
+  if (pairs > 1) words += fmt::format(", and {} other pairs by less", pairs - 1);
+  return words;
+}
+
+std::string shared_ground_warning(const Simulation& simulation) {
+  const std::vector<SharedGround> found = shared_ground(simulation.system());
+  if (found.empty()) return "";
+  return "warning: " + in_words(simulation, "end", found.front(), static_cast<int>(found.size()));
+}
+
+// What came right later was no equilibrium for whoever reads the settled state. The end of the run is told above.
+std::string settled_in_each_other_warning(const Simulation& simulation) {
+  const std::vector<Stage>& stages = simulation.model().stages;
+  for (const SharedGroundOfStage& each : simulation.results().shared_ground) {
+    const auto stage = static_cast<std::size_t>(each.stage);
+    if (stage + 1 < stages.size())
+      return fmt::format("warning: when static stage \"{}\" was over {}", stages[stage].name,
+                         in_words(simulation, "were", each.worst, each.pairs));
+  }
+  return "";
 }
 
 std::string loose_warning(const Simulation& simulation) {
@@ -61,7 +76,8 @@ std::string balance_warning(const Simulation& simulation) {
 
 std::vector<std::string> warnings_of(const Simulation& simulation) {
   std::vector<std::string> warnings = {penetration_warning(simulation), shared_ground_warning(simulation),
-                                       loose_warning(simulation), balance_warning(simulation)};
+                                       settled_in_each_other_warning(simulation), loose_warning(simulation),
+                                       balance_warning(simulation)};
   const auto add = [&](const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences) warnings.push_back("warning: " + sentence);
   };

@@ -14,6 +14,7 @@
 #include "engine/geometry/overlap.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/current_outline.h"
+#include "engine/simulation/block_system.h"
 
 namespace dda {
 namespace {
@@ -28,14 +29,14 @@ double give_of(const InterfaceElement& element, const InterfaceState& own, const
 }
 
 // The most that contacts of each pair of blocks do.
-std::map<std::pair<int, int>, double> give_of_pairs(const Simulation& simulation) {
+std::map<std::pair<int, int>, double> give_of_pairs(const BlockSystem& s) {
   std::map<std::pair<int, int>, double> give;
-  const ContactSet& contacts = simulation.contacts();
+  const ContactSet& contacts = s.contacts;
   const std::vector<InterfaceElement>& elements = contacts.elements.own();  // they can change
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const InterfaceElement& element = elements[i];
     double& most = give[std::minmax(element.block_a, element.block_b)];
-    most = std::max(most, give_of(element, contacts.states[i], simulation.state()));
+    most = std::max(most, give_of(element, contacts.states[i], s.state));
   }
   return give;
 }
@@ -82,13 +83,13 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& outlines, const std::vecto
 
 }  // namespace
 
-std::vector<SharedGround> shared_ground(const Simulation& simulation, double least_share) {
+std::vector<SharedGround> shared_ground(const BlockSystem& s, double least_share) {
   std::vector<SharedGround> found;
-  if (!simulation.plan().finite_kinematics || !simulation.plan().contacts_can_change) return found;
-  const Model& model = simulation.model();
-  const std::vector<Polygon> outlines = current_outlines(model, simulation.state());
-  const auto give = give_of_pairs(simulation);
-  for (const auto& [a, b] : overlapping_pairs(boxes_of(outlines, simulation.absent()))) {
+  if (!s.plan.finite_kinematics || !s.plan.contacts_can_change) return found;
+  const Model& model = s.model;
+  const std::vector<Polygon> outlines = current_outlines(model, s.state);
+  const auto give = give_of_pairs(s);
+  for (const auto& [a, b] : overlapping_pairs(boxes_of(outlines, s.excavated.absent))) {
     if (model.is_held(a) && model.is_held(b)) continue;
     const double size = std::min(size_of(model, a), size_of(model, b));
     const auto contacts = give.find({a, b});

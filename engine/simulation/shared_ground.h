@@ -9,15 +9,38 @@
 #include <vector>
 
 #include "engine/core/types.h"
-#include "engine/simulation/simulation.h"
 
 namespace dda {
+
+struct BlockSystem;
 
 struct SharedGround {
   int block_a = -1, block_b = -1;
   double depth = 0;           // m, of the deepest point that both have
   double share = 0;           // of the size of the smaller block
   Vec2 place = Vec2::Zero();  // m, of a corner that is deep in the other block, or between the two
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [block_a, block_b, depth, share, place] = self;
+    archive.blocks(block_a);
+    archive.blocks(block_b);
+    archive(depth, share, place);
+  }
+};
+
+// What a static stage left, which may be gone when the run ends.
+struct SharedGroundOfStage {
+  int stage = 0;
+  SharedGround worst;
+  int pairs = 0;  // with the worst
+
+  template <typename Self, typename Archive>
+  static void visit(Self& self, Archive& archive) {
+    auto& [stage, worst, pairs] = self;
+    archive.stages(stage);
+    archive(worst, pairs);
+  }
 };
 
 // A share of the smaller block's size: twice what sides in line may differ by (covered_corners.h), as covered corners
@@ -26,6 +49,6 @@ inline constexpr double tolerated_share = 2e-3;
 
 // Pairs of blocks, not both held, that are deeper in each other by `least_share` of the smaller one than their contacts
 // give way, the worst first. Empty in small kinematics, where blocks stay where they were drawn.
-std::vector<SharedGround> shared_ground(const Simulation& simulation, double least_share = tolerated_share);
+std::vector<SharedGround> shared_ground(const BlockSystem& system, double least_share = tolerated_share);
 
 }  // namespace dda

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "engine/simulation/simulation_models.h"
+#include "engine/simulation/stage_end.h"
 
 namespace dda {
 namespace {
 
 // A block with its tip down that touches the held floor, put `depth` into it behind the back of its contact.
-Simulation tip_in_floor(double depth, bool is_held = false) {
+Simulation tip_in_floor(double depth, bool is_held = false,
+                        const Integrator& integrator = generalized_alpha_integrator(0)) {
   Model model;
   model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
   model.joints = {JointMaterial{}};
@@ -23,7 +25,7 @@ Simulation tip_in_floor(double depth, bool is_held = false) {
   model.blocks = {rectangle("floor", -5, -1, 10, 1), wedge};
   model.held_blocks.emplace_back().block = 0;
   if (is_held) model.held_blocks.emplace_back().block = 1;
-  model.stages = {stage_of(generalized_alpha_integrator(0), 1e-3, 1, Kinematics::finite)};
+  model.stages = {stage_of(integrator, 1e-3, 1, Kinematics::finite)};
   Simulation simulation = simulation_of(std::move(model));
   State state = simulation.state();
   state.displacement[1](1) = -depth;
@@ -34,7 +36,7 @@ Simulation tip_in_floor(double depth, bool is_held = false) {
 
 TEST(SharedGround, IsFoundWhereNoContactKnowsOfIt) {
   for (const double depth : {3e-3, 1e-2, 0.2}) {
-    const std::vector<SharedGround> found = shared_ground(tip_in_floor(depth));
+    const std::vector<SharedGround> found = shared_ground(tip_in_floor(depth).system());
     ASSERT_EQ(found.size(), 1U) << depth;
     EXPECT_EQ(std::pair(found[0].block_a, found[0].block_b), std::pair(0, 1));
     EXPECT_NEAR(found[0].depth, depth, 2e-3 * depth);  // ten binary digits
@@ -44,10 +46,25 @@ TEST(SharedGround, IsFoundWhereNoContactKnowsOfIt) {
 }
 
 TEST(SharedGround, IsNoneWhereBlocksTouchOrAreHeldInEachOther) {
-  EXPECT_TRUE(shared_ground(tip_in_floor(0)).empty());
-  EXPECT_TRUE(shared_ground(tip_in_floor(1e-3)).empty());
-  EXPECT_FALSE(shared_ground(tip_in_floor(1e-3), 5e-4).empty());
-  EXPECT_TRUE(shared_ground(tip_in_floor(0.2, true)).empty());
+  EXPECT_TRUE(shared_ground(tip_in_floor(0).system()).empty());
+  EXPECT_TRUE(shared_ground(tip_in_floor(1e-3).system()).empty());
+  EXPECT_FALSE(shared_ground(tip_in_floor(1e-3).system(), 5e-4).empty());
+  EXPECT_TRUE(shared_ground(tip_in_floor(0.2, true).system()).empty());
+}
+
+// What a stage in motion passes through is told at the end of the run alone.
+TEST(SharedGround, IsNotedAtTheEndOfStaticStages) {
+  const auto noted = [](const Integrator& integrator) {
+    StageResults results(1);
+    note_results(tip_in_floor(1e-2, false, integrator).system(), 0, results);
+    return results.shared_ground;
+  };
+  EXPECT_TRUE(noted(generalized_alpha_integrator(0)).empty());
+  const std::vector<SharedGroundOfStage> of_static = noted(static_integrator());
+  ASSERT_EQ(of_static.size(), 1U);
+  EXPECT_EQ(of_static[0].stage, 0);
+  EXPECT_EQ(of_static[0].pairs, 1);
+  EXPECT_NEAR(of_static[0].worst.depth, 1e-2, 2e-5);
 }
 
 // A box of 1 m that its joint lets sink in by up to 5 cm: contacts know, and say so where it is too much.
@@ -63,7 +80,7 @@ TEST(SharedGround, IsNoneWhereSpringsGiveWay) {
   Simulation simulation = simulation_of(std::move(model));
   run(simulation, 150);
   EXPECT_LT(simulation.state().displacement[1](1), -0.02);
-  EXPECT_TRUE(shared_ground(simulation).empty());
+  EXPECT_TRUE(shared_ground(simulation.system()).empty());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "engine/model/energy.h"
 #include "engine/simulation/excess_shear.h"
+#include "engine/simulation/shared_ground.h"
 #include "engine/simulation/unbalanced_block.h"
 
 namespace dda {
@@ -23,6 +24,8 @@ struct StageResults {
   std::vector<UnbalancedBlock> unbalanced;
   std::vector<ExcessShear> excess;  // by joint; of a stage of unlimited strength before what is too much slides
 
+  std::vector<SharedGroundOfStage> shared_ground;  // of static stages that left blocks in each other
+
   explicit StageResults(std::size_t stages = 0)
       : out_of_balance(stages, std::numeric_limits<double>::quiet_NaN()), energy(stages) {}
 
@@ -33,12 +36,13 @@ struct StageResults {
     loose = before.loose;
     unbalanced = before.unbalanced;
     excess = before.excess;
+    shared_ground = before.shared_ground;
   }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [out_of_balance, energy, loose, unbalanced, excess] = self;
-    archive(loose, unbalanced, excess);
+    auto& [out_of_balance, energy, loose, unbalanced, excess, shared_ground] = self;
+    archive(loose, unbalanced, excess, shared_ground);
     archive.each(out_of_balance);
     archive.each(energy);
   }

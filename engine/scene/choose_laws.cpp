@@ -20,8 +20,9 @@ bool names_law(const Field& joint) {
 // A stiffness per area is what the joint itself gives way by, whatever the law.
 bool has_stiffness_of_its_own(const JointMaterial& joint) { return joint.normal_stiffness > 0; }
 
+// Only "auto" is a stiffness that is given and is none per area.
 bool names_springs(const Field& given, const JointMaterial& joint) {
-  return joint.automatic_stiffness || (given.has("shear_to_normal") && !has_stiffness_of_its_own(joint));
+  return !has_stiffness_of_its_own(joint) && (given.has("normal_stiffness") || given.has("shear_to_normal"));
 }
 
 bool is_left_open(const Field& scene, const JointMaterial& joint) {
@@ -48,23 +49,30 @@ bool allow_the_law(const Model& model, std::size_t joint) {
   return std::ranges::all_of(model.stages, keeps_moduli) && std::ranges::all_of(model.stages, keeps_springs);
 }
 
-// Dry joints of a thesis scene have its springs throughout.
+// At once, or once they have broken. Joints of a thesis scene have its springs throughout.
 bool would_be_springs(const JointMaterial& joint, const Scheme& scheme) {
-  return scheme.name != SchemeName::thesis && is_dry(joint) && joint.dilation_angle == 0;
+  return scheme.name != SchemeName::thesis && !joint.bonded && joint.dilation_angle == 0;
+}
+
+// As if the scene had named it: springs that were chosen for when the joint has broken go with the law they were for.
+void make_projected(JointMaterial& joint) {
+  joint.law = InterfaceLaw::projected;
+  joint.automatic_stiffness = false;
 }
 
 void make_projected(std::size_t joint, Model& model) {
-  model.joints[joint].law = InterfaceLaw::projected;
+  make_projected(model.joints[joint]);
   for (Stage& stage : model.stages)
-    if (!stage.rock.joints.empty()) stage.rock.joints[joint].law = InterfaceLaw::projected;
+    if (!stage.rock.joints.empty()) make_projected(stage.rock.joints[joint]);
 }
 
 }  // namespace
 
 void choose_laws(const Field& scene, const Scheme& scheme, Model& model) {
-  if (!has_finite_kinematics(model)) return;
+  const bool moves = has_finite_kinematics(model);  // else dry joints are consistent until they slip, for less work
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const JointMaterial& joint = model.joints[i];
+    if (!moves && is_dry(joint)) continue;
     if (would_be_springs(joint, scheme) && is_left_open(scene, joint) && allow_the_law(model, i))
       make_projected(i, model);
   }

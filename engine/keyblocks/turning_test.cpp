@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/keyblocks/keyblocks_test_support.h"
+#include "engine/keyblocks/non_negative.h"
 
 namespace dda {
 namespace {
@@ -62,6 +63,19 @@ TEST(Turning, WhatFallsDoesNotTurnByItself) {
   const RockBody body = body_with_joints({{-1, 0}, {1, 0}, {0, 2}}, {1, 2}, {});
   const Resultant acting{{0, -1}, 0};
   EXPECT_FALSE(turns(body, acting, first_motion(body.joints, acting.force)));
+}
+
+// Two directions span a sector; what is nearest to a target beyond it is on the nearer side, or the corner.
+TEST(LeastLeft, IsTheDistanceFromWhatPositiveSharesSpan) {
+  for (double opening = 10; opening < 180; opening += 10) {
+    Eigen::MatrixXd sides(2, 2);
+    sides << unit(0), unit(opening * degree);
+    for (double angle = -175; angle <= 180; angle += 5) {
+      const double beyond = angle < 0 ? std::min(-angle, 360 + angle - opening) : std::max(angle - opening, 0.0);
+      const double expected = beyond >= 90 ? 1 : std::sin(beyond * degree);
+      EXPECT_NEAR(least_left(sides, unit(angle * degree)), expected, 1e-12) << opening << ' ' << angle;
+    }
+  }
 }
 
 }  // namespace

@@ -4,9 +4,7 @@
 // strength. A projected stretch breaks as a whole, since its traction is known all along it:
 //   tension  at the edge where it is largest. The traction is linear between the edges, N/l +- 6 M/l^2 as beam theory
 //            has it, with the normal force N and the moment M of the stretch. A brittle bond that tears there has less
-//            left to carry the same moment, so it tears on at once, and from then on the stretch presses only. Where
-//            it does press, what tore has opened as an edge without tensile strength opens, and in shear it is as
-//            strong as before: it has its cohesion at ends that press, until it slides or opens as a whole.
+//            left to carry the same moment, so it tears on at once.
 //   shear    of the whole stretch, |T| > c l - N tan(phi), as that of a block that slides. A moment shifts normal force
 //            from one half to the other, and friction with it, but leaves their sum; and where bending pulls the edges
 //            most no shear flows in a beam. So the strength goes over to the friction of a dry joint as c goes to 0.
@@ -24,8 +22,5 @@ namespace dda {
 // Breaks a projected stretch whose forces are beyond its strength, of which either end has half; returns whether it
 // did.
 bool break_stretch(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
-
-// Whether a stretch that has broken is left with its residual strength: it slides at all ends that press, or none does.
-bool has_lost_its_bond(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial);
 
 }  // namespace dda

@@ -89,33 +89,5 @@ TEST(BondStrength, ABrokenStretchHasItsResidualStrengthAtBothEnds) {
   }
 }
 
-// An edge that tears while the stretch presses opens: what is left has its cohesion. One that nothing presses, or that
-// is sheared off, has lost it.
-TEST(BondStrength, AStretchThatGapesAndPressesKeepsItsCohesion) {
-  const InterfaceSprings springs = stretch_with(1 / 3.0);
-  const EndStrength strength{.cohesion = 6, .friction = 0.5, .friction_drop = 0.3};
-  const auto after = [&](const Vec4& force) {
-    InterfaceTrial trial;
-    trial.force = force;
-    trial.capacity = {7, 7};
-    trial.active = Vec4::Ones();
-    EXPECT_TRUE(break_ends(springs, strength, trial));
-    EXPECT_EQ(trial.broken, (Ends{true, true}));
-    return trial;
-  };
-  InterfaceTrial gaping = after(bent(-8, 3.5, 1 / 3.0));
-  EXPECT_EQ(gaping.residual, (Ends{false, false}));
-  EXPECT_EQ(after(bent(0.1, 3.5, 1 / 3.0)).residual, (Ends{true, true}));
-  EXPECT_EQ(after(bent(-8, 3.5, 1 / 3.0) + Vec4(0, 8.1, 0, 8.1)).residual, (Ends{true, true}));
-  EXPECT_FALSE(break_ends(springs, strength, gaping));
-  gaping.active(1) = 0;
-  EXPECT_FALSE(break_ends(springs, strength, gaping)) << "the other end still sticks";
-  gaping.active(3) = 0;
-  EXPECT_TRUE(break_ends(springs, strength, gaping)) << "it slides as a whole";
-  EXPECT_EQ(gaping.residual, (Ends{true, true}));
-  EXPECT_DOUBLE_EQ(strength.capacity(-4, false), 8);
-  EXPECT_DOUBLE_EQ(strength.capacity(-4, true), 0.8);
-}
-
 }  // namespace
 }  // namespace dda

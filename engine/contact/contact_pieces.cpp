@@ -30,7 +30,7 @@ bool has_linear_pieces(const InterfaceSprings& springs, const InterfaceTrial& tr
 double sliding_shear(const EndStrength& strength, int end, const InterfaceTrial& trial) {
   const auto e = static_cast<std::size_t>(end);
   if (trial.rule.capacity_is_given) return trial.capacity[e];
-  const double cohesion = strength.cohesion_now(trial.residual[e]);
+  const double cohesion = trial.residual[e] ? strength.residual_cohesion : 0;
   return cohesion - strength.friction_now(trial.residual[e]) * trial.force(2 * end);
 }
 

@@ -70,10 +70,10 @@ struct EndStrength {
   [[nodiscard]] bool is_dry() const { return cohesion == 0 && tension == 0; }
   // Tangent of the friction angle before or after failure.
   [[nodiscard]] double friction_now(bool residual) const { return residual ? friction - friction_drop : friction; }
-  [[nodiscard]] double cohesion_now(bool residual) const { return residual ? residual_cohesion : cohesion; }
   // Largest shear force of a broken end that carries `normal_force`.
   [[nodiscard]] double capacity(double normal_force, bool residual) const {
-    return normal_force < 0 ? cohesion_now(residual) - friction_now(residual) * normal_force : 0;
+    if (normal_force >= 0) return 0;
+    return residual ? residual_cohesion - (friction - friction_drop) * normal_force : -friction * normal_force;
   }
   // By how much the end has ridden up, m.
   [[nodiscard]] double lift(double slip) const { return dilation * std::min(std::abs(slip), dilation_slip); }

@@ -178,11 +178,9 @@ void stick_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial
   for (int end = 0; end < ends_of(springs); ++end) respond_as_stuck(springs, end, trial);
 }
 
-// A broken bond has failed, whichever way, unless it is a stretch that gapes and presses; a dry end when it slides, if
-// that makes a difference.
-bool has_failed(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end) {
-  if (strength.is_dry()) return strength.friction_drop > 0 && slides(trial, end);
-  return springs.law != InterfaceLaw::projected || has_lost_its_bond(springs, strength, trial);
+// A broken bond has failed, whichever way; a dry end when it slides, if that makes a difference.
+bool has_failed(const EndStrength& strength, const InterfaceTrial& trial, int end) {
+  return !strength.is_dry() || (strength.friction_drop > 0 && slides(trial, end));
 }
 
 }  // namespace
@@ -302,8 +300,7 @@ bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, In
     if (!trial.broken[e] && springs.law != InterfaceLaw::projected &&
         exceeds(strength, trial.force(n), trial.force(n + 1)))
       trial.broken[e] = broke = true;
-    if (trial.broken[e] && !trial.residual[e] && has_failed(springs, strength, trial, end))
-      trial.residual[e] = broke = true;
+    if (trial.broken[e] && !trial.residual[e] && has_failed(strength, trial, end)) trial.residual[e] = broke = true;
   }
   return broke;
 }

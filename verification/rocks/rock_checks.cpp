@@ -91,13 +91,12 @@ double strength(const dda::EndStrength& end, const InterfaceState& state, std::s
 }
 
 // How far a broken stretch is beyond its strength: its ends press together, so all of its shear stands against all of
-// its normal force, and the cohesion of either half whose point presses.
+// its normal force.
 double beyond_of_whole(const dda::EndStrength& end, const InterfaceState& state) {
   if (!state.broken[0]) return 0;
   const double normal = state.force(0) + state.force(2), shear = state.force(1) + state.force(3);
-  const int pressing = (state.force(0) < 0 ? 1 : 0) + (state.force(2) < 0 ? 1 : 0);
-  const double cohesion = pressing * (state.residual[0] ? end.residual_cohesion : end.cohesion);
-  return normal < 0 ? std::abs(shear) - cohesion + end.friction_now(state.residual[0]) * normal : std::abs(shear);
+  const double residual = state.residual[0] ? 2 * end.residual_cohesion : 0;
+  return normal < 0 ? std::abs(shear) - residual + end.friction_now(state.residual[0]) * normal : std::abs(shear);
 }
 
 // How far a contact of springs is beyond its strength, at the end that is farther beyond.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <optional>
+
 #include "engine/advice/spin_remarks.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/simulation/shared_ground.h"
@@ -25,20 +28,29 @@ std::string penetration_warning(const Simulation& simulation) {
 }
 
 // What no contact knows of is in no force either.
-std::string in_words(const Simulation& simulation, const char* verb, const SharedGround& worst, int pairs) {
+std::string in_words(const Simulation& simulation, const char* verb, const SharedGroundOfStage& left) {
+  const SharedGround& worst = left.worst;
   std::string words = fmt::format(
       "blocks \"{}\" and \"{}\" {} {:.3g} m deep in each other at ({:.4g}, {:.4g}) m, {:.2g} % of the smaller one, by "
       "more than contacts of theirs give way",
       name_of(simulation, worst.block_a), name_of(simulation, worst.block_b), verb, worst.depth, worst.place.x(),
       worst.place.y(), 100 * worst.share);
-  if (pairs > 1) words += fmt::format(", and {} other pairs by less", pairs - 1);
+  if (left.pairs > 1) words += fmt::format(", and {} other pairs by less", left.pairs - 1);
   return words;
 }
 
+// A static stage that ends the run has been looked at when it was over.
+std::optional<SharedGroundOfStage> left_at_the_end(const Simulation& simulation) {
+  const std::vector<Stage>& stages = simulation.model().stages;
+  if (!stages.back().integrator.is_static) return shared_ground_of_stage(simulation.system());
+  const std::vector<SharedGroundOfStage>& noted = simulation.results().shared_ground;
+  const bool is_noted = !noted.empty() && static_cast<std::size_t>(noted.back().stage) + 1 == stages.size();
+  return is_noted ? std::optional(noted.back()) : std::nullopt;
+}
+
 std::string shared_ground_warning(const Simulation& simulation) {
-  const std::vector<SharedGround> found = shared_ground(simulation.system());
-  if (found.empty()) return "";
-  return "warning: " + in_words(simulation, "end", found.front(), static_cast<int>(found.size()));
+  const auto left = left_at_the_end(simulation);
+  return left ? "warning: " + in_words(simulation, "end", *left) : "";
 }
 
 // What came right later was no equilibrium for whoever reads the settled state. The end of the run is told above.
@@ -48,7 +60,7 @@ std::string settled_in_each_other_warning(const Simulation& simulation) {
     const auto stage = static_cast<std::size_t>(each.stage);
     if (stage + 1 < stages.size())
       return fmt::format("warning: when static stage \"{}\" was over {}", stages[stage].name,
-                         in_words(simulation, "were", each.worst, each.pairs));
+                         in_words(simulation, "were", each));
   }
   return "";
 }

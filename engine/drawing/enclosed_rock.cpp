@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/cutting/cut_rock.h"
+#include "engine/drawing/join_lines.h"
 #include "engine/geometry/box.h"
 #include "engine/geometry/segment.h"
 
@@ -45,7 +46,7 @@ Ring outline_in(CutRock& frame, const Vec2& corner, const std::string& name, dou
   const auto outside = std::ranges::find_if(
       frame.blocks, [&](const CutBlock& block) { return std::ranges::count(block.shape.outer, corner) > 0; });
   if (outside == frame.blocks.end())
-    throw InputError("", name, fmt::format("smaller than {:.4g} m, within which ends belong together", reach),
+    throw InputError("", name, smaller_than_one_place(reach),
                      "larger blocks, a tolerance, or no line far away from them");
   std::vector<Ring> outlines = std::move(outside->shape.holes);
   frame.blocks.erase(outside);

@@ -216,4 +216,8 @@ Joined join_lines(const std::vector<OpenLine>& lines, double reach) {
   return again;
 }
 
+std::string smaller_than_one_place(double reach) {
+  return fmt::format("smaller than {:.4g} m, within which ends belong together", reach);
+}
+
 }  // namespace dda

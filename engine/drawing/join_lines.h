@@ -27,4 +27,7 @@ struct Joined {
 // two ends meet there is a gap, which is mended where lines run along each other or stick out by less than that.
 Joined join_lines(const std::vector<OpenLine>& lines, double reach);
 
+// What is wrong with a drawing of which nothing is left then, for messages.
+std::string smaller_than_one_place(double reach);
+
 }  // namespace dda

@@ -29,8 +29,7 @@ struct RoleLine {
 
 struct RolePoint {
   LayerRole role;
-  Vec2 at;
-  std::string origin;
+  PlanPoint point;
 };
 
 std::string on_layer(const std::string& origin, const std::string& layer) {
@@ -132,7 +131,8 @@ class Planner {
     const std::string origin = on_layer(point.origin, point.layer);
     if (role == LayerRole::ignored) return;
     if (!takes_points(role)) throw InputError("", origin, "a point", "lines on this layer");
-    points_.push_back({role, point.at, origin});
+    const std::string& layer = name_of(role);
+    points_.push_back({role, {point.at, layer, fmt::format("{} {}", layer, ++counts_[role]), origin}});
   }
 
   [[nodiscard]] std::vector<OpenLine> lines_where(const std::function<bool(const RoleLine&)>& wanted) const {
@@ -150,7 +150,7 @@ class Planner {
   // Where all lines are shorter than what counts as one place, nothing would be left, in silence.
   void expect_rings(const Joined& joined, const std::string& origin) const {
     if (joined.gap || !joined.rings.empty()) return;
-    throw InputError("", origin, fmt::format("smaller than {:.4g} m, within which ends belong together", reach_),
+    throw InputError("", origin, smaller_than_one_place(reach_),
                      "a larger outline, a tolerance, or no line far away from it");
   }
 
@@ -224,34 +224,28 @@ class Planner {
 
   [[nodiscard]] std::vector<PlanPoint> points_in_openings() const {
     std::vector<PlanPoint> found;
-    std::map<LayerRole, int> counts;
-    for (const RolePoint& point : points_) {
-      if (!marks_opening(point.role)) continue;
-      const std::string& layer = name_of(point.role);
-      found.push_back({point.at, layer, fmt::format("{} {}", layer, ++counts[point.role]), point.origin});
-    }
+    for (const RolePoint& each : points_)
+      if (marks_opening(each.role)) found.push_back(each.point);
     return found;
   }
 
   void add_points() {
-    std::map<LayerRole, int> counts;
-    for (const RolePoint& point : points_) {
-      if (marks_opening(point.role)) mark_opening(point);
-      const std::string& layer = name_of(point.role);
-      plan_.points.push_back({point.at, layer, fmt::format("{} {}", layer, ++counts[point.role]), point.origin});
+    for (const RolePoint& each : points_) {
+      if (marks_opening(each.role)) mark_opening(each);
+      plan_.points.push_back(each.point);
     }
   }
 
-  void mark_opening(const RolePoint& point) {
-    const auto around = [&](const Ring& ring) { return contains({ring, {}}, point.at); };
+  void mark_opening(const RolePoint& marking) {
+    const auto around = [&](const Ring& ring) { return contains({ring, {}}, marking.point.at); };
     bool found = std::ranges::any_of(plan_.holes, around);
     for (PlanOpening& opening : plan_.openings) {
       if (!around(opening.outline)) continue;
       found = true;
-      if (point.role == LayerRole::hole_point) opening.left_out = true;
+      if (marking.role == LayerRole::hole_point) opening.left_out = true;
     }
     if (!found)
-      throw InputError("", point.origin, "at " + written(point.at) + ", in no opening",
+      throw InputError("", marking.point.origin, "at " + written(marking.point.at) + ", in no opening",
                        "a place inside a closed line of layer tunnel, removable hole or blast");
   }
 
@@ -276,6 +270,7 @@ class Planner {
   Layers layers_;
   std::vector<RoleLine> lines_;
   std::vector<RolePoint> points_;
+  std::map<LayerRole, int> counts_;          // of points, by which they are named
   std::vector<DrawnRing> outlines_, holes_;  // of blocks
   RockPlan plan_;
 };

@@ -103,4 +103,10 @@ std::vector<SharedGround> shared_ground(const BlockSystem& s, double least_share
   return found;
 }
 
+std::optional<SharedGroundOfStage> shared_ground_of_stage(const BlockSystem& s) {
+  const std::vector<SharedGround> found = shared_ground(s);
+  if (found.empty()) return std::nullopt;
+  return SharedGroundOfStage{static_cast<int>(s.clock.stage), found.front(), static_cast<int>(found.size())};
+}
+
 }  // namespace dda

@@ -6,6 +6,7 @@
 // of the search for contacts does.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/core/types.h"
@@ -50,5 +51,8 @@ inline constexpr double tolerated_share = 2e-3;
 // Pairs of blocks, not both held, that are deeper in each other by `least_share` of the smaller one than their contacts
 // give way, the worst first. Empty in small kinematics, where blocks stay where they were drawn.
 std::vector<SharedGround> shared_ground(const BlockSystem& system, double least_share = tolerated_share);
+
+// What the stage under way has left of it; nothing where it left none.
+std::optional<SharedGroundOfStage> shared_ground_of_stage(const BlockSystem& system);
 
 }  // namespace dda

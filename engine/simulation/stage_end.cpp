@@ -20,11 +20,9 @@ void append(std::vector<Item> more, std::vector<Item>& list) {
 }
 
 // Blocks pass through each other in static steps as nothing lets them: only what is left of that is an answer.
-std::vector<SharedGroundOfStage> shared_ground_of_stage(const BlockSystem& s) {
-  if (!s.plan.is_static) return {};
-  const std::vector<SharedGround> found = shared_ground(s);
-  if (found.empty()) return {};
-  return {{static_cast<int>(s.clock.stage), found.front(), static_cast<int>(found.size())}};
+void note_shared_ground(const BlockSystem& s, StageResults& results) {
+  if (!s.plan.is_static) return;
+  if (const auto left = shared_ground_of_stage(s)) results.shared_ground.push_back(*left);
 }
 
 }  // namespace
@@ -56,7 +54,7 @@ void note_results(const BlockSystem& s, double in_situ_force, StageResults& resu
   append(placed(s, s.drag.loose()), results.loose);
   append(find_blocks_out_of_balance(s, in_situ_force), results.unbalanced);
   append(excess_by_joint(s), results.excess);
-  append(shared_ground_of_stage(s), results.shared_ground);
+  note_shared_ground(s, results);
 }
 
 std::string problem_at_end_of(std::size_t stage, const Model& model, const StageResults& ends) {

@@ -9,6 +9,7 @@
 
 #include "engine/app/coulomb_forces_test_support.h"
 #include "engine/contact/contact_set.h"
+#include "engine/contact/no_tension_bed.h"
 #include "engine/model/state.h"
 #include "engine/simulation/simulation.h"
 
@@ -29,6 +30,7 @@ class ClosedPlaces {
  public:
   ClosedPlaces(const Simulation& simulation, std::size_t contact)
       : simulation_(simulation),
+        contact_(contact),
         interface_(simulation.contacts().interfaces[contact]),
         state_(simulation.contacts().states[contact]) {
     // Gaps are those of two points at the share `lever` of the ends' distance from the middle.
@@ -41,11 +43,10 @@ class ClosedPlaces {
     for (std::size_t end = 0; end < (is_stretch() ? 2U : 1U); ++end) {
       const bool is_closed = state_.status[end] != ContactStatus::open;
       if (!is_closed && gaps_[end] > flutter) continue;
-      const double cohesion = joint().residual_cohesion * interface_.share;
-      const double shear = std::abs(state_.force[static_cast<Eigen::Index>(2 * end + 1)]);
       const bool is_stuck = state_.status[end] == ContactStatus::locked;
-      add(ends_[end], cohesion, is_stuck, is_stuck || (is_closed && shear >= cohesion));
-      if (is_closed && is_stretch() && state_.status[1 - end] == ContactStatus::open) add_end_of_closed_part(end);
+      const bool grips = is_stuck || (is_closed && shear() >= ends_that_count() * cohesion());
+      add(ends_[end], cohesion(), is_stuck, grips);
+      if (is_closed && gapes()) add(end_of_closed_part(end), cohesion(), is_stuck, grips);
     }
     return places_;
   }
@@ -56,11 +57,28 @@ class ClosedPlaces {
     return simulation_.model().joints[static_cast<std::size_t>(interface_.joint)];
   }
 
-  // A dry stretch presses as far as its gap comes to nothing.
-  void add_end_of_closed_part(std::size_t end) {
+  // A stretch of which one end gapes.
+  [[nodiscard]] bool gapes() const {
+    return is_stretch() && (state_.status[0] == ContactStatus::open) != (state_.status[1] == ContactStatus::open);
+  }
+
+  // N per m of thickness, of a corner, or of either end of what is closed of a stretch: half of what that has. Where it
+  // acts between them is the same to the body.
+  [[nodiscard]] double cohesion() const {
+    const double lever = simulation_.contacts().elements[contact_].lever;
+    const double closed = is_stretch() ? closed_part(lever, {state_.gap[0], state_.gap[2]}).share : 1;
+    return joint().residual_cohesion * interface_.share * closed;
+  }
+  [[nodiscard]] double ends_that_count() const { return is_stretch() ? 2 : 1; }
+
+  // N per m of thickness, of the contact as a whole.
+  [[nodiscard]] double shear() const { return std::abs(state_.force[1] + (is_stretch() ? state_.force[3] : 0)); }
+
+  // A stretch presses as far as its gap comes to nothing.
+  [[nodiscard]] Vec2 end_of_closed_part(std::size_t end) const {
     const double rise = gaps_[1 - end] - gaps_[end];
     const double part = rise > 0 ? std::clamp(-gaps_[end] / rise, 0.0, 1.0) : 0.0;
-    add(ends_[end] + part * (ends_[1 - end] - ends_[end]), 0, state_.status[end] == ContactStatus::locked, true);
+    return ends_[end] + part * (ends_[1 - end] - ends_[end]);
   }
 
   void add(const Vec2& at, double cohesion, bool is_stuck, bool grips) {
@@ -74,6 +92,7 @@ class ClosedPlaces {
   }
 
   const Simulation& simulation_;
+  std::size_t contact_;
   const Interface& interface_;
   const InterfaceState& state_;
   std::array<Vec2, 2> ends_{interface_.from, interface_.to};
@@ -97,6 +116,15 @@ inline Touched& found_or_added(const Touched& place, double tolerance, std::vect
   return touched.back();
 }
 
+// What is closed of one contact. Ends of a closed part that is next to nothing are one place, with what both have.
+inline std::vector<Touched> closed_places(const Simulation& simulation, std::size_t contact, double tolerance) {
+  std::vector<Touched> places = ClosedPlaces(simulation, contact).all();
+  if (places.size() < 2 || !is_same_place(places[0].end, places[1].end, tolerance)) return places;
+  places[0].end.cohesion_force += places[1].end.cohesion_force;
+  places.pop_back();
+  return places;
+}
+
 // Adds what is closed after a step, each place once; `numbers` are those of the run's blocks in the rock. What ends did
 // within a step that was cut is not known.
 inline void note_contacts(const Simulation& simulation, const std::vector<int>& numbers, double tolerance, bool was_cut,
@@ -105,7 +133,7 @@ inline void note_contacts(const Simulation& simulation, const std::vector<int>& 
   for (std::size_t i = 0; i < simulation.contacts().interfaces.size(); ++i) {
     const Interface& interface = simulation.contacts().interfaces[i];
     if (interface.block_a != 0 && interface.block_b != 0) continue;
-    for (Touched place : ClosedPlaces(simulation, i).all()) {
+    for (Touched place : closed_places(simulation, i, tolerance)) {
       place.neighbour = numbers[static_cast<std::size_t>(place.neighbour)];
       Touched& noted = found_or_added(place, tolerance, now);
       noted.stuck = std::max(noted.stuck, place.stuck);

@@ -103,20 +103,24 @@ class Answers {
   double inertia_;
 };
 
-// N per m of thickness: cohesion, of the faces that it slides along, at ends that the run did not have closed all the
-// time.
+// N per m of thickness: the cohesion that the run kept of a face, at what it had closed of it all the time.
+inline double kept_cohesion(const JointFace& face, const Measured& run) {
+  double kept = 0;
+  for (const Touched& touched : run.touched) {
+    const bool is_of_face = touched.neighbour == face.neighbour && (touched.end.outward - face.outward).norm() < 0.1;
+    if (is_of_face && touched.gripped == run.late_steps) kept += touched.end.cohesion_force;
+  }
+  return kept;
+}
+
+// N per m of thickness: what the run lost of the cohesion of the faces that it slides along.
 inline double lost_cohesion(const KeyBlock& block, const Measured& run) {
   double lost = 0;
   for (const JointFace& face : block.body.joints) {
     if (std::abs(face.outward.dot(block.motion.direction)) > allowed) continue;
-    for (TouchingEnd end : ends_of(face)) {
-      end.at -= block.body.centroid;
-      const bool is_kept = std::ranges::any_of(run.touched, [&](const Touched& touched) {
-        return touched.neighbour == face.neighbour && is_same_place(touched.end, end, fall_path) &&
-               touched.gripped == run.late_steps;
-      });
-      if (!is_kept) lost += end.cohesion_force;
-    }
+    double whole = 0;
+    for (const TouchingEnd& end : ends_of(face)) whole += end.cohesion_force;
+    lost += std::max(0.0, whole - kept_cohesion(face, run));
   }
   return lost;
 }

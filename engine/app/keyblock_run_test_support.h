@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -60,6 +61,7 @@ struct Measured {
   Vec6 late_velocity = Vec6::Zero();
   int late_steps = 0;
   std::vector<Touched> touched;
+  bool has_parted = false;  // from a face that it had when it was let go: what touches there now are corners
 };
 
 // Steps until a time (s); false when a step fails. `seen` is told after each step whether it was cut.
@@ -74,26 +76,33 @@ bool step_until(Simulation& simulation, double time, const Seen& seen) {
   return true;
 }
 
-// The body begins with `velocity` (m/s).
-inline Measured run_let_go(const LetGo& part, double dt, const Vec2& velocity = Vec2::Zero()) {
-  constexpr double early = 0.9 * run_duration;
+inline std::ptrdiff_t faces_of(const Simulation& simulation) {
+  return std::ranges::count_if(simulation.contacts().interfaces, [](const Interface& each) { return each.length > 0; });
+}
+
+// The body begins with `velocity` (m/s), and is looked at for `duration` (s).
+inline Measured run_let_go(const LetGo& part, double dt, const Vec2& velocity = Vec2::Zero(),
+                           double duration = run_duration) {
+  const double early = 0.9 * duration;
   Model model = part.model;
   model.stages.front().dt = dt;
   model.blocks.front().initial_velocity = velocity;
   Simulation simulation(std::move(model));
   Measured measured;
+  const std::ptrdiff_t faces = faces_of(simulation);
   bool goes_on = step_until(simulation, early, [](bool) {});
   const Vec6 velocity_before = simulation.state().velocity[0];
-  goes_on = goes_on && step_until(simulation, run_duration, [&](bool was_cut) {
+  goes_on = goes_on && step_until(simulation, duration, [&](bool was_cut) {
               note_contacts(simulation, part.blocks, fall_path, was_cut, measured.touched);
               ++measured.late_steps;
             });
+  measured.has_parted = faces_of(simulation) < faces;
   if (!goes_on) measured.failure = simulation.message();
   const Vec6& moved = simulation.state().displacement[0];
   measured.late_velocity = simulation.state().velocity[0];
-  const Vec6 change = (measured.late_velocity - velocity_before) / (run_duration - early);
-  const double factor = 2 / (run_duration * run_duration);
-  measured.mean = {factor * (moved.head<2>() - run_duration * velocity), factor * moved[2]};
+  const Vec6 change = (measured.late_velocity - velocity_before) / (duration - early);
+  const double factor = 2 / (duration * duration);
+  measured.mean = {factor * (moved.head<2>() - duration * velocity), factor * moved[2]};
   measured.late = {change.head<2>(), change[2]};
   return measured;
 }

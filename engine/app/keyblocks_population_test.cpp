@@ -107,10 +107,15 @@ struct Verdict {
   std::string wrong = {};
 };
 
+// Corners have all of their cohesion or none, so what slides off a face of which little was closed can catch on them:
+// then the first quarter of the time is looked at as well.
 Verdict judged_by_close_look(const KeyBlock& block, const Answers& answers, const LetGo& part) {
   const Measured run = run_let_go(part, close_dt);
   std::string cause = cause_of(block, answers, run, part);
   if (!cause.empty()) return {cause};
+  if (run.has_parted)
+    cause = cause_of(block, answers, run_let_go(part, close_dt / 4, Vec2::Zero(), run_duration / 4), part);
+  if (!cause.empty()) return {cause + ", until a face has parted"};
   return {"differs",
           fmt::format("no cause is shown, the run lacks {:.4f} W of Coulomb's forces", answers.lacking_of(run))};
 }

@@ -1,8 +1,11 @@
 #include "engine/contact/bond_strength.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
+
+#include "engine/contact/no_tension_bed.h"
+#include "engine/contact/projected_law.h"
 
 namespace dda {
 namespace {
@@ -10,19 +13,145 @@ namespace {
 // The points of the law lie at +-lever of half the length from the middle, the edges at +-1. So forces of the points
 // that differ have the moment of a linear traction with 3 lever times that difference between the edges, and of two
 // forces at the edges with lever times the difference.
-bool stretch_exceeds(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force) {
-  const double normal = force(0) + force(2);
-  const double at_edge = (normal + 3 * springs.lever * std::abs(force(2) - force(0))) / 2;
+bool is_torn_off(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force) {
+  const double at_edge = (force(0) + force(2) + 3 * springs.lever * std::abs(force(2) - force(0))) / 2;
+  return at_edge > strength.tension;
+}
+
+bool is_sheared_off(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force) {
   const double shear = std::max(std::abs(force(1) + force(3)), springs.lever * std::abs(force(3) - force(1)));
-  return at_edge > strength.tension || shear > 2 * strength.cohesion - strength.friction * normal;
+  return shear > 2 * strength.cohesion - strength.friction * (force(0) + force(2));
+}
+
+bool presses(const Vec4& force) { return force(0) + force(2) < 0; }
+
+bool sticks(const InterfaceTrial& trial, std::size_t end) {
+  return trial.capacity[end] > 0 && trial.active(static_cast<Eigen::Index>(2 * end + 1)) >= 1;
+}
+
+// Dry ones have their friction until one of their ends slides (open_close.cpp).
+bool leave_residual(const EndStrength& strength, InterfaceTrial& trial) {
+  const bool holds = presses(trial.force) && (sticks(trial, 0) || sticks(trial, 1));
+  if (strength.is_dry() || trial.residual[0] || holds) return false;
+  trial.residual = {true, true};
+  return true;
+}
+
+// What has gaped at either edge by now.
+std::array<double, 2> torn_so_far(double closed, const std::array<double, 2>& before, double lever, const Vec2& gaps) {
+  const OpenEnds open = open_ends(lever, gaps);
+  return {open.first ? std::max(before[0], 1 - closed) : before[0],
+          open.second ? std::max(before[1], 1 - closed) : before[1]};
+}
+
+// An end that is broken, or dry, and where it stands.
+struct BrokenEnd {
+  int end = 0;
+  bool residual = false;
+  std::array<double, 2> torn{0, 0};  // of the stretch
+  Vec2 gaps = Vec2::Zero();          // m, normal, of both points
+};
+
+BrokenEnd broken_end(const InterfaceState& state, int end) {
+  return {end, state.residual[static_cast<std::size_t>(end)], state.torn, {state.gap(0), state.gap(2)}};
+}
+
+BrokenEnd broken_end(const InterfaceTrial& trial, int end) {
+  const Vec2 gaps(trial.normal_gap(0), trial.normal_gap(1));
+  return {end, trial.residual[static_cast<std::size_t>(end)], trial.torn, gaps};
+}
+
+// The share of its cohesion that a point of the stretch has, and how it follows the gaps of both, 1/m.
+double share_of_cohesion(const InterfaceSprings& springs, const Vec4& force, int end) {
+  return pressing_force(springs, force, end) / (force(0) + force(2));
+}
+
+Vec2 share_of_cohesion_by_gaps(const InterfaceSprings& springs, const Vec4& force, const Mat2& by_gaps, int end) {
+  const double pressing = pressing_force(springs, force, end), sum = force(0) + force(2);
+  if (pressing == sum) return Vec2::Zero();
+  const Vec2 sum_by_gaps = by_gaps.colwise().sum();
+  return (pressing_slope(springs, force, by_gaps, end) - pressing / sum * sum_by_gaps) / sum;
+}
+
+// Joints without cohesion, and ends that do not press, have friction alone.
+bool has_cohesion(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
+                  const Vec4& force) {
+  return strength.cohesion_now(broken.residual) > 0 && pressing_force(springs, force, broken.end) < 0;
+}
+
+// What cohesion adds to the capacity of the stretch as a whole, N per m of thickness, and how that follows the gaps,
+// N/m per m of thickness. The end does not matter.
+struct CohesionLeft {
+  double force = 0;
+  Vec2 by_gaps = Vec2::Zero();
+};
+
+CohesionLeft cohesion_at(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken) {
+  const double whole = 2 * strength.cohesion_now(broken.residual);
+  if (whole == 0) return {};
+  const ClosedPart closed = closed_part(springs.lever, broken.gaps);
+  if (broken.residual) return {whole * closed.share, whole * closed.by_gaps};
+  const std::array<double, 2> now = torn_so_far(closed.share, broken.torn, springs.lever, broken.gaps);
+  const double left = 1 - now[0] - now[1];
+  if (left <= 0) return {};
+  return {whole * left, now == broken.torn ? Vec2(Vec2::Zero()) : Vec2(whole * closed.by_gaps)};
+}
+
+double shear_capacity(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
+                      const Vec4& force) {
+  const double friction = -strength.friction_now(broken.residual) * pressing_force(springs, force, broken.end);
+  if (!has_cohesion(springs, strength, broken, force)) return friction;
+  return friction + share_of_cohesion(springs, force, broken.end) * cohesion_at(springs, strength, broken).force;
+}
+
+Vec2 shear_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
+                            const Vec4& force, const Mat2& by_gaps) {
+  const Vec2 friction = -strength.friction_now(broken.residual) * pressing_slope(springs, force, by_gaps, broken.end);
+  if (!has_cohesion(springs, strength, broken, force)) return friction;
+  const CohesionLeft cohesion = cohesion_at(springs, strength, broken);
+  return friction + cohesion.force * share_of_cohesion_by_gaps(springs, force, by_gaps, broken.end) +
+         share_of_cohesion(springs, force, broken.end) * cohesion.by_gaps;
 }
 
 }  // namespace
 
 bool break_stretch(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
-  const std::array<bool, 2> before = trial.broken;
-  if (before[0] || before[1] || stretch_exceeds(springs, strength, trial.force)) trial.broken = {true, true};
-  return trial.broken != before;
+  if (trial.broken[0]) return leave_residual(strength, trial);
+  const bool sheared = is_sheared_off(springs, strength, trial.force);
+  if (!sheared && !is_torn_off(springs, strength, trial.force)) return false;
+  trial.broken = {true, true};
+  if (sheared || !presses(trial.force)) trial.residual = {true, true};
+  return true;
+}
+
+double stretch_capacity(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& state,
+                        int end) {
+  return shear_capacity(springs, strength, broken_end(state, end), state.force);
+}
+
+double stretch_capacity(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
+                        int end) {
+  const BrokenEnd broken = broken_end(trial, end);
+  if (!trial.rule.conserves_energy) return shear_capacity(springs, strength, broken, trial.force);
+  return 2 * shear_capacity(springs, strength, broken, (trial.force + trial.before) / 2);
+}
+
+// What the mean force is follows the gaps by half of what the force does.
+Vec2 stretch_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
+                              const Mat2& by_gaps, int end) {
+  const BrokenEnd broken = broken_end(trial, end);
+  if (!trial.rule.conserves_energy) return shear_capacity_by_gaps(springs, strength, broken, trial.force, by_gaps);
+  return 2 * shear_capacity_by_gaps(springs, strength, broken, (trial.force + trial.before) / 2, by_gaps / 2);
+}
+
+double cohesion_left(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& state) {
+  return cohesion_at(springs, strength, broken_end(state, 0)).force;
+}
+
+void note_torn(const InterfaceSprings& springs, InterfaceState& state) {
+  if (state.residual[0] || !press_together(springs, state.broken)) return;
+  const Vec2 gaps(state.gap(0), state.gap(2));
+  state.torn = torn_so_far(closed_part(springs.lever, gaps).share, state.torn, springs.lever, gaps);
 }
 
 }  // namespace dda

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 #include "engine/contact/open_close.h"
 
 namespace dda {
@@ -87,6 +92,101 @@ TEST(BondStrength, ABrokenStretchHasItsResidualStrengthAtBothEnds) {
     EXPECT_EQ(trial.residual, (Ends{true, true}));
     EXPECT_FALSE(break_ends(stretch_with(1 / 3.0), weakening, trial));
   }
+}
+
+// Friction 0.5 before and 0.2 after, no tensile strength.
+const EndStrength cohesive{.cohesion = 6, .friction = 0.5, .friction_drop = 0.3};
+
+// Taken to these normal gaps, where it sticks.
+InterfaceTrial stuck_at(const Vec2& gaps) {
+  InterfaceTrial trial = start_trial(stretch_with(1 / 3.0), cohesive, {});
+  trial.gap << gaps(0), 0, gaps(1), 0;
+  respond_with_friction(stretch_with(1 / 3.0), cohesive, trial);
+  return trial;
+}
+
+void follow(const Vec2& gaps, InterfaceTrial& trial) {
+  trial.gap << gaps(0), trial.gap(1), gaps(1), trial.gap(3);
+  respond_with_friction(stretch_with(1 / 3.0), cohesive, trial);
+}
+
+double capacity_of_both(const InterfaceTrial& trial) { return trial.capacity[0] + trial.capacity[1]; }
+
+// What is closed at gaps of a mean of 0 and a turn is (1 - 0)/(1 + root of 1/3).
+TEST(BondStrength, WhatIsLeftOfATornStretchHasItsCohesion) {
+  const double closed = 1 / (1 + std::sqrt(1 / 3.0));
+  InterfaceTrial trial = stuck_at({0.05, -0.1});
+  EXPECT_TRUE(break_ends(stretch_with(1 / 3.0), cohesive, trial));
+  EXPECT_EQ(trial.broken, (Ends{true, true}));
+  EXPECT_EQ(trial.residual, (Ends{false, false}));
+  follow({0.1, -0.1}, trial);
+  EXPECT_EQ(trial.capacity[0], 0) << "the far point does not press";
+  EXPECT_NEAR(capacity_of_both(trial), 12 * closed - 0.5 * (trial.force(0) + trial.force(2)), 1e-12);
+  EXPECT_FALSE(break_ends(stretch_with(1 / 3.0), cohesive, trial)) << "the near point sticks";
+}
+
+double left_closed(InterfaceState state) {
+  state.gap << -0.1, 0, -0.1, 0;
+  return cohesion_left(stretch_with(1 / 3.0), cohesive, state);
+}
+
+TEST(BondStrength, WhatHasGapedHasNoCohesionWhenItClosesAgain) {
+  const InterfaceSprings springs = stretch_with(1 / 3.0);
+  InterfaceState state;
+  state.broken = {true, true};
+  state.gap << 0.1, 0, -0.1, 0;
+  note_torn(springs, state);
+  const double closed = 1 / (1 + std::sqrt(1 / 3.0));
+  EXPECT_NEAR(state.torn[0], 1 - closed, 1e-15);
+  EXPECT_EQ(state.torn[1], 0);
+  EXPECT_NEAR(left_closed(state), 12 * closed, 1e-14);
+  state.gap << -0.1, 0, 0.1, 0;
+  note_torn(springs, state);
+  EXPECT_NEAR(state.torn[1], 1 - closed, 1e-15);
+  EXPECT_NEAR(left_closed(state), 12 * (2 * closed - 1), 1e-14);
+  const InterfaceState before = state;
+  state.gap << -0.1, 0, -0.1, 0;
+  note_torn(springs, state);
+  EXPECT_EQ(state.torn, before.torn);
+}
+
+// Neither point loses its share at once when the other gapes.
+TEST(BondStrength, CapacitiesOfATornStretchFollowItsGapsWithoutAJump) {
+  InterfaceTrial trial = stuck_at({0.05, -0.1});
+  break_ends(stretch_with(1 / 3.0), cohesive, trial);
+  follow({-0.2, -0.1}, trial);
+  std::array<double, 2> before = trial.capacity;
+  double largest = 0;
+  for (int i = 1; i <= 20000; ++i) {
+    follow({-0.2 + 0.29 * i / 20000, -0.1}, trial);
+    for (const std::size_t end : {0U, 1U}) largest = std::max(largest, std::abs(trial.capacity[end] - before[end]));
+    before = trial.capacity;
+  }
+  EXPECT_LT(largest, 0.01) << "of 6 to 12, in 20,000 steps";
+}
+
+TEST(BondStrength, ATornStretchFailsWhenItSlidesOrOpensAsAWhole) {
+  const InterfaceSprings springs = stretch_with(1 / 3.0);
+  const auto torn = [&] {
+    InterfaceTrial trial = stuck_at({0.05, -0.1});
+    break_ends(springs, cohesive, trial);
+    return trial;
+  };
+  InterfaceTrial slides = torn();
+  slides.gap(1) = slides.gap(3) = 0.3;
+  follow({-0.1, -0.1}, slides);
+  EXPECT_TRUE(break_ends(springs, cohesive, slides));
+  EXPECT_EQ(slides.residual, (Ends{true, true}));
+  follow({-0.1, -0.1}, slides);
+  EXPECT_NEAR(capacity_of_both(slides), -0.2 * (slides.force(0) + slides.force(2)), 1e-14);
+  InterfaceTrial opens = torn();
+  follow({0.1, 0.1}, opens);
+  EXPECT_TRUE(break_ends(springs, cohesive, opens));
+  EXPECT_EQ(opens.residual, (Ends{true, true}));
+  InterfaceTrial one_end = torn();
+  one_end.gap(1) = 0.3;
+  follow({-0.1, -0.1}, one_end);
+  EXPECT_FALSE(break_ends(springs, cohesive, one_end)) << "the other end sticks";
 }
 
 }  // namespace

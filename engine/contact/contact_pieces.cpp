@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/contact/bond_strength.h"
 #include "engine/contact/end_answer.h"
 #include "engine/contact/open_close.h"
 #include "engine/contact/projected_law.h"
@@ -74,6 +75,14 @@ Mat2 normal_slopes(const InterfaceSprings& springs, const InterfaceTrial& trial)
   slopes(0, 0) = trial.active(0) * springs.stiffness(0);
   slopes(1, 1) = trial.active(2) * springs.stiffness(2);
   return slopes;
+}
+
+// How the capacity of an end follows both normal gaps, N/m per m of thickness.
+Vec2 capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
+                      int end) {
+  const Mat2 by_gaps = normal_slopes(springs, trial);
+  if (springs.law == InterfaceLaw::projected) return stretch_capacity_by_gaps(springs, strength, trial, by_gaps, end);
+  return -strength.friction_now(trial.residual[static_cast<std::size_t>(end)]) * by_gaps.row(end);
 }
 
 // By how much forces differ at an end.
@@ -161,9 +170,7 @@ Mat2 shear_by_normal_gap(const InterfaceSprings& springs, const EndStrength& str
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = 2 * end;
     if (!slides(pieces[e]) || trial.rule.sticks || trial.active(n + 1) != 0) continue;
-    const double friction = strength.friction_now(trial.residual[e]);
-    const Vec2 pressing = pressing_slope(springs, trial.force + trial.before, normal_slopes(springs, trial), end);
-    slopes.row(end) = -direction_of(pieces[e]) * friction * pressing.transpose();
+    slopes.row(end) = direction_of(pieces[e]) * capacity_by_gaps(springs, strength, trial, end).transpose();
   }
   return slopes;
 }

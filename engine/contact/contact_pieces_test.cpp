@@ -165,29 +165,37 @@ TEST(ShearByNormalGap, IsTheDerivativeOfTheAnswer) {
   }
 }
 
-// A stretch of the projected law at these normal gaps, both ends slid far.
-InterfaceTrial projected_at(const Vec2& normal_gaps) {
-  InterfaceTrial trial = start_trial(projected_element(), dry, start_with(true));
+// A stretch of the projected law at these normal gaps, both ends slid far; a tenth of it has been torn at its end.
+InterfaceTrial projected_at(const Vec2& normal_gaps, const EndStrength& strength, bool residual) {
+  InterfaceTrial trial = start_trial(projected_element(), strength, start_with(true));
   trial.broken = {true, true};
+  trial.residual = {residual, residual};
+  trial.torn = {0, 0.1};
   trial.gap << normal_gaps(0), 50, normal_gaps(1), -50;
-  respond_with_friction(projected_element(), dry, trial);
+  respond_with_friction(projected_element(), strength, trial);
   return trial;
 }
 
-// Closed, gaping by either end a little and nearly all the way, and open: what one end presses follows both gaps.
+// Closed, gaping by either end a little and nearly all the way, and open: what one end presses follows both gaps, and
+// so does the length that has cohesion.
 TEST(ShearByNormalGap, OfAGapingStretchIsTheDerivativeByBothGaps) {
   constexpr double difference = 1e-6;
-  for (const Vec2& gaps : {Vec2(-0.1, -0.2), Vec2(-0.1, 0.02), Vec2(0.05, -0.1), Vec2(0.2, -0.1), Vec2(0.2, 0.1)}) {
-    const InterfaceTrial trial = projected_at(gaps);
-    const Mat2 slopes = shear_by_normal_gap(projected_element(), dry, trial, pieces_of(trial));
+  const auto expect_derivative = [&](const Vec2& gaps, const EndStrength& strength, bool residual) {
+    const InterfaceTrial trial = projected_at(gaps, strength, residual);
+    const Mat2 slopes = shear_by_normal_gap(projected_element(), strength, trial, pieces_of(trial));
     for (int column = 0; column < 2; ++column) {
       const Vec2 change = difference * Vec2::Unit(column);
-      const Vec4 by = (projected_at(gaps + change).force - projected_at(gaps - change).force) / (2 * difference);
+      const auto beside = [&](double side) { return projected_at(gaps + side * change, strength, residual).force; };
+      const Vec4 by = (beside(1) - beside(-1)) / (2 * difference);
       // The bed's second derivative over its stiffness is at most some tens per metre: (1e-6)^2 of that, and round-off
       // of 50 N over the difference.
       EXPECT_NEAR(slopes(0, column), by(1), 1e-7) << gaps.transpose() << " column " << column;
       EXPECT_NEAR(slopes(1, column), by(3), 1e-7) << gaps.transpose() << " column " << column;
     }
+  };
+  for (const Vec2& gaps : {Vec2(-0.1, -0.2), Vec2(-0.1, 0.02), Vec2(0.05, -0.1), Vec2(0.2, -0.1), Vec2(0.2, 0.1)}) {
+    expect_derivative(gaps, dry, false);
+    for (const bool residual : {false, true}) expect_derivative(gaps, weakening, residual);
   }
 }
 

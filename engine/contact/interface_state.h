@@ -39,12 +39,13 @@ struct InterfaceState {
   std::array<bool, 2> residual{false, false};
   std::array<double, 2> dilation{0, 0};  // m, normal, by the slip
   std::array<double, 2> seat{0, 0};      // m, normal, until it opens
+  std::array<double, 2> torn{0, 0};      // of the length, from either end: what of a bond has gaped (bond_strength.h)
   Vec4 dashpot = Vec4::Zero();           // N per m of thickness: what dashpots added to `force`, mean of the last step
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [gap, force, status, broken, slip, residual, dilation, seat, dashpot] = self;
-    archive(gap, force, status, broken, slip, residual, dilation, seat, dashpot);
+    auto& [gap, force, status, broken, slip, residual, dilation, seat, torn, dashpot] = self;
+    archive(gap, force, status, broken, slip, residual, dilation, seat, torn, dashpot);
   }
 
   // The distance at which an end closes, m.
@@ -70,6 +71,7 @@ struct EndStrength {
   [[nodiscard]] bool is_dry() const { return cohesion == 0 && tension == 0; }
   // Tangent of the friction angle before or after failure.
   [[nodiscard]] double friction_now(bool residual) const { return residual ? friction - friction_drop : friction; }
+  [[nodiscard]] double cohesion_now(bool residual) const { return residual ? residual_cohesion : cohesion; }
   // Largest shear force of a broken end that carries `normal_force`.
   [[nodiscard]] double capacity(double normal_force, bool residual) const {
     if (normal_force >= 0) return 0;

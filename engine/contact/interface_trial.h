@@ -44,6 +44,7 @@ struct InterfaceTrial {
                                              // (rising_end.h), or friction is given
   ContactRule rule;
 
+  std::array<double, 2> torn{0, 0};       // of the length, before the step
   std::array<double, 2> slip{0, 0};       // m, before the step
   std::array<double, 2> dilation{0, 0};   // m, in the step: the normal gap closes at it
   std::array<double, 2> hardening{0, 0};  // N/m per m of thickness, for slip away from the start

@@ -58,13 +58,23 @@ Share share_of(double bed, double spread, double closed) {
   return share;
 }
 
+// The closed part at this ratio of mean and turn, and the root of the header's equation for it: -1/2 over its slope.
+struct Closed {
+  double share, root;
+};
+
+Closed closed_at(double bed, double ratio) {
+  const double root = std::sqrt(1 - (1 - bed) * (1 - ratio));
+  return {(1 - ratio) / (1 + root), root};
+}
+
 Resultants pressed_in_part(const Bed& of, const Opening& opening) {
   const double bed = bed_of(of.lever);
   const double turn = std::abs(opening.turn);
   const double side = std::copysign(1, opening.turn);
   const double ratio = opening.mean / turn;
-  const double root = std::sqrt(1 - (1 - bed) * (1 - ratio));
-  const Share share = share_of(bed, of.spread, (1 - ratio) / (1 + root));
+  const auto [closed, root] = closed_at(bed, ratio);
+  const Share share = share_of(bed, of.spread, closed);
   const double unit = bed * 2 * of.stiffness;
   const double slope = share.slope / (2 * root);  // dn/du
   const double moment = 2 * share.stored + ratio * share.force;
@@ -198,6 +208,17 @@ OpenEnds open_ends(double lever, const Vec2& gaps) {
   if (is_closed(opening, bed_of(lever))) return {false, false};
   if (is_open(opening)) return {true, true};
   return {opening.turn<0, opening.turn> 0};
+}
+
+ClosedPart closed_part(double lever, const Vec2& gaps) {
+  const Opening opening = opening_of(lever, gaps);
+  const double bed = bed_of(lever);
+  if (is_closed(opening, bed)) return {1, Vec2::Zero()};
+  if (is_open(opening)) return {0, Vec2::Zero()};
+  const double ratio = opening.mean / std::abs(opening.turn);
+  const auto [closed, root] = closed_at(bed, ratio);
+  const double by_turn = std::copysign(1 / (2 * lever), opening.turn) * ratio;
+  return {closed, Vec2(0.5 + by_turn, 0.5 - by_turn) / (-2 * root * std::abs(opening.turn))};
 }
 
 double deepest_end(double lever, const Vec2& gaps) {

@@ -63,6 +63,14 @@ struct OpenEnds {
 };
 OpenEnds open_ends(double lever, const Vec2& gaps);
 
+// The part of the stretch that is closed at these gaps, a of the header: 0 where it is open, 1 where no end gapes; and
+// how it follows either gap, 1/m.
+struct ClosedPart {
+  double share;
+  Vec2 by_gaps;
+};
+ClosedPart closed_part(double lever, const Vec2& gaps);
+
 // How far the stretch lies in its neighbour at the end where it does most, beyond the points, m; not positive where it
 // is open.
 double deepest_end(double lever, const Vec2& gaps);

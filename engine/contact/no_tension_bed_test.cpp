@@ -51,6 +51,34 @@ Vec2 gaps_at(double lever, double mean, double turn) { return {mean - lever * tu
 constexpr std::array levers = {0.3, 0.3227, 1.0 / 3, 0.5};
 constexpr std::array means = {-2.0, -1.01, -0.6, -0.35, -0.2, 0.0, 0.3, 0.8, 0.99, 1.2};
 
+// The share of such springs that press, of a bed of the law.
+double pressed_share(double lever, double mean, double turn) {
+  const double whole = 2 * stiffness;
+  const double bed = 3 * lever * lever * whole;
+  const Forces forces = forces_at(lever, mean, turn);
+  const double gap_of_bed = mean + (1 / bed - 1 / whole) * forces.normal;
+  return std::clamp((1 - gap_of_bed / std::abs(turn)) / 2, 0.0, 1.0);
+}
+
+TEST(NoTensionBed, IsClosedWhereSpringsPress) {
+  constexpr double difference = 1e-6;
+  for (const double lever : levers) {
+    for (const double mean : means) {
+      for (const double turn : {1.0, -1.0}) {
+        const Vec2 gaps = gaps_at(lever, mean, turn);
+        const ClosedPart closed = closed_part(lever, gaps);
+        EXPECT_NEAR(closed.share, pressed_share(lever, mean, turn), 1e-4) << lever << " " << mean;  // 20,000 springs
+        for (int point = 0; point < 2; ++point) {
+          const Vec2 change = difference * Vec2::Unit(point);
+          const double by =
+              (closed_part(lever, gaps + change).share - closed_part(lever, gaps - change).share) / (2 * difference);
+          EXPECT_NEAR(closed.by_gaps(point), by, 1e-7) << lever << " " << mean;  // its third derivative is some tens
+        }
+      }
+    }
+  }
+}
+
 TEST(NoTensionBed, AnswersAsSpringsThatOnlyPress) {
   for (const double lever : levers) {
     for (const double mean : means) {

@@ -25,10 +25,11 @@ Vec2 normal_gaps(const InterfaceTrial& trial) { return {trial.normal_gap(0), tri
 
 double capacity_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end) {
   if (trial.rule.sticks) return touched(springs, trial, end) ? std::numeric_limits<double>::infinity() : 0;
+  if (springs.law == InterfaceLaw::projected) return stretch_capacity(springs, strength, trial, end);
   const bool residual = trial.residual[static_cast<std::size_t>(end)];
-  if (trial.rule.conserves_energy)
-    return 2 * strength.capacity(pressing_force(springs, (trial.force + trial.before) / 2, end), residual);
-  return strength.capacity(pressing_force(springs, trial.force, end), residual);
+  const double force = trial.force(normal_row(end));
+  if (!trial.rule.conserves_energy) return strength.capacity(force, residual);
+  return 2 * strength.capacity((force + trial.before(normal_row(end))) / 2, residual);
 }
 
 void respond_normal(const InterfaceSprings& springs, int end, InterfaceTrial& trial) {
@@ -178,7 +179,7 @@ void stick_where_touching(const InterfaceSprings& springs, InterfaceTrial& trial
   for (int end = 0; end < ends_of(springs); ++end) respond_as_stuck(springs, end, trial);
 }
 
-// A broken bond has failed, whichever way; a dry end when it slides, if that makes a difference.
+// A broken bond of one end has failed, whichever way; a dry end when it slides, if that makes a difference.
 bool has_failed(const EndStrength& strength, const InterfaceTrial& trial, int end) {
   return !strength.is_dry() || (strength.friction_drop > 0 && slides(trial, end));
 }
@@ -191,6 +192,7 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   trial.start = trial.gap = start.gap;
   trial.broken = start.broken;
   trial.residual = start.residual;
+  trial.torn = start.torn;
   trial.slip = start.slip;
   trial.force = start.force;
   trial.rule = rule;
@@ -293,13 +295,13 @@ void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, I
 
 bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) return false;
-  bool broke = springs.law == InterfaceLaw::projected && break_stretch(springs, strength, trial);
+  const bool breaks_as_whole = springs.law == InterfaceLaw::projected;
+  bool broke = breaks_as_whole && break_stretch(springs, strength, trial);
+  if (breaks_as_whole && !strength.is_dry()) return broke;
   for (int end = 0; end < 2; ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
-    if (!trial.broken[e] && springs.law != InterfaceLaw::projected &&
-        exceeds(strength, trial.force(n), trial.force(n + 1)))
-      trial.broken[e] = broke = true;
+    if (!trial.broken[e] && exceeds(strength, trial.force(n), trial.force(n + 1))) trial.broken[e] = broke = true;
     if (trial.broken[e] && !trial.residual[e] && has_failed(strength, trial, end)) trial.residual[e] = broke = true;
   }
   return broke;
@@ -330,7 +332,9 @@ bool release_shear(const InterfaceSprings& springs, const EndStrength& strength,
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);
-    const double capacity = strength.capacity(pressing_force(springs, state.force, end), state.residual[e]);
+    const double capacity = springs.law == InterfaceLaw::projected
+                                ? stretch_capacity(springs, strength, state, end)
+                                : strength.capacity(state.force(n), state.residual[e]);
     if (!state.broken[e] || std::abs(state.force(n + 1)) <= capacity) continue;
     state.force(n + 1) = std::copysign(capacity, state.force(n + 1));
     const double left = elastic_gap(state.force(n + 1), springs.stiffness(n + 1), state.gap(n + 1));

@@ -49,11 +49,9 @@ bool allow_the_law(const Model& model, std::size_t joint) {
   return std::ranges::all_of(model.stages, keeps_moduli) && std::ranges::all_of(model.stages, keeps_springs);
 }
 
-// At once, or once they have broken. Joints of a thesis scene have its springs throughout. A stretch of the projected
-// law fails as a whole, so one without tensile strength would lose all of its cohesion when an edge of it gapes.
+// At once, or once they have broken. Joints of a thesis scene have its springs throughout.
 bool would_be_springs(const JointMaterial& joint, const Scheme& scheme) {
-  const bool is_cohesion_alone = joint.cohesion > 0 && joint.tensile_strength == 0;
-  return scheme.name != SchemeName::thesis && !joint.bonded && !is_cohesion_alone && joint.dilation_angle == 0;
+  return scheme.name != SchemeName::thesis && !joint.bonded && joint.dilation_angle == 0;
 }
 
 // As if the scene had named it: springs that were chosen for when the joint has broken go with the law they were for.

@@ -33,25 +33,24 @@ TEST(ChooseLaws, DryJointsThatNameNoLawAreProjectedWhereBlocksMove) {
 }
 
 // They break where beams and limit equilibrium say, which joints of other laws do not, and pass waves on as well.
-TEST(ChooseLaws, JointsWithTensileStrengthThatNameNoLawAreProjected) {
-  for (const char* joint : {R"("cohesion": 1e5, "tensile_strength": 1e4)", R"("tensile_strength": 1e5)",
-                            R"("normal_stiffness": 1e11, "tensile_strength": 1e5)"}) {
+TEST(ChooseLaws, JointsWithStrengthThatNameNoLawAreProjected) {
+  for (const char* joint :
+       {R"("cohesion": 1e5)", R"("tensile_strength": 1e5)", R"("normal_stiffness": 1e11, "cohesion": 1e5)"}) {
     EXPECT_EQ(law_of(joint), InterfaceLaw::projected) << joint;
     EXPECT_EQ(law_of(joint, as_drawn), InterfaceLaw::projected) << joint;
     EXPECT_EQ(law_of(joint, moving, R"("scheme": "thesis", )"), InterfaceLaw::classical) << joint;
   }
   for (const std::string& steps : {moving, as_drawn}) {
-    const Model left_open = squares(R"("default": {"tensile_strength": 1e5})", steps);
-    const Model named = squares(R"("default": {"tensile_strength": 1e5, "law": "projected"})", steps);
+    const Model left_open = squares(R"("default": {"cohesion": 1e5})", steps);
+    const Model named = squares(R"("default": {"cohesion": 1e5, "law": "projected"})", steps);
     EXPECT_EQ(left_open.joints[0].automatic_stiffness, named.joints[0].automatic_stiffness);
   }
 }
 
 TEST(ChooseLaws, WhatNamesALawOrSpringsKeepsItsOwn) {
   for (const char* joint :
-       {R"("bonded": true)", R"("law": "classical")", R"("law": "consistent", "tensile_strength": 1e5)",
-        R"("cohesion": 1e5)", R"("normal_stiffness": 1e11, "cohesion": 1e5)", R"("law": "consistent")",
-        R"("normal_stiffness": "auto")", R"("normal_stiffness": "auto", "cohesion": 1e5)",
+       {R"("bonded": true)", R"("law": "classical")", R"("law": "consistent", "cohesion": 1e5)",
+        R"("law": "consistent")", R"("normal_stiffness": "auto")", R"("normal_stiffness": "auto", "cohesion": 1e5)",
         R"("cohesion": 1e5, "spring_over_young": 10)", R"("normal_stiffness": 1e11, "contact_damping": 0.2)",
         R"("normal_spring": 1e10)", R"("spring_over_young": 10)", R"("shear_to_normal": 0.4)",
         R"("contact_damping": 0.2)", R"("penalty": 4)", R"("stabilisation": 0.1)",

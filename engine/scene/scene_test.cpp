@@ -47,7 +47,7 @@ TEST(Scene, PlaneIsOfTheSceneUnlessOfTheMaterial) {
 
 TEST(Scene, JointsTakeWhatTheyLeaveUnsaidFromTheScheme) {
   const Model accurate = bar_with(R"("joints": {"default": {"friction_angle": "30 deg", "cohesion": "1 MPa"}})");
-  EXPECT_EQ(accurate.joints[0].law, InterfaceLaw::cubic);
+  EXPECT_EQ(accurate.joints[0].law, InterfaceLaw::projected);
   EXPECT_DOUBLE_EQ(accurate.joints[0].friction_angle, std::numbers::pi / 6);
   EXPECT_TRUE(accurate.joints[0].cohesion == 1e6 && accurate.joints[0].spring_over_young == 0);  // springs by sizes
   EXPECT_EQ(bar_with(R"("joints": {"default": {"law": "consistent"}})").joints[0].law, InterfaceLaw::consistent);
@@ -62,7 +62,7 @@ TEST(Scene, JointsThatMayBreakHaveChosenSpringsUnlessTheyHaveTheirOwn) {
   const auto are_chosen = [](const std::string& joint) {
     return bar_with(R"("joints": {"default": {)" + joint + "}}").joints[0].automatic_stiffness;
   };
-  EXPECT_TRUE(are_chosen(R"("cohesion": 1e6)") && are_chosen(R"("law": "consistent", "tensile_strength": 1e6)"));
+  EXPECT_TRUE(are_chosen(R"("law": "cubic", "cohesion": 1e6)") && are_chosen(R"("law": "consistent", "cohesion": 1)"));
   for (const char* joint : {R"("bonded": true)", R"("law": "classical", "cohesion": 1e6)",
                             R"("cohesion": 1e6, "spring_over_young": 9)", R"("cohesion": 1e6, "normal_spring": 1e9)"})
     EXPECT_FALSE(are_chosen(joint)) << joint;

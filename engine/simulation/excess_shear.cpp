@@ -7,7 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/contact/bond_strength.h"
 #include "engine/contact/contact_points.h"
+#include "engine/contact/projected_law.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/tolerance.h"
 #include "engine/simulation/block_system.h"
@@ -47,6 +49,13 @@ double capacity_of(const ContactPoint& point, const EndStrength& strength, bool 
   return coulomb(strength.cohesion, strength.friction, point.normal_force);
 }
 
+// What a broken stretch has of its cohesion belongs to none of its ends: either point is given half of it.
+double capacity_of_half(const ContactPoint& point, const EndStrength& strength, const InterfaceElement& stretch,
+                        const InterfaceState& state) {
+  const double friction = -strength.friction_now(state.residual[0]) * std::min(0.0, point.normal_force);
+  return friction + cohesion_left(stretch, strength, state) / 2;
+}
+
 // One contact after the other, in memory that is kept.
 class JudgedPoints {
  public:
@@ -58,9 +67,12 @@ class JudgedPoints {
     found_.clear();
     append_contact_points(s.model, s.state, s.contacts.interfaces[i], s.contacts.elements[i], state, found_);
     points_.clear();
+    const EndStrength& strength = s.contacts.strengths[i];
+    const bool presses_as_one = press_together(s.contacts.elements[i], state.broken);
     for (std::size_t end = 0; end < found_.size(); ++end)
       points_.push_back(
-          {found_[end], capacity_of(found_[end], s.contacts.strengths[i], state.broken[end], state.residual[end])});
+          {found_[end], presses_as_one ? capacity_of_half(found_[end], strength, s.contacts.elements[i], state)
+                                       : capacity_of(found_[end], strength, state.broken[end], state.residual[end])});
     return points_;
   }
 

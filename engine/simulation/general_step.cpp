@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/contact/bond_strength.h"
 #include "engine/contact/contact_geometry.h"
 #include "engine/contact/foreseen_gap.h"
 #include "engine/contact/interface_frame.h"
@@ -377,6 +378,7 @@ void GeneralStep::accept_contacts() {
     const InterfaceElement& element = s.contacts.elements.own()[i];
     const InterfaceState before = s.contacts.states[i];
     InterfaceState after = finish_trial(element, before, trials[k]);
+    if (s.contacts.strengths[i].cohesion > 0) note_torn(element, after);
     after.dashpot = weight * dashpot_force(element, trials[k]);
     const Vec4 dropped = trials[k].force - after.force;
     const bool drops = trials[k].force != after.force;

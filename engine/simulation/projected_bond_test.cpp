@@ -138,5 +138,47 @@ void expect_breaks_at_its_strength(const Draw& draw) {
 TEST(ProjectedBond, TearsWhereItsEdgeIsPulledByItsStrength) { expect_breaks_at_its_strength(pulled_off); }
 TEST(ProjectedBond, IsShearedOffAsAWholeHoweverItIsBent) { expect_breaks_at_its_strength(pushed_off); }
 
+// Pressed and pushed from a side as before, but without tensile strength: it gapes at its heel, and holds by friction
+// and by the cohesion of what stays closed, 3/2 of the way from the pressure to the nearer edge in half lengths.
+struct Gaping {
+  Scene scene;
+  double load = 0, closed = 0;
+};
+
+Gaping pushed_till_it_gapes(Lot& lot) {
+  Gaping gaping{pushed_off(lot)};
+  JointMaterial& joint = gaping.scene.model.joints[0];
+  joint.tensile_strength = 0;
+  const double pressed = -gaping.scene.always.normal, l = gaping.scene.length;
+  const Carried& unit = gaping.scene.by_load;
+  // What is closed is 3/2 - slope load, where that is less than 1.
+  const double slope = 3 * unit.moment / (pressed * l), friction = std::tan(joint.friction_angle) * pressed;
+  gaping.load = (1.5 * joint.cohesion * l + friction) / (unit.shear + joint.cohesion * l * slope);
+  gaping.closed = 1.5 - slope * gaping.load;
+  return gaping;
+}
+
+bool slides_under(Scene scene, double load) {
+  scene.model.point_loads[0].force *= load;
+  Simulation simulation = simulation_of(std::move(scene.model));
+  for (int i = 0; i < 40 && !simulation.contacts().states[0].residual[0]; ++i)
+    EXPECT_EQ(simulation.step(), Status::ok) << simulation.message();
+  return simulation.contacts().states[0].residual[0];
+}
+
+// Below a quarter of the length the bed spreads its load (no_tension_bed.h), and the closed form is another.
+TEST(ProjectedBond, SlidesWhereFrictionAndTheCohesionOfItsClosedPartAreUsedUp) {
+  int gaped = 0;
+  for (int seed = 0; seed < 120; ++seed) {
+    Lot lot(seed);
+    const Gaping gaping = pushed_till_it_gapes(lot);
+    if (gaping.closed < 0.26 || gaping.closed >= 1) continue;
+    ++gaped;
+    EXPECT_FALSE(slides_under(gaping.scene, (1 - share_off) * gaping.load)) << "seed " << seed;
+    EXPECT_TRUE(slides_under(gaping.scene, (1 + share_off) * gaping.load)) << "seed " << seed;
+  }
+  EXPECT_GT(gaped, 20);
+}
+
 }  // namespace
 }  // namespace dda

@@ -17,6 +17,7 @@ namespace {
 using dda::InterfaceState;
 using dda::Simulation;
 using dda::Vec2;
+using dda::Vec4;
 
 // Twice what a run calls deep is a hundredth; slabs are seen from five of these on.
 constexpr double deep = 2e-3;  // of the smaller block's size
@@ -78,7 +79,7 @@ Check weight_carried(const Simulation& simulation) {
   const dda::ContactSet& contacts = simulation.contacts();
   for (std::size_t k = 0; k < contacts.elements.size(); ++k) {
     const dda::InterfaceElement& element = contacts.elements[k];
-    const dda::Vec4 force = contacts.states[k].force;
+    const Vec4 force = contacts.states[k].force;
     if (holds[static_cast<std::size_t>(element.block_a)]) carried -= (element.rows_a.transpose() * force).head<2>();
     if (holds[static_cast<std::size_t>(element.block_b)]) carried -= (element.rows_b.transpose() * force).head<2>();
   }
@@ -90,13 +91,22 @@ double strength(const dda::EndStrength& end, const InterfaceState& state, std::s
   return end.capacity(normal, state.residual[which]);
 }
 
+// The most that a stretch can be closed under its forces, of its length: 3/2 of the way from their place to the nearer
+// edge, in half lengths, as under a block that lies on a face without tension. Where less than `spread` is closed the
+// bed is no such face.
+double most_closed(const dda::InterfaceElement& element, const Vec4& force) {
+  const double place = element.lever * std::abs(force(2) - force(0)) / std::abs(force(0) + force(2));
+  return std::min(1.0, std::max(1.5 * (1 - place), element.spread));
+}
+
 // How far a broken stretch is beyond its strength: its ends press together, so all of its shear stands against all of
-// its normal force.
-double beyond_of_whole(const dda::EndStrength& end, const InterfaceState& state) {
+// its normal force, and what cohesion it has stands where it is closed.
+double beyond_of_whole(const dda::InterfaceElement& element, const dda::EndStrength& end, const InterfaceState& state) {
   if (!state.broken[0]) return 0;
-  const double normal = state.force(0) + state.force(2), shear = state.force(1) + state.force(3);
-  const double residual = state.residual[0] ? 2 * end.residual_cohesion : 0;
-  return normal < 0 ? std::abs(shear) - residual + end.friction_now(state.residual[0]) * normal : std::abs(shear);
+  const double normal = state.force(0) + state.force(2), shear = std::abs(state.force(1) + state.force(3));
+  if (normal >= 0) return shear;
+  const double cohesion = 2 * end.cohesion_now(state.residual[0]) * most_closed(element, state.force);
+  return shear - cohesion + end.friction_now(state.residual[0]) * normal;
 }
 
 // How far a contact of springs is beyond its strength, at the end that is farther beyond.
@@ -122,8 +132,9 @@ Check beyond_strength(const Simulation& simulation) {
     const InterfaceState& state = contacts.states[k];
     measured = measured || law == dda::InterfaceLaw::projected;
     largest = std::max(largest, state.force.cwiseAbs().maxCoeff());
-    beyond = std::max(beyond, law == dda::InterfaceLaw::projected ? beyond_of_whole(contacts.strengths[k], state)
-                                                                  : beyond_of_ends(contacts.strengths[k], state));
+    beyond = std::max(beyond, law == dda::InterfaceLaw::projected
+                                  ? beyond_of_whole(contacts.elements[k], contacts.strengths[k], state)
+                                  : beyond_of_ends(contacts.strengths[k], state));
   }
   return {"shear beyond strength, of the largest force", largest > 0 ? beyond / largest : 0, measured ? 1e-6 : 1e-8};
 }

@@ -69,10 +69,8 @@ void make_projected(std::size_t joint, Model& model) {
 }  // namespace
 
 void choose_laws(const Field& scene, const Scheme& scheme, Model& model) {
-  const bool moves = has_finite_kinematics(model);  // else dry joints are consistent until they slip, for less work
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const JointMaterial& joint = model.joints[i];
-    if (!moves && is_dry(joint)) continue;
     if (would_be_springs(joint, scheme) && is_left_open(scene, joint) && allow_the_law(model, i))
       make_projected(i, model);
   }

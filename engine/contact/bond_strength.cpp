@@ -106,11 +106,12 @@ double shear_capacity(const InterfaceSprings& springs, const EndStrength& streng
 
 Vec2 shear_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
                             const Vec4& force, const Mat2& by_gaps) {
-  const Vec2 friction = -strength.friction_now(broken.residual) * pressing_slope(springs, force, by_gaps, broken.end);
-  if (!has_cohesion(springs, strength, broken, force)) return friction;
+  Vec2 slope = -strength.friction_now(broken.residual) * pressing_slope(springs, force, by_gaps, broken.end);
+  if (!has_cohesion(springs, strength, broken, force)) return slope;
   const CohesionLeft cohesion = cohesion_at(springs, strength, broken);
-  return friction + cohesion.force * share_of_cohesion_by_gaps(springs, force, by_gaps, broken.end) +
-         share_of_cohesion(springs, force, broken.end) * cohesion.by_gaps;
+  slope += cohesion.force * share_of_cohesion_by_gaps(springs, force, by_gaps, broken.end);
+  slope += share_of_cohesion(springs, force, broken.end) * cohesion.by_gaps;
+  return slope;
 }
 
 }  // namespace

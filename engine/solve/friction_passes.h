@@ -80,9 +80,9 @@ class FrictionPasses {
   [[nodiscard]] PieceRule rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at) const;
   [[nodiscard]] double negligible_imbalance(const Iterate& at) const;
   void form_residual(const Iterate& at);
-  void measure_imbalance(const Iterate& at);
 
   [[nodiscard]] Status solve_newton_step(Iterate& at, double relative);
+  void solve_with_factor(const Iterate& at, double relative);
   void list_couplings(const Iterate& at);
   void list_riding(const Iterate& at, const LiveContact& contact, Mat2& shear_by_gap);
   void multiply_in_pass(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
@@ -115,9 +115,10 @@ class FrictionPasses {
   PointLeft left_;
 
   // 6 entries a block.
-  Eigen::VectorXd residual_;  // what is left of the balance at the increments reached
-  Eigen::VectorXd step_;      // of Newton's method
-  Eigen::VectorXd image_;     // matrix * increments
+  Eigen::VectorXd residual_;    // what is left of the balance at the increments reached
+  Eigen::VectorXd step_;        // of Newton's method
+  Eigen::VectorXd image_;       // matrix * increments
+  Eigen::VectorXd correction_;  // of the step, for round-off
   ConjugateGradients gradients_;
   Gmres gmres_{basis};
 

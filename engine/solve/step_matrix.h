@@ -50,6 +50,8 @@ class StepMatrix {
   [[nodiscard]] bool is_amended() const { return is_amended_; }
   [[nodiscard]] bool factor_is_of_part() const { return factor_is_of_part_; }
   [[nodiscard]] int amendments_since_factored() const { return amendments_; }
+  // Whether the factor is that of the matrix as it is, so that one solution with it is all there is to do.
+  [[nodiscard]] bool has_its_factor() const { return solver_->is_direct() && amendments_ == 0 && !factor_is_of_part_; }
   void outdate() { is_current_ = false; }
 
   // `write` writes all values, then held blocks are taken out.

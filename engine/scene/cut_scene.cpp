@@ -15,8 +15,8 @@
 #include "engine/core/error.h"
 #include "engine/drawing/read_drawing.h"
 #include "engine/scene/json_path.h"
-#include "engine/scene/json_text.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_document.h"
 #include "engine/scene/scene_parts.h"
 #include "engine/scene/schema_check.h"
 #include "engine/scene/sections.h"
@@ -74,13 +74,16 @@ class Cutter {
  public:
   // `finish` adds to the new scene what the blocks of its first rock ask for; it may be empty.
   using Finish = std::function<void(const Rock&, const std::vector<Block>&, json&)>;
-  Cutter(json document, Finish finish, const std::function<void(std::string_view)>& progress)
-      : document_(std::move(document)), finish_(std::move(finish)), progress_(progress) {}
+  Cutter(SceneDocument scene, Finish finish, const std::function<void(std::string_view)>& progress)
+      : document_(std::move(scene.document)),
+        lines_(std::move(scene.lines)),
+        finish_(std::move(finish)),
+        progress_(progress) {}
 
   NewScene cut(const std::filesystem::path& from, const std::filesystem::path& to) {
     const Field scene(document_, "");
     read_materials(scene, model_);
-    const std::vector<std::string> remarks = read_joints(scene, read_scheme(scene), from, model_);
+    const std::vector<std::string> remarks = read_joints(scene, read_scheme(scene), from, lines_, model_);
     const Field blocks = scene.at("blocks");
     for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) add_rock_of(entry, from);
     if (result_.entries.empty()) blocks.fail("without rock", "an entry \"rock\" to cut");
@@ -98,7 +101,7 @@ class Cutter {
     const auto rock = entry.find("rock");
     if (!rock) return;
     CutEntry cut_entry;
-    cut_entry.rock = read_rock(*rock, from, model_);
+    cut_entry.rock = read_rock(*rock, from, lines_, model_);
     cut_entry.rock.options.progress = progress_;
     cut_entry.cut = dda::cut(cut_entry.rock);
     std::ranges::copy(cut_entry.cut.remarks, std::back_inserter(cut_entry.rock.remarks));
@@ -164,6 +167,7 @@ class Cutter {
   }
 
   json document_;
+  std::vector<PlainLines> lines_;
   Finish finish_;
   const std::function<void(std::string_view)>& progress_;
   Model model_;
@@ -175,11 +179,11 @@ class Cutter {
 
 NewScene cut_document(const std::filesystem::path& file, const std::filesystem::path& folder,
                       const std::function<void(std::string_view)>& progress) {
-  const std::string text = scene_text(file);
+  std::string text = scene_text(file);
   try {
-    json document = parse_json(text);
-    check_schema_of_many(document);
-    return Cutter(std::move(document), {}, progress).cut(file.parent_path(), folder);
+    SceneDocument scene = read_scene_document(text);
+    text = {};
+    return Cutter(std::move(scene), {}, progress).cut(file.parent_path(), folder);
   } catch (const InputError& error) {
     throw error.in_file(file.string());
   }
@@ -203,7 +207,7 @@ NewScene cut_drawing(const std::filesystem::path& file, const std::filesystem::p
     const auto finish = [&data](const Rock& rock, const std::vector<Block>& blocks, json& scene) {
       add_marked_places(rock, blocks, data, scene);
     };
-    return Cutter(scene_around(file, words, data), finish, progress).cut({}, folder);
+    return Cutter({scene_around(file, words, data), {}}, finish, progress).cut({}, folder);
   } catch (const InputError& error) {
     throw in_words_of_drawing(error, file.string(), words);
   }

@@ -74,20 +74,16 @@ void read_polygon(const Field& field, Model& model) {
   model.blocks.push_back(std::move(block));
 }
 
-void read_rock_entry(const Field& field, const std::filesystem::path& folder, Model& model, BlockFacts& facts) {
-  const Rock rock = read_rock(field, folder, model);
+void read_rock_entry(const Field& field, const std::filesystem::path& folder, const std::vector<PlainLines>& lines,
+                     Model& model, BlockFacts& facts) {
+  const Rock rock = read_rock(field, folder, lines, model);
   const CutRock pieces = cut(rock);
   append_rock(rock, pieces, model, facts.groups);
   std::ranges::move(cut_remarks(rock, pieces), std::back_inserter(facts.remarks));
 }
 
 // Appends the blocks of the entry and the group of each.
-void read_entry(const std::string& kind, const Field& field, const std::filesystem::path& folder, Model& model,
-                BlockFacts& facts) {
-  if (kind == "rock") {
-    read_rock_entry(field, folder, model, facts);
-    return;
-  }
+void read_entry(const std::string& kind, const Field& field, Model& model, BlockFacts& facts) {
   if (kind == "bar") {
     read_bar(field, model);
   } else if (kind == "grid") {
@@ -111,7 +107,7 @@ void append_given(const GivenBlocks& given, Model& model, BlockFacts& facts) {
 }  // namespace
 
 BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, const std::vector<GivenBlocks>& given,
-                       Model& model) {
+                       const std::vector<PlainLines>& lines, Model& model) {
   const Field blocks = scene.at("blocks");
   const std::vector<Field> entries = blocks.is_array() ? blocks.items() : std::vector<Field>{blocks};
   BlockFacts facts;
@@ -121,8 +117,10 @@ BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, 
     const auto& [kind, field] = members.front();
     if (next != given.end() && next->entry == i)
       append_given(*next++, model, facts);
+    else if (kind == "rock")
+      read_rock_entry(field, folder, lines, model, facts);
     else
-      read_entry(kind, field, folder, model, facts);
+      read_entry(kind, field, model, facts);
     facts.own_stress.resize(model.blocks.size(), field.has("initial_stress"));
   }
   return facts;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/drawing/line_drawing.h"
+#include "engine/scene/json_path.h"
 #include "engine/scene/places.h"
 #include "engine/scene/read_drawn_plan.h"
 #include "engine/scene/rock_values.h"
@@ -158,7 +159,7 @@ void add_rings(const Field& rock, std::vector<Field>& users) {
 }
 
 // Lists everything in a scene that names a joint in a key "joint".
-std::vector<Field> joint_users(const Field& scene) {
+std::vector<Field> joint_users(const Field& scene, const std::vector<PlainLines>& lines) {
   std::vector<Field> users;
   const auto add_entries = [&](const Field& owner, const char* key) {
     const auto entries = owner.find(key);
@@ -170,7 +171,12 @@ std::vector<Field> joint_users(const Field& scene) {
   for (const Field& entry : blocks.is_array() ? blocks.items() : std::vector<Field>{blocks}) {
     const auto rock = entry.find("rock");
     if (!rock) continue;
-    for (const char* key : {"lines", "joint_sets", "openings", "fill"}) add_entries(*rock, key);
+    const PlainLines* const plain = lines_at(member_path(rock->path(), "lines"), lines);
+    if (plain == nullptr)
+      add_entries(*rock, "lines");
+    else
+      std::ranges::copy(plain->joints(), std::back_inserter(users));
+    for (const char* key : {"joint_sets", "openings", "fill"}) add_entries(*rock, key);
     add_rings(*rock, users);
     if (const auto drawing = rock->find("drawing"))
       std::ranges::copy(layer_entries(*drawing), std::back_inserter(users));
@@ -209,9 +215,10 @@ bool has_drawing(const Field& scene) {
 }
 
 // Names of joints in entries of the scene. Misspelt ones are refused.
-std::set<std::string> names_in_use(const Field& scene, const std::vector<std::string>& names) {
+std::set<std::string> names_in_use(const Field& scene, const std::vector<PlainLines>& lines,
+                                   const std::vector<std::string>& names) {
   std::set<std::string> used = {"default"};
-  for (const Field& user : joint_users(scene)) {
+  for (const Field& user : joint_users(scene, lines)) {
     if (const auto joint = user.find("joint")) used.insert(names[joint->choice(names)]);
   }
   return used;
@@ -221,11 +228,12 @@ std::set<std::string> names_in_use(const Field& scene, const std::vector<std::st
 // line this time, which is worth a remark; without one it is misspelt, and refused. Misspelt references come first:
 // they are why joints seem to be without use. Drawings are read only where it is of use.
 std::vector<std::string> look_at_unused_joints(const Field& scene, const Field& joints,
-                                               const std::filesystem::path& folder) {
+                                               const std::filesystem::path& folder,
+                                               const std::vector<PlainLines>& lines) {
   std::vector<std::string> names = {"default"};
   for (const auto& [name, field] : joints.members())
     if (name != "default") names.push_back(name);
-  std::set<std::string> used = names_in_use(scene, names);
+  std::set<std::string> used = names_in_use(scene, lines, names);
   const auto is_used = [&](const auto& member) { return used.contains(member.first); };
   if (!std::ranges::all_of(joints.members(), is_used)) use_joints_of_drawings(scene, folder, names, used);
   std::vector<std::string> remarks;
@@ -251,12 +259,12 @@ void read_materials(const Field& scene, Model& model) {
 }
 
 std::vector<std::string> read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
-                                     Model& model) {
+                                     const std::vector<PlainLines>& lines, Model& model) {
   model.joints = {preset_joint(scheme)};
   model.joints[0].name = "default";
   const auto joints = scene.find("joints");
   if (!joints) return {};
-  std::vector<std::string> remarks = look_at_unused_joints(scene, *joints, folder);
+  std::vector<std::string> remarks = look_at_unused_joints(scene, *joints, folder, lines);
   for (const auto& [name, field] : joints->members()) {
     const JointMaterial joint = read_joint(name, field, scheme);
     if (name == "default") {

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/cutting/cut_rock.h"
 #include "engine/geometry/diameter.h"
 #include "engine/scene/block_group.h"
+#include "engine/scene/json_path.h"
 #include "engine/scene/places.h"
 #include "engine/scene/read_drawn_plan.h"
 #include "engine/scene/read_fills.h"
@@ -27,6 +29,28 @@ PlanLine read_line(const Field& field, const Model& model) {
   line.construction = joint.bonded;
   line.origin = field.path();
   return line;
+}
+
+void append_lines(const PlainLines& lines, const Model& model, std::vector<PlanLine>& all) {
+  std::vector<const JointMaterial*> joints;
+  for (const Field& user : lines.joints())
+    joints.push_back(&model.joints[static_cast<std::size_t>(read_joint_reference(user.at("joint"), model))]);
+  const std::size_t first = all.size();
+  all.resize(first + lines.size());
+  constexpr std::size_t worth_sharing = 10'000;
+  parallel_for_each(lines.size(), worth_sharing, [&](std::size_t i) {
+    const auto points = lines.points(i);
+    const JointMaterial& joint = *joints[lines.joint(i)];
+    all[first + i] = {{points.begin(), points.end()}, joint.name, item_path(lines.path(), i), joint.bonded};
+  });
+}
+
+void read_lines(const Field& field, const std::vector<PlainLines>& plain, const Model& model,
+                std::vector<PlanLine>& all) {
+  if (const PlainLines* const lines = lines_at(field.path(), plain))
+    append_lines(*lines, model, all);
+  else
+    for (const Field& line : field.items()) all.push_back(read_line(line, model));
 }
 
 PlanRegion read_region(const Field& field, const Model& model) {
@@ -69,7 +93,7 @@ void refuse_what_cuts(const Field& field) {
 }
 
 // Adds to what a drawing says.
-void read_plan(const Field& field, const Model& model, Rock& rock) {
+void read_plan(const Field& field, const std::vector<PlainLines>& lines, const Model& model, Rock& rock) {
   RockPlan& plan = rock.plan;
   if (plan.blocks.empty())
     read_boundary(field, plan);
@@ -79,9 +103,7 @@ void read_plan(const Field& field, const Model& model, Rock& rock) {
     for (const Field& hole : holes->items()) plan.holes.push_back(read_ring(hole));
   }
   read_sets(field, model, rock);
-  if (const auto lines = field.find("lines")) {
-    for (const Field& line : lines->items()) plan.lines.push_back(read_line(line, model));
-  }
+  if (const auto list = field.find("lines")) read_lines(*list, lines, model, plan.lines);
   if (const auto openings = field.find("openings")) {
     for (const Field& opening : openings->items()) {
       plan.openings.push_back(read_opening(opening, model));
@@ -158,7 +180,8 @@ void remark_on_empty_sets(const Rock& rock, CutRock& cut) {
 
 }  // namespace
 
-Rock read_rock(const Field& field, const std::filesystem::path& folder, const Model& model) {
+Rock read_rock(const Field& field, const std::filesystem::path& folder, const std::vector<PlainLines>& lines,
+               const Model& model) {
   Rock rock;
   rock.path = field.path();
   rock.group = read_group(field, "rock", model);
@@ -170,7 +193,7 @@ Rock read_rock(const Field& field, const std::filesystem::path& folder, const Mo
     rock.plan = std::move(drawn.plan);
     rock.remarks = std::move(drawn.remarks);
   }
-  read_plan(field, model, rock);
+  read_plan(field, lines, model, rock);
   return rock;
 }
 

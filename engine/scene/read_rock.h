@@ -9,6 +9,7 @@
 #include "engine/cutting/cut_rock.h"
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
+#include "engine/scene/plain_lines.h"
 
 namespace dda {
 
@@ -27,9 +28,10 @@ struct Rock {
   std::vector<std::string> remarks;  // on its drawing
 };
 
-// `field` is {"boundary": ..., ...}; a drawing is looked for relative to `folder`; the model has its materials and
-// joints.
-Rock read_rock(const Field& field, const std::filesystem::path& folder, const Model& model);
+// `field` is {"boundary": ..., ...}; a drawing is looked for relative to `folder`; `lines` stand for those of the field
+// if they are its; the model has its materials and joints.
+Rock read_rock(const Field& field, const std::filesystem::path& folder, const std::vector<PlainLines>& lines,
+               const Model& model);
 
 // Cuts the plan, and remarks on joint sets that have no joint in the rock. Errors name fields of the scene.
 CutRock cut(const Rock& rock);

@@ -10,20 +10,20 @@
 #include "engine/model/finish_model.h"
 #include "engine/scene/choose_laws.h"
 #include "engine/scene/file_kind.h"
-#include "engine/scene/json_text.h"
 #include "engine/scene/read_openings.h"
+#include "engine/scene/scene_document.h"
 #include "engine/scene/scene_parts.h"
-#include "engine/scene/schema_check.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
 namespace {
 
 BlockFacts read_blocks_and_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
-                                  const std::vector<GivenBlocks>& given, Model& model) {
+                                  const std::vector<GivenBlocks>& given, const std::vector<PlainLines>& lines,
+                                  Model& model) {
   read_materials(scene, model);
-  const std::vector<std::string> remarks = read_joints(scene, scheme, folder, model);
-  BlockFacts facts = read_blocks(scene, folder, given, model);
+  const std::vector<std::string> remarks = read_joints(scene, scheme, folder, lines, model);
+  BlockFacts facts = read_blocks(scene, folder, given, lines, model);
   facts.remarks.insert(facts.remarks.begin(), remarks.begin(), remarks.end());
   read_joint_pairs(scene, facts.groups, model);
   read_gravity(scene, model);
@@ -64,15 +64,15 @@ std::string line_of(const Field& field) {
   return text;
 }
 
-SceneParts read_parts(const Field& scene, const std::filesystem::path& folder,
-                      const std::vector<GivenBlocks>& given = {}) {
+SceneParts read_parts(const Field& scene, const std::filesystem::path& folder, const std::vector<GivenBlocks>& given,
+                      const std::vector<PlainLines>& lines) {
   SceneParts parts;
   Model& model = parts.model;
   const Scheme scheme = read_scheme(scene);
   if (const auto frequency = scene.find("target_frequency"))
     model.expected.frequency = frequency->positive(Dimension::frequency);
   if (const auto title = scene.find("title")) model.title = line_of(*title);
-  BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, given, model);
+  BlockFacts facts = read_blocks_and_joints(scene, scheme, folder, given, lines, model);
   parts.groups = std::move(facts.groups);
   parts.remarks = std::move(facts.remarks);
   parts.openings = openings_of(scene, model);
@@ -92,9 +92,8 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder,
 SceneParts parse_scene_parts(std::string_view json_text, const std::string& name_for_errors,
                              const std::filesystem::path& folder) {
   try {
-    const nlohmann::json document = parse_json(json_text);
-    check_schema(document);
-    return read_parts(Field(document, ""), folder);
+    const SceneDocument scene = read_scene_document(json_text);
+    return read_parts(Field(scene.document, ""), folder, {}, scene.lines);
   } catch (const InputError& error) {
     throw error.in_file(name_for_errors);
   }
@@ -107,7 +106,7 @@ Model parse_scene(std::string_view json_text, const std::string& name_for_errors
 Model read_document(const nlohmann::json& document, const std::vector<GivenBlocks>& given,
                     const std::string& name_for_errors, const std::filesystem::path& folder) {
   try {
-    return read_parts(Field(document, ""), folder, given).model;
+    return read_parts(Field(document, ""), folder, given, {}).model;
   } catch (const InputError& error) {
     throw error.in_file(name_for_errors);
   }

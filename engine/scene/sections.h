@@ -12,6 +12,7 @@
 #include "engine/model/model.h"
 #include "engine/scene/field.h"
 #include "engine/scene/given_blocks.h"
+#include "engine/scene/plain_lines.h"
 #include "engine/scene/record_files.h"
 #include "engine/scene/stress_field.h"
 
@@ -19,10 +20,10 @@ namespace dda {
 
 Scheme read_scheme(const Field& scene);
 void read_materials(const Field& scene, Model& model);
-// Drawings, which may name joints, are looked for relative to `folder`. Returns remarks, sentences on joints that no
-// line of a drawing uses.
+// Drawings, which may name joints, are looked for relative to `folder`. `lines` stand for those of rock. Returns
+// remarks, sentences on joints that no line of a drawing uses.
 std::vector<std::string> read_joints(const Field& scene, const Scheme& scheme, const std::filesystem::path& folder,
-                                     Model& model);
+                                     const std::vector<PlainLines>& lines, Model& model);
 
 // Says of each block its group (its generator's name, or a polygon's own) and whether it states its initial stress.
 struct BlockFacts {
@@ -31,9 +32,10 @@ struct BlockFacts {
   std::vector<std::string> remarks;  // on cutting rock, see cut_remarks.h
 };
 
-// Drawings are looked for relative to `folder`. Entries for which blocks are given are not read for theirs.
+// Drawings are looked for relative to `folder`. Entries for which blocks are given are not read for theirs, and `lines`
+// stand for those of rock.
 BlockFacts read_blocks(const Field& scene, const std::filesystem::path& folder, const std::vector<GivenBlocks>& given,
-                       Model& model);
+                       const std::vector<PlainLines>& lines, Model& model);
 void read_joint_pairs(const Field& scene, const std::vector<std::string>& groups, Model& model);
 void read_gravity(const Field& scene, Model& model);
 

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "engine/core/parallel.h"
 #include "engine/cutting/drawn_traces.h"
 #include "engine/geometry/box.h"
 
@@ -16,13 +15,45 @@ namespace {
 constexpr double sound_piece = 0.1;  // m
 constexpr int scan_lines = 20;
 
-// Places where the ring crosses the level; an edge has its lower end and not its upper one.
-void append_crossings(const Ring& ring, double height, std::vector<double>& places) {
+// Scan lines that divide the rock evenly: they run along an axis, each at a height on the other one.
+struct ScanLines {
+  int along = 0;  // 0: x, 1: y
+  std::vector<double> heights;
+
+  [[nodiscard]] double place(const Vec2& point) const { return point(along); }
+  [[nodiscard]] double height(const Vec2& point) const { return point(1 - along); }
+};
+
+ScanLines lines_along(int along, const std::vector<CutBlock>& blocks) {
+  ScanLines lines{along, {}};
+  Box box;
+  for (const CutBlock& block : blocks)
+    for (const Vec2& vertex : block.shape.outer) box = expanded(box, vertex);
+  for (int i = 0; i < scan_lines; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / scan_lines;
+    lines.heights.push_back(lines.height(box.lower) + share * (lines.height(box.upper) - lines.height(box.lower)));
+  }
+  return lines;
+}
+
+// Calls act(line, height) for the lines from `low` on, below `high`.
+template <typename Act>
+void for_lines_between(const ScanLines& lines, double low, double high, const Act& act) {
+  for (std::size_t i = 0; i < lines.heights.size(); ++i)
+    if (low <= lines.heights[i] && lines.heights[i] < high) act(i, lines.heights[i]);
+}
+
+double crossing_of(const Vec2& a, const Vec2& b, double height, const ScanLines& lines) {
+  return lines.place(a) +
+         (height - lines.height(a)) / (lines.height(b) - lines.height(a)) * (lines.place(b) - lines.place(a));
+}
+
+// Places where the ring crosses the line; an edge has its lower end and not its upper one.
+void append_crossings(const Ring& ring, double height, const ScanLines& lines, std::vector<double>& places) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2& a = ring[i];
     const Vec2& b = ring[(i + 1) % ring.size()];
-    if ((a.y() <= height) == (b.y() <= height)) continue;
-    places.push_back(a.x() + (height - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    if ((lines.height(a) <= height) != (lines.height(b) <= height)) places.push_back(crossing_of(a, b, height, lines));
   }
 }
 
@@ -30,27 +61,33 @@ struct Piece {
   double from = 0, to = 0;
 };
 
-std::vector<Piece> pieces_on(const std::vector<CutBlock>& blocks, double height) {
-  std::vector<Piece> pieces;
+// By line, in the order of blocks. Most blocks are between two lines.
+std::vector<std::vector<Piece>> pieces_on(const ScanLines& lines, const std::vector<CutBlock>& blocks) {
+  std::vector<std::vector<Piece>> pieces(lines.heights.size());
   std::vector<double> places;
   for (const CutBlock& block : blocks) {
-    places.clear();
-    append_crossings(block.shape.outer, height, places);
-    for (const Ring& hole : block.shape.holes) append_crossings(hole, height, places);
-    std::sort(places.begin(), places.end());
-    for (std::size_t i = 1; i < places.size(); i += 2) pieces.push_back({places[i - 1], places[i]});
+    const auto [low, high] = std::ranges::minmax(block.shape.outer, {}, [&](const Vec2& v) { return lines.height(v); });
+    for_lines_between(lines, lines.height(low), lines.height(high), [&](std::size_t line, double height) {
+      places.clear();
+      append_crossings(block.shape.outer, height, lines, places);
+      for (const Ring& hole : block.shape.holes) append_crossings(hole, height, lines, places);
+      std::sort(places.begin(), places.end());
+      for (std::size_t i = 1; i < places.size(); i += 2) pieces[line].push_back({places[i - 1], places[i]});
+    });
   }
   return pieces;
 }
 
-// Returns where traces cross the level, from left to right.
-std::vector<double> crossings_of(const std::vector<Segment>& traces, double height) {
-  std::vector<double> places;
-  for (const auto& [a, b] : traces) {
-    if ((a.y() <= height) == (b.y() <= height)) continue;
-    places.push_back(a.x() + (height - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+// Returns by line where traces cross it, in order.
+std::vector<std::vector<double>> crossings_of(const ScanLines& lines, const std::vector<Segment>& traces) {
+  std::vector<std::vector<double>> places(lines.heights.size());
+  for (const Segment& trace : traces) {
+    const auto [low, high] = std::minmax({lines.height(trace.start), lines.height(trace.end)});
+    for_lines_between(lines, low, high, [&](std::size_t line, double height) {
+      places[line].push_back(crossing_of(trace.start, trace.end, height, lines));
+    });
   }
-  std::sort(places.begin(), places.end());
+  for (std::vector<double>& each : places) std::sort(each.begin(), each.end());
   return places;
 }
 
@@ -68,50 +105,26 @@ double sound_length(const Piece& piece, const std::vector<double>& traces) {
   return sound;
 }
 
-double quality_on_levels(const std::vector<CutBlock>& blocks, const std::vector<Segment>& traces) {
-  Box box;
-  for (const CutBlock& block : blocks) {
-    for (const Vec2& vertex : block.shape.outer) box = expanded(box, vertex);
-  }
-  struct Level {
-    std::vector<Piece> pieces;
-    std::vector<double> parted_at;
-  };
-  std::vector<Level> levels(scan_lines);
-  parallel_for_each(levels.size(), 1, [&](std::size_t i) {
-    const double share = (static_cast<double>(i) + 0.5) / scan_lines;
-    const double height = box.lower.y() + share * (box.upper.y() - box.lower.y());
-    levels[i] = {pieces_on(blocks, height), crossings_of(traces, height)};
-  });
+double quality_of(const std::vector<std::vector<Piece>>& pieces, const std::vector<std::vector<double>>& parted_at) {
   double sound = 0;
   double all = 0;
-  for (const auto& [pieces, parted_at] : levels) {
-    for (const Piece& piece : pieces) {
+  for (std::size_t line = 0; line < pieces.size(); ++line) {
+    for (const Piece& piece : pieces[line]) {
       all += piece.to - piece.from;
-      sound += sound_length(piece, parted_at);
+      sound += sound_length(piece, parted_at[line]);
     }
   }
   return all > 0 ? sound / all : 0;
 }
 
-// Returns the same rock with x and y exchanged.
-std::vector<CutBlock> on_its_side(std::vector<CutBlock> blocks) {
-  const auto swap_ring = [](Ring& ring) {
-    for (Vec2& vertex : ring) std::swap(vertex.x(), vertex.y());
-  };
-  for (CutBlock& block : blocks) {
-    swap_ring(block.shape.outer);
-    for (Ring& hole : block.shape.holes) swap_ring(hole);
-  }
-  return blocks;
-}
+struct Quality {
+  double of_blocks = 0, of_traces = 0;
+};
 
-std::vector<Segment> on_its_side(std::vector<Segment> traces) {
-  for (auto& [start, end] : traces) {
-    std::swap(start.x(), start.y());
-    std::swap(end.x(), end.y());
-  }
-  return traces;
+Quality quality_along(int along, const std::vector<CutBlock>& blocks, const std::vector<Segment>& traces) {
+  const ScanLines lines = lines_along(along, blocks);
+  const auto pieces = pieces_on(lines, blocks);
+  return {quality_of(pieces, crossings_of(lines, {})), quality_of(pieces, crossings_of(lines, traces))};
 }
 
 void add_densities(const CutRock& rock, const RockPlan& plan, const DrawnTraces& drawn, double area,
@@ -131,7 +144,8 @@ void add_densities(const CutRock& rock, const RockPlan& plan, const DrawnTraces&
 
 std::vector<double> pieces_on_level(const std::vector<CutBlock>& blocks, double height) {
   std::vector<double> lengths;
-  for (const Piece& piece : pieces_on(blocks, height)) lengths.push_back(piece.to - piece.from);
+  const auto pieces = pieces_on({0, {height}}, blocks);
+  for (const Piece& piece : pieces.front()) lengths.push_back(piece.to - piece.from);
   return lengths;
 }
 
@@ -149,11 +163,12 @@ RockStatistics statistics_of(const CutRock& rock, const RockPlan& plan) {
     statistics.area_shares.at(number++) = areas[static_cast<std::size_t>(share * (count - 1))];
   const DrawnTraces drawn = traces_in_rock(plan);
   add_densities(rock, plan, drawn, area, statistics);
-  const std::vector<CutBlock> upright = on_its_side(rock.blocks);
-  statistics.rqd_level = quality_on_levels(rock.blocks, {});
-  statistics.rqd_upright = quality_on_levels(upright, {});
-  statistics.rqd_level_traces = quality_on_levels(rock.blocks, drawn.pieces);
-  statistics.rqd_upright_traces = quality_on_levels(upright, on_its_side(drawn.pieces));
+  const Quality level = quality_along(0, rock.blocks, drawn.pieces);
+  const Quality upright = quality_along(1, rock.blocks, drawn.pieces);
+  statistics.rqd_level = level.of_blocks;
+  statistics.rqd_upright = upright.of_blocks;
+  statistics.rqd_level_traces = level.of_traces;
+  statistics.rqd_upright_traces = upright.of_traces;
   return statistics;
 }
 

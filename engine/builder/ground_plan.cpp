@@ -34,32 +34,49 @@ std::vector<const Ring*> outlines_of(const std::vector<Block>& blocks) {
 
 }  // namespace
 
-GroundPlan::GroundPlan(const Model& model)
-    : model_(&model),
-      names_(model.blocks),
-      boxes_(boxes_of(model.blocks)),
-      index_(outlines_of(model.blocks)),
-      tolerance_(point_tolerance(model)) {
-  for (const Box& box : boxes_) box_ = expanded(expanded(box_, box.lower), box.upper);
-  for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (corner_count(model.blocks[i].shape) >= corners_worth_an_index)
-      edges_.try_emplace(static_cast<int>(i), model.blocks[i].shape);
+struct GroundPlan::Tables {
+  explicit Tables(const std::vector<Block>& blocks) : boxes(boxes_of(blocks)), index(outlines_of(blocks)) {
+    for (const Box& each : boxes) box = expanded(expanded(box, each.lower), each.upper);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      if (corner_count(blocks[i].shape) >= corners_worth_an_index)
+        edges.try_emplace(static_cast<int>(i), blocks[i].shape);
+  }
+
+  std::vector<Box> boxes;  // of the blocks
+  ShapeIndex index;
+  std::unordered_map<int, EdgeIndex> edges;  // of blocks with many corners
+  Box box;
+};
+
+GroundPlan::GroundPlan(const Model& model) : model_(&model), tolerance_(point_tolerance(model)) {}
+GroundPlan::~GroundPlan() = default;
+
+const GroundPlan::Tables& GroundPlan::tables() const {
+  if (!tables_) tables_ = std::make_unique<const Tables>(model_->blocks);
+  return *tables_;
+}
+
+const Box& GroundPlan::box() const { return tables().box; }
+
+const Names& GroundPlan::names() const {
+  if (!names_) names_.emplace(model_->blocks);
+  return *names_;
 }
 
 Location GroundPlan::location(int block, const Vec2& point, double tolerance) const {
-  const auto large = edges_.find(block);
-  return large == edges_.end() ? locate(model_->blocks[at(block)].shape, point, tolerance)
-                               : large->second.locate(point, tolerance);
+  const auto large = tables().edges.find(block);
+  return large == tables().edges.end() ? locate(model_->blocks[at(block)].shape, point, tolerance)
+                                       : large->second.locate(point, tolerance);
 }
 
 bool GroundPlan::holds(int block, const Vec2& point, double tolerance) const {
-  if (!overlap(expanded(boxes_[at(block)], tolerance), Box{point, point})) return false;
+  if (!overlap(expanded(tables().boxes[at(block)], tolerance), Box{point, point})) return false;
   return location(block, point, tolerance) != Location::outside;
 }
 
 std::vector<int> GroundPlan::blocks_at(const Vec2& point) const {
   std::vector<int> found;
-  for (const int block : index_.near(expanded(Box{point, point}, 2 * tolerance_)))
+  for (const int block : tables().index.near(expanded(Box{point, point}, 2 * tolerance_)))
     if (holds(block, point, tolerance_)) found.push_back(block);
   return found;
 }
@@ -84,18 +101,18 @@ void GroundPlan::append_stretch(const Segment& edge, int block, const Segment& l
 }
 
 std::vector<Stretch> GroundPlan::stretches_along(const Segment& line) const {
-  return stretches_of(index_.near(line, tolerance_), line);
+  return stretches_of(tables().index.near(line, tolerance_), line);
 }
 
 std::vector<Stretch> GroundPlan::stretches_at(const Segment& line, const Vec2& point) const {
-  return stretches_of(index_.near(expanded(Box{point, point}, tolerance_)), line);
+  return stretches_of(tables().index.near(expanded(Box{point, point}, tolerance_)), line);
 }
 
 std::vector<Stretch> GroundPlan::stretches_of(const std::vector<int>& blocks, const Segment& line) const {
   std::vector<Stretch> found;
   const Box near_line = expanded(expanded(expanded(Box{}, line.start), line.end), 2 * tolerance_);
   for (const int block : blocks) {
-    if (const auto large = edges_.find(block); large != edges_.end()) {
+    if (const auto large = tables().edges.find(block); large != tables().edges.end()) {
       for (const int i : large->second.near(near_line))
         append_stretch(large->second.edges()[at(i)], block, line, found);
     } else {
@@ -126,7 +143,7 @@ std::vector<Passage> GroundPlan::passages_of(const Segment& line) const {
   const double length = (line.end - line.start).norm();
   const Vec2 along = (line.end - line.start) / length;
   std::vector<Passage> passages;
-  for (const int block : index_.near(line, tolerance_)) {
+  for (const int block : tables().index.near(line, tolerance_)) {
     const Polygon& shape = model_->blocks[at(block)].shape;
     std::vector<double> cuts{0, length};
     append_crossings(shape.outer, line, along, cuts);

@@ -1,6 +1,7 @@
 // Finding blocks and stretches of outline by where they lie, as scenes do.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -30,10 +31,12 @@ struct Passage {
   double to = 0;
 };
 
-// Looks up places in a model whose blocks are complete (moments and tolerance filled).
+// Looks up places in a model whose blocks are complete (moments and tolerance filled). What it looks in is made when
+// something is asked for the first time: scenes need not ask. So one thread asks at a time.
 class GroundPlan {
  public:
   explicit GroundPlan(const Model& model);
+  ~GroundPlan();
 
   // Blocks that contain `point` or have it on their outline, in ascending order.
   [[nodiscard]] std::vector<int> blocks_at(const Vec2& point) const;
@@ -52,10 +55,10 @@ class GroundPlan {
   [[nodiscard]] std::vector<Passage> passages_of(const Segment& line) const;
 
   // The box around all blocks.
-  [[nodiscard]] const Box& box() const { return box_; }
+  [[nodiscard]] const Box& box() const;
 
   // The names of the blocks.
-  [[nodiscard]] const Names& names() const { return names_; }
+  [[nodiscard]] const Names& names() const;
 
  private:
   [[nodiscard]] Location location(int block, const Vec2& point, double tolerance) const;
@@ -63,13 +66,13 @@ class GroundPlan {
   [[nodiscard]] std::vector<Stretch> stretches_of(const std::vector<int>& blocks, const Segment& line) const;
   void append_stretch(const Segment& edge, int block, const Segment& line, std::vector<Stretch>& found) const;
 
+  struct Tables;
+  [[nodiscard]] const Tables& tables() const;
+
   const Model* model_;
-  Names names_;
-  std::vector<Box> boxes_;  // of the blocks
-  ShapeIndex index_;
-  std::unordered_map<int, EdgeIndex> edges_;  // of blocks with many corners
-  Box box_;
   double tolerance_;
+  mutable std::unique_ptr<const Tables> tables_;
+  mutable std::optional<Names> names_;
 };
 
 }  // namespace dda

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "engine/geometry/segment.h"
@@ -21,12 +22,47 @@ void append_half_of_hull(const std::vector<Vec2>& sorted, double side, std::vect
   }
 }
 
+template <typename Visit>
+void for_each_corner(const Model& model, const Visit& visit) {
+  for (const Block& block : model.blocks)
+    for (const Vec2& corner : block.shape.outer) visit(corner);
+}
+
+Vec2 farthest_along(const Vec2& way, const Model& model) {
+  Vec2 end = Vec2::Zero();
+  double farthest = -std::numeric_limits<double>::infinity();
+  for_each_corner(model, [&](const Vec2& corner) {
+    if (way.dot(corner) <= farthest) return;
+    farthest = way.dot(corner);
+    end = corner;
+  });
+  return end;
+}
+
+// A box within the quadrilateral of the four corners that lie farthest along the diagonals of the axes: each of its
+// sides lies inside of both ends of a side of that. May be empty.
+Box box_within(const Model& model) {
+  const Vec2 upper_right = farthest_along({1, 1}, model), lower_left = farthest_along({-1, -1}, model);
+  const Vec2 lower_right = farthest_along({1, -1}, model), upper_left = farthest_along({-1, 1}, model);
+  return {lower_left.cwiseMax(Vec2(upper_left.x(), lower_right.y())),
+          upper_right.cwiseMin(Vec2(lower_right.x(), upper_left.y()))};
+}
+
+// Those that may be ends of the longest way: few of those of rock in many blocks.
+std::vector<Vec2> outer_corners(const Model& model) {
+  std::vector<Vec2> corners;
+  const Box within = box_within(model);
+  for_each_corner(model, [&](const Vec2& corner) {
+    const bool is_inside = (corner.array() > within.lower.array() && corner.array() < within.upper.array()).all();
+    if (!is_inside) corners.push_back(corner);
+  });
+  return corners;
+}
+
 }  // namespace
 
 double diameter(const Model& model) {
-  std::vector<Vec2> corners;
-  for (const Block& block : model.blocks)
-    corners.insert(corners.end(), block.shape.outer.begin(), block.shape.outer.end());
+  std::vector<Vec2> corners = outer_corners(model);
   std::ranges::sort(corners, {}, [](const Vec2& corner) { return std::pair(corner.x(), corner.y()); });
   std::vector<Vec2> hull;
   append_half_of_hull(corners, 1, hull);

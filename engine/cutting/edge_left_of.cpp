@@ -60,7 +60,7 @@ void EdgeLeftOf::visit_cells(int edge, Visit visit) const {
     const auto [a, b] = std::minmax({x_at(low, high, from), x_at(low, high, to)});
     const std::int64_t first = column_of(std::max(left, static_cast<std::int64_t>(std::floor(a)) - 1));
     const std::int64_t last = column_of(std::min(right, static_cast<std::int64_t>(std::ceil(b)) + 1));
-    for (std::int64_t column = first; column <= last; ++column) visit(at(row * columns_ + column));
+    for (std::int64_t column = first; column <= last; ++column) visit(at(column * rows_ + row));
   }
 }
 
@@ -84,7 +84,7 @@ int EdgeLeftOf::of(int node) const {
   const std::int64_t row = row_of(from.y);
   Hit nearest;
   for (std::int64_t column = column_of(from.x); column >= 0; --column) {
-    look(at(row * columns_ + column), from, nearest);
+    look(at(column * rows_ + row), from, nearest);
     if (nearest.edge >= 0 && nearest.x >= static_cast<double>(lower_.x + column * cell_)) break;
   }
   if (nearest.edge < 0) return -1;

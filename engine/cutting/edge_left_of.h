@@ -40,7 +40,7 @@ class EdgeLeftOf {
   Pixel lower_;
   std::int64_t cell_ = 1;  // pixels
   std::int64_t columns_ = 1, rows_ = 1;
-  std::vector<int> starts_, edges_;  // by cell, row by row
+  std::vector<int> starts_, edges_;  // by cell, column by column: nodes, and so edges, come from left to right
 };
 
 }  // namespace dda

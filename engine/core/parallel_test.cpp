@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/allocation_counter.h"
+#include "engine/core/at_once.h"
 
 namespace dda {
 namespace {
@@ -48,6 +49,19 @@ TEST(Parallel, SumsDoNotDependOnTheNumberOfThreads) {
   for (const int threads : {2, 3, 4}) {
     const ThreadsInUse in_use(threads);
     for (int repeat = 0; repeat < 100; ++repeat) EXPECT_EQ(sum_of(values), alone);
+  }
+}
+
+TEST(Parallel, TwoThingsAreBothDone) {
+  for (const int threads : {1, 2, 4}) {
+    const ThreadsInUse in_use(threads);
+    for (int repeat = 0; repeat < 100; ++repeat) {
+      double one = 0;
+      std::vector<int> other;
+      at_once([&] { one = sum_of(numbers(1000)); }, [&] { other.assign(10, 3); });
+      EXPECT_EQ(one, sum_of(numbers(1000)));
+      EXPECT_EQ(other, std::vector<int>(10, 3));
+    }
   }
 }
 

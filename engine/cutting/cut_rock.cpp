@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/core/at_once.h"
 #include "engine/core/error.h"
 #include "engine/cutting/check_plan.h"
 #include "engine/cutting/fill_rock.h"
@@ -129,13 +130,18 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   check_openings(arrangement, places, pieces, plan);
   check_count(places, plan, options);
   rock.left_out_area = left_out_area(arrangement, places);
-  FaceGroups groups(places);
-  append(rock.cleaned, cleaned_lines(arrangement, groups, pieces, plan));
-  rock.dangles_trimmed = static_cast<int>(std::count_if(
-      rock.cleaned.begin(), rock.cleaned.end(), [](const Cleaned& c) { return c.what == Cleaning::dangle_trimmed; }));
   say("cleaning");
-  Merging merging =
-      merge_blocks(arrangement, places, {pieces.tolerance, options.least_area, options.least_angle}, groups);
+  FaceGroups groups(places);
+  const FaceGroups unmerged = groups;
+  std::vector<Cleaned> lines;
+  Merging merging;
+  at_once([&] { lines = cleaned_lines(arrangement, unmerged, pieces, plan); },
+          [&] {
+            merging =
+                merge_blocks(arrangement, places, {pieces.tolerance, options.least_area, options.least_angle}, groups);
+          });
+  append(rock.cleaned, std::move(lines));
+  rock.dangles_trimmed = static_cast<int>(std::ranges::count(rock.cleaned, Cleaning::dangle_trimmed, &Cleaned::what));
   append(rock.cleaned, std::move(merging.cleaned));
   rock.merged = merging.merged;
   rock.outlines_traced = merging.traced;

@@ -8,6 +8,7 @@ namespace {
 
 NodeRing without_repeats(const NodeRing& ring) {
   NodeRing kept;
+  kept.reserve(ring.size());
   for (const int node : ring) {
     if (kept.empty() || kept.back() != node) kept.push_back(node);
   }
@@ -17,6 +18,7 @@ NodeRing without_repeats(const NodeRing& ring) {
 
 NodeRing in_place(const NodeRing& ring, const CornerPlaces& places) {
   NodeRing moved;
+  moved.reserve(ring.size());
   for (const int node : ring) moved.push_back(places.node(node));
   return without_repeats(moved);
 }
@@ -38,7 +40,9 @@ double CornerPlaces::way_after(int node, int into, const Vec2& position) const {
 
 Ring ring_of(const NodeRing& nodes, const CornerPlaces& places) {
   Ring ring;
-  for (const int node : in_place(nodes, places)) ring.push_back(places.position(node));
+  const NodeRing moved = in_place(nodes, places);
+  ring.reserve(moved.size());
+  for (const int node : moved) ring.push_back(places.position(node));
   return ring;
 }
 

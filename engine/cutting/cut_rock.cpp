@@ -133,20 +133,19 @@ CutRock cut_rock(const RockPlan& plan, const CutOptions& options) {
   say("cleaning");
   FaceGroups groups(places);
   const FaceGroups unmerged = groups;
-  std::vector<Cleaned> lines;
   Merging merging;
-  at_once([&] { lines = cleaned_lines(arrangement, unmerged, pieces, plan); },
+  at_once([&] { report_lines(arrangement, unmerged, pieces, plan, rock.cleaned); },
           [&] {
             merging =
                 merge_blocks(arrangement, places, {pieces.tolerance, options.least_area, options.least_angle}, groups);
           });
-  append(rock.cleaned, std::move(lines));
   rock.dangles_trimmed = static_cast<int>(std::ranges::count(rock.cleaned, Cleaning::dangle_trimmed, &Cleaned::what));
   append(rock.cleaned, std::move(merging.cleaned));
   rock.merged = merging.merged;
   rock.outlines_traced = merging.traced;
   rock.dropped_area = merging.dropped_area;
   part_where_touching(arrangement, groups, pieces, merging.outlines, rock.cleaned);
+  groups.settle();
   finish_blocks(arrangement, groups, places, merging.outlines, pieces, plan, rock);
   assign_materials(plan, rock);
   return rock;

@@ -84,12 +84,15 @@ FaceGroups::FaceGroups(const std::vector<FacePlace>& places) : parent_(places.si
     parent_[face] = places[face].in_rock() ? static_cast<int>(face) : outside;
 }
 
+// Writes only where a way is long: none is once all faces have been asked for, and then threads may ask.
 int FaceGroups::of(int face) const {
-  while (parent_[at(face)] != face) {
-    parent_[at(face)] = parent_[at(parent_[at(face)])];
-    face = parent_[at(face)];
-  }
-  return face;
+  int parent = parent_[at(face)];
+  while (parent_[at(parent)] != parent) parent = parent_[at(face)] = parent_[at(parent)];
+  return parent;
+}
+
+void FaceGroups::settle() {
+  for (int face = 0; at(face) < parent_.size(); ++face) parent_[at(face)] = of(face);
 }
 
 void FaceGroups::merge(int into, int group) { parent_[at(of(group))] = of(into); }

@@ -27,6 +27,8 @@ class FaceGroups {
   static constexpr int outside = 0;  // the group of the face without end
   [[nodiscard]] int of(int face) const;
   void merge(int into, int group);
+  // Several threads may ask from now on, until groups are merged again.
+  void settle();
 
  private:
   mutable std::vector<int> parent_;

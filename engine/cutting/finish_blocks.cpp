@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/core/at_once.h"
 #include "engine/cutting/block_order.h"
 #include "engine/cutting/corner_places.h"
 #include "engine/cutting/corners.h"
@@ -28,6 +29,7 @@ std::vector<NodeRings> rings_of(const Arrangement& arrangement, const std::vecto
     return nodes;
   };
   std::vector<NodeRings> blocks;
+  blocks.reserve(outlines.size());
   for (const Outline& outline : outlines) {
     NodeRings& rings = blocks.emplace_back();
     rings.push_back(ring(outline.outer));
@@ -38,18 +40,19 @@ std::vector<NodeRings> rings_of(const Arrangement& arrangement, const std::vecto
 
 std::vector<Vec2> positions_of(const Arrangement& arrangement) {
   std::vector<Vec2> positions;
+  positions.reserve(at(arrangement.nodes()));
   for (int node = 0; node < arrangement.nodes(); ++node) positions.push_back(arrangement.position(node));
   return positions;
 }
 
 void fill_blocks(const std::vector<NodeRings>& rings, const CornerPlaces& places, const std::vector<Outline>& outlines,
                  const std::vector<FacePlace>& face_places, CutRock& rock) {
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    CutBlock block;
-    block.shape = polygon_of(rings[i], places);
-    block.opening = face_places[at(outlines[i].group)].opening;
-    rock.blocks.push_back(std::move(block));
-  }
+  constexpr std::size_t worth_sharing = 1000;
+  rock.blocks.resize(rings.size());
+  parallel_for_each(rings.size(), worth_sharing, [&](std::size_t i) {
+    rock.blocks[i].shape = polygon_of(rings[i], places);
+    rock.blocks[i].opening = face_places[at(outlines[i].group)].opening;
+  });
   put_in_order(rock.blocks);
 }
 
@@ -134,11 +137,16 @@ void finish_blocks(const Arrangement& arrangement, const FaceGroups& groups, con
                    const std::vector<Outline>& outlines, const PlanPieces& pieces, const RockPlan& plan,
                    CutRock& rock) {
   const Corners corners(arrangement, groups, pieces, plan);
-  const std::vector<NodeRings> rings = rings_of(arrangement, outlines, corners);
   CornerPlaces places(positions_of(arrangement));
-  close_short_edges(arrangement, corners, rings, rock.tolerance, places, rock.cleaned);
+  std::vector<NodeRings> rings;
+  std::vector<Contact> contacts;
+  at_once([&] { contacts = along_edges(contacts_of(arrangement, groups, pieces, plan), corners); },
+          [&] {
+            rings = rings_of(arrangement, outlines, corners);
+            close_short_edges(arrangement, corners, rings, rock.tolerance, places, rock.cleaned);
+          });
   fill_blocks(rings, places, outlines, face_places, rock);
-  fill_joints(along_edges(contacts_of(arrangement, groups, pieces, plan), corners), places, pieces, plan, rock);
+  fill_joints(contacts, places, pieces, plan, rock);
 }
 
 }  // namespace dda

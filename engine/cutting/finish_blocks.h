@@ -8,7 +8,8 @@
 
 namespace dda {
 
-// Fills blocks and joints of `rock` and notes edges that were closed. Corners are shared to the last bit.
+// Fills blocks and joints of `rock` and notes edges that were closed. Corners are shared to the last bit. `groups` have
+// settled.
 void finish_blocks(const Arrangement& arrangement, const FaceGroups& groups, const std::vector<FacePlace>& places,
                    const std::vector<Outline>& outlines, const PlanPieces& pieces, const RockPlan& plan, CutRock& rock);
 

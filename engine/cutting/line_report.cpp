@@ -23,11 +23,13 @@ struct Stretch {
 
 class Lines {
  public:
-  Lines(const Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces, const RockPlan& plan)
-      : arrangement_(arrangement), groups_(groups), pieces_(pieces), plan_(plan) {}
+  Lines(const Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces, const RockPlan& plan,
+        std::vector<Cleaned>& cleaned)
+      : arrangement_(arrangement), groups_(groups), pieces_(pieces), plan_(plan), cleaned_(cleaned) {}
 
-  std::vector<Cleaned> report() {
+  void report() {
     collect();
+    cleaned_.reserve(cleaned_.size() + stretches_.size() + plan_.lines.size());
     std::vector<bool> used(plan_.lines.size(), false);
     for (const Stretch& stretch : stretches_) {
       if (stretch.fate != Fate::dangles) used[at(source(stretch).line)] = true;
@@ -38,7 +40,6 @@ class Lines {
       if (!used[line])
         cleaned_.push_back({Cleaning::line_not_used, unused.points.front(), unused.points.back(), 0, unused.origin});
     }
-    return std::move(cleaned_);
   }
 
  private:
@@ -115,8 +116,8 @@ class Lines {
   const FaceGroups& groups_;
   const PlanPieces& pieces_;
   const RockPlan& plan_;
+  std::vector<Cleaned>& cleaned_;
   std::vector<Stretch> stretches_;
-  std::vector<Cleaned> cleaned_;
 };
 
 // The higher counts.
@@ -154,9 +155,9 @@ const std::string& joint_of(const Source& source, const RockPlan& plan) {
   return opening < 0 ? default_joint : plan.openings[at(opening)].joint;
 }
 
-std::vector<Cleaned> cleaned_lines(const Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces,
-                                   const RockPlan& plan) {
-  return Lines(arrangement, groups, pieces, plan).report();
+void report_lines(const Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces,
+                  const RockPlan& plan, std::vector<Cleaned>& cleaned) {
+  Lines(arrangement, groups, pieces, plan, cleaned).report();
 }
 
 }  // namespace dda

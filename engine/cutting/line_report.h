@@ -15,8 +15,8 @@ int counting_straight(const Arrangement& arrangement, int edge, const PlanPieces
 // Name of the joint along a straight; empty for the default joint.
 const std::string& joint_of(const Source& source, const RockPlan& plan);
 
-// `groups` as they were before anything was merged.
-std::vector<Cleaned> cleaned_lines(const Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces,
-                                   const RockPlan& plan);
+// Appends to `cleaned`; `groups` as they were before anything was merged.
+void report_lines(const Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces,
+                  const RockPlan& plan, std::vector<Cleaned>& cleaned);
 
 }  // namespace dda

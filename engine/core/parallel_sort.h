@@ -40,4 +40,31 @@ void parallel_sort(std::vector<Element>& elements) {
   parallel_sort(elements, [](const Element& a, const Element& b) { return a < b; });
 }
 
+// The same of elements most of which are in order: the others are sorted, and merged with them from the last one on.
+template <typename Element, typename Less>
+void sort_others(std::vector<Element>& elements, const Less& less) {
+  std::vector<Element> others;
+  std::size_t in_order = std::min<std::size_t>(1, elements.size());
+  for (std::size_t i = 1; i < elements.size(); ++i) {
+    if (less(elements[i], elements[in_order - 1]))
+      others.push_back(elements[i]);
+    else
+      elements[in_order++] = elements[i];
+  }
+  parallel_sort(others, less);
+  for (std::size_t to = elements.size(); !others.empty(); --to) {
+    if (in_order > 0 && less(others.back(), elements[in_order - 1])) {
+      elements[to - 1] = elements[--in_order];
+    } else {
+      elements[to - 1] = others.back();
+      others.pop_back();
+    }
+  }
+}
+
+template <typename Element>
+void sort_others(std::vector<Element>& elements) {
+  sort_others(elements, [](const Element& a, const Element& b) { return a < b; });
+}
+
 }  // namespace dda

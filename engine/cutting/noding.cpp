@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/core/parallel_sort.h"
+#include "engine/core/where.h"
 #include "engine/cutting/quadrants.h"
 #include "engine/geometry/segment.h"
 
@@ -175,20 +176,19 @@ void add_link(Noding& noding, int a, int b, int straight) {
   if (a != b) noding.links.push_back({std::min(a, b), std::max(a, b), straight});
 }
 
-void put_in_order(std::vector<Link>& links) {
-  parallel_sort(links);
-  links.erase(std::unique(links.begin(), links.end()), links.end());
-}
+void drop_repeated(std::vector<Link>& links) { links.erase(std::unique(links.begin(), links.end()), links.end()); }
 
 // One noding after another.
 class Again {
  public:
   Again(const Renoding& changed, const std::vector<Straight>& straights, const PixelGrid& grid)
       : changed_(changed), region_(changed.pixels, changed.places, changed.reach) {
-    for (const ChangedLink& each : changed.links) {
-      const PixelSegment segment{changed.pixels[at(each.link.from)], changed.pixels[at(each.link.to)]};
-      is_near_.push_back(each.is_changed || region_.meets(box_of(segment)));
-      if (is_near_.back()) near_.push_back({segment, each.link.straight});
+    is_near_ = flags_where(changed.links.size(), [&](std::size_t i) {
+      return changed.links[i].is_changed || region_.meets(box_of(segment_of(changed.links[i].link)));
+    });
+    for (std::size_t i = 0; i < is_near_.size(); ++i) {
+      const Link& link = changed.links[i].link;
+      if (is_near_[i] != 0) near_.push_back({segment_of(link), link.straight});
     }
     std::vector<Candidate> crossings;
     noding_.pairs_looked_at = add_crossings(near_, straights, grid, crossings);
@@ -196,25 +196,30 @@ class Again {
   }
 
   Noding links() {
-    std::vector<bool> is_asked(noding_.pixels.size());
-    for (std::size_t node = 0; node < is_asked.size(); ++node)
-      is_asked[node] = region_.meets({noding_.pixels[node], noding_.pixels[node]});
+    std::vector<char> is_asked = flags_where(noding_.pixels.size(), [&](std::size_t node) {
+      return region_.meets({noding_.pixels[node], noding_.pixels[node]});
+    });
     for (std::size_t i = 0; i < is_near_.size(); ++i) {
       const Link& link = changed_.links[i].link;
       const int from = new_number_[at(link.from)];
       const int to = new_number_[at(link.to)];
-      if (is_near_[i])
-        is_asked[at(from)] = is_asked[at(to)] = true;
+      if (is_near_[i] != 0)
+        is_asked[at(from)] = is_asked[at(to)] = 1;
       else
         add_link(noding_, from, to, link.straight);
     }
     add_near_links(is_asked);
-    put_in_order(noding_.links);
+    sort_others(noding_.links);
+    drop_repeated(noding_.links);
     noding_.pieces_noded = near_.size();
     return std::move(noding_);
   }
 
  private:
+  [[nodiscard]] PixelSegment segment_of(const Link& link) const {
+    return {changed_.pixels[at(link.from)], changed_.pixels[at(link.to)]};
+  }
+
   // Nodes that stay, and crossings between them; a node that stays counts before a crossing in its pixel.
   void place_nodes(std::vector<Candidate> crossings) {
     std::vector<int> staying;
@@ -225,8 +230,8 @@ class Again {
       return Candidate{changed_.pixels[at(node)], Kind::known, changed_.positions[at(node)]};
     };
     const auto less = [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); };
-    parallel_sort(staying,
-                  [&](int a, int b) { return std::pair(candidate(a).key(), a) < std::pair(candidate(b).key(), b); });
+    sort_others(staying,
+                [&](int a, int b) { return std::pair(candidate(a).key(), a) < std::pair(candidate(b).key(), b); });
     std::sort(crossings.begin(), crossings.end(), less);
     new_number_.assign(changed_.stays.size(), -1);
     auto crossing = crossings.begin();
@@ -244,11 +249,11 @@ class Again {
     noding_.positions.push_back(candidate.position);
   }
 
-  void add_near_links(const std::vector<bool>& is_asked) {
+  void add_near_links(const std::vector<char>& is_asked) {
     std::vector<Pixel> pixels;
     std::vector<int> numbers;
     for (std::size_t node = 0; node < is_asked.size(); ++node) {
-      if (!is_asked[node]) continue;
+      if (is_asked[node] == 0) continue;
       pixels.push_back(noding_.pixels[node]);
       numbers.push_back(static_cast<int>(node));
     }
@@ -264,7 +269,7 @@ class Again {
 
   const Renoding& changed_;
   PixelRegion region_;
-  std::vector<bool> is_near_;  // by link
+  std::vector<char> is_near_;  // by link
   std::vector<Piece> near_;
   std::vector<int> new_number_;  // by node; -1: it does not stay
   Noding noding_;
@@ -286,7 +291,8 @@ Noding node_pieces(const std::vector<Piece>& pieces, const std::vector<Straight>
     if (static_cast<double>(entries[i].way - entries[i - 1].way) <= way_of_diagonal * (reach + 1))
       found.crowded.push_back(entries[i].node);
   }
-  put_in_order(noding.links);
+  parallel_sort(noding.links);
+  drop_repeated(noding.links);
   for (const int node : found.crowded) noding.crowded.push_back({noding.pixels[at(node)], noding.pixels[at(node)]});
   return noding;
 }

@@ -154,4 +154,14 @@ PlanPieces pieces_of(const RockPlan& plan, double tolerance) {
   return collector.take();
 }
 
+std::vector<bool> drawn_nodes(const std::vector<Pixel>& nodes, const PlanPieces& pieces) {
+  std::vector<bool> is_drawn(nodes.size(), false);
+  auto end = pieces.ends.begin();
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    while (end != pieces.ends.end() && end->pixel < nodes[node]) ++end;
+    is_drawn[node] = end != pieces.ends.end() && end->pixel == nodes[node];
+  }
+  return is_drawn;
+}
+
 }  // namespace dda

@@ -47,4 +47,7 @@ inline bool is_bound(const PlanPieces& pieces, int straight, const RockPlan& pla
 // Ends that have nothing near them are not prolonged (lonely_ends.h): most of those of short lines by lot.
 PlanPieces pieces_of(const RockPlan& plan, double tolerance);
 
+// At which of `nodes`, pixels that ascend, something that was drawn ends.
+std::vector<bool> drawn_nodes(const std::vector<Pixel>& nodes, const PlanPieces& pieces);
+
 }  // namespace dda

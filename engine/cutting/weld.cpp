@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/core/parallel_sort.h"
+#include "engine/core/where.h"
 #include "engine/cutting/needless_prolongations.h"
 #include "engine/cutting/quadrants.h"
 #include "engine/geometry/box_pairs.h"
@@ -51,6 +52,7 @@ class Welder {
         reach_(static_cast<std::int64_t>(2 * round_off_ / pieces.grid.step() + 2 * least_steps_of_round_off)),
         region_(noding.pixels, unseen, reach_),
         into_(noding.pixels.size()),
+        is_drawn_(drawn_nodes(noding.pixels, pieces)),
         bounds_(noding.pixels.size(), {none, none}),
         links_at_(noding.pixels.size(), 0),
         is_tip_(noding.pixels.size(), false),
@@ -82,18 +84,11 @@ class Welder {
   // What comes of it, to be noded again.
   [[nodiscard]] Renoding renoding() {
     Renoding changed;
+    changed.links.reserve(noding_.links.size() + detours_.size());
     lead_links(changed);
     // Links that are the same may come in any order: it is only asked whether all of them have changed.
-    parallel_sort(changed.links, [](const ChangedLink& a, const ChangedLink& b) { return a.link < b.link; });
-    std::vector<ChangedLink> links;
-    for (auto first = changed.links.begin(), last = first; first != changed.links.end(); first = last) {
-      last = std::find_if(first, changed.links.end(),
-                          [&](const ChangedLink& each) { return !(each.link == first->link); });
-      const bool closed = pieces_.sources[at(first->link.straight)].curve != no_curve;
-      if (closed && (last - first) % 2 == 0) continue;  // there and back: it encloses nothing
-      links.push_back({first->link, std::all_of(first, last, [](const ChangedLink& each) { return each.is_changed; })});
-    }
-    changed.links = std::move(links);
+    sort_others(changed.links, [](const ChangedLink& a, const ChangedLink& b) { return a.link < b.link; });
+    keep_one_of_each(changed.links);
     changed.stays.resize(into_.size());
     for (std::size_t node = 0; node < into_.size(); ++node) changed.stays[node] = at(into_[node]) == node;
     changed.reach = reach_;
@@ -103,6 +98,18 @@ class Welder {
   }
 
  private:
+  void keep_one_of_each(std::vector<ChangedLink>& links) const {
+    auto end = links.begin();
+    for (auto first = links.begin(), last = first; first != links.end(); first = last) {
+      const ChangedLink& one = *first;
+      last = std::find_if(first, links.end(), [&](const ChangedLink& each) { return !(each.link == one.link); });
+      const bool closed = pieces_.sources[at(one.link.straight)].curve != no_curve;
+      if (closed && (last - first) % 2 == 0) continue;  // there and back: it encloses nothing
+      *end++ = {one.link, std::all_of(first, last, [](const ChangedLink& each) { return each.is_changed; })};
+    }
+    links.erase(end, links.end());
+  }
+
   void note_bound(int node, int straight) {
     auto& [one, other] = bounds_[at(node)];
     if (one == straight || other == straight) return;
@@ -118,19 +125,12 @@ class Welder {
     return has_bound(into, bounds_[at(node)][0]) && has_bound(into, bounds_[at(node)][1]);
   }
 
-  [[nodiscard]] bool is_drawn(int node) const {
-    const Pixel& pixel = noding_.pixels[at(node)];
-    const auto end = std::lower_bound(pieces_.ends.begin(), pieces_.ends.end(), pixel,
-                                      [](const KnownNode& a, const Pixel& b) { return a.pixel < b; });
-    return end != pieces_.ends.end() && end->pixel == pixel;
-  }
-
   // The lower stay where they are: corners of boundary and holes, what lies on these, crossings, so that lines stay
   // straight, ends and corners as drawn, ends of what was prolonged.
   [[nodiscard]] int rank(int node) const {
     const auto& [one, other] = bounds_[at(node)];
     if (one != none) return other != none ? 0 : 1;
-    if (is_drawn(node)) return 3;
+    if (is_drawn_[at(node)]) return 3;
     return links_at_[at(node)] > 1 ? 2 : 4;
   }
 
@@ -175,7 +175,7 @@ class Welder {
     bool any = false;
     for (int node = 0; at(node) < into_.size(); ++node) {
       const auto& [one, other, third] = near[at(node)];
-      if (third != none || is_drawn(node)) continue;
+      if (third != none || is_drawn_[at(node)]) continue;
       is_tip_[at(node)] = other == none;
       if (other == none) continue;
       into_[at(node)] = goal(one) != node ? goal(one) : goal(other);
@@ -190,20 +190,22 @@ class Welder {
   }
 
   [[nodiscard]] bool is_unseen(const PixelBox& box) const { return region_.meets(box); }
+  [[nodiscard]] bool is_unseen_node(std::size_t node) const {
+    return is_unseen({noding_.pixels[node], noding_.pixels[node]});
+  }
 
   [[nodiscard]] std::vector<std::pair<int, int>> near_pairs() const {
     std::vector<Box> boxes;
-    std::vector<int> nodes;
-    for (std::size_t node = 0; node < noding_.positions.size(); ++node) {
-      if (!is_unseen({noding_.pixels[node], noding_.pixels[node]})) continue;
+    const std::vector<std::size_t> nodes =
+        numbers_where(noding_.positions.size(), [&](std::size_t node) { return is_unseen_node(node); });
+    for (const std::size_t node : nodes) {
       const Vec2& position = noding_.positions[node];
       boxes.push_back(expanded(Box{position, position}, round_off_ / 2));
-      nodes.push_back(static_cast<int>(node));
     }
     std::vector<std::pair<int, int>> pairs = overlapping_pairs(boxes);
     for (auto& [a, b] : pairs) {
-      a = nodes[at(a)];
-      b = nodes[at(b)];
+      a = static_cast<int>(nodes[at(a)]);
+      b = static_cast<int>(nodes[at(b)]);
     }
     std::erase_if(pairs, [&](const auto& pair) {
       const auto& [a, b] = pair;
@@ -257,31 +259,29 @@ class Welder {
   }
 
   void find_detours() {
-    std::vector<Piece> pieces;
-    std::vector<int> links;
-    for (std::size_t i = 0; i < noding_.links.size(); ++i) {
+    const std::vector<std::size_t> links = numbers_where(noding_.links.size(), [&](std::size_t i) {
       const Link link = joined(noding_.links[i]);
-      if (link.from == link.to || !is_unseen(box_between(link.from, link.to))) continue;
+      return link.from != link.to && is_unseen(box_between(link.from, link.to));
+    });
+    std::vector<Piece> pieces;
+    for (const std::size_t i : links) {
+      const Link link = joined(noding_.links[i]);
       pieces.push_back({{noding_.pixels[at(link.from)], noding_.pixels[at(link.to)]}, link.straight});
-      links.push_back(static_cast<int>(i));
     }
+    const std::vector<std::size_t> nodes = numbers_where(into_.size(), [&](std::size_t node) {
+      return at(into_[node]) == node && !is_tip_[node] && is_unseen_node(node);
+    });
     std::vector<Pixel> pixels;
-    std::vector<int> nodes;
-    for (std::size_t node = 0; node < into_.size(); ++node) {
-      if (at(into_[node]) != node || is_tip_[node]) continue;
-      if (!is_unseen({noding_.pixels[node], noding_.pixels[node]})) continue;
-      pixels.push_back(noding_.pixels[node]);
-      nodes.push_back(static_cast<int>(node));
-    }
+    for (const std::size_t node : nodes) pixels.push_back(noding_.pixels[node]);
     const double steps = steps_of_round_off(pieces_);
     std::vector<std::vector<Detour>> parts(most_parts_of_plane);
-    visit_meetings(pieces, pixels, steps,
-                   [&](std::size_t part, std::span<const NearPiece> crowd, std::span<const NearNode> near) {
-                     for (const NearPiece& piece : crowd) {
-                       for (const NearNode& node : near)
-                         add_detour(links[at(piece.piece)], nodes[at(node.node)], parts[part]);
-                     }
-                   });
+    visit_meetings(
+        pieces, pixels, steps, [&](std::size_t part, std::span<const NearPiece> crowd, std::span<const NearNode> near) {
+          for (const NearPiece& piece : crowd) {
+            for (const NearNode& node : near)
+              add_detour(static_cast<int>(links[at(piece.piece)]), static_cast<int>(nodes[at(node.node)]), parts[part]);
+          }
+        });
     detours_ = in_one_list(std::move(parts));
     std::sort(detours_.begin(), detours_.end(), [](const Detour& a, const Detour& b) {
       return std::tie(a.link, a.share, a.node) < std::tie(b.link, b.share, b.node);
@@ -365,6 +365,7 @@ class Welder {
   PixelRegion region_;
   bool has_compared_ = false;
   std::vector<int> into_;                   // by node: that which it becomes, itself where it stays
+  std::vector<bool> is_drawn_;              // by node
   std::vector<std::array<int, 2>> bounds_;  // by node: straights of boundary and holes that it lies on
   std::vector<int> links_at_;
   std::vector<bool> is_tip_;

@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/where.h"
 #include "engine/geometry/fitted_groups.h"
 #include "engine/geometry/near_shapes.h"
 #include "engine/geometry/overlap.h"
@@ -44,21 +45,6 @@ std::vector<int> known_to_fit(const std::vector<const Polygon*>& shapes) {
 
 bool fit(int group, int other) { return group != no_group && group == other; }
 
-// The numbers below `count` for which `holds` says so, in their order; threads ask it.
-template <typename Condition>
-std::vector<std::size_t> where(std::size_t count, const Condition& holds) {
-  constexpr std::size_t worth_sharing = 256;
-  constexpr std::size_t at_once = 20'000;  // threads that others had may be free by the next ones
-  std::vector<char> found(count);
-  for (std::size_t first = 0; first < count; first += at_once)
-    parallel_for_each(std::min(at_once, count - first), worth_sharing,
-                      [&](std::size_t i) { found[first + i] = holds(first + i) ? 1 : 0; });
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < count; ++i)
-    if (found[i] != 0) numbers.push_back(i);
-  return numbers;
-}
-
 }  // namespace
 
 void check_blocks(const Model& model) {
@@ -91,7 +77,7 @@ void check_overlaps(const Model& model) {
   std::vector<std::pair<int, int>> pairs = suspect_pairs(model);
   std::erase_if(pairs, [&](const auto& pair) { return fit(groups[at(pair.first)], groups[at(pair.second)]); });
   const Overlaps overlaps(std::move(shapes));
-  for (const std::size_t i : where(pairs.size(), [&](std::size_t pair) {
+  for (const std::size_t i : numbers_where(pairs.size(), [&](std::size_t pair) {
          return overlaps.between(pairs[pair].first, pairs[pair].second, model.length_tolerance);
        })) {
     const auto& [a, b] = pairs[i];

@@ -74,7 +74,8 @@ std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, c
   std::future<std::string> picture = std::async(std::launch::async, [&] { return cut_picture(cut); });
   std::future<std::string> statistics =
       std::async(std::launch::async, [&] { return statistics_picture(cut, figures); });
-  std::vector<Output> outputs{{request.folder / "cut.json", report_json(cut, figures), ""}};
+  std::vector<Output> outputs;
+  outputs.push_back({request.folder / "cut.json", report_json(cut, figures), ""});
   outputs.push_back({request.folder / "cut.svg", picture.get(), ""});
   outputs.push_back({request.folder / "statistics.svg", statistics.get(), ""});
   if (!request.exported.empty()) outputs.push_back(exported(cut, request.exported));
@@ -100,7 +101,8 @@ void cut_into_folder(const CutRequest& request, std::ostream& out) {
     figures = figures_of(unchecked, seconds());
     outputs = outputs_of(unchecked, figures, request);
   });
-  outputs.insert(outputs.begin(), {request.folder / "scene.json", std::exchange(cut.text, {}), ""});
+  Output scene{request.folder / "scene.json", std::exchange(cut.text, {}), ""};
+  outputs.insert(outputs.begin(), std::move(scene));
   const FolderLock lock(request.folder);
   for (const Output& output : outputs) write_file(output.file, output.text);
   out << report_text(cut, figures);

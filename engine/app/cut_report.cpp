@@ -70,14 +70,15 @@ void append_entry(const Cleaned& cleaned, std::string& text) {
   text += "\n  }";
 }
 
-void append_list(const std::vector<const Cleaned*>& all, std::string& text) {
+// `more` bytes follow it in the text.
+void append_list(const std::vector<const Cleaned*>& all, std::size_t more, std::string& text) {
   if (all.empty()) {
     text += "[]";
     return;
   }
   text += "[\n";
   const auto append_one = [&](std::size_t i, std::string& to) { append_entry(*all[i], to); };
-  append_entries(all.size(), entries_in_part, ",\n", append_one, text);
+  append_entries(all.size(), entries_in_part, ",\n", append_one, text, more);
   text += "\n ]";
 }
 
@@ -161,7 +162,7 @@ std::string report_json(const CutScene& scene, const CutFigures& figures) {
   const std::size_t list = text.find(key) + key.size();
   const std::string rest = text.substr(list + std::string_view("[]").size());
   text.resize(list);
-  append_list(cleaned, text);
+  append_list(cleaned, rest.size(), text);
   text += rest;
   return text;
 }

@@ -3,19 +3,49 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "engine/core/at_once.h"
 #include "engine/core/parallel_sort.h"
 #include "engine/cutting/edge_left_of.h"
 
 namespace dda {
 namespace {
 
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+constexpr std::size_t worth_sharing = 1000;  // of walks
+
 // A closed walk along half-edges with one face on the left.
 struct Walk {
   int leftmost = 0;  // a half-edge that leaves the walk's first node from the left (from below where several)
   Wide double_area = 0;
 };
+
+struct Walks {
+  std::vector<Walk> all;
+  std::vector<int> number;  // by half-edge, of its walk
+};
+
+Walks walks_of(const Arrangement& arrangement) {
+  Walks walks{{}, std::vector<int>(at(arrangement.half_edges()), -1)};
+  for (int start = 0; start < arrangement.half_edges(); ++start) {
+    if (walks.number[at(start)] >= 0) continue;
+    Walk walk{start, 0};
+    const Pixel& reference = arrangement.pixel(arrangement.origin(start));
+    int half_edge = start;
+    do {
+      const int from = arrangement.origin(half_edge), to = arrangement.target(half_edge);
+      walks.number[at(half_edge)] = static_cast<int>(walks.all.size());
+      if (from < arrangement.origin(walk.leftmost)) walk.leftmost = half_edge;
+      walk.double_area += cross(arrangement.pixel(from) - reference, arrangement.pixel(to) - reference);
+      half_edge = arrangement.next(half_edge);
+    } while (half_edge != start);
+    walks.all.push_back(walk);
+  }
+  return walks;
+}
 
 }  // namespace
 
@@ -60,39 +90,26 @@ void Arrangement::sort_around_nodes() {
 // not (clockwise, or there and back along a tree): its face is that in which the part lies, which is found by looking
 // left from the walk's leftmost node. Nodes ascend in x, so parts further left are settled first.
 void Arrangement::find_faces() {
-  std::vector<Walk> walks;
-  std::vector<int> walk_of(origin_.size(), -1);
-  for (int start = 0; start < half_edges(); ++start) {
-    if (walk_of[at(start)] >= 0) continue;
-    Walk walk{start, 0};
-    const Pixel& reference = pixel(origin(start));
-    int half_edge = start;
-    do {
-      walk_of[at(half_edge)] = static_cast<int>(walks.size());
-      if (origin(half_edge) < origin(walk.leftmost)) walk.leftmost = half_edge;
-      walk.double_area += cross(pixel(origin(half_edge)) - reference, pixel(target(half_edge)) - reference);
-      half_edge = next(half_edge);
-    } while (half_edge != start);
-    walks.push_back(walk);
-  }
-  std::vector<int> face_of_walk(walks.size(), 0);
+  Walks walks;
+  std::optional<EdgeLeftOf> left;
+  at_once([&] { walks = walks_of(*this); }, [&] { left.emplace(pixels_, origin_); });
+  std::vector<int> face_of_walk(walks.all.size(), 0);
   std::vector<int> around;
   faces_ = 1;
-  for (std::size_t i = 0; i < walks.size(); ++i) {
-    if (walks[i].double_area > 0)
+  for (std::size_t i = 0; i < walks.all.size(); ++i) {
+    if (walks.all[i].double_area > 0)
       face_of_walk[i] = faces_++;
     else
       around.push_back(static_cast<int>(i));
   }
-  std::sort(around.begin(), around.end(),
-            [&](int a, int b) { return origin(walks[at(a)].leftmost) < origin(walks[at(b)].leftmost); });
-  const EdgeLeftOf left(pixels_, origin_);
-  for (const int walk : around) {
-    const int half_edge = left.of(origin(walks[at(walk)].leftmost));
-    if (half_edge >= 0) face_of_walk[at(walk)] = face_of_walk[at(walk_of[at(half_edge)])];
-  }
+  const auto start = [&](int walk) { return origin(walks.all[at(walk)].leftmost); };
+  std::sort(around.begin(), around.end(), [&](int a, int b) { return start(a) < start(b); });
+  std::vector<int> beside(around.size());
+  parallel_for_each(around.size(), worth_sharing, [&](std::size_t i) { beside[i] = left->of(start(around[i])); });
+  for (std::size_t i = 0; i < around.size(); ++i)
+    if (beside[i] >= 0) face_of_walk[at(around[i])] = face_of_walk[at(walks.number[at(beside[i])])];
   face_.resize(origin_.size());
-  for (std::size_t h = 0; h < face_.size(); ++h) face_[h] = face_of_walk[at(walk_of[h])];
+  for (std::size_t h = 0; h < face_.size(); ++h) face_[h] = face_of_walk[at(walks.number[h])];
 }
 
 void Arrangement::part_node(int first, int last, const Vec2& position, const Pixel& pixel) {

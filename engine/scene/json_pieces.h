@@ -32,10 +32,10 @@ void append_json_list(const List& list, const AppendOne& append_one, std::string
 }
 
 // What `append_one` makes of entry 0 to `count` - 1, with `separator` between, `in_part` entries each by the threads
-// that there are.
+// that there are. `more` bytes that follow find room in the text.
 template <typename AppendOne>
 void append_entries(std::size_t count, std::size_t in_part, std::string_view separator, const AppendOne& append_one,
-                    std::string& text) {
+                    std::string& text, std::size_t more = 0) {
   std::vector<std::string> parts((count + in_part - 1) / in_part);
   parallel_for_each(parts.size(), 1, [&](std::size_t part) {
     const std::size_t last = std::min(count, (part + 1) * in_part);
@@ -46,8 +46,8 @@ void append_entries(std::size_t count, std::size_t in_part, std::string_view sep
   });
   std::size_t size = text.size();
   for (const std::string& part : parts) size += part.size();
-  constexpr std::size_t end = 64;  // of the list and of what follows it
-  text.reserve(size + end);
+  constexpr std::size_t end = 64;  // of the list
+  text.reserve(size + end + more);
   for (std::string& part : parts) text += std::exchange(part, {});
 }
 

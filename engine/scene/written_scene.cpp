@@ -87,7 +87,8 @@ std::string written_scene(const json& document, const std::vector<GivenBlocks>& 
     }
     text += "\n  ]";
   }
-  return text + "\n}\n";
+  text += "\n}\n";
+  return text;
 }
 
 }  // namespace dda

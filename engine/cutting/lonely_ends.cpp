@@ -17,14 +17,18 @@ constexpr double near_in_tolerances = 4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-double distance_from(const Pixel& place, const PixelSegment& segment) {
+// Whether the segment comes within `reach` pixels.
+bool is_near(const Pixel& place, const PixelSegment& segment, double reach) {
   const auto along_x = static_cast<double>(segment.to.x - segment.from.x);
   const auto along_y = static_cast<double>(segment.to.y - segment.from.y);
   const auto x = static_cast<double>(place.x - segment.from.x);
   const auto y = static_cast<double>(place.y - segment.from.y);
   const double squared = along_x * along_x + along_y * along_y;
+  constexpr double room = 1.001;  // for round-off: most segments are far beside the place, which costs no root to tell
+  const double across = x * along_y - y * along_x;
+  if (across * across > room * reach * reach * squared) return false;
   const double share = squared > 0 ? std::clamp((x * along_x + y * along_y) / squared, 0.0, 1.0) : 0.0;
-  return std::hypot(x - share * along_x, y - share * along_y);
+  return std::hypot(x - share * along_x, y - share * along_y) <= reach;
 }
 
 // The first piece of a straight is what was drawn, others prolong it.
@@ -96,7 +100,7 @@ std::vector<bool> lonely_prolongations(const std::vector<Piece>& pieces, const P
                    for (const NearNode& end : near) {
                      const int own = pieces[candidates.pieces[at(end.node)]].straight;
                      const bool found = std::ranges::any_of(crowd, [&](const NearPiece& each) {
-                       return drawn[at(each.piece)].straight != own && distance_from(end.pixel, each.segment) <= reach;
+                       return drawn[at(each.piece)].straight != own && is_near(end.pixel, each.segment, reach);
                      });
                      has_company[at(end.node)] = found ? 1 : 0;
                    }

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/core/parallel_sort.h"
 #include "engine/cutting/lonely_ends.h"
 #include "engine/geometry/diameter.h"
 
@@ -45,7 +46,14 @@ std::optional<Straight> clipped(const Straight& given, const Box& box) {
 class Collector {
  public:
   Collector(const RockPlan& plan, const Box& box, double tolerance)
-      : plan_(plan), box_(box), pieces_{PixelGrid(box), tolerance, {}, {}, {}, {}, {}, {}, {}} {}
+      : plan_(plan), box_(box), pieces_{PixelGrid(box), tolerance, {}, {}, {}, {}, {}, {}, {}} {
+    std::size_t straights = 0;
+    for (const PlanLine& line : plan.lines) straights += line.points.size() - 1;
+    pieces_.straights.reserve(straights);
+    pieces_.sources.reserve(straights);
+    pieces_.pieces.reserve(3 * straights);  // two ends of each may be prolonged
+    pieces_.ends.reserve(2 * straights);
+  }
 
   void add_ring(const Ring& ring, int curve) {
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -62,8 +70,9 @@ class Collector {
   }
 
   PlanPieces take() {
-    std::sort(pieces_.ends.begin(), pieces_.ends.end(),
-              [](const KnownNode& a, const KnownNode& b) { return a.pixel < b.pixel; });
+    parallel_sort(pieces_.ends, [](const KnownNode& a, const KnownNode& b) {
+      return std::tuple(a.pixel, a.position.x(), a.position.y()) < std::tuple(b.pixel, b.position.x(), b.position.y());
+    });
     drop_lonely_prolongations();
     return std::move(pieces_);
   }
@@ -103,6 +112,7 @@ class Collector {
     pieces_.prolonged.assign(pieces_.straights.size(), false);
     pieces_.ends_alone.assign(pieces_.straights.size(), false);
     std::vector<Piece> kept;
+    kept.reserve(pieces_.pieces.size());
     for (std::size_t i = 0; i < is_lonely.size(); ++i) {
       const Piece& piece = pieces_.pieces[i];
       const auto straight = static_cast<std::size_t>(piece.straight);

@@ -32,23 +32,29 @@ void append_json_list(const List& list, const AppendOne& append_one, std::string
 }
 
 // What `append_one` makes of entry 0 to `count` - 1, with `separator` between, `in_part` entries each by the threads
-// that there are. `more` bytes that follow find room in the text.
+// that there are. A few parts at a time: all of them would be as much memory as the text. How long that becomes is
+// guessed from the first ones; `more` bytes that follow find room in it.
 template <typename AppendOne>
 void append_entries(std::size_t count, std::size_t in_part, std::string_view separator, const AppendOne& append_one,
                     std::string& text, std::size_t more = 0) {
-  std::vector<std::string> parts((count + in_part - 1) / in_part);
-  parallel_for_each(parts.size(), 1, [&](std::size_t part) {
-    const std::size_t last = std::min(count, (part + 1) * in_part);
-    for (std::size_t i = part * in_part; i < last; ++i) {
-      if (i > 0) parts[part] += separator;
-      append_one(i, parts[part]);
-    }
-  });
-  std::size_t size = text.size();
-  for (const std::string& part : parts) size += part.size();
-  constexpr std::size_t end = 64;  // of the list
-  text.reserve(size + end + more);
-  for (std::string& part : parts) text += std::exchange(part, {});
+  constexpr double room = 1.05;  // for later entries that are longer
+  std::vector<std::string> parts(16);
+  const std::size_t at_once = parts.size() * in_part;
+  for (std::size_t begin = 0; begin < count; begin += at_once) {
+    parallel_for_each(parts.size(), 1, [&](std::size_t part) {
+      parts[part].clear();
+      const std::size_t first = begin + part * in_part;
+      for (std::size_t i = first; i < std::min(count, first + in_part); ++i) {
+        if (i > 0) parts[part] += separator;
+        append_one(i, parts[part]);
+      }
+    });
+    const std::size_t before = text.size();
+    for (const std::string& part : parts) text += part;
+    if (begin > 0 || count <= at_once) continue;
+    const double longer = static_cast<double>(text.size() - before) * static_cast<double>(count - at_once);
+    text.reserve(text.size() + static_cast<std::size_t>(room * longer / static_cast<double>(at_once)) + more);
+  }
 }
 
 }  // namespace dda

@@ -41,5 +41,23 @@ TEST(JsonPieces, TextsAreThoseOfTheLibrary) {
   EXPECT_THROW(append_json_text("\xff", piece), nlohmann::json::type_error);
 }
 
+// Later entries are longer than is guessed from the first.
+TEST(JsonPieces, EntriesComeInTheirOrder) {
+  const auto append_one = [](std::size_t i, std::string& text) { text += std::string(i % 7 + i / 50, 'x'); };
+  for (const std::size_t count : {0U, 1U, 9U, 10U, 160U, 161U, 1000U, 1605U}) {
+    std::string expected = "[";
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0) expected += ", ";
+      append_one(i, expected);
+    }
+    for (const int threads : {1, 2, 4}) {
+      const ThreadsInUse in_use(threads);
+      std::string text = "[";
+      append_entries(count, 10, ", ", append_one, text, 5);
+      EXPECT_EQ(text, expected) << count << " with " << threads;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dda

@@ -99,6 +99,22 @@ TEST(ContactSolver, ForcesOfTheStartStay) {
   EXPECT_EQ(solved.solver.contacts()[0].force, made.states[0].force);
 }
 
+// Contacts that stay as they were leave the matrix that was factored: no iteration is taken, and all digits are there.
+TEST(ContactSolver, WhereNothingChangesOneSolutionWithTheFactorIsTheStep) {
+  HandMadeProblem made = block_on_floor({10, -100});
+  made.states[0].gap << -0.2, 0, 0, 0;
+  made.states[0].force << -0.2 * kn, 0, 0, 0;
+  const Solved solved(made, SolverKind::cholesky);
+  ASSERT_EQ(solved.solution.status, Status::ok);
+  EXPECT_EQ(solved.costs.counters.open_close_iterations, 1);
+  EXPECT_EQ(solved.costs.counters.solver_iterations, 0);
+  EXPECT_LT((solved.moved(1) - Vec2(10 / (inertia + ks), -100 / (inertia + kn))).norm(), 1e-15);
+  made.states[0].gap(0) = made.states[0].force(0) = 0;  // closes in the step: the factor is one without it
+  const Solved closing(made, SolverKind::cholesky);
+  ASSERT_EQ(closing.solution.status, Status::ok);
+  EXPECT_GT(closing.costs.counters.solver_iterations, 0);
+}
+
 // What is out of balance is next to nothing beside the contact's force, and yet more than is asked for on the block.
 TEST(ContactSolver, APassIsTakenWhereMoreBalanceIsAskedFor) {
   HandMadeProblem made = block_on_floor({0, -1e-11});

@@ -132,8 +132,12 @@ double stretch_capacity(const InterfaceSprings& springs, const EndStrength& stre
 
 double stretch_capacity(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                         int end) {
+  const bool residual = trial.residual[static_cast<std::size_t>(end)];
+  const bool is_mean = trial.rule.conserves_energy;
+  if (strength.cohesion_now(residual) == 0 && !is_mean)  // most joints, at no more cost than that of friction
+    return -strength.friction_now(residual) * pressing_force(springs, trial.force, end);
   const BrokenEnd broken = broken_end(trial, end);
-  if (!trial.rule.conserves_energy) return shear_capacity(springs, strength, broken, trial.force);
+  if (!is_mean) return shear_capacity(springs, strength, broken, trial.force);
   return 2 * shear_capacity(springs, strength, broken, (trial.force + trial.before) / 2);
 }
 

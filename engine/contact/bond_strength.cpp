@@ -62,21 +62,22 @@ BrokenEnd broken_end(const InterfaceTrial& trial, int end) {
 }
 
 // The share of its cohesion that a point of the stretch has, and how it follows the gaps of both, 1/m.
-double share_of_cohesion(const InterfaceSprings& springs, const Vec4& force, int end) {
-  return pressing_force(springs, force, end) / (force(0) + force(2));
-}
+double share_of_cohesion(const Vec4& force, int end) { return pressing_force(force, end) / (force(0) + force(2)); }
 
-Vec2 share_of_cohesion_by_gaps(const InterfaceSprings& springs, const Vec4& force, const Mat2& by_gaps, int end) {
-  const double pressing = pressing_force(springs, force, end), sum = force(0) + force(2);
+Vec2 share_of_cohesion_by_gaps(const Vec4& force, const Mat2& by_gaps, int end) {
+  const double pressing = pressing_force(force, end), sum = force(0) + force(2);
   if (pressing == sum) return Vec2::Zero();
   const Vec2 sum_by_gaps = by_gaps.colwise().sum();
-  return (pressing_slope(springs, force, by_gaps, end) - pressing / sum * sum_by_gaps) / sum;
+  return (pressing_slope(force, by_gaps, end) - pressing / sum * sum_by_gaps) / sum;
+}
+
+double friction_of(const EndStrength& strength, bool residual, const Vec4& force, int end) {
+  return -strength.friction_now(residual) * pressing_force(force, end);
 }
 
 // Joints without cohesion, and ends that do not press, have friction alone.
-bool has_cohesion(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
-                  const Vec4& force) {
-  return strength.cohesion_now(broken.residual) > 0 && pressing_force(springs, force, broken.end) < 0;
+bool has_cohesion(const EndStrength& strength, const BrokenEnd& broken, const Vec4& force) {
+  return strength.cohesion_now(broken.residual) > 0 && pressing_force(force, broken.end) < 0;
 }
 
 // What cohesion adds to the capacity of the stretch as a whole, N per m of thickness, and how that follows the gaps,
@@ -99,18 +100,18 @@ CohesionLeft cohesion_at(const InterfaceSprings& springs, const EndStrength& str
 
 double shear_capacity(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
                       const Vec4& force) {
-  const double friction = -strength.friction_now(broken.residual) * pressing_force(springs, force, broken.end);
-  if (!has_cohesion(springs, strength, broken, force)) return friction;
-  return friction + share_of_cohesion(springs, force, broken.end) * cohesion_at(springs, strength, broken).force;
+  const double friction = friction_of(strength, broken.residual, force, broken.end);
+  if (!has_cohesion(strength, broken, force)) return friction;
+  return friction + share_of_cohesion(force, broken.end) * cohesion_at(springs, strength, broken).force;
 }
 
 Vec2 shear_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
                             const Vec4& force, const Mat2& by_gaps) {
-  Vec2 slope = -strength.friction_now(broken.residual) * pressing_slope(springs, force, by_gaps, broken.end);
-  if (!has_cohesion(springs, strength, broken, force)) return slope;
+  Vec2 slope = -strength.friction_now(broken.residual) * pressing_slope(force, by_gaps, broken.end);
+  if (!has_cohesion(strength, broken, force)) return slope;
   const CohesionLeft cohesion = cohesion_at(springs, strength, broken);
-  slope += cohesion.force * share_of_cohesion_by_gaps(springs, force, by_gaps, broken.end);
-  slope += share_of_cohesion(springs, force, broken.end) * cohesion.by_gaps;
+  slope += cohesion.force * share_of_cohesion_by_gaps(force, by_gaps, broken.end);
+  slope += share_of_cohesion(force, broken.end) * cohesion.by_gaps;
   return slope;
 }
 
@@ -135,7 +136,7 @@ double stretch_capacity(const InterfaceSprings& springs, const EndStrength& stre
   const bool residual = trial.residual[static_cast<std::size_t>(end)];
   const bool is_mean = trial.rule.conserves_energy;
   if (strength.cohesion_now(residual) == 0 && !is_mean)  // most joints, at no more cost than that of friction
-    return -strength.friction_now(residual) * pressing_force(springs, trial.force, end);
+    return friction_of(strength, residual, trial.force, end);
   const BrokenEnd broken = broken_end(trial, end);
   if (!is_mean) return shear_capacity(springs, strength, broken, trial.force);
   return 2 * shear_capacity(springs, strength, broken, (trial.force + trial.before) / 2);
@@ -147,10 +148,6 @@ Vec2 stretch_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength
   const BrokenEnd broken = broken_end(trial, end);
   if (!trial.rule.conserves_energy) return shear_capacity_by_gaps(springs, strength, broken, trial.force, by_gaps);
   return 2 * shear_capacity_by_gaps(springs, strength, broken, (trial.force + trial.before) / 2, by_gaps / 2);
-}
-
-double cohesion_left(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& state) {
-  return cohesion_at(springs, strength, broken_end(state, 0)).force;
 }
 
 void note_torn(const InterfaceSprings& springs, InterfaceState& state) {

@@ -44,9 +44,6 @@ double stretch_capacity(const InterfaceSprings& springs, const EndStrength& stre
 Vec2 stretch_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                               const Mat2& by_gaps, int end);
 
-// What cohesion adds to the capacity of a broken stretch as a whole, N per m of thickness.
-double cohesion_left(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceState& state);
-
 // Notes at the end of a step how far a stretch that keeps its peak strength has torn. Without cohesion it has nothing
 // to lose by that, and need not be asked.
 void note_torn(const InterfaceSprings& springs, InterfaceState& state);

@@ -127,7 +127,9 @@ TEST(BondStrength, WhatIsLeftOfATornStretchHasItsCohesion) {
 
 double left_closed(InterfaceState state) {
   state.gap << -0.1, 0, -0.1, 0;
-  return cohesion_left(stretch_with(1 / 3.0), cohesive, state);
+  state.force << -10, 0, -10, 0;
+  const auto capacity = [&](int end) { return stretch_capacity(stretch_with(1 / 3.0), cohesive, state, end); };
+  return capacity(0) + capacity(1) - 0.5 * 20;
 }
 
 TEST(BondStrength, WhatHasGapedHasNoCohesionWhenItClosesAgain) {

@@ -98,20 +98,17 @@ inline bool presses_together(const InterfaceSprings& springs, const std::array<b
   return press_together(springs, broken) && (force(0) < 0 || force(2) < 0);
 }
 
-// The normal force by which the friction of an end goes, by the forces of the four rows. Where a projected stretch is
-// open beyond one of its points, the other has more than all of the force and this one pulls: that one then has what
+// The normal force by which the friction of an end of a stretch goes, by the forces of the four rows. Where the stretch
+// is open beyond one of its points, the other has more than all of the force and this one pulls: that one then has what
 // there is of both, this one nothing.
-inline double pressing_force(const InterfaceSprings& springs, const Vec4& force, int end) {
-  const double own = force(2 * end);
-  if (springs.law != InterfaceLaw::projected) return own;
-  return std::min(0.0, own + std::max(0.0, force(2 - 2 * end)));
+inline double pressing_force(const Vec4& force, int end) {
+  return std::min(0.0, force(2 * end) + std::max(0.0, force(2 - 2 * end)));
 }
 
 // How that force follows the normal gaps of both points (N/m per m of thickness), by how the normal forces of the
 // points (rows of `by_gaps`) do.
-inline Vec2 pressing_slope(const InterfaceSprings& springs, const Vec4& force, const Mat2& by_gaps, int end) {
-  if (springs.law != InterfaceLaw::projected) return by_gaps.row(end);
-  if (pressing_force(springs, force, end) == 0) return Vec2::Zero();
+inline Vec2 pressing_slope(const Vec4& force, const Mat2& by_gaps, int end) {
+  if (pressing_force(force, end) == 0) return Vec2::Zero();
   return force(2 - 2 * end) > 0 ? Vec2(by_gaps.colwise().sum()) : Vec2(by_gaps.row(end));
 }
 

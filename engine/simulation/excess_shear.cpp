@@ -49,13 +49,6 @@ double capacity_of(const ContactPoint& point, const EndStrength& strength, bool 
   return coulomb(strength.cohesion, strength.friction, point.normal_force);
 }
 
-// What a broken stretch has of its cohesion belongs to none of its ends: either point is given half of it.
-double capacity_of_half(const ContactPoint& point, const EndStrength& strength, const InterfaceElement& stretch,
-                        const InterfaceState& state) {
-  const double friction = -strength.friction_now(state.residual[0]) * std::min(0.0, point.normal_force);
-  return friction + cohesion_left(stretch, strength, state) / 2;
-}
-
 // One contact after the other, in memory that is kept.
 class JudgedPoints {
  public:
@@ -65,13 +58,14 @@ class JudgedPoints {
     const BlockSystem& s = system_;
     const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
     found_.clear();
-    append_contact_points(s.model, s.state, s.contacts.interfaces[i], s.contacts.elements[i], state, found_);
-    points_.clear();
     const EndStrength& strength = s.contacts.strengths[i];
-    const bool presses_as_one = press_together(s.contacts.elements[i], state.broken);
+    const InterfaceElement element = s.contacts.elements[i];
+    append_contact_points(s.model, s.state, s.contacts.interfaces[i], element, state, found_);
+    points_.clear();
+    const bool presses_as_one = press_together(element, state.broken);
     for (std::size_t end = 0; end < found_.size(); ++end)
       points_.push_back(
-          {found_[end], presses_as_one ? capacity_of_half(found_[end], strength, s.contacts.elements[i], state)
+          {found_[end], presses_as_one ? stretch_capacity(element, strength, state, static_cast<int>(end))
                                        : capacity_of(found_[end], strength, state.broken[end], state.residual[end])});
     return points_;
   }

@@ -54,7 +54,7 @@ auto law_of(const HandMadeProblem& made) {
     const bool on_bed = press_together(element, start.broken);
     const BedAnswer bed = on_bed ? press_bed(bed_of(element), {gap(0), gap(2)}) : BedAnswer();
     for (int end = 0; end < ends_of(element); ++end) {
-      const double capacity = made.strengths[k].capacity(pressing_force(element, start.force, end), false);
+      const double capacity = made.strengths[k].capacity(pressing_force(start.force, end), false);
       force(2 * end) = on_bed ? bed.force(end) : normal_spring * std::min(0.0, gap(2 * end));
       force(2 * end + 1) = std::clamp(shear_spring * gap(2 * end + 1), -capacity, capacity);
     }

@@ -226,9 +226,10 @@ Status FrictionPasses::solve_newton_step(Iterate& at, double relative) {
   };
   KrylovResult result;
   step_.setZero();
-  if (couplings_.empty() && riding_.empty() && at.matrix.has_its_factor()) {
+  const bool is_symmetric = couplings_.empty() && riding_.empty();
+  if (is_symmetric && at.matrix.has_its_factor()) {
     solve_with_factor(at, relative);
-  } else if (couplings_.empty() && riding_.empty()) {
+  } else if (is_symmetric) {
     const auto multiply = [&](const Eigen::VectorXd& v, Eigen::VectorXd& w) { multiply_in_pass(at, v, w); };
     result = gradients_.solve(multiply, precondition, residual_, relative, most_iterations, step_);
   } else {

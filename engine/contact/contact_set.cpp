@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
+#include "engine/contact/contact_sharing.h"
 #include "engine/contact/cubic_law.h"
 #include "engine/contact/projected_law.h"
+#include "engine/core/parallel.h"
+#include "engine/core/parallel_scatter.h"
 
 namespace dda {
 namespace {
@@ -71,9 +75,12 @@ Vec3 outline_force(const ContactSet& contacts, std::size_t block, const Mat3& el
 
 double outline_energy(const ContactSet& contacts, const std::vector<Vec3>& stress) {
   double energy = 0;
-  for (std::size_t i = 0; i < contacts.outline_compliance.size(); ++i)
-    energy += stress[i].dot(contacts.outline_compliance[i] * stress[i] / 2 + contacts.outline_strain[i]) +
-              contacts.outline_constant[i];
+  parallel_add(contacts.outline_compliance.size(), contacts_of_plain_sum, energy,
+               [&](std::size_t first, std::size_t last, double& sum) {
+                 for (std::size_t i = first; i < last; ++i)
+                   sum += stress[i].dot(contacts.outline_compliance[i] * stress[i] / 2 + contacts.outline_strain[i]) +
+                          contacts.outline_constant[i];
+               });
   return energy;
 }
 
@@ -131,30 +138,44 @@ void refresh_tractions(const State& state, ContactSet& contacts) {
   }
 }
 
-void add_interface_force(const InterfaceElement& element, const Vec4& interface_force, const Vec4& gap,
-                         Eigen::VectorXd& force) {
-  Segment6 on_a = force.segment<6>(6 * element.block_a);
-  Segment6 on_b = force.segment<6>(6 * element.block_b);
+namespace {
+
+// Adds to both blocks, or to one of them alone.
+void add_to_blocks(const InterfaceElement& element, const Vec4& interface_force, const Vec4& gap, Segment6 on_a,
+                   Segment6 on_b, bool to_a, bool to_b) {
   if (is_lone_vertex(element)) {
-    on_a.noalias() += element.rows_a.topRows<2>().transpose() * interface_force.head<2>();
-    on_b.noalias() += element.rows_b.topRows<2>().transpose() * interface_force.head<2>();
+    if (to_a) on_a.noalias() += element.rows_a.topRows<2>().transpose() * interface_force.head<2>();
+    if (to_b) on_b.noalias() += element.rows_b.topRows<2>().transpose() * interface_force.head<2>();
     return;
   }
-  on_a.noalias() += element.rows_a.transpose() * interface_force;
-  on_b.noalias() += element.rows_b.transpose() * interface_force;
+  if (to_a) on_a.noalias() += element.rows_a.transpose() * interface_force;
+  if (to_b) on_b.noalias() += element.rows_b.transpose() * interface_force;
   if (!has_stress_rows(element)) return;
-  on_a.tail<3>().noalias() += element.strain_rows_a.transpose() * gap;
-  on_b.tail<3>().noalias() += element.strain_rows_b.transpose() * gap;
+  if (to_a) on_a.tail<3>().noalias() += element.strain_rows_a.transpose() * gap;
+  if (to_b) on_b.tail<3>().noalias() += element.strain_rows_b.transpose() * gap;
+}
+
+}  // namespace
+
+void add_interface_force(const InterfaceElement& element, const Vec4& interface_force, const Vec4& gap,
+                         Eigen::VectorXd& force) {
+  add_to_blocks(element, interface_force, gap, force.segment<6>(6 * element.block_a),
+                force.segment<6>(6 * element.block_b), true, true);
 }
 
 void add_contact_force(const ContactSet& contacts, Eigen::VectorXd& force) {
-  InterfaceElement room;
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
-    const InterfaceElement& element = contacts.elements.read(i, room);
+  const auto blocks_of_contact = [&contacts](std::size_t i) {
+    return std::pair(contacts.interfaces[i].block_a, contacts.interfaces[i].block_b);
+  };
+  const auto add = [&](std::size_t i, bool on_a, bool on_b) {
+    const InterfaceElement& element = contacts.elements.but_for_blocks(i);
     const InterfaceState& state = contacts.states[i];
-    if (state.force.isZero(0) && !has_stress_rows(element)) continue;  // open
-    add_interface_force(element, state.force, state.gap, force);
-  }
+    if (state.force.isZero(0) && !has_stress_rows(element)) return;  // open
+    const auto [a, b] = blocks_of_contact(i);
+    add_to_blocks(element, state.force, state.gap, force.segment<6>(6 * a), force.segment<6>(6 * b), on_a, on_b);
+  };
+  const auto blocks = static_cast<std::size_t>(force.size() / 6);
+  parallel_scatter(contacts.interfaces.size(), blocks, contacts_worth_sharing, blocks_of_contact, add);
 }
 
 Vec4 gap_increment(const InterfaceElement& element, const Eigen::VectorXd& d) {

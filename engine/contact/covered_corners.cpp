@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/contact/contact_sharing.h"
 #include "engine/contact/entrance_cover.h"
 #include "engine/contact/pair_motion.h"
 #include "engine/core/parallel.h"

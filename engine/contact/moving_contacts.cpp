@@ -8,6 +8,7 @@
 
 #include "engine/contact/acting_frame.h"
 #include "engine/contact/contact_geometry.h"
+#include "engine/contact/contact_sharing.h"
 #include "engine/contact/covered_corners.h"
 #include "engine/contact/in_situ_force.h"
 #include "engine/contact/inherited_state.h"

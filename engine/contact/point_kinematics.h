@@ -20,6 +20,7 @@ class PointKinematics {
       : normal_(element.rows_b.block<1, 2>(0, 0).transpose()),
         ends_(ends_of(element)),
         rows_(element.law == InterfaceLaw::projected ? &element : nullptr) {
+    if (rows_ != nullptr) return;
     for (int end = 0; end < ends_; ++end) {
       arm_a_[index(end)] = -arm(element.rows_a, end);
       arm_b_[index(end)] = arm(element.rows_b, end);
@@ -61,12 +62,28 @@ class PointKinematics {
       return;
     }
     for (int end = 0; end < ends_; ++end) {
-      const double across = force(2 * end);
-      const double along = force(2 * end + 1);
-      const Vec2 global(normal_.x() * across - normal_.y() * along, normal_.y() * across + normal_.x() * along);
+      const Vec2 global = at_end(force, end);
       add(global, arm_b_[index(end)], on_b);
       add(-global, arm_a_[index(end)], on_a);
     }
+  }
+
+  // The same for one block alone, to the same bits.
+  template <typename Six>
+  void add_force_on_a(const Vec4& force, Six on_a) const {
+    if (rows_ != nullptr) {
+      on_a += rows_->rows_a.transpose() * force;
+      return;
+    }
+    for (int end = 0; end < ends_; ++end) add(-at_end(force, end), arm_a_[index(end)], on_a);
+  }
+  template <typename Six>
+  void add_force_on_b(const Vec4& force, Six on_b) const {
+    if (rows_ != nullptr) {
+      on_b += rows_->rows_b.transpose() * force;
+      return;
+    }
+    for (int end = 0; end < ends_; ++end) add(at_end(force, end), arm_b_[index(end)], on_b);
   }
 
  private:
@@ -77,6 +94,13 @@ class PointKinematics {
     const double across = rows(2 * end, 2);
     const double along = rows(2 * end + 1, 2);
     return {normal_.y() * across + normal_.x() * along, normal_.y() * along - normal_.x() * across};
+  }
+
+  // The force on block b at an end, by the forces of the rows.
+  [[nodiscard]] Vec2 at_end(const Vec4& force, int end) const {
+    const double across = force(2 * end);
+    const double along = force(2 * end + 1);
+    return {normal_.x() * across - normal_.y() * along, normal_.y() * across + normal_.x() * along};
   }
 
   // displacement_rows(arm) * d
@@ -98,7 +122,7 @@ class PointKinematics {
   }
 
   Vec2 normal_ = Vec2::Zero();  // unit, from block a into block b
-  std::array<Vec2, 2> arm_a_, arm_b_;
+  std::array<Vec2, 2> arm_a_{Vec2::Zero(), Vec2::Zero()}, arm_b_{Vec2::Zero(), Vec2::Zero()};
   int ends_ = 0;
   const InterfaceElement* rows_ = nullptr;
 };

@@ -11,9 +11,6 @@
 
 namespace dda {
 
-// What is done to each contact, some 0.1 us and more, is worth telling another thread from twice as many on.
-inline constexpr std::size_t contacts_worth_sharing = 256;
-
 struct VertexContact {
   int edge_block = 0;
   int vertex_block = 0;

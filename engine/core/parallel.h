@@ -95,6 +95,30 @@ double parallel_reduce(std::size_t elements, std::size_t grain, const Combine& c
   return whole;
 }
 
+// body(first, last, sum) adds what the elements of a range make to `sum`. A range that is not cut goes on from what
+// `into` holds; of others each piece begins with `nothing`, and combine(into, piece) puts them together from the first
+// to the last.
+template <typename Sum, typename Combine, typename Body>
+void parallel_accumulate(std::size_t elements, std::size_t grain, Sum& into, const Sum& nothing, const Combine& combine,
+                         const Body& body) {
+  const Pieces pieces = sum_pieces(elements, grain);
+  if (pieces.count == 1) {
+    body(std::size_t{0}, elements, into);
+    return;
+  }
+  std::array<Sum, most_sum_pieces> sums;
+  sums.fill(nothing);
+  for_each_piece(pieces, [&](std::size_t i, std::size_t first, std::size_t last) { body(first, last, sums[i]); });
+  for (const Sum& sum : sums) combine(into, sum);
+}
+
+// The same for a number.
+template <typename Body>
+void parallel_add(std::size_t elements, std::size_t grain, double& into, const Body& body) {
+  parallel_accumulate(
+      elements, grain, into, 0.0, [](double& sum, double piece) { sum += piece; }, body);
+}
+
 template <typename Body>
 double parallel_sum(std::size_t elements, std::size_t grain, const Body& body) {
   return parallel_reduce(elements, grain, std::plus<double>(), body);

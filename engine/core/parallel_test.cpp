@@ -5,10 +5,12 @@
 #include <atomic>
 #include <cmath>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/core/allocation_counter.h"
 #include "engine/core/at_once.h"
+#include "engine/core/parallel_scatter.h"
 
 namespace dda {
 namespace {
@@ -71,6 +73,45 @@ TEST(Parallel, SmallSumsAreThoseOfALoop) {
   for (const double value : values) loop += value;
   const ThreadsInUse in_use(4);
   EXPECT_EQ(sum_of(values), loop);
+}
+
+TEST(Parallel, SumsThatGoOnHaveTheSameBitsHoweverManyThreads) {
+  const auto sum_after = [](std::size_t count, int threads) {
+    const ThreadsInUse in_use(threads);
+    const std::vector<double> values = numbers(count);
+    double sum = 0.1;
+    parallel_add(count, 100, sum, [&](std::size_t first, std::size_t last, double& into) {
+      for (std::size_t i = first; i < last; ++i) into += values[i];
+    });
+    return sum;
+  };
+  double loop = 0.1;
+  for (const double value : numbers(199)) loop += value;
+  EXPECT_EQ(sum_after(199, 4), loop);
+  EXPECT_EQ(sum_after(12'345, 4), sum_after(12'345, 1));
+}
+
+// Numbers given to two of many, an odd one out of order: every sum is that of a plain loop, bit for bit.
+TEST(Parallel, WhatIsScatteredComesInTheOrderOfTheThings) {
+  constexpr std::size_t owners = 37, things = 5'000;
+  const std::vector<double> values = numbers(things);
+  const auto pair_of = [](std::size_t i) {
+    return std::pair(static_cast<int>(i * 7 % owners), static_cast<int>((i * i + 3) % owners));
+  };
+  std::vector<double> expected(owners, 0);
+  for (std::size_t i = 0; i < things; ++i) {
+    expected[static_cast<std::size_t>(pair_of(i).first)] += values[i];
+    expected[static_cast<std::size_t>(pair_of(i).second)] -= values[i] / 3;
+  }
+  for (const int threads : {1, 2, 5}) {
+    const ThreadsInUse in_use(threads);
+    std::vector<double> sums(owners, 0);
+    parallel_scatter(things, owners, 100, pair_of, [&](std::size_t i, bool to_first, bool to_second) {
+      if (to_first) sums[static_cast<std::size_t>(pair_of(i).first)] += values[i];
+      if (to_second) sums[static_cast<std::size_t>(pair_of(i).second)] -= values[i] / 3;
+    });
+    EXPECT_EQ(sums, expected) << threads << " threads";
+  }
 }
 
 TEST(Parallel, WorkIsSharedByThreads) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/phase_clock.h"
+#include "engine/core/tiny_is_zero.h"
 #include "engine/linear/block_order.h"
 #include "engine/linear/block_vectors.h"
 #include "engine/linear/small_inverse.h"
@@ -281,6 +282,7 @@ double IncompleteCholesky::largest_entry(const Eigen::VectorXd& r) const {
 double IncompleteCholesky::apply_diagonal(double unit, const Eigen::VectorXd& r, Eigen::VectorXd& z) {
   const double shrink = 1 / unit;
   parallel_for(order_.size(), blocks_worth_sharing, [&](std::size_t first, std::size_t last) {
+    const TinyIsZero on_this_thread;
     for (std::size_t place = first; place < last; ++place) {
       const auto own = r.segment<6>(6 * order_[place]);
       auto result = z.segment<6>(6 * order_[place]);
@@ -326,6 +328,7 @@ double IncompleteCholesky::substitute_halves(double unit, const Eigen::VectorXd&
 // Where the whole was factored the innermost loops need not ask which rows there are: half of their time.
 template <bool whole, bool apart>
 void IncompleteCholesky::forward(std::size_t first, std::size_t last) {
+  const TinyIsZero on_this_thread;
   for (std::size_t place = first; place < last; ++place) {
     const int j = places_[place];
     const ColumnFactors known(work_[at(j)]);
@@ -339,6 +342,7 @@ void IncompleteCholesky::forward(std::size_t first, std::size_t last) {
 template <bool whole>
 double IncompleteCholesky::backward(double unit, std::size_t first, std::size_t last, const Eigen::VectorXd& r,
                                     Eigen::VectorXd& z) {
+  const TinyIsZero on_this_thread;
   double product = 0;
   for (std::size_t place = last; place-- > first;) {
     const int j = places_[place];

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -239,6 +240,24 @@ TEST(IncompleteCholesky, AllocatesNothingOnceAnalyzed) {
 }
 
 // A floor under 40 blocks in a row must come last, or its elimination couples all of them.
+// A push on one end of a chain whose blocks hand a hundredth of it on: beyond 19 of them single precision has fewer and
+// fewer digits, which takes a hundred times as long to work with.
+TEST(IncompleteCholesky, HasNoNumbersTooSmallForAllTheirDigits) {
+  constexpr int blocks = 40;
+  BlockMatrix chain(blocks, grid_couplings(blocks, 1));
+  for (int i = 0; i < blocks; ++i) chain.add_coupling(i, i, Mat6::Identity());
+  for (int i = 0; i + 1 < blocks; ++i) chain.add_coupling(i, i + 1, -0.01 * Mat6::Identity());
+  for (const int level : {0, 1}) {
+    IncompleteCholesky factor = factored(chain, level);
+    const Eigen::VectorXd z = applied(factor, Eigen::VectorXd::Unit(6 * blocks, 0));
+    EXPECT_NEAR(z(6 * 15), 1e-30, 1e-32);
+    for (const double entry : z)
+      EXPECT_TRUE(entry == 0 || std::abs(entry) >= static_cast<double>(std::numeric_limits<float>::min())) << entry;
+  }
+  volatile double tiny = 1e-300;
+  EXPECT_GT(tiny * 1e-15, 0);  // elsewhere it is as ever
+}
+
 TEST(CuthillMckeeOrder, NumbersEveryBlockOnceAndHubsLast) {
   auto couplings = grid_couplings(40, 1);
   for (int i = 0; i < 40; ++i) couplings.emplace_back(40, i);

@@ -12,21 +12,23 @@ namespace {
 
 bool is_chain_like(const SolverScene& scene) { return scene.couplings <= 1.1 * scene.blocks; }
 
-// PCG to 1e-12 from a zero guess, on chains and grids of any size: with the diagonal blocks or, where a factor serves
-// one step only and is worth little, an incomplete factor.
+int fill_level(double chi) { return chi < 0.1 ? IncompleteCholesky::diagonal : 1; }
+
+// PCG to 1e-12 from a zero guess, on chains and grids of any size: with the diagonal blocks or with an incomplete
+// factor.
 double expected_iterations(const SolverScene& scene) {
-  return 3 + (scene.matrix_changes_every_step ? 2 : 67) * std::sqrt(scene.chi);
+  const bool has_factor = scene.matrix_changes_every_step || fill_level(scene.chi) != IncompleteCholesky::diagonal;
+  return 3 + (has_factor ? 2 : 67) * std::sqrt(scene.chi);
 }
 
 // The iterations of PCG that take as long as a direct solution: see the table in the README.
 double affordable_iterations(const SolverScene& scene) {
   if (scene.matrix_changes_every_step) return is_chain_like(scene) ? 20 : 17 * std::cbrt(scene.blocks);
   if (is_chain_like(scene)) return 1;
-  const bool factor_leaves_cache = scene.blocks > 5000;
-  return factor_leaves_cache ? 20 : 4;
+  const bool complete_factor_leaves_cache = scene.blocks > 5000;
+  if (fill_level(scene.chi) != IncompleteCholesky::diagonal) return complete_factor_leaves_cache ? 9 : 3;
+  return complete_factor_leaves_cache ? 20 : 4;
 }
-
-int fill_level(double chi) { return chi < 0.1 ? IncompleteCholesky::diagonal : 1; }
 
 }  // namespace
 

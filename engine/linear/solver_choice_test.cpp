@@ -13,8 +13,15 @@ TEST(ChooseSolver, ReusesAFactorOfAConstantMatrix) {
     EXPECT_EQ(choose_solver({200, 199, chi, false}), SolverKind::cholesky);
     EXPECT_EQ(choose_solver({2500, 4900, chi, false}), SolverKind::cholesky);
   }
-  EXPECT_EQ(choose_solver({10000, 19800, 0.2, false}), SolverKind::cholesky);
-  EXPECT_EQ(choose_solver({10000, 19800, 0.01, false}), SolverKind::pcg);
+}
+
+TEST(ChooseSolver, IteratesWhereACompleteFactorLeavesTheCacheUnlessTheStepIsLong) {
+  for (const double chi : {0.01, 0.3, 3.0}) {
+    EXPECT_EQ(choose_solver({10000, 19800, chi, false}), SolverKind::pcg);
+    EXPECT_EQ(choose_solver({40000, 79600, chi, false}), SolverKind::pcg);
+  }
+  for (const double chi : {32.0, 200.0}) EXPECT_EQ(choose_solver({10000, 19800, chi, false}), SolverKind::cholesky);
+  EXPECT_EQ(choose_solver({10000, 9999, 0.3, false}), SolverKind::cholesky);
 }
 
 TEST(ChooseSolver, IteratesWhereTheMatrixChangesEveryStepUnlessItIsStiff) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/contact/make_contacts.h"
+#include "engine/linear/block_vectors.h"
 #include "engine/simulation/acting_damping.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
@@ -67,13 +68,13 @@ void BlockSystem::loads_at(double time, Eigen::VectorXd& force) const {
 }
 
 void BlockSystem::sum_internal_forces(Eigen::VectorXd& force) const {
-  for (std::size_t i = 0; i < state.stress.size(); ++i) {
+  parallel_for_each(state.stress.size(), blocks_worth_sharing, [&](std::size_t i) {
     auto own = force.segment<6>(static_cast<Eigen::Index>(6 * i));
     own.head<3>().setZero();
     own.tail<3>() = stress_force(terms.area[i], state.stress[i]);
     if (!contacts.outline_compliance.empty())
       own.tail<3>() -= outline_force(contacts, i, terms.elasticity[i], state.stress[i]);
-  }
+  });
   add_contact_force(contacts, force);
   waves.add_end_forces(model, state.stress, force);
   add_support_force(supports, force);

@@ -102,11 +102,11 @@ void note_depths_in_thickness(const Model& model, const State& state, const Cont
   const double least_asked = std::max(noted_share, deepest.share) * widths.of_all;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements.own()[i];
+    if (element.law != InterfaceLaw::classical) continue;  // the gaps of the others are no distances
     const InterfaceState& own = contacts.states[i];
     for (int end = 0; end < ends_of(element); ++end) {
       const double depth = -(own.gap(2 * end) + own.held_open(static_cast<std::size_t>(end)));
-      if (depth <= least_asked) continue;                    // nearly all that there is
-      if (element.law != InterfaceLaw::classical) continue;  // the gaps of the others are no distances
+      if (depth <= least_asked) continue;  // nearly all that there is
       const double width = std::min(widths.of_blocks[static_cast<std::size_t>(element.block_a)],
                                     widths.of_blocks[static_cast<std::size_t>(element.block_b)]);
       const Interface& interface = contacts.interfaces[i];

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/contact/open_close.h"
+#include "engine/contact/contact_sharing.h"
 #include "engine/linear/block_vectors.h"
 #include "engine/terms/elasticity.h"
 
@@ -35,9 +35,11 @@ double strain_energy(const BlockTerms& terms, const State& state) {
 StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const ContactSet& contacts,
                            const std::vector<SupportElement>& supports) {
   double contact = support_energy(supports);
-  InterfaceElement room;
-  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
-    contact += interface_energy(contacts.elements.read(i, room), contacts.states[i]);
+  parallel_add(contacts.elements.size(), contacts_of_plain_sum, contact,
+               [&](std::size_t first, std::size_t last, double& sum) {
+                 for (std::size_t i = first; i < last; ++i)
+                   sum += interface_energy(contacts.elements.but_for_blocks(i), contacts.states[i]);
+               });
   return {kinetic_energy(terms, state), strain_energy(terms, state), contact - outline_energy(contacts, state.stress)};
 }
 
@@ -102,33 +104,6 @@ void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
   ledger_.bolts = stored.bolts;
   ledger_.linings = stored.linings;
   ledger_.largest = ledger_.scale();
-}
-
-void EnergyAudit::interface_changed(const InterfaceElement& element, const InterfaceState& before,
-                                    const InterfaceState& after, const Vec4& gap_change, const Vec4& extra_force,
-                                    double dashpot_delay) {
-  // What the balance of the step had of the contact: springs and dashpots together, and under steps that conserve
-  // energy another mean than that of the springs at both ends of the step.
-  const Vec4 borne = (before.force + after.force) / 2 + extra_force;
-  const double work = gap_change.dot(borne);
-  const Vec4 dashpot_force = (1 - dashpot_delay) * after.dashpot + dashpot_delay * before.dashpot;
-  double dashpot = gap_change.dot(dashpot_force);
-  double friction = 0;
-  for (std::size_t end = 0; end < 2; ++end) {
-    const auto normal_row = static_cast<Eigen::Index>(2 * end), shear_row = normal_row + 1;
-    // Where a step turns the slip round, the mean force may point against it: that is no friction.
-    if (const double slip = after.slip[end] - before.slip[end]; slip != 0) {
-      friction += std::max(0.0, borne(shear_row) * slip);
-      dashpot -= dashpot_force(shear_row) * slip;
-    }
-    // What sliding up its own slope gives back against the normal force is no loss.
-    if (const double rise = after.dilation[end] - before.dilation[end]; rise != 0)
-      friction += (borne(normal_row) - after.dashpot(normal_row)) * rise;
-  }
-  const double stored = interface_energy(element, after) - interface_energy(element, before);
-  ledger_.friction += friction;
-  ledger_.dashpot += dashpot;
-  ledger_.numerical += work - stored - friction - dashpot;
 }
 
 void EnergyAudit::geometry_followed(const StoredEnergy& stored) {

@@ -17,6 +17,7 @@
 #include "engine/model/energy.h"
 #include "engine/model/state.h"
 #include "engine/simulation/block_terms.h"
+#include "engine/simulation/contact_work.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/support_set.h"
 
@@ -63,14 +64,16 @@ class EnergyAudit {
   };
   void record(const StepWorks& works, const StoredEnergy& stored);
 
-  // Work of friction and of dashpots on one interface, and what status changes within the step make of it.
-  // `extra_force`: what the balance of the step had beyond the force that `after` keeps, times the weight of forces at
-  // the end of the step. `dashpot_delay`: how far (as a share of a step) behind the middle of the step the moment lies
-  // to which its balance belongs. A dashpot has the force of the velocity in that middle and acts at that moment, by
-  // this share already in the motion of the step that follows: where blocks meet, its first force is one of full speed
-  // on half of the way.
-  void interface_changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-                         const Vec4& gap_change, const Vec4& extra_force, double dashpot_delay);
+  // What contacts have taken and brought in so far, to go on from, and with a step more.
+  [[nodiscard]] ContactWork contact_work() const {
+    return {ledger_.external_work, ledger_.friction, ledger_.dashpot, ledger_.numerical};
+  }
+  void contacts_worked(const ContactWork& so_far) {
+    ledger_.external_work = so_far.brought;
+    ledger_.friction = so_far.friction;
+    ledger_.dashpot = so_far.dashpot;
+    ledger_.numerical = so_far.numerical;
+  }
 
   // A bolt, or an element of a lining, in the step: what it dissipated, and what else of the work on it is not stored.
   void bolt_changed(double plastic, double numerical) {

@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "engine/contact/bond_strength.h"
 #include "engine/contact/contact_geometry.h"
 #include "engine/contact/foreseen_gap.h"
 #include "engine/contact/interface_frame.h"
@@ -17,6 +16,7 @@
 #include "engine/contact/projected_stretch.h"
 #include "engine/core/phase_clock.h"
 #include "engine/model/moving_stages.h"
+#include "engine/simulation/accepted_contacts.h"
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/force_balance.h"
 #include "engine/simulation/free_field.h"
@@ -352,7 +352,7 @@ void GeneralStep::accept() {
   // What only a matrix built anew may see: the next step follows the geometry.
   const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance;
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
-  accept_contacts();
+  accept_contacts(solver_.contacts(), moving_.has_value(), s);
   if (s.plan.contacts_can_change) {
     note_penetrations(s.contacts, s.terms, s.state, deepest_);
     if (s.plan.finite_kinematics)  // or contacts stay those of the drawing, and nothing can pass
@@ -365,35 +365,6 @@ void GeneralStep::accept() {
   finish_step(work, s.stored_energy_now(), s);
   if (geometry_is_late) turn_strains_home(s.state, s.terms);  // what is recorded has the directions of now
   if (more_are_loose) s.drag.hold_loose(s.model.blocks.size(), s.held);
-}
-
-void GeneralStep::accept_contacts() {
-  BlockSystem& s = system_;
-  const double weight = s.coefficients.stiffness;
-  const bool gaps_are_foreseen = s.plan.finite_kinematics && s.coefficients.acts_at != 0.5;  // and do no work
-  const double dashpot_delay = s.coefficients.acts_at - 0.5;
-  const InterfaceTrials& trials = solver_.contacts();
-  for (std::size_t k = 0; k < trials.size(); ++k) {
-    const std::size_t i = trials.place(k);
-    const InterfaceElement& element = s.contacts.elements.own()[i];
-    const InterfaceState before = s.contacts.states[i];
-    InterfaceState after = finish_trial(element, before, trials[k]);
-    if (s.contacts.strengths[i].cohesion > 0) note_torn(element, after);
-    after.dashpot = weight * dashpot_force(element, trials[k]);
-    const Vec4 dropped = trials[k].force - after.force;
-    const bool drops = trials[k].force != after.force;
-    if (drops && !s.held.empty())  // the rest of their work is in audit_held_blocks
-      s.audit.held_blocks_moved_against(weight * s.held.gap_increment(element).dot(dropped));
-    const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
-    // Slip of ends that do not rise in the step is not counted (open_close.h), but takes energy.
-    const bool slides =
-        before.slip != after.slip || std::ranges::find(after.status, ContactStatus::sliding) != after.status.end();
-    if (before.status != after.status || slides || drops || gaps_are_foreseen || bends || !before.dashpot.isZero(0))
-      s.audit.interface_changed(element, before, after, gap_increment(element, s.increment), weight * dropped,
-                                dashpot_delay);
-    if (moving_) count_free_slip(element, trials[k].gap, after);
-    s.contacts.states[i] = after;
-  }
 }
 
 }  // namespace dda

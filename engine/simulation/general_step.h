@@ -90,7 +90,6 @@ class GeneralStep : public Step {
   void weaken(std::size_t i);
 
   void accept();
-  void accept_contacts();
 
   BlockSystem& system_;
   ContactSolver solver_;

@@ -16,9 +16,9 @@ void ContactSolver::begin(BlockMatrix pattern, SolverKind kind, double chi) {
 void ContactSolver::set_pattern(BlockMatrix pattern) { at_.matrix.set_pattern(std::move(pattern)); }
 
 const StepSolution& ContactSolver::solve(const StepProblem& problem) {
-  at_.problem = &problem;
   at_.contacts.start(problem.contacts);
   at_.bolts.start(problem.bolts);
+  at_.pose(problem);
   if (at_.matrix.is_amended()) at_.matrix.outdate();
   convex_.start(problem.guess);
   rises_ = 0;
@@ -42,9 +42,9 @@ void ContactSolver::begin_at(const Eigen::VectorXd& increment) {
 }
 
 const StepSolution& ContactSolver::go_on(const StepProblem& problem) {
-  at_.problem = &problem;
   at_.contacts.look_at(problem.contacts);
   at_.bolts.look_at(problem.bolts);
+  at_.pose(problem);
   if (problem.base_version != base_version_) at_.matrix.outdate();
   base_version_ = problem.base_version;
   solution_.broken_contacts.clear();

@@ -43,7 +43,7 @@ double zero_of(const Slope& slope, double at_zero, double at_one) {
 
 double negligible_force(const Iterate& at) {
   const double largest = std::max(at.bolts.largest_force(), at.contacts.largest_force());
-  return std::max(force_tolerance * largest, at.round_off_of_forces());
+  return std::max(force_tolerance * largest, at.round_off_of_forces);
 }
 
 void ConvexPasses::start(const Eigen::VectorXd& guess) {

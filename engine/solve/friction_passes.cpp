@@ -1,16 +1,18 @@
 #include "engine/solve/friction_passes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <span>
 #include <utility>
 
+#include "engine/contact/contact_sharing.h"
 #include "engine/contact/open_close.h"
 #include "engine/contact/projected_law.h"
 #include "engine/contact/rising_end.h"
-#include "engine/contact/vertex_contact.h"
 #include "engine/core/parallel.h"
+#include "engine/core/parallel_scatter.h"
 #include "engine/core/phase_clock.h"
 #include "engine/solve/largest_entry.h"
 
@@ -71,10 +73,41 @@ constexpr int most_iterations = 400;
 
 // Not a number where an entry is none.
 double largest_imbalance(const Iterate& at, const Eigen::VectorXd& forces) {
-  double largest = 0;
-  for (std::size_t i = 0; i < at.problem->areas.size(); ++i)
-    largest = std::max(largest, largest_entry(forces, i, at.problem->areas[i]));
-  return largest + 0 * forces.sum();
+  return largest_of_blocks(forces, at.problem->areas) + 0 * forces.sum();
+}
+
+LiveContact live_contact(const InterfaceTrials& contacts, std::size_t k) {
+  const InterfaceElement& element = contacts.element(k);
+  const InterfaceSprings& springs = element;
+  return {k, element.block_a, element.block_b, pieces_of(contacts[k]), false, false, springs, PointKinematics(element)};
+}
+
+// Lists the contacts that are not whole, and where they are.
+void list_live(const InterfaceTrials& contacts, std::vector<std::size_t>& places, std::vector<LiveContact>& live) {
+  places.clear();
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (!contacts.is_whole(k)) places.push_back(k);
+  live.resize(places.size());
+  parallel_for_each(live.size(), contacts_worth_sharing,
+                    [&](std::size_t i) { live[i] = live_contact(contacts, places[i]); });
+}
+
+double larger(double one, double other) { return std::max(one, other); }
+
+// Takes note of what of a contact's force does not depend on the unknowns; returns its largest entry.
+double note_constant(const Iterate& at, const LiveContact& contact, Vec4& constant) {
+  constant = at.contacts.constant_force(contact.trial, contact.springs);
+  return at.contacts[contact.trial].force.cwiseAbs().maxCoeff();
+}
+
+// Contacts of blocks that are asked for more than the others, as they are so light, are asked for more as well.
+PieceRule rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at, double largest_asked) {
+  const std::span<const double> asked = at.problem->asked_balance;
+  const double of_blocks =
+      std::min(asked[static_cast<std::size_t>(contact.block_a)], asked[static_cast<std::size_t>(contact.block_b)]);
+  if (of_blocks >= largest_asked) return rule;
+  return {.strict = rule.strict,
+          .negligible_force = std::min(rule.negligible_force, piece_tolerance_of_asked * of_blocks)};
 }
 
 }  // namespace
@@ -101,20 +134,17 @@ void FrictionPasses::take_part() {
 
 bool FrictionPasses::has_something_to_settle(const Iterate& at) {
   const PhaseScope scope(Phase::judging);
-  live_.clear();
-  between_pieces_ = on_beds_ = false;
   live_.reserve(at.contacts.size());
+  constants_.reserve(at.contacts.size());
   left_.pieces.reserve(at.contacts.size());
   couplings_.reserve(at.contacts.size());
   taken_.reserve(at.contacts.size());
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
-    if (at.contacts.is_whole(k)) continue;
-    const InterfaceElement& element = at.contacts.element(k);
-    const InterfaceSprings& springs = element;
-    live_.push_back({k, element.block_a, element.block_b, pieces_of(at.contacts[k]), false, false, springs,
-                     PointKinematics(element)});
-    on_beds_ = on_beds_ || press_together(springs, at.contacts[k].broken);
-  }
+  list_live(at.contacts, taken_, live_);
+  constants_.resize(live_.size());
+  between_pieces_ = false;
+  on_beds_ = std::ranges::any_of(live_, [&at](const LiveContact& contact) {
+    return press_together(contact.springs, at.contacts[contact.trial].broken);
+  });
   take_all();
   return !live_.empty() || !at.bolts.empty();
 }
@@ -144,6 +174,7 @@ bool FrictionPasses::find_balance(Iterate& at) {
     if (!(imbalance_ >= nearest_.imbalance)) nearest_.begin(imbalance_, pass);
   }
   if (!is_balanced(at)) return false;  // one that is and was asked for more stays what it is
+  if (live_.size() == at.contacts.size()) return true;
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     if (at.contacts.is_whole(k)) at.contacts.measure(k, at.increment);
   return true;
@@ -175,33 +206,37 @@ bool FrictionPasses::is_asked_for_more(const Iterate& at) const {
   return false;
 }
 
-// Contacts of blocks that are asked for more than the others, as they are so light, are asked for more as well.
-PieceRule FrictionPasses::rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at) const {
-  const std::span<const double> asked = at.problem->asked_balance;
-  const double of_blocks =
-      std::min(asked[static_cast<std::size_t>(contact.block_a)], asked[static_cast<std::size_t>(contact.block_b)]);
-  if (of_blocks >= largest_asked_) return rule;
-  return {.strict = rule.strict,
-          .negligible_force = std::min(rule.negligible_force, piece_tolerance_of_asked * of_blocks)};
-}
-
 double FrictionPasses::negligible_imbalance(const Iterate& at) const {
-  return std::max(balance_tolerance * largest_force_, at.round_off_of_forces());
+  return std::max(balance_tolerance * largest_force_, at.round_off_of_forces);
 }
 
 // What the balance leaves at the increments reached. Where interfaces are linear the matrix gives their forces.
 void FrictionPasses::form_residual(const Iterate& at) {
+  const auto note_constants = [&](std::size_t first, std::size_t last) {
+    double largest = 0;
+    for (std::size_t i = first; i < last; ++i) largest = larger(largest, note_constant(at, live_[i], constants_[i]));
+    return largest;
+  };
+  largest_force_ =
+      larger(at.bolts.largest_force(), parallel_reduce(live_.size(), contacts_worth_sharing, larger, note_constants));
+  sum_residual(at);
+}
+
+// The same where the constant forces of the contacts, and the largest force, are known.
+void FrictionPasses::sum_residual(const Iterate& at) {
   residual_ = at.problem->rhs;
-  largest_force_ = at.bolts.largest_force();
-  for (const LiveContact& contact : live_) {
-    const Vec4 constant = at.contacts.constant_force(contact.trial, contact.springs);
-    if (!constant.isZero(0)) contact.add_force(-at.problem->factor * constant, residual_);
-    largest_force_ = std::max(largest_force_, at.contacts[contact.trial].force.cwiseAbs().maxCoeff());
-  }
+  const auto blocks_of_contact = [this](std::size_t i) { return std::pair(live_[i].block_a, live_[i].block_b); };
+  parallel_scatter(live_.size(), at.problem->areas.size(), contacts_worth_sharing, blocks_of_contact,
+                   [&](std::size_t i, bool on_a, bool on_b) {
+                     if (!constants_[i].isZero(0))
+                       live_[i].add_force(-at.problem->factor * constants_[i], residual_, on_a, on_b);
+                   });
   at.bolts.add_rhs(at.problem->factor, residual_);
   at.matrix.couplings().move_to_right(at.problem->held, residual_);
-  at.matrix.values().multiply(at.increment, image_);
-  residual_ -= image_;
+  if (!at.increment.isZero(0)) {  // as it is where most steps begin
+    at.matrix.values().multiply(at.increment, image_);
+    residual_ -= image_;
+  }
   at.problem->held.clear(residual_);
   imbalance_ = largest_imbalance(at, residual_);
 }
@@ -246,6 +281,7 @@ void FrictionPasses::list_couplings(const Iterate& at) {
   riding_.clear();
   for (const std::size_t k : taken_) {
     const LiveContact& contact = live_[k];
+    if (!at.problem->dilates && std::ranges::none_of(contact.pieces, slides)) continue;
     Mat2 slopes = shear_by_normal_gap(contact.springs, at.contacts.strength(contact.trial), at.contacts[contact.trial],
                                       contact.pieces);
     if (at.problem->dilates) list_riding(at, contact, slopes);
@@ -314,13 +350,15 @@ void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
     residual_ -= image_;
   }
   bool one_changes = false;
+  std::atomic<bool> between = false;
   const bool all_are_asked_alike = at.problem->asked_balance.empty();
   const auto move_contacts = [&](std::size_t first, std::size_t last) {
+    double largest = 0;
     for (std::size_t i = first; i < last; ++i) {
       LiveContact& contact = live_[taken_[i]];
       const EndStrength& strength = at.contacts.strength(contact.trial);
       InterfaceTrial& trial = at.contacts[contact.trial];
-      const PieceRule own_rule = all_are_asked_alike ? rule : rule_of(contact, rule, at);
+      const PieceRule own_rule = all_are_asked_alike ? rule : rule_of(contact, rule, at, largest_asked_);
       const Vec4 force_before = trial.force;
       const ContactPieces pieces_before = contact.pieces;
       const Vec4 moved = contact.gap(step_);
@@ -332,22 +370,26 @@ void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
         contact.pieces = pieces_before;
         contact.between = stay_on_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       }
+      if (contact.between) between.store(true, std::memory_order_relaxed);
       if (is_local_) follow_residual(at, contact, moved, force_before);
+      if (!is_local_) largest = larger(largest, note_constant(at, contact, constants_[taken_[i]]));
     }
+    return largest;
   };
-  if (is_local_ || judged_by.one_by_one) {
-    move_contacts(0, taken_.size());  // blocks share their residual, contacts who may change
-  } else {
-    parallel_for(taken_.size(), contacts_worth_sharing, move_contacts);
-  }
-  between_pieces_ = std::ranges::any_of(taken_, [this](std::size_t k) { return live_[k].between; });
+  // Blocks share their residual in a local pass, and contacts who may change where one does.
+  const bool by_one_thread = is_local_ || judged_by.one_by_one;
+  const double largest = by_one_thread ? move_contacts(0, taken_.size())
+                                       : parallel_reduce(taken_.size(), contacts_worth_sharing, larger, move_contacts);
+  between_pieces_ = between;
   at.bolts.aim(step_);
   at.bolts.follow(1);
-  if (is_local_) {
-    at.problem->held.clear(residual_);
-    imbalance_ = largest_imbalance(at, residual_);
+  if (!is_local_) {
+    largest_force_ = larger(at.bolts.largest_force(), largest);
+    return sum_residual(at);
   }
-  if (!is_local_ || is_balanced(at)) form_residual(at);  // what was followed is only believed while it is not the end
+  at.problem->held.clear(residual_);
+  imbalance_ = largest_imbalance(at, residual_);
+  if (is_balanced(at)) form_residual(at);  // what was followed is only believed while it is not the end
 }
 
 }  // namespace dda

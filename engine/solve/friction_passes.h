@@ -77,9 +77,9 @@ class FrictionPasses {
   [[nodiscard]] double work_of_pass(const Iterate& at) const;
   [[nodiscard]] bool is_asked_for_more(const Iterate& at) const;
   [[nodiscard]] bool is_balanced(const Iterate& at) const;
-  [[nodiscard]] PieceRule rule_of(const LiveContact& contact, const PieceRule& rule, const Iterate& at) const;
   [[nodiscard]] double negligible_imbalance(const Iterate& at) const;
   void form_residual(const Iterate& at);
+  void sum_residual(const Iterate& at);
 
   [[nodiscard]] Status solve_newton_step(Iterate& at, double relative);
   void solve_with_factor(const Iterate& at, double relative);
@@ -113,6 +113,8 @@ class FrictionPasses {
   bool on_beds_ = false;         // some live contact lies
   Nearest nearest_;
   PointLeft left_;
+
+  std::vector<Vec4> constants_;  // forces of the live contacts that do not depend on the unknowns
 
   // 6 entries a block.
   Eigen::VectorXd residual_;    // what is left of the balance at the increments reached

@@ -1,15 +1,24 @@
 #include "engine/solve/interface_trials.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/contact_sharing.h"
 #include "engine/contact/open_close.h"
+#include "engine/core/parallel.h"
 #include "engine/solve/step_matrix.h"
 
 namespace dda {
 namespace {
 
 const ContactRows no_rows{Vec4::Constant(-1), 0};  // differs from all that can be active
+
+// Whether break_ends may find something to do at the end of the step.
+bool can_break(const EndStrength& strength, const InterfaceTrial& trial) {
+  const bool has_nothing_left = trial.broken[0] && trial.broken[1] && strength.is_dry() && strength.friction_drop <= 0;
+  return !trial.rule.sticks && !has_nothing_left;
+}
 
 }  // namespace
 
@@ -20,7 +29,12 @@ InterfaceTrial InterfaceTrials::started(std::size_t k) const {
 void InterfaceTrials::start(const ChangingContacts& contacts) {
   contacts_ = contacts;
   trials_.resize(contacts.places.size());
-  for (std::size_t k = 0; k < trials_.size(); ++k) trials_[k] = started(k);
+  std::atomic<bool> some_can_break = false;
+  parallel_for_each(trials_.size(), contacts_worth_sharing, [&](std::size_t k) {
+    trials_[k] = started(k);
+    if (can_break(strength(k), trials_[k])) some_can_break.store(true, std::memory_order_relaxed);
+  });
+  some_can_break_ = some_can_break;
   if (matrix_rows_.size() != trials_.size()) matrix_rows_.assign(trials_.size(), no_rows);
 }
 
@@ -37,14 +51,17 @@ void InterfaceTrials::admit(std::size_t k, const std::array<bool, 2>& broken, co
   trial.gap += gap_increment(element(k), d);
   trial.broken = broken;
   respond(element(k), trial);
+  some_can_break_ = true;
   const auto at = static_cast<std::ptrdiff_t>(k);
   trials_.insert(trials_.begin() + at, trial);
   matrix_rows_.insert(matrix_rows_.begin() + at, no_rows);
 }
 
 std::int64_t InterfaceTrials::take_up_rows() {
-  std::int64_t changes = 0;
-  for (std::size_t k = 0; k < trials_.size(); ++k) changes += take_up_rows(k) ? 1 : 0;
+  std::atomic<std::int64_t> changes = 0;
+  parallel_for_each(trials_.size(), contacts_worth_sharing, [&](std::size_t k) {
+    if (take_up_rows(k)) changes.fetch_add(1, std::memory_order_relaxed);
+  });
   return changes;
 }
 
@@ -135,6 +152,7 @@ double InterfaceTrials::follow_dilations() {
 }
 
 void InterfaceTrials::break_ends_beyond_strength(std::vector<int>& broken) {
+  if (!some_can_break_) return;
   for (std::size_t k = 0; k < trials_.size(); ++k) {
     if (!break_ends(element(k), strength(k), trials_[k])) continue;
     update_capacity(element(k), strength(k), trials_[k]);

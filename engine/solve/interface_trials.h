@@ -89,7 +89,7 @@ class InterfaceTrials {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [contacts, trials, matrix_rows] = self;
+    auto& [contacts, trials, matrix_rows, some_can_break] = self;
     archive(matrix_rows);  // the others begin with every step
   }
 
@@ -99,6 +99,7 @@ class InterfaceTrials {
   ChangingContacts contacts_;
   std::vector<InterfaceTrial> trials_;
   std::vector<ContactRows> matrix_rows_;
+  bool some_can_break_ = false;  // an end, in the step
 };
 
 }  // namespace dda

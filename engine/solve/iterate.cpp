@@ -8,13 +8,11 @@
 
 namespace dda {
 
-double Iterate::round_off_of_forces() const {
+void Iterate::pose(const StepProblem& posed) {
+  problem = &posed;
   constexpr double share =
       1e-13;  // of the largest on the right-hand side, moments as forces at the arm of a block's size
-  double largest = 0;
-  for (std::size_t block = 0; block < problem->areas.size(); ++block)
-    largest = std::max(largest, largest_entry(problem->rhs, block, problem->areas[block]));
-  return share * largest;
+  round_off_of_forces = is_linear() ? 0 : share * largest_of_blocks(problem->rhs, problem->areas);
 }
 
 Status Iterate::bring_matrix_up_to_date(bool& changed) {

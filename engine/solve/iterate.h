@@ -18,6 +18,7 @@ struct Iterate {
 
   Costs& costs;
   const StepProblem* problem = nullptr;
+  double round_off_of_forces = 0;  // what a solve leaves on blocks that only just touch, N per m of thickness
   InterfaceTrials contacts;
   BoltTrials bolts;
   StepMatrix matrix;
@@ -26,8 +27,8 @@ struct Iterate {
   // No contact and no bolt: one linear solve is all there is to do.
   [[nodiscard]] bool is_linear() const { return contacts.empty() && bolts.empty(); }
 
-  // What a solve leaves of the forces on blocks that only just touch, N per m of thickness.
-  [[nodiscard]] double round_off_of_forces() const;
+  // The problem from now on.
+  void pose(const StepProblem& posed);
 
   // The matrix is to hold the stiffness of the rows active now: assembled and factored anew where it does not.
   // `changed` tells whether some row did.
@@ -38,7 +39,7 @@ struct Iterate {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [costs, problem, contacts, bolts, matrix, increment] = self;
+    auto& [costs, problem, round_off_of_forces, contacts, bolts, matrix, increment] = self;
     archive(contacts, bolts);  // the matrix is made anew, increments begin at zero
   }
 

@@ -1,0 +1,84 @@
+#include "engine/simulation/accepted_contacts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "engine/contact/bond_strength.h"
+#include "engine/contact/contact_sharing.h"
+#include "engine/contact/open_close.h"
+#include "engine/contact/projected_stretch.h"
+#include "engine/core/parallel.h"
+
+namespace dda {
+namespace {
+
+bool slides(const InterfaceState& before, const InterfaceState& after) {
+  return before.slip != after.slip || std::ranges::find(after.status, ContactStatus::sliding) != after.status.end();
+}
+
+class Acceptance {
+ public:
+  Acceptance(const InterfaceTrials& trials, bool moves, BlockSystem& system)
+      : trials_(trials),
+        moves_(moves),
+        elements_(system.contacts.elements.own()),
+        strengths_(system.contacts.strengths),
+        states_(system.contacts.states),
+        held_(system.held),
+        increment_(system.increment),
+        weight_(system.coefficients.stiffness),
+        dashpot_delay_(system.coefficients.acts_at - 0.5),
+        gaps_are_foreseen_(system.plan.finite_kinematics && system.coefficients.acts_at != 0.5) {}
+
+  void accept(std::size_t k, ContactWork& work) const {
+    const std::size_t i = trials_.place(k);
+    const InterfaceElement& element = elements_[i];
+    const InterfaceState before = states_[i];
+    InterfaceState after = finish_trial(element, before, trials_[k]);
+    if (strengths_[i].cohesion > 0) note_torn(element, after);
+    after.dashpot = weight_ * dashpot_force(element, trials_[k]);
+    book(element, before, after, trials_[k].force, work);
+    if (moves_) count_free_slip(element, trials_[k].gap, after);
+    states_[i] = after;
+  }
+
+ private:
+  void book(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
+            const Vec4& force, ContactWork& work) const {
+    const Vec4 dropped = force - after.force;
+    const bool drops = force != after.force;
+    if (drops && !held_.empty())  // the rest of their work is in audit_held_blocks
+      work.brought += weight_ * held_.gap_increment(element).dot(dropped);
+    const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
+    // Slip of ends that do not rise in the step is not counted (open_close.h), but takes energy.
+    if (before.status != after.status || slides(before, after) || drops || gaps_are_foreseen_ || bends ||
+        !before.dashpot.isZero(0))
+      work.changed(element, before, after, gap_increment(element, increment_), weight_ * dropped, dashpot_delay_);
+  }
+
+  const InterfaceTrials& trials_;
+  bool moves_;
+  std::span<const InterfaceElement> elements_;
+  std::span<const EndStrength> strengths_;
+  std::span<InterfaceState> states_;
+  const HeldUnknowns& held_;
+  const Eigen::VectorXd& increment_;
+  double weight_, dashpot_delay_;
+  bool gaps_are_foreseen_;  // and do no work
+};
+
+}  // namespace
+
+void accept_contacts(const InterfaceTrials& trials, bool moves, BlockSystem& system) {
+  const Acceptance acceptance(trials, moves, system);
+  ContactWork work = system.audit.contact_work();
+  const auto add = [](ContactWork& sum, const ContactWork& piece) { sum += piece; };
+  parallel_accumulate(trials.size(), contacts_of_plain_sum, work, ContactWork{}, add,
+                      [&](std::size_t first, std::size_t last, ContactWork& sum) {
+                        for (std::size_t k = first; k < last; ++k) acceptance.accept(k, sum);
+                      });
+  system.audit.contacts_worked(work);
+}
+
+}  // namespace dda

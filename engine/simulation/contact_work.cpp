@@ -1,0 +1,36 @@
+#include "engine/simulation/contact_work.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/contact/contact_set.h"
+
+namespace dda {
+
+void ContactWork::changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
+                          const Vec4& gap_change, const Vec4& extra_force, double dashpot_delay) {
+  // What the balance of the step had of the contact: springs and dashpots together, and under steps that conserve
+  // energy another mean than that of the springs at both ends of the step.
+  const Vec4 borne = (before.force + after.force) / 2 + extra_force;
+  const double work = gap_change.dot(borne);
+  const Vec4 dashpot_force = (1 - dashpot_delay) * after.dashpot + dashpot_delay * before.dashpot;
+  double by_dashpot = gap_change.dot(dashpot_force);
+  double by_friction = 0;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const auto normal_row = static_cast<Eigen::Index>(2 * end), shear_row = normal_row + 1;
+    // Where a step turns the slip round, the mean force may point against it: that is no friction.
+    if (const double slip = after.slip[end] - before.slip[end]; slip != 0) {
+      by_friction += std::max(0.0, borne(shear_row) * slip);
+      by_dashpot -= dashpot_force(shear_row) * slip;
+    }
+    // What sliding up its own slope gives back against the normal force is no loss.
+    if (const double rise = after.dilation[end] - before.dilation[end]; rise != 0)
+      by_friction += (borne(normal_row) - after.dashpot(normal_row)) * rise;
+  }
+  const double stored = interface_energy(element, after) - interface_energy(element, before);
+  friction += by_friction;
+  dashpot += by_dashpot;
+  numerical += work - stored - by_friction - by_dashpot;
+}
+
+}  // namespace dda

@@ -8,12 +8,12 @@
 #include "engine/contact/narrow_phase.h"
 #include "engine/contact/pair_motion.h"
 #include "engine/core/parallel.h"
-#include "engine/geometry/box_pairs.h"
 
 namespace dda {
 namespace {
 
-constexpr double growth = 0.1;      // of a block's size, on every side of its box
+constexpr double growth = 0.1;           // of a block's size, on every side of its bounds
+constexpr double growth_by_width = 0.3;  // of a slender block's width, so that it does not reach beyond its neighbours
 constexpr double deepest = 0.1;     // of the smaller size: a vertex further inside has not come in through this edge
 constexpr double round_off = 1e-9;  // of the smaller size: gaps and places on edges nearer than this are the same
 
@@ -28,10 +28,6 @@ constexpr double margin = 1.5;
 constexpr std::size_t pieces_of_pairs = 16;
 constexpr std::size_t pairs_worth_sharing = 512;
 
-bool contains(const Box& outer, const Box& inner) {
-  return (inner.lower.array() >= outer.lower.array()).all() && (inner.upper.array() <= outer.upper.array()).all();
-}
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
@@ -40,15 +36,21 @@ ContactSearch::ContactSearch(const Model& model, const State& state) : outlines_
   for (const Block& block : model.blocks) sizes_.push_back(std::sqrt(block.moments.area));
   smallest_size_ = *std::min_element(sizes_.begin(), sizes_.end());
   room_.assign(sizes_.size(), 0);
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    const Box along = slanted_box(outlines_, static_cast<int>(i)).box;
+    const double width = (along.upper - along.lower).minCoeff();
+    // Twice what contacts are looked for in at least, or lists would hardly ever hold.
+    growth_.push_back(std::clamp(growth_by_width * width, 2 * reach * sizes_[i], growth * sizes_[i]));
+  }
   list_pairs();
 }
 
 void ContactSearch::list_pairs() {
   must_list_ = false;
-  grown_.resize(outlines_.boxes.size());
-  for (std::size_t i = 0; i < grown_.size(); ++i)
-    grown_[i] = is_absent(i) ? Box{} : expanded(outlines_.boxes[i], growth * sizes_[i] + lift_ + room_[i]);
-  const std::vector<std::pair<int, int>> before = std::exchange(pairs_, overlapping_pairs(grown_));
+  std::vector<double> margins(sizes_.size());
+  for (std::size_t i = 0; i < margins.size(); ++i) margins[i] = is_absent(i) ? -1 : growth_[i] + lift_ + room_[i];
+  bounds_.set(outlines_, margins);
+  const std::vector<std::pair<int, int>> before = std::exchange(pairs_, bounds_.overlapping());
   const std::vector<double> wider_before = std::exchange(wider_, std::vector<double>(pairs_.size(), 0.0));
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (wider_before[k] == 0) continue;
@@ -63,8 +65,8 @@ bool ContactSearch::update(const Model& model, const State& state, double lift) 
   if (!std::exchange(just_widened_, false)) forget_slowly();
   update_outlines(model, state, outlines_);
   bool left = must_list_;
-  for (std::size_t i = 0; i < grown_.size() && !left; ++i)
-    left = !is_absent(i) && !contains(grown_[i], expanded(outlines_.boxes[i], reach * sizes_[i] + lift_));
+  for (std::size_t i = 0; i < sizes_.size() && !left; ++i)
+    left = !is_absent(i) && !bounds_.hold(outlines_, static_cast<int>(i), reach * sizes_[i] + lift_);
   if (left) list_pairs();
   return left;
 }
@@ -104,7 +106,7 @@ bool ContactSearch::widen(const Model& model, const State& state, const Eigen::V
   for (int i = 0; i < outlines_.blocks(); ++i) {
     if (is_absent(at(i))) continue;
     motion[at(i)] = largest_displacement(moving(i));
-    if (contains(grown_[at(i)], expanded(outlines_.boxes[at(i)], motion[at(i)]))) continue;
+    if (bounds_.hold(outlines_, i, motion[at(i)])) continue;
     room_[at(i)] = margin * motion[at(i)];
     must_list_ = wider = true;
   }

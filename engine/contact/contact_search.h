@@ -1,7 +1,8 @@
 // Follows which blocks can touch while they move.
 //
-// Broad phase: boxes grown by a tenth of each block's size; the list of pairs holds until some block leaves its grown
-// box (a Verlet list). Narrow phase: vertex-edge contacts of the listed pairs, see vertex_contact.h.
+// Broad phase: boxes grown by a tenth of each block's size, or less where it is slender; the list of pairs holds until
+// some block leaves its grown boxes (a Verlet list, block_bounds.h). Narrow phase: vertex-edge contacts of the listed
+// pairs, see vertex_contact.h.
 //
 // Contacts are looked for from a share of the smaller block away. Where a step turns out to move the blocks of a pair
 // further against each other than that, a contact could have been missed: `widen` notices, and from then on looks as
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact/block_bounds.h"
 #include "engine/contact/outlines.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/model/model.h"
@@ -68,9 +70,9 @@ class ContactSearch {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [outlines, sizes, smallest_size, absent, lift, grown, room, must_list, just_widened, pairs, wider] = self;
-    archive(outlines, lift);
-    archive.each(grown);
+    auto& [outlines, sizes, growth, smallest_size, absent, lift, bounds, room, must_list, just_widened, pairs, wider] =
+        self;
+    archive(outlines, lift, bounds);
     archive.of_blocks(room);
     archive(must_list, just_widened);
     archive.pairs_of_blocks(pairs);
@@ -90,12 +92,13 @@ class ContactSearch {
 
   Outlines outlines_;
   std::vector<double> sizes_;
+  std::vector<double> growth_;  // of the bounds of each block, m
   double smallest_size_ = 0;
   std::vector<bool> absent_;  // empty where no block is
   double lift_ = 0;
-  std::vector<Box> grown_;    // boxes of the broad phase
+  BlockBounds bounds_;        // of the broad phase
   std::vector<double> room_;  // by how much more than usual each is grown for what moves far in a step, m
-  bool must_list_ = false;    // some block needs more room than its grown box has
+  bool must_list_ = false;    // some block needs more room than its bounds have
   bool just_widened_ = false;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<double> wider_;  // of each pair: contacts are looked for from at least this far away, m

@@ -30,6 +30,42 @@ Model random_boxes(int count, double least, double most, double room, std::mt199
   return model;
 }
 
+Ring turned(Ring ring, double angle) {
+  for (Vec2& vertex : ring) vertex = rotation(angle) * vertex;
+  return ring;
+}
+
+// Slabs, 5 to 100 times as long as thick, in disorder and in every direction.
+Model random_slabs(int count, double room, std::mt19937& generator) {
+  const auto number = [&](double lower, double upper) {
+    return std::uniform_real_distribution<>(lower, upper)(generator);
+  };
+  Model model;
+  for (int i = 0; i < count; ++i) {
+    const double length = number(0.5, 2), thickness = length / std::pow(10, number(0.7, 2));
+    const Vec2 place(number(0, room), number(0, room));
+    Block& block = model.blocks.emplace_back();
+    block.shape.outer = turned(box_ring(0, 0, length, thickness), number(0, 4));
+    for (Vec2& vertex : block.shape.outer) vertex += place;
+    block.moments = area_moments(block.shape);
+  }
+  return model;
+}
+
+// Beds of 0.3 m, cut every 10 m, all of them turned.
+Model dipping_beds(int beds, double angle) {
+  Model model;
+  for (int bed = 0; bed < beds; ++bed) {
+    for (int k = 0; k < 4; ++k) {
+      Block& block = model.blocks.emplace_back();
+      const double left = 10 * k + 3.7 * (bed % 3);
+      block.shape.outer = turned(box_ring(left, 0.3 * bed, left + 10, 0.3 * (bed + 1)), angle);
+      block.moments = area_moments(block.shape);
+    }
+  }
+  return model;
+}
+
 using Pairs = std::set<std::pair<int, int>>;
 using Keys = std::vector<std::pair<int, int>>;  // edge, vertex
 
@@ -120,6 +156,25 @@ TEST(ContactSearch, ListedPairsHoldAllThatAreNear) {
       }
     }
   }
+}
+
+TEST(ContactSearch, FindsWhatBruteForceFindsBetweenSlabsInEveryDirection) {
+  for (unsigned seed = 11; seed < 15; ++seed) {
+    std::mt19937 generator(seed);
+    follow_random_motion(random_slabs(60, 5, generator), 100, 0.003, generator);
+  }
+}
+
+// However rock is turned it has the same pairs, and beds those that touch: at 35 degrees twenty beds cross the upright
+// box of each block.
+TEST(ContactSearch, BedsHaveTheirNeighboursWhateverTheirDip) {
+  const auto pairs_at = [](double angle) {
+    const Model model = dipping_beds(30, angle);
+    return ContactSearch(model, initial_state(model)).pairs();
+  };
+  const std::vector<std::pair<int, int>> level = pairs_at(0);
+  for (const auto& [a, b] : level) EXPECT_LE(b / 4 - a / 4, 1);
+  for (const double angle : {0.1, 0.61, -1.2, 1.4}) EXPECT_EQ(pairs_at(angle), level) << angle;
 }
 
 TEST(ContactSearch, BondedPairsAreLeftOut) {

@@ -7,7 +7,10 @@
 namespace dda {
 namespace {
 
-constexpr double sums = 64;  // roundings of the largest energy that differences of sums of it may have together
+// Roundings of the largest energy that differences of sums of it may have together: a few for each sum, and what each
+// step rounds, which walks at random. Six stages of rock at rest, 1,100 to 4,400 steps long, had 0.8 to 6.4 times the
+// root.
+double roundings(std::int64_t steps) { return 64 + 8 * std::sqrt(static_cast<double>(steps)); }
 
 double stored(const EnergyLedger& energy) { return energy.strain + energy.contact + energy.bolts + energy.linings; }
 
@@ -32,9 +35,11 @@ double EnergyRelease::relative_difference() const {
   return std::abs(difference) <= round_off ? 0 : difference / most;
 }
 
-EnergyRelease energy_release(const EnergyLedger& after) { return energy_release(start_of(after), after); }
+EnergyRelease energy_release(const EnergyLedger& after, std::int64_t steps) {
+  return energy_release(start_of(after), after, steps);
+}
 
-EnergyRelease energy_release(const EnergyLedger& before, const EnergyLedger& after) {
+EnergyRelease energy_release(const EnergyLedger& before, const EnergyLedger& after, std::int64_t steps) {
   EnergyRelease release;
   release.work = after.external_work - before.external_work;
   release.strain = stored(after) - stored(before);
@@ -46,7 +51,7 @@ EnergyRelease energy_release(const EnergyLedger& before, const EnergyLedger& aft
       (after.damping - before.damping) + (after.dashpot - before.dashpot) + (after.numerical - before.numerical);
   release.radiated = after.radiated - before.radiated;
   release.removed = after.removed - before.removed;
-  release.round_off = sums * std::numeric_limits<double>::epsilon() * after.scale();
+  release.round_off = roundings(steps) * std::numeric_limits<double>::epsilon() * after.scale();
   return release;
 }
 

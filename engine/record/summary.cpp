@@ -50,7 +50,8 @@ Json released_in_stages(const RunSummary& summary) {
   const EnergyLedger* before = nullptr;
   for (const auto& [name, energy] : summary.energy_at_end) {
     Json entry = {{"stage", name}};
-    entry.update(to_json(before == nullptr ? energy_release(energy) : energy_release(*before, energy)));
+    entry.update(to_json(before == nullptr ? energy_release(energy, summary.steps)
+                                           : energy_release(*before, energy, summary.steps)));
     stages.push_back(entry);
     before = &energy;
   }
@@ -103,7 +104,7 @@ Json to_json(const RunSummary& summary) {
   json["blocks_out_of_balance"] = summary.blocks_out_of_balance;
   json["counters"] = to_json(summary.counters);
   json["energy"] = to_json(summary.energy);
-  json["energy_released"] = to_json(energy_release(summary.energy));
+  json["energy_released"] = to_json(energy_release(summary.energy, summary.steps));
   json["energy_released"]["stages"] = released_in_stages(summary);
   json["energy_release_rates"] = summary.energy_release_rates;
   json["excess_shear"] = summary.excess_shear;

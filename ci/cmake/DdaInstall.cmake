@@ -1,13 +1,13 @@
 # Install rules: the engine's libraries and headers for find_package(dda), and the program. Included once, after engine/.
 include(CMakePackageConfigHelpers)
 
-# The engine's modules without app, which is the program's command line and no library to build on.
+# The engine's modules without those of the program alone: its command line, and PETSc, which is no library to build on.
 get_property(modules GLOBAL PROPERTY DDA_MODULES)
 set(installed)
 foreach(module ${modules})
   get_target_property(folder ${module} SOURCE_DIR)
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${CMAKE_SOURCE_DIR}")
-  if(folder MATCHES "^engine/" AND NOT folder STREQUAL "engine/app")
+  if(folder MATCHES "^engine/" AND NOT folder MATCHES "^engine/(app|distributed)$")
     list(APPEND installed ${module})
     install(DIRECTORY "${folder}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/dda/engine" FILES_MATCHING PATTERN "*.h")
   endif()

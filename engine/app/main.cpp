@@ -1,5 +1,14 @@
 #include <iostream>
 
 #include "engine/app/command_line.h"
+#ifdef DDA_PETSC
+#include "engine/distributed/processes.h"
+#endif
 
-int main(int argc, char** argv) { return dda::run_command_line(argc, argv, std::cout, std::cerr); }
+int main(int argc, char** argv) {
+#ifdef DDA_PETSC
+  const dda::Processes processes;
+  if (!dda::Processes::is_first()) return dda::Processes::follow();
+#endif
+  return dda::run_command_line(argc, argv, std::cout, std::cerr);
+}

@@ -1,9 +1,11 @@
 #include "engine/linear/solver_choice.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "engine/linear/cholesky_solver.h"
 #include "engine/linear/dense_solver.h"
+#include "engine/linear/over_processes.h"
 #include "engine/linear/pcg_solver.h"
 
 namespace dda {
@@ -30,6 +32,15 @@ double affordable_iterations(const SolverScene& scene) {
   return complete_factor_leaves_cache ? 20 : 4;
 }
 
+PcgOptions options_for(double chi, MatrixUse use) {
+  return {.fill_level = fill_level(chi), .matrix_stays = use == MatrixUse::stays};
+}
+
+std::unique_ptr<LinearSolver> make_over_processes(const PcgOptions& options) {
+  if (!over_processes().make) throw std::logic_error("make_solver: this program has no PETSc");
+  return over_processes().make(options);
+}
+
 }  // namespace
 
 SolverKind choose_solver(const SolverScene& scene) {
@@ -38,9 +49,8 @@ SolverKind choose_solver(const SolverScene& scene) {
 
 std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi, MatrixUse use) {
   switch (kind) {
-    case SolverKind::pcg:
-      return std::make_unique<PcgSolver>(
-          PcgOptions{.fill_level = fill_level(chi), .matrix_stays = use == MatrixUse::stays});
+    case SolverKind::pcg: return std::make_unique<PcgSolver>(options_for(chi, use));
+    case SolverKind::petsc: return make_over_processes(options_for(chi, use));
     case SolverKind::dense: return std::make_unique<DenseSolver>();
     case SolverKind::cholesky: break;
   }

@@ -8,16 +8,20 @@
 
 namespace dda {
 
-enum class SolverKind { cholesky, pcg, dense };
+enum class SolverKind { cholesky, pcg, dense, petsc };
 
 constexpr std::string_view to_string(SolverKind kind) {
   switch (kind) {
     case SolverKind::cholesky: return "cholesky";
     case SolverKind::pcg: return "pcg";
     case SolverKind::dense: return "dense";
+    case SolverKind::petsc: return "petsc";
   }
   return "unknown";
 }
+
+// Whether it starts from a guess, and takes the longer the worse that is.
+constexpr bool is_iterative(SolverKind kind) { return kind == SolverKind::pcg || kind == SolverKind::petsc; }
 
 // The facts of a scene that decide.
 struct SolverScene {
@@ -30,13 +34,15 @@ struct SolverScene {
 
 // PCG where the iterations that chi makes it need are cheaper than what a direct solution costs in this scene: a reused
 // factor where the matrix stays, a new factor where it changes every step. The figures behind it are in the README of
-// this folder. Never dense: that one is the oracle of tests. A chi that is not a number or infinite gives cholesky.
+// this folder. Never dense, the oracle of tests, nor petsc, which few builds have. A chi that is not a number or
+// infinite gives cholesky.
 SolverKind choose_solver(const SolverScene& scene);
 
 // Whether a matrix serves many solutions once it is factored, or few.
 enum class MatrixUse { changes, stays };
 
-// `chi` decides on the fill of PCG's preconditioner.
+// `chi` decides on the fill of the preconditioner of PCG and of PETSc. Throws std::logic_error for PETSc where the
+// program has none (over_processes.h).
 std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi = 0, MatrixUse use = MatrixUse::changes);
 
 }  // namespace dda

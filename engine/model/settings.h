@@ -49,7 +49,7 @@ enum class Kinematics {
   finite,  // blocks move and rotate, geometry follows
 };
 
-enum class SolverRequest { automatic, cholesky, pcg, dense };
+enum class SolverRequest { automatic, cholesky, pcg, dense, petsc };
 
 // What becomes of a run when a static stage that asks for equilibrium ends with blocks that have none.
 enum class OnUnbalanced {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/linear/over_processes.h"
 #include "engine/scene/places.h"
 #include "engine/scene/read_withdrawal.h"
 #include "engine/scene/sections.h"
@@ -46,7 +47,11 @@ Kinematics read_kinematics(const Field& field) {
 
 SolverRequest read_solver(const Field& field) {
   using enum SolverRequest;
-  return std::vector{automatic, cholesky, pcg, dense}.at(field.choice({"auto", "cholesky", "pcg", "dense"}));
+  const std::vector all{automatic, cholesky, pcg, dense, petsc};
+  const SolverRequest wanted = all.at(field.choice({"auto", "cholesky", "pcg", "dense", "petsc"}));
+  if (wanted == petsc && !over_processes().make)
+    field.fail("a solver of this program, which was built without PETSc (ci/petsc builds it with)");
+  return wanted;
 }
 
 void read_duration(const Field& field, Stage& stage) {

@@ -14,6 +14,6 @@ constexpr ContactStatus last_of(ContactStatus /*any*/) { return ContactStatus::o
 constexpr InterfaceLaw last_of(InterfaceLaw /*any*/) { return InterfaceLaw::projected; }
 constexpr Released last_of(Released /*any*/) { return Released::lining; }
 constexpr SmallMotionFault last_of(SmallMotionFault /*any*/) { return SmallMotionFault::may_have_passed; }
-constexpr SolverKind last_of(SolverKind /*any*/) { return SolverKind::dense; }
+constexpr SolverKind last_of(SolverKind /*any*/) { return SolverKind::petsc; }
 
 }  // namespace dda

@@ -128,7 +128,7 @@ class StageChoice {
     size.coupled_pairs = size.interfaces;
     const double chi = stiffness_number(contacts_, make_block_terms(model_, stage), stage.dt);
     StepPlan plan = make_plan(model_, index_, contacts_, static_cast<int>(size.coupled_pairs), chi);
-    if (plan.solver != SolverKind::pcg) {
+    if (!is_iterative(plan.solver)) {
       if (!factored_) factored_ = size_of(contacts_, make_system_matrix(static_cast<int>(size.blocks), contacts_));
       size = *factored_;
     }

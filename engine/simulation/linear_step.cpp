@@ -77,7 +77,7 @@ Status LinearStep::solve() {
     const Status status = matrix_.factorize();
     if (status != Status::ok) return status;
   }
-  if (s.plan.solver == SolverKind::pcg) foresee_increment();
+  if (is_iterative(s.plan.solver)) foresee_increment();
   return matrix_.solve(s.held, rhs_, system_.increment);
 }
 

@@ -30,7 +30,7 @@ double factor_solve_seconds(const SceneSize& size) {
 }
 
 double solve_seconds(const SceneSize& size, const StepPlan& plan) {
-  if (plan.solver == SolverKind::pcg) {
+  if (is_iterative(plan.solver)) {
     const double matrix_blocks = static_cast<double>(size.blocks + 2 * size.coupled_pairs);
     return (3 + 67 * std::sqrt(plan.chi)) * matrix_blocks * per_pcg_block;
   }
@@ -52,7 +52,7 @@ double sliding_step_seconds(const SceneSize& size, const StepPlan& plan) {
   const auto contacts = static_cast<double>(size.interfaces);
   const double passes = 5 * std::pow(static_cast<double>(size.blocks) / 100, 0.12);
   const double uncached = std::pow(std::max(1.0, contacts / cached_contacts), 0.2);
-  const double factors = plan.solver == SolverKind::pcg ? 0 : factored_in_pass * factor_seconds(size);
+  const double factors = is_iterative(plan.solver) ? 0 : factored_in_pass * factor_seconds(size);
   return passes * (per_step + per_contact_in_pass * contacts * uncached + factors);
 }
 
@@ -91,9 +91,9 @@ StageCost cost_of(const SceneSize& size, const StepPlan& plan, std::int64_t step
   StageCost cost;
   cost.steps = steps;
   const auto count = static_cast<double>(steps);
-  const bool pcg = plan.solver == SolverKind::pcg;
-  if (!pcg) cost.factorizations = plan.finite_kinematics ? steps : 1;
-  if (pcg) cost.iterations = std::llround(count * (3 + 67 * std::sqrt(plan.chi)));
+  const bool iterates = is_iterative(plan.solver);
+  if (!iterates) cost.factorizations = plan.finite_kinematics ? steps : 1;
+  if (iterates) cost.iterations = std::llround(count * (3 + 67 * std::sqrt(plan.chi)));
   double step = per_step + per_block * static_cast<double>(size.blocks) + solve_seconds(size, plan);
   if (!plan.linear) step += per_interface * static_cast<double>(size.interfaces);
   cost.seconds = count * step + static_cast<double>(cost.factorizations) * factor_seconds(size);

@@ -15,6 +15,7 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
     case SolverRequest::cholesky: return SolverKind::cholesky;
     case SolverRequest::pcg: return SolverKind::pcg;
     case SolverRequest::dense: return SolverKind::dense;
+    case SolverRequest::petsc: return SolverKind::petsc;
     case SolverRequest::automatic: break;
   }
   const double chi = plan.is_static ? std::numeric_limits<double>::infinity() : plan.chi;

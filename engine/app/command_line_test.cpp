@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/app/command_line_test_support.h"
+#include "engine/linear/over_processes.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_schema.h"
 
@@ -79,6 +80,34 @@ TEST_F(CommandLine, BadScenesGiveOneSentenceAndNoFolder) {
   refuse("\"dt\"", "\"dtt\"", "dtt");
   refuse("\"dda\": 1,", "\"dda\": 1", "");
   refuse("[2, 0.5]", "[2.5, 0.5]", "measurements[1].point");
+}
+
+// The tests of every build are linked without it.
+TEST_F(CommandLine, RefusesPetscWhereTheProgramHasNone) {
+  std::string scene = bar_scene(3, 10);
+  scene.insert(scene.find("\"dt\""), "\"solver\": \"petsc\", ");
+  write("scene.json", scene);
+  for (const char* command : {"check", "run"}) {
+    std::vector<std::string> arguments{command, path("scene.json")};
+    if (std::string_view(command) == "run") arguments.insert(arguments.end(), {"--out", path("out")});
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.errors, "dda: " + path("scene.json") +
+                                  ": steps.solver is \"petsc\", expected a solver of this program, which was built "
+                                  "without PETSc (ci/petsc builds it with)\n");
+  }
+  EXPECT_FALSE(exists("out"));
+}
+
+// Only mpirun starts more than one.
+TEST_F(CommandLine, SaysThatProcessesAreIdle) {
+  write("scene.json", bar_scene(3, 10));
+  share_over_processes({.processes = 2});
+  const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
+  share_over_processes({});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.out, "remark: of 2 processes one does all the work, as no stage has \"solver\": \"petsc\"\n"));
+  EXPECT_FALSE(contains(call({"run", path("scene.json"), "--out", path("out")}).out, "processes"));
 }
 
 TEST_F(CommandLine, WhereResultsCannotGo) {

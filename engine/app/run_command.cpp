@@ -18,6 +18,7 @@
 #include "engine/advice/ringing_weight.h"
 #include "engine/app/branch_origin.h"
 #include "engine/app/frame_clock.h"
+#include "engine/app/idle_processes.h"
 #include "engine/app/lining_report.h"
 #include "engine/app/run_files.h"
 #include "engine/app/run_options.h"
@@ -112,6 +113,8 @@ class Run {
   [[nodiscard]] std::vector<std::string> remarks_on_scene() {
     std::vector<std::string> remarks = std::move(cut_remarks_);
     std::ranges::move(remarks_on(simulation_.model(), simulation_.contacts()), std::back_inserter(remarks));
+    if (std::string remark = remark_on_idle_processes(simulation_.model()); !remark.empty())
+      remarks.push_back(std::move(remark));
     return remarks;
   }
 

@@ -16,13 +16,13 @@ from pathlib import Path
 
 # Differences of the columns of histories.csv from a run with complete factors, over the largest number of the column. A
 # solution is off by 1e-12 (pcg_solver.h), and a thousand steps add that up to 1e-9 at most where nothing is judged. Joints
-# that are judged stop passing over when a contact force is right to 1e-6 or so: two ways to solve differ by that.
-BONDED, JUDGED = 1e-9, 1e-5
+# that are judged hand a difference on from pass to pass: there the solver "pcg" is off by up to 2e-9 itself.
+BONDED, JUDGED = 1e-9, 1e-7
 LONGEST = 120  # s; runs take a few, but processes that wait for each other in vain never end
 
 EXAMPLES = {  # scene: tolerance, and what is different from the example
     "absorbed_pulse": (BONDED, {"integrator": {"generalized_alpha": 0.85}}),
-    "p_bar_2m_thesis": (BONDED, {}),
+    "tunnel_bonded_voronoi": (JUDGED, {}),
     "tunnel_two_sets": (JUDGED, {}),
     "masonry_wall": (JUDGED, {}),
     "dry_wall": (JUDGED, {}),
@@ -38,7 +38,8 @@ class Bench:
     """Where scenes are written and run."""
 
     def __init__(self, dda, examples, mpirun, folder):
-        self.dda, self.examples, self.mpirun, self.folder = dda, Path(examples), mpirun, Path(folder)
+        self.dda, self.examples = str(Path(dda).resolve()), Path(examples)
+        self.mpirun, self.folder = mpirun, Path(folder)
 
     def write(self, name, solver, **changes):
         scene = json.loads((self.examples / f"{name}.json").read_text())
@@ -128,7 +129,7 @@ def begin(bench, scene, out, *options):
     words = ["run", scene, "--out", out, "--threads", 1, "--quiet", "--checkpoint-interval", "50ms", *options]
     process = subprocess.Popen(bench.command(2, *words), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     wait_until("first steps", lambda: process.poll() is not None or (out / "checkpoint.bin").exists())
-    time.sleep(0.3)
+    time.sleep(0.1)
     return process
 
 
@@ -157,7 +158,7 @@ def is_alive(process):
 
 
 def stopped_runs_go_on(bench):
-    scene = bench.write("masonry_wall", "petsc")
+    scene = bench.write("masonry_wall", "petsc", duration="0.5 s")
     whole = rows_of(bench.run(2, scene))
     for number in (signal.SIGINT, signal.SIGTERM):
         out = bench.folder / f"stopped-{number}"
@@ -173,7 +174,7 @@ def stopped_runs_go_on(bench):
 
 
 def whoever_dies_ends_all(bench):
-    scene = bench.write("masonry_wall", "petsc")
+    scene = bench.write("masonry_wall", "petsc", duration="0.5 s")
     for which in range(2):
         process = begin(bench, scene, bench.folder / f"killed-{which}")
         ranks = [each for each in children(process.pid) if "dda" in Path(f"/proc/{each}/comm").read_text()]

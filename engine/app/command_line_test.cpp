@@ -106,7 +106,8 @@ TEST_F(CommandLine, SaysThatProcessesAreIdle) {
   const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
   share_over_processes({});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(contains(outcome.out, "remark: of 2 processes one does all the work, as no stage has \"solver\": \"petsc\"\n"));
+  EXPECT_TRUE(
+      contains(outcome.out, "remark: of 2 processes one does all the work, as no stage has \"solver\": \"petsc\"\n"));
   EXPECT_FALSE(contains(call({"run", path("scene.json"), "--out", path("out")}).out, "processes"));
 }
 

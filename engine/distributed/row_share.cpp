@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -71,21 +72,38 @@ struct RowShare::Implementation {
   Owned<Mat, MatDestroy> matrix;
   Owned<Vec, VecDestroy> rhs, guess, solution, residual, preconditioned;
   Owned<KSP, KSPDestroy> iteration;
-  // The preconditioner: our own incomplete factor, of what couples blocks of this process.
-  BlockMatrix inner{0, {}};
+  // The preconditioner: our own incomplete factor of the rows of this process and those beside them, which PETSc gives
+  // out and whose solutions it sums up where they overlap (additive Schwarz; Dryja & Widlund 1987).
+  PC preconditioner = nullptr;
+  std::optional<BlockMatrix> inner;
   IncompleteCholesky factor;
+  bool is_sound = false;
   Eigen::VectorXd factor_in, factor_out;
   int checked_iterations = -1;
 
+  // What PETSc calls must not throw: it is written in C.
+  template <typename Act>
+  static PetscErrorCode called_back(PC pc, const Act& act) {
+    try {
+      void* self = nullptr;
+      check(PCShellGetContext(pc, &self));
+      act(*static_cast<Implementation*>(self));
+    } catch (const std::exception&) {
+      return PETSC_ERR_LIB;
+    }
+    return 0;
+  }
   [[nodiscard]] int entries() const { return starts.back() - starts.front(); }
   void take_pattern(const BlockMatrix* whole);
   void lay_out_matrix();
   void lay_out_vectors();
   void lay_out_iteration();
-  void lay_out_factor();
+  void lay_out_preconditioner();
   const double* take_values(const BlockMatrix* whole);
   void fill_matrix(const double* own);
-  void fill_inner(const double* own);
+  void lay_out_factor(int blocks, const PetscInt* row_starts, const PetscInt* columns);
+  void fill_inner(const PetscInt* row_starts, const PetscInt* columns, const PetscScalar* own);
+  void factor_inner(Mat own);
   void hand_out_vector(const double* whole, Vec own) const;
   void collect_vector(Vec own, double* whole) const;
   void apply(Vec r, Vec z);
@@ -121,44 +139,39 @@ void RowShare::Implementation::lay_out_matrix() {
 void RowShare::Implementation::lay_out_vectors() {
   check(MatCreateVecs(matrix, rhs.fresh(), solution.fresh()));
   for (auto* vector : {&guess, &residual, &preconditioned}) check(VecDuplicate(rhs, vector->fresh()));
-  factor_in.resize(6 * stretches.size());
-  factor_out.resize(6 * stretches.size());
 }
 
 // As PcgSolver measures: r . P^-1 r against b . P^-1 b.
 void RowShare::Implementation::lay_out_iteration() {
-  const auto precondition = [](PC pc, Vec r, Vec z) -> PetscErrorCode {
-    void* self = nullptr;
-    if (const PetscErrorCode code = PCShellGetContext(pc, &self); code != 0) return code;
-    try {
-      static_cast<Implementation*>(self)->apply(r, z);
-    } catch (const std::exception&) {
-      return PETSC_ERR_LIB;
-    }
-    return 0;
-  };
   check(KSPCreate(PETSC_COMM_WORLD, iteration.fresh()));
   check(KSPSetType(iteration, KSPCG));
   check(KSPSetNormType(iteration, KSP_NORM_NATURAL));
   check(KSPSetTolerances(iteration, options.relative_residual, 0, PETSC_MAX_REAL, options.max_iterations));
-  PC preconditioner = nullptr;
+  // Diagonal blocks alone have nothing to gain from an overlap.
   check(KSPGetPC(iteration, &preconditioner));
-  check(PCSetType(preconditioner, PCSHELL));
-  check(PCShellSetContext(preconditioner, this));
-  check(PCShellSetApply(preconditioner, precondition));
+  check(PCSetType(preconditioner, PCASM));
+  check(PCASMSetType(preconditioner, PC_ASM_BASIC));
+  check(PCASMSetOverlap(preconditioner, options.fill_level == IncompleteCholesky::diagonal ? 0 : 1));
+  inner.reset();
 }
 
-void RowShare::Implementation::lay_out_factor() {
-  std::vector<std::pair<int, int>> couplings;
-  for (int i = 0; i < stretches.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    for (int k = starts[at]; k < starts[at + 1]; ++k)
-      if (const int row = rows[static_cast<std::size_t>(k - starts.front())]; row < stretches.last())
-        couplings.emplace_back(row - stretches.first(), i);
-  }
-  inner = BlockMatrix(stretches.size(), std::move(couplings));
-  inner.set_zero();
-  if (inner.size() > 0) factor.analyze(inner, options.fill_level);
+// Once PETSc has the pattern of what each process factors, it is told with what.
+void RowShare::Implementation::lay_out_preconditioner() {
+  KSP* own = nullptr;
+  PC shell = nullptr;
+  check(PCASMGetSubKSP(preconditioner, nullptr, nullptr, &own));
+  check(KSPGetPC(*own, &shell));
+  check(PCSetType(shell, PCSHELL));
+  check(PCShellSetContext(shell, this));
+  check(PCShellSetSetUp(shell, [](PC pc) {
+    return called_back(pc, [pc](Implementation& self) {
+      Mat given = nullptr;
+      check(PCGetOperators(pc, &given, nullptr));
+      self.factor_inner(given);
+    });
+  }));
+  check(PCShellSetApply(
+      shell, [](PC pc, Vec r, Vec z) { return called_back(pc, [r, z](Implementation& self) { self.apply(r, z); }); }));
 }
 
 const double* RowShare::Implementation::take_values(const BlockMatrix* whole) {
@@ -181,19 +194,42 @@ void RowShare::Implementation::fill_matrix(const double* own) {
   }
   check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
   check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
-  check(KSPSetOperators(iteration, matrix, matrix));
 }
 
-void RowShare::Implementation::fill_inner(const double* own) {
-  for (int i = 0; i < stretches.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const int begin = starts[at] - starts.front();
-    const int height = starts[at + 1] - starts[at];
-    const int inner_begin = inner.column_starts()[at];
-    for (int k = 0; k < inner.column_starts()[at + 1] - inner_begin; ++k)
-      inner.offdiagonal(inner_begin + k) =
-          BlockMatrix::ConstBlock(own + 36 * std::ptrdiff_t{begin} + 6 * k, Eigen::OuterStride<>(6 * height));
-  }
+// Of the rows of the upper triangle, which PETSc has given this process.
+void RowShare::Implementation::lay_out_factor(int blocks, const PetscInt* row_starts, const PetscInt* columns) {
+  std::vector<std::pair<int, int>> couplings;
+  for (int i = 0; i < blocks; ++i)
+    for (int k = row_starts[i]; k < row_starts[i + 1]; ++k) couplings.emplace_back(columns[k], i);
+  inner.emplace(blocks, std::move(couplings));
+  factor_in.resize(6 * blocks);
+  factor_out.resize(6 * blocks);
+  if (blocks > 0) factor.analyze(*inner, options.fill_level);
+}
+
+void RowShare::Implementation::fill_inner(const PetscInt* row_starts, const PetscInt* columns, const PetscScalar* own) {
+  inner->set_zero();
+  for (int i = 0; i < inner->size(); ++i)
+    for (int k = row_starts[i]; k < row_starts[i + 1]; ++k) {
+      const Eigen::Map<const Mat6> block(own + 36 * std::ptrdiff_t{k});
+      inner->add_coupling(i, columns[k], block);
+    }
+}
+
+// Its values go when they are factored; PETSc has them, too.
+void RowShare::Implementation::factor_inner(Mat own) {
+  PetscInt blocks = 0;
+  const PetscInt *row_starts = nullptr, *columns = nullptr;
+  PetscScalar* numbers = nullptr;
+  PetscBool is_done = PETSC_FALSE;
+  check(MatGetRowIJ(own, 0, PETSC_FALSE, PETSC_TRUE, &blocks, &row_starts, &columns, &is_done));
+  check(MatSeqSBAIJGetArray(own, &numbers));
+  if (!inner) lay_out_factor(blocks, row_starts, columns);
+  fill_inner(row_starts, columns, numbers);
+  is_sound = blocks == 0 || factor.factorize(*inner);
+  inner->forget_values();
+  check(MatSeqSBAIJRestoreArray(own, &numbers));
+  check(MatRestoreRowIJ(own, 0, PETSC_FALSE, PETSC_TRUE, &blocks, &row_starts, &columns, &is_done));
 }
 
 void RowShare::Implementation::hand_out_vector(const double* whole, Vec own) const {
@@ -214,7 +250,7 @@ void RowShare::Implementation::apply(Vec r, Vec z) {
   const PetscScalar* numbers = nullptr;
   factor_in = read(r, &numbers);
   check(VecRestoreArrayRead(r, &numbers));
-  if (inner.size() > 0) factor.apply(factor_in, factor_out);
+  if (factor_in.size() > 0) factor.apply(factor_in, factor_out);
   PetscScalar* result = nullptr;
   check(VecGetArray(z, &result));
   Eigen::Map<Eigen::VectorXd>(result, factor_out.size()) = factor_out;
@@ -223,7 +259,7 @@ void RowShare::Implementation::apply(Vec r, Vec z) {
 
 // The square of sqrt(r . P^-1 r).
 double RowShare::Implementation::norm(Vec r) {
-  apply(r, preconditioned);
+  check(PCApply(preconditioner, r, preconditioned));
   double norm = 0;
   check(VecDot(r, preconditioned, &norm));
   return norm;
@@ -258,16 +294,17 @@ void RowShare::analyze(int blocks, const BlockMatrix* whole) {
   own.lay_out_matrix();
   own.lay_out_vectors();
   own.lay_out_iteration();
-  own.lay_out_factor();
 }
 
 bool RowShare::factorize(const BlockMatrix* whole) {
   Implementation& own = *implementation_;
   own.checked_iterations = -1;
-  const double* values = own.take_values(whole);
-  own.fill_matrix(values);
-  own.fill_inner(values);
-  int is_sound = own.inner.size() == 0 || own.factor.factorize(own.inner) ? 1 : 0;
+  own.fill_matrix(own.take_values(whole));
+  check(KSPSetOperators(own.iteration, own.matrix, own.matrix));
+  check(KSPSetUp(own.iteration));
+  if (!own.inner) own.lay_out_preconditioner();
+  check(KSPSetUpOnBlocks(own.iteration));
+  int is_sound = own.is_sound ? 1 : 0;
   MPI_Allreduce(MPI_IN_PLACE, &is_sound, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
   return is_sound != 0;
 }
@@ -299,7 +336,7 @@ SharedSolution RowShare::solve(bool has_guess, const double* rhs, double* x) {
 void RowShare::precondition(const double* r, double* z) {
   Implementation& own = *implementation_;
   own.hand_out_vector(r, own.rhs);
-  own.apply(own.rhs, own.preconditioned);
+  check(PCApply(own.preconditioner, own.rhs, own.preconditioned));
   own.collect_vector(own.preconditioned, z);
 }
 

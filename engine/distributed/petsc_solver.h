@@ -10,8 +10,8 @@
 
 namespace dda {
 
-// Lives in the first process. Stops where PcgSolver does. Its preconditioner is the incomplete factor of each process'
-// own rows, so that iterations depend on their number, and results on it within the tolerance of the iteration. A part
+// Lives in the first process. Stops where PcgSolver does. Its preconditioner is made of an incomplete factor for each
+// process, so that iterations depend on their number, and results on it within the tolerance of the iteration. A part
 // is factored and used by the first process alone: parts are small.
 //
 // Allocates in factorize and solve what PETSc does.

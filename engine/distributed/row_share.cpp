@@ -196,7 +196,7 @@ void RowShare::Implementation::fill_matrix(const double* own) {
   check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
 }
 
-// Of the rows of the upper triangle, which PETSc has given this process.
+// The pattern is that of rows of the upper triangle, which PETSc has given this process.
 void RowShare::Implementation::lay_out_factor(int blocks, const PetscInt* row_starts, const PetscInt* columns) {
   std::vector<std::pair<int, int>> couplings;
   for (int i = 0; i < blocks; ++i)

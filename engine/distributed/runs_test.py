@@ -18,15 +18,14 @@ from pathlib import Path
 # solution is off by 1e-12 (pcg_solver.h), and a thousand steps add that up to 1e-9 at most where nothing is judged. Joints
 # that are judged hand a difference on from pass to pass: there the solver "pcg" is off by up to 2e-9 itself.
 BONDED, JUDGED = 1e-9, 1e-7
-LONGEST = 120  # s; runs take a few, but processes that wait for each other in vain never end
+LONGEST = 300  # s; runs take one, and a hundred times that on a busy machine, but who waits in vain never ends
 
-EXAMPLES = {  # scene: tolerance, and what is different from the example
-    "absorbed_pulse": (BONDED, {"integrator": {"generalized_alpha": 0.85}}),
-    "tunnel_bonded_voronoi": (JUDGED, {}),
-    "tunnel_two_sets": (JUDGED, {}),
-    "masonry_wall": (JUDGED, {}),
-    "dry_wall": (JUDGED, {}),
-    "wall_in_lifts": (JUDGED, {}),
+EXAMPLES = {  # scene: tolerance, processes (0: without mpirun), and what is different in the last stage
+    "absorbed_pulse": (BONDED, (1, 2), {"integrator": {"generalized_alpha": 0.85}, "duration": "4 ms"}),
+    "tunnel_bonded_voronoi": (JUDGED, (1, 2), {"duration": "10 ms"}),
+    "tunnel_two_sets": (JUDGED, (1, 2), {}),
+    "masonry_wall": (JUDGED, (1, 2), {}),
+    "dry_wall": (JUDGED, (0, 1, 2, 3), {}),
 }
 
 
@@ -45,7 +44,8 @@ class Bench:
         scene = json.loads((self.examples / f"{name}.json").read_text())
         stages = scene["steps"] if isinstance(scene["steps"], list) else [scene["steps"]]
         for stage in stages:
-            stage.update(changes, solver=solver)
+            stage["solver"] = solver
+        stages[-1].update(changes)
         path = self.folder / f"{name}-{solver}.json"
         path.write_text(json.dumps(scene))
         return path
@@ -79,12 +79,12 @@ def difference(expected, found):
 
 
 def results_are_the_same(bench):
-    for name, (tolerance, changes) in EXAMPLES.items():
+    for name, (tolerance, numbers, changes) in EXAMPLES.items():
         expected = rows_of(bench.run(0, bench.write(name, "cholesky", **changes)))
         scene = bench.write(name, "petsc", **changes)
-        for processes in (0, 1, 2, 3):
+        for processes in numbers:
             off = difference(expected, rows_of(bench.run(processes, scene)))
-            print(f"{name}, {processes} processes: off by {off:.1e}")
+            print(f"{name}, {processes} processes: off by {off:.1e}", flush=True)
             if not off <= tolerance:
                 problem(name, f"off by {off:.1e} in {processes} processes, expected {tolerance:.0e} at most")
 
@@ -102,7 +102,7 @@ def options_of_petsc_change_nothing(bench):
 def mistakes_end_all(bench):
     scene = bench.write("dry_wall", "petsc", dt="-1 ms")
     done = bench.call(2, "run", scene, "--out", bench.folder / "none")
-    if done.returncode != 2 or "steps[0].dt is \"-1 ms\"" not in done.stderr:
+    if done.returncode != 2 or "steps[1].dt is \"-1 ms\"" not in done.stderr:
         problem("bad scene", f"exit code {done.returncode}: {done.stderr}")
     if (bench.folder / "none").exists():
         problem("bad scene", "left a folder")

@@ -211,7 +211,9 @@ TEST(Cost, FollowsFromThePlan) {
   EXPECT_EQ(cost_of(size, plan, 50).factorizations, 50);
   plan.solver = SolverKind::pcg;
   EXPECT_EQ(cost_of(size, plan, 50).factorizations, 0);
-  EXPECT_EQ(cost_of(size, plan, 50).iterations, 50 * 70);  // 3 + 67 sqrt(chi), as in engine/linear
+  EXPECT_EQ(cost_of(size, plan, 50).iterations, 50 * 5);  // 3 + 2 sqrt(chi) with an incomplete factor: engine/linear
+  plan.chi = 0.09;
+  EXPECT_EQ(cost_of(size, plan, 50).iterations, 1155);  // 3 + 67 sqrt(chi) with diagonal blocks
 }
 
 // Dry walls of bricks on a held floor (5 GPa, springs of 10 E, friction 35 deg, dt = 1 ms): seconds a step as measured

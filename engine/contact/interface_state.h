@@ -39,8 +39,10 @@ struct InterfaceState {
   std::array<bool, 2> residual{false, false};
   std::array<double, 2> dilation{0, 0};  // m, normal, by the slip
   std::array<double, 2> seat{0, 0};      // m, normal, until it opens
-  std::array<double, 2> torn{0, 0};      // of the length, from either end: what of a bond has gaped (bond_strength.h)
-  Vec4 dashpot = Vec4::Zero();           // N per m of thickness: what dashpots added to `force`, mean of the last step
+  // What of a bond has gaped from either end, of the length (bond_strength.h). The first of a lone vertex is the share
+  // of its residual cohesion that is lost (projected_stretch.h).
+  std::array<double, 2> torn{0, 0};
+  Vec4 dashpot = Vec4::Zero();  // N per m of thickness: what dashpots added to `force`, mean of the last step
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {

@@ -174,7 +174,8 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
     const InterfaceState& whole = contacts.states[i];
     const bool has_failed = !is_dry(joint_of(model, interface));
     if (ends[i] == 0 || (dry_ones && has_failed)) continue;
-    const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(contacts.elements.own()[i], whole);
+    const InterfaceElement& element = contacts.elements.own()[i];
+    const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(element, whole);
     const Vec2 normal = current_frame(model, state, interface).normal;
     for (std::size_t end = 0; end < 2; ++end) {
       InterfaceState own;
@@ -185,6 +186,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
       own.residual = {has_failed || whole.residual[end], has_failed};
       own.slip[0] = whole.slip[end];
       own.dilation[0] = whole.dilation[end];
+      own.torn[0] = gaping_share(element, whole);
       lost_ends_.add({interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to,
                       (interface.to - interface.from).normalized(), normal, own});
     }
@@ -339,6 +341,7 @@ std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const St
     set_geometry(model, acting_frame(model, acting, search_.outlines(), contact), elements[entry]);
     contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i], contacts.states);
+    contacts.strengths[entry].residual_cohesion *= 1 - states[entry].torn[0];
   });
   return states;
 }

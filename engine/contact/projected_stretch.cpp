@@ -159,6 +159,11 @@ StressLetGo stress_let_go(const Model& model, const State& state, const Interfac
           of(element.block_b, element.softness(1), element.by_weight_b)};
 }
 
+double gaping_share(const InterfaceElement& element, const InterfaceState& state) {
+  if (!presses_together(element, state.broken, state.force)) return 0;
+  return 1 - closed_part(element.lever, {state.gap(0), state.gap(2)}).share;
+}
+
 std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const InterfaceState& state) {
   std::array<Vec2, 2> ends = forces_at_ends(element, state.force);
   for (const std::size_t end : {0U, 1U}) {

@@ -59,6 +59,11 @@ struct StressLetGo {
 };
 StressLetGo stress_let_go(const Model& model, const State& state, const InterfaceElement& element, const Vec4& force);
 
+// The share of the length along which a stretch gapes that presses; none where it is open, as it may close again as a
+// whole, and of other laws. The contacts that take its place have so much less of the residual cohesion: a block that
+// slides on a part of its face would else come to rest on what it regains when the stretch parts.
+double gaping_share(const InterfaceElement& element, const InterfaceState& state);
+
 // The forces of a stretch at its ends, for contacts there that can only press. An end that gapes has none.
 std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const InterfaceState& state);
 

@@ -14,21 +14,16 @@ namespace {
 
 bool is_chain_like(const SolverScene& scene) { return scene.couplings <= 1.1 * scene.blocks; }
 
-int fill_level(double chi) { return chi < 0.1 ? IncompleteCholesky::diagonal : 1; }
+int fill_level(double chi) { return has_incomplete_factor(chi) ? 1 : IncompleteCholesky::diagonal; }
 
-// PCG to 1e-12 from a zero guess, on chains and grids of any size: with the diagonal blocks or with an incomplete
-// factor.
-double expected_iterations(const SolverScene& scene) {
-  const bool has_factor = scene.matrix_changes_every_step || fill_level(scene.chi) != IncompleteCholesky::diagonal;
-  return 3 + (has_factor ? 2 : 67) * std::sqrt(scene.chi);
-}
+constexpr double with_factor = 2, with_diagonal_blocks = 67;  // iterations for each unit of sqrt(chi)
 
 // The iterations of PCG that take as long as a direct solution: see the table in the README.
 double affordable_iterations(const SolverScene& scene) {
   if (scene.matrix_changes_every_step) return is_chain_like(scene) ? 20 : 17 * std::cbrt(scene.blocks);
   if (is_chain_like(scene)) return 1;
   const bool complete_factor_leaves_cache = scene.blocks > 5000;
-  if (fill_level(scene.chi) != IncompleteCholesky::diagonal) return complete_factor_leaves_cache ? 9 : 3;
+  if (has_incomplete_factor(scene.chi)) return complete_factor_leaves_cache ? 9 : 3;
   return complete_factor_leaves_cache ? 20 : 4;
 }
 
@@ -43,8 +38,17 @@ std::unique_ptr<LinearSolver> make_over_processes(const PcgOptions& options) {
 
 }  // namespace
 
+bool has_incomplete_factor(double chi) { return chi >= 0.1; }
+
+double expected_iterations(double chi) {
+  return 3 + (has_incomplete_factor(chi) ? with_factor : with_diagonal_blocks) * std::sqrt(chi);
+}
+
 SolverKind choose_solver(const SolverScene& scene) {
-  return expected_iterations(scene) < affordable_iterations(scene) ? SolverKind::pcg : SolverKind::cholesky;
+  // Where a factor serves one step alone diagonal blocks are of use as long as steps are short.
+  const double expected =
+      scene.matrix_changes_every_step ? 3 + with_factor * std::sqrt(scene.chi) : expected_iterations(scene.chi);
+  return expected < affordable_iterations(scene) ? SolverKind::pcg : SolverKind::cholesky;
 }
 
 std::unique_ptr<LinearSolver> make_solver(SolverKind kind, double chi, MatrixUse use) {

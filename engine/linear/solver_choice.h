@@ -38,6 +38,12 @@ struct SolverScene {
 // infinite gives cholesky.
 SolverKind choose_solver(const SolverScene& scene);
 
+// The preconditioner of PCG: an incomplete factor, or the diagonal blocks where steps are short.
+bool has_incomplete_factor(double chi);
+
+// Iterations of PCG to 1e-12 from a zero guess, on chains and grids of any size.
+double expected_iterations(double chi);
+
 // Whether a matrix serves many solutions once it is factored, or few.
 enum class MatrixUse { changes, stays };
 

@@ -76,6 +76,7 @@ void renew_strengths(bool contacts_move, BlockSystem& s) {
     const JointMaterial& joint = s.model.joints[static_cast<std::size_t>(interface.joint)];
     s.contacts.strengths[i] = contacts_move && interface.length == 0 ? unbonded_strength(joint, interface.share)
                                                                      : end_strength(joint, interface.length);
+    if (interface.length == 0) s.contacts.strengths[i].residual_cohesion *= 1 - s.contacts.states[i].torn[0];
   }
 }
 

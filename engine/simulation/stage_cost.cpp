@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/linear/solver_choice.h"
+
 namespace dda {
 namespace {
 
@@ -14,7 +16,8 @@ constexpr double cached_nonzeros = 2e6;
 constexpr double per_cached_nonzero = 4e-10, per_nonzero = 9e-10;  // of a factor, in a solve
 constexpr double per_block_factored = 5e-7;
 constexpr double simplicial_rate = 1.2e9, supernodal_rate = 6e9;  // floating-point operations a second
-constexpr double per_pcg_block = 6.5e-9;                          // a 6x6 block in an iteration
+// A 6x6 block in an iteration, with diagonal blocks and with an incomplete factor for a preconditioner.
+constexpr double per_pcg_block = 6.5e-9, per_factored_pcg_block = 2.5e-8;
 constexpr double per_explicit_block = 7e-8;  // product, accelerations, update and energies of an explicit step
 // Where contacts can change: a step at rest looks at every contact once; a pass of the open-close iteration judges it,
 // brings its part of the matrix and of the factor up to date and solves.
@@ -32,7 +35,8 @@ double factor_solve_seconds(const SceneSize& size) {
 double solve_seconds(const SceneSize& size, const StepPlan& plan) {
   if (is_iterative(plan.solver)) {
     const double matrix_blocks = static_cast<double>(size.blocks + 2 * size.coupled_pairs);
-    return (3 + 67 * std::sqrt(plan.chi)) * matrix_blocks * per_pcg_block;
+    return expected_iterations(plan.chi) * matrix_blocks *
+           (has_incomplete_factor(plan.chi) ? per_factored_pcg_block : per_pcg_block);
   }
   return factor_solve_seconds(size);
 }
@@ -93,7 +97,7 @@ StageCost cost_of(const SceneSize& size, const StepPlan& plan, std::int64_t step
   const auto count = static_cast<double>(steps);
   const bool iterates = is_iterative(plan.solver);
   if (!iterates) cost.factorizations = plan.finite_kinematics ? steps : 1;
-  if (iterates) cost.iterations = std::llround(count * (3 + 67 * std::sqrt(plan.chi)));
+  if (iterates) cost.iterations = std::llround(count * expected_iterations(plan.chi));
   double step = per_step + per_block * static_cast<double>(size.blocks) + solve_seconds(size, plan);
   if (!plan.linear) step += per_interface * static_cast<double>(size.interfaces);
   cost.seconds = count * step + static_cast<double>(cost.factorizations) * factor_seconds(size);

@@ -66,7 +66,8 @@ class ClosedPlaces {
   // acts between them is the same to the body.
   [[nodiscard]] double cohesion() const {
     const double lever = simulation_.contacts().elements[contact_].lever;
-    const double closed = is_stretch() ? closed_part(lever, {state_.gap[0], state_.gap[2]}).share : 1;
+    // A corner that a stretch has left knows what was closed of it then.
+    const double closed = is_stretch() ? closed_part(lever, {state_.gap[0], state_.gap[2]}).share : 1 - state_.torn[0];
     return joint().residual_cohesion * interface_.share * closed;
   }
   [[nodiscard]] double ends_that_count() const { return is_stretch() ? 2 : 1; }

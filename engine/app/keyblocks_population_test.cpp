@@ -107,8 +107,8 @@ struct Verdict {
   std::string wrong = {};
 };
 
-// Corners have all of their cohesion or none, so what slides off a face of which little was closed can catch on them:
-// then the first quarter of the time is looked at as well.
+// Corners have a share of their cohesion that no longer follows what is closed, so a face that has parted goes on
+// otherwise: then the first quarter of the time is looked at as well.
 Verdict judged_by_close_look(const KeyBlock& block, const Answers& answers, const LetGo& part) {
   const Measured run = run_let_go(part, close_dt);
   std::string cause = cause_of(block, answers, run, part);

@@ -19,7 +19,7 @@ BlockMatrix matrix_of(const Simulation& simulation, const MovingContacts& moving
   const Model& model = simulation.model();
   const Stage& stage = model.stages.back();
   const std::vector<Vec4> all_rows(contacts.elements.size(), Vec4::Ones());
-  BlockMatrix matrix = make_system_matrix(static_cast<int>(model.blocks.size()), moving.pairs());
+  BlockMatrix matrix(static_cast<int>(model.blocks.size()), moving.pairs());
   assemble(step_coefficients(stage.integrator, stage.dt), make_block_terms(model), {},
            make_supports(model, simulation.state()), contacts, all_rows, matrix);
   HeldCouplings().take_out(make_held_unknowns(model), matrix);

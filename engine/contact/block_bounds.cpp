@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/contact/interface_element.h"
 #include "engine/geometry/box_pairs.h"
 
 namespace dda {
@@ -16,21 +17,13 @@ bool contains(const Box& outer, const Box& inner) {
 
 double area(const Box& box) { return (box.upper - box.lower).prod(); }
 
-Vec2 across(const Vec2& along) { return {-along.y(), along.x()}; }
-
-Vec2 in_axes(const Vec2& along, const Vec2& point) { return {along.dot(point), across(along).dot(point)}; }
-
 Box box_along(const Outlines& outlines, int block, const Vec2& along) {
   Box box;
+  const Mat2 axes = local_axes(along);
   const auto first = static_cast<std::size_t>(block);
   for (int i = outlines.starts[first]; i < outlines.starts[first + 1]; ++i)
-    box = expanded(box, in_axes(along, outlines.current[static_cast<std::size_t>(i)]));
+    box = expanded(box, Vec2(axes * outlines.current[static_cast<std::size_t>(i)]));
   return box;
-}
-
-// How far a box with sides along `along` reaches to either side of its middle in a direction.
-double half_extent(const Box& box, const Vec2& along, const Vec2& direction) {
-  return in_axes(along, direction).cwiseAbs().dot(box.upper - box.lower) / 2;
 }
 
 }  // namespace
@@ -90,9 +83,9 @@ bool BlockBounds::is_beside(const SlantedBox& one, int other) const {
   const bool is_upright = aslant.along.isZero(0);
   const Vec2 along = is_upright ? Vec2(1, 0) : aslant.along;
   const Box& box = is_upright ? upright_[static_cast<std::size_t>(other)] : aslant.box;
-  const Vec2 middle_in_own = (box.lower + box.upper) / 2;
-  const Vec2 middle = in_axes(one.along, middle_in_own.x() * along + middle_in_own.y() * across(along));
-  const Vec2 half(half_extent(box, along, one.along), half_extent(box, along, across(one.along)));
+  const Mat2 turn = local_axes(one.along) * local_axes(along).transpose();  // from its axes to those of `one`
+  const Vec2 middle = turn * (box.lower + box.upper) / 2;
+  const Vec2 half = turn.cwiseAbs() * (box.upper - box.lower) / 2;
   return !overlap(one.box, {middle - half, middle + half});
 }
 

@@ -100,6 +100,12 @@ InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& e
   return state;
 }
 
+EndStrength strength_of_vertex(const JointMaterial& joint, double share, const InterfaceState& state) {
+  EndStrength strength = unbonded_strength(joint, share);
+  strength.residual_cohesion *= 1 - state.torn[0];
+  return strength;
+}
+
 void measure(const InterfaceElement& element, double distance, InterfaceState& state) {
   const double gap = distance - state.held_open(0);
   state.gap(0) = gap;

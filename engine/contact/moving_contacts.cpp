@@ -177,6 +177,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
     const InterfaceElement& element = contacts.elements.own()[i];
     const Vec4 force = dry_ones ? in_situ_force(model, interface) : ends_force(element, whole);
     const Vec2 normal = current_frame(model, state, interface).normal;
+    const double gaping = gaping_share(element, whole);
     for (std::size_t end = 0; end < 2; ++end) {
       InterfaceState own;
       own.gap.head<2>() = whole.gap.segment<2>(static_cast<Eigen::Index>(2 * end));
@@ -186,7 +187,7 @@ void MovingContacts::keep_ends(const Model& model, const State& state, const Con
       own.residual = {has_failed || whole.residual[end], has_failed};
       own.slip[0] = whole.slip[end];
       own.dilation[0] = whole.dilation[end];
-      own.torn[0] = gaping_share(element, whole);
+      own.torn[0] = gaping;
       lost_ends_.add({interface.block_a, interface.block_b, end == 0 ? interface.from : interface.to,
                       (interface.to - interface.from).normalized(), normal, own});
     }
@@ -339,9 +340,8 @@ std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const St
     contacts.interfaces[entry] = interface;
     elements[entry] = make_element(model, interface, InterfaceLaw::classical);
     set_geometry(model, acting_frame(model, acting, search_.outlines(), contact), elements[entry]);
-    contacts.strengths[entry] = unbonded_strength(joint_of(model, interface), interface.share);
     states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i], contacts.states);
-    contacts.strengths[entry].residual_cohesion *= 1 - states[entry].torn[0];
+    contacts.strengths[entry] = strength_of_vertex(joint_of(model, interface), interface.share, states[entry]);
   });
   return states;
 }

@@ -56,19 +56,11 @@ class PointKinematics {
   // Adds what interface forces do to either block, as add_interface_force.
   template <typename Six>
   void add_force(const Vec4& force, Six on_a, Six on_b) const {
-    if (rows_ != nullptr) {
-      on_a += rows_->rows_a.transpose() * force;
-      on_b += rows_->rows_b.transpose() * force;
-      return;
-    }
-    for (int end = 0; end < ends_; ++end) {
-      const Vec2 global = at_end(force, end);
-      add(global, arm_b_[index(end)], on_b);
-      add(-global, arm_a_[index(end)], on_a);
-    }
+    add_force_on_a(force, on_a);
+    add_force_on_b(force, on_b);
   }
 
-  // The same for one block alone, to the same bits.
+  // The same for one block alone.
   template <typename Six>
   void add_force_on_a(const Vec4& force, Six on_a) const {
     if (rows_ != nullptr) {

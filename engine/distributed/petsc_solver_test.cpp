@@ -2,19 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <limits>
 #include <stdexcept>
 
 #include "engine/distributed/processes.h"
 #include "engine/linear/pcg_solver.h"
-#include "engine/linear/random_system.h"
 #include "engine/linear/solver_choice.h"
+#include "engine/linear/solver_test_support.h"
 
 namespace dda {
 namespace {
-
-Eigen::VectorXd oracle(const RandomSystem& system) { return system.dense.llt().solve(system.rhs); }
 
 // As EverySolver of engine/linear: 1e-12 in the residual, times the square root of the condition number (below 1e4)
 // for the energy norm, and once more for the plain one.
@@ -115,18 +112,9 @@ TEST(PetscSolver, PreconditionsSymmetrically) {
 
 TEST(PetscSolver, TakesParts) {
   const RandomSystem system = random_system(6, grid_couplings(6, 1), 1);
-  BlockPart part;
-  part.clear(6);
-  part.add(2);
-  Eigen::VectorXd z = Eigen::VectorXd::Ones(36);
   PetscSolver solver;
   solver.analyze(system.matrix);
-  ASSERT_EQ(solver.factorize(system.matrix, part), Status::ok);
-  solver.precondition(system.rhs, z);
-  EXPECT_NE(z.segment<6>(12).norm(), 0);
-  z.segment<6>(12).setZero();
-  EXPECT_EQ(z.norm(), 0);
-  EXPECT_THROW(static_cast<void>(solver.solve(system.rhs, z)), std::logic_error);
+  expect_takes_a_part(solver, system);
   expect_solves(solver, system);
 }
 
@@ -177,15 +165,8 @@ TEST(PetscSolver, ReportsFailure) {
   }
 }
 
-// As in the test of PcgSolver: springs 1e15 times as stiff as what holds the blocks.
 TEST(PetscSolver, DoesNotTrustWhatRoundOffHasSpoilt) {
-  RandomSystem system = random_system(30, grid_couplings(30, 1), 6);
-  for (const auto& [i, j] : grid_couplings(30, 1)) {
-    const Mat6 stiff = 1e15 * Mat6::Identity();
-    system.matrix.add_coupling(i, i, stiff);
-    system.matrix.add_coupling(j, j, stiff);
-    system.matrix.add_coupling(i, j, -stiff);
-  }
+  const RandomSystem system = spoilt_by_round_off();
   PetscSolver solver;
   solver.analyze(system.matrix);
   ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
@@ -193,11 +174,8 @@ TEST(PetscSolver, DoesNotTrustWhatRoundOffHasSpoilt) {
   EXPECT_NE(solver.solve(system.rhs, x), Status::ok);
 }
 
-// Diagonal blocks I, coupling 2 I: eigenvalues -1 and 3.
 TEST(PetscSolver, ReportsAnIndefiniteMatrix) {
-  BlockMatrix matrix(2, {{0, 1}});
-  for (int i = 0; i < 2; ++i) matrix.diagonal(i).setIdentity();
-  matrix.add_coupling(1, 0, 2 * Mat6::Identity());
+  const BlockMatrix matrix = indefinite_pair();
   Eigen::VectorXd down = Eigen::VectorXd::Ones(12);
   down.tail<6>() *= -1;
   const Eigen::VectorXd both = Eigen::VectorXd::LinSpaced(12, 1, -2);

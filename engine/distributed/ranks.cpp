@@ -14,12 +14,6 @@ namespace {
 
 constexpr int tag_of_orders = 1;
 
-int rank() {
-  int own = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &own);
-  return own;
-}
-
 // While the first assembles or writes, the others are to leave it the processors; while it passes over contacts, orders
 // come some 100 us apart, and to wake up takes as long.
 constexpr auto awake = std::chrono::milliseconds(1);
@@ -66,7 +60,13 @@ Ranks::~Ranks() {
   MPI_Finalize();
 }
 
-bool Ranks::is_first() { return rank() == 0; }
+bool Ranks::is_first() { return own() == 0; }
+
+int Ranks::own() {
+  int own = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &own);
+  return own;
+}
 
 int Ranks::count() {
   int count = 1;
@@ -87,7 +87,7 @@ Order Ranks::next_order() {
 }
 
 void Ranks::give_up(const char* reason) {
-  std::cerr << "dda: process " << rank() << " of " << count() << ": " << reason << std::endl;
+  std::cerr << "dda: process " << own() << " of " << count() << ": " << reason << std::endl;
   MPI_Abort(MPI_COMM_WORLD, 1);
   std::abort();
 }

@@ -15,6 +15,7 @@ class Ranks {
   Ranks& operator=(const Ranks&) = delete;
 
   [[nodiscard]] static bool is_first();
+  [[nodiscard]] static int own();  // from 0
   [[nodiscard]] static int count();
 
   // From the first to all others.

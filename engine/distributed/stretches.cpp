@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/distributed/ranks.h"
+
 namespace dda {
 namespace {
 
@@ -13,10 +15,7 @@ void hand_out(const void* whole, const Stretches::Cut& cut, void* own, int count
 
 }  // namespace
 
-Stretches::Stretches(int blocks) : blocks_(blocks) {
-  MPI_Comm_rank(MPI_COMM_WORLD, &own_);
-  MPI_Comm_size(MPI_COMM_WORLD, &processes_);
-}
+Stretches::Stretches(int blocks) : blocks_(blocks), own_(Ranks::own()), processes_(Ranks::count()) {}
 
 int Stretches::begin_of(int process) const {
   return static_cast<int>(static_cast<std::int64_t>(blocks_) * process / processes_);

@@ -2,20 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <limits>
 #include <stdexcept>
 
 #include "engine/core/allocation_counter.h"
 #include "engine/linear/cholesky_solver.h"
 #include "engine/linear/pcg_solver.h"
-#include "engine/linear/random_system.h"
 #include "engine/linear/solver_choice.h"
+#include "engine/linear/solver_test_support.h"
 
 namespace dda {
 namespace {
-
-Eigen::VectorXd oracle(const RandomSystem& system) { return system.dense.llt().solve(system.rhs); }
 
 class EverySolver : public testing::TestWithParam<SolverKind> {
  protected:
@@ -97,21 +94,15 @@ TEST_P(EverySolver, RefusesCallsOutOfOrder) {
 
 TEST_P(EverySolver, TakesPartsOrSaysThatItDoesNot) {
   const RandomSystem system = random_system(6, grid_couplings(6, 1), 1);
-  BlockPart part;
-  part.clear(6);
-  part.add(2);
-  Eigen::VectorXd z = Eigen::VectorXd::Ones(36);
   solver_->analyze(system.matrix);
   if (!solver_->takes_parts()) {
+    BlockPart part;
+    part.clear(6);
+    part.add(2);
     EXPECT_THROW(static_cast<void>(solver_->factorize(system.matrix, part)), std::logic_error);
     return;
   }
-  ASSERT_EQ(solver_->factorize(system.matrix, part), Status::ok);
-  solver_->precondition(system.rhs, z);
-  EXPECT_NE(z.segment<6>(12).norm(), 0);
-  z.segment<6>(12).setZero();
-  EXPECT_EQ(z.norm(), 0);
-  EXPECT_THROW(static_cast<void>(solver_->solve(system.rhs, z)), std::logic_error);
+  expect_takes_a_part(*solver_, system);
   expect_solves(system);  // with the whole factored again
 }
 
@@ -273,16 +264,8 @@ TEST(PcgSolver, SolvesAsWellWithAMatrixThatStays) {
   }
 }
 
-// Springs 1e15 times as stiff as what holds the blocks: the residual that the iteration carries along becomes small,
-// the true one does not.
 TEST(PcgSolver, DoesNotTrustWhatRoundOffHasSpoilt) {
-  RandomSystem system = random_system(30, grid_couplings(30, 1), 6);
-  for (const auto& [i, j] : grid_couplings(30, 1)) {
-    const Mat6 stiff = 1e15 * Mat6::Identity();
-    system.matrix.add_coupling(i, i, stiff);
-    system.matrix.add_coupling(j, j, stiff);
-    system.matrix.add_coupling(i, j, -stiff);
-  }
+  const RandomSystem system = spoilt_by_round_off();
   PcgSolver solver;
   solver.analyze(system.matrix);
   ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
@@ -304,11 +287,8 @@ TEST(PcgSolver, ReportsFailure) {
   EXPECT_EQ(solver.solve(system.rhs, x), Status::not_finite);
 }
 
-// Diagonal blocks I, coupling 2 I: eigenvalues -1 and 3.
 TEST(PcgSolver, ReportsAnIndefiniteMatrix) {
-  BlockMatrix matrix(2, {{0, 1}});
-  for (int i = 0; i < 2; ++i) matrix.diagonal(i).setIdentity();
-  matrix.add_coupling(1, 0, 2 * Mat6::Identity());
+  const BlockMatrix matrix = indefinite_pair();
   Eigen::VectorXd rhs = Eigen::VectorXd::Ones(12);
   rhs.tail<6>() *= -1;
   PcgSolver solver;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/contact/inherited_state.h"
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
 #include "engine/contact/projected_law.h"
@@ -74,9 +75,9 @@ void renew_strengths(bool contacts_move, BlockSystem& s) {
   for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
     const Interface& interface = s.contacts.interfaces[i];
     const JointMaterial& joint = s.model.joints[static_cast<std::size_t>(interface.joint)];
-    s.contacts.strengths[i] = contacts_move && interface.length == 0 ? unbonded_strength(joint, interface.share)
-                                                                     : end_strength(joint, interface.length);
-    if (interface.length == 0) s.contacts.strengths[i].residual_cohesion *= 1 - s.contacts.states[i].torn[0];
+    s.contacts.strengths[i] = contacts_move && interface.length == 0
+                                  ? strength_of_vertex(joint, interface.share, s.contacts.states[i])
+                                  : end_strength(joint, interface.length);
   }
 }
 

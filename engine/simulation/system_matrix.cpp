@@ -47,11 +47,7 @@ double least_mass(const BlockTerms& terms, int a, int b) {
 
 BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts, std::vector<std::pair<int, int>> others) {
   for (const Interface& interface : contacts.interfaces) others.emplace_back(interface.block_a, interface.block_b);
-  return make_system_matrix(blocks, std::move(others));
-}
-
-BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs) {
-  return {blocks, std::move(pairs)};
+  return {blocks, std::move(others)};
 }
 
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,

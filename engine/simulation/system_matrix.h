@@ -15,7 +15,6 @@ namespace dda {
 
 // Pattern: blocks that share an interface, or that may come to touch, are coupled, and those of `others`.
 BlockMatrix make_system_matrix(int blocks, const ContactSet& contacts, std::vector<std::pair<int, int>> others = {});
-BlockMatrix make_system_matrix(int blocks, std::vector<std::pair<int, int>> pairs);
 
 // Writes all values. `active` has 1 for the rows of each interface that carry stiffness (see InterfaceTrial).
 void assemble(const StepCoefficients& step, const BlockTerms& terms, const BlockDamping& damping,

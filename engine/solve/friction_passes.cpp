@@ -92,8 +92,6 @@ void list_live(const InterfaceTrials& contacts, std::vector<std::size_t>& places
                     [&](std::size_t i) { live[i] = live_contact(contacts, places[i]); });
 }
 
-double larger(double one, double other) { return std::max(one, other); }
-
 // Takes note of what of a contact's force does not depend on the unknowns; returns its largest entry.
 double note_constant(const Iterate& at, const LiveContact& contact, Vec4& constant) {
   constant = at.contacts.constant_force(contact.trial, contact.springs);

@@ -25,12 +25,13 @@ inline double largest_entry(const Eigen::VectorXd& force, std::size_t block, dou
   return largest_entry(force.segment<6>(static_cast<Eigen::Index>(6 * block)), area);
 }
 
+inline double larger(double one, double other) { return std::max(one, other); }
+
 // The largest of all blocks.
 inline double largest_of_blocks(const Eigen::VectorXd& force, std::span<const double> areas) {
-  const auto larger = [](double one, double other) { return std::max(one, other); };
   return parallel_reduce(areas.size(), blocks_of_plain_sum, larger, [&](std::size_t first, std::size_t last) {
     double largest = 0;
-    for (std::size_t i = first; i < last; ++i) largest = std::max(largest, largest_entry(force, i, areas[i]));
+    for (std::size_t i = first; i < last; ++i) largest = larger(largest, largest_entry(force, i, areas[i]));
     return largest;
   });
 }

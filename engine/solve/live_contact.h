@@ -34,7 +34,6 @@ struct LiveContact {
 
   // Or on one of them alone.
   void add_force(const Vec4& of_rows, Eigen::VectorXd& force, bool on_a, bool on_b) const {
-    if (on_a && on_b) return add_force(of_rows, force);
     if (on_a) points.add_force_on_a(of_rows, force.segment<6>(6 * block_a));
     if (on_b) points.add_force_on_b(of_rows, force.segment<6>(6 * block_b));
   }

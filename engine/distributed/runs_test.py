@@ -158,7 +158,7 @@ def is_alive(process):
 
 
 def stopped_runs_go_on(bench):
-    scene = bench.write("masonry_wall", "petsc", duration="0.5 s")
+    scene = bench.write("masonry_wall", "petsc", duration="3 s")
     whole = rows_of(bench.run(2, scene))
     for number in (signal.SIGINT, signal.SIGTERM):
         out = bench.folder / f"stopped-{number}"
@@ -174,7 +174,7 @@ def stopped_runs_go_on(bench):
 
 
 def whoever_dies_ends_all(bench):
-    scene = bench.write("masonry_wall", "petsc", duration="0.5 s")
+    scene = bench.write("masonry_wall", "petsc", duration="3 s")
     for which in range(2):
         process = begin(bench, scene, bench.folder / f"killed-{which}")
         ranks = [each for each in children(process.pid) if "dda" in Path(f"/proc/{each}/comm").read_text()]

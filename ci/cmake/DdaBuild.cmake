@@ -56,15 +56,6 @@ function(dda_fast_to_compile TARGET)
   set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 endfunction()
 
-# dda_same_kernels(TEST): OpenBLAS chooses its kernels by the processor; this test has those that all processors with AVX2
-# have, as what it compares hangs on round-off.
-function(dda_same_kernels TEST)
-  file(STRINGS /proc/cpuinfo processor REGEX "avx2" LIMIT_COUNT 1)
-  if(processor)
-    set_tests_properties(${TEST} PROPERTIES ENVIRONMENT OPENBLAS_CORETYPE=Haswell)
-  endif()
-endfunction()
-
 # dda_compile_together(TARGET SIZE): its sources are compiled at most SIZE at a time, in batches without two that declare the
 # same name (ADR 31). DDA_ALONE names batches that do not go together all the same, or sources that are being worked on.
 set(DDA_LIBRARIES_TOGETHER 1 CACHE STRING "Sources of libraries that are compiled as one file; 1: each alone")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 
+#include "engine/linear/blas_setup.h"
 #include "engine/linear/block_substitution.h"
 #include "engine/linear/cholesky_solver.h"
 #include "engine/linear/permuted_triangle.h"
@@ -57,7 +58,7 @@ struct CholeskySolver::Implementation {
 };
 
 CholeskySolver::Implementation::Implementation() {
-  use_one_blas_thread();
+  set_up_blas();
   cholmod_start(&common);
   common.print = 0;
   common.final_ll = 1;

@@ -1,5 +1,5 @@
-// Keeps the libraries under CHOLMOD from starting threads of their own: on the small dense blocks of these factors they
-// cost several times the work they share (README), and the order of their sums would change the bits.
+// Keeps CHOLMOD from starting threads of its own: on the small dense blocks of these factors they cost several times
+// the work they share (README), and the order of their sums would change the bits. (The BLAS below it: blas_setup.h.)
 #pragma once
 
 namespace dda {
@@ -16,9 +16,5 @@ class SingleThreadScope {
  private:
   int levels_before_ = 0;
 };
-
-// Sets OpenBLAS, where that is the BLAS of this process, to one thread, for the whole process and for good: it knows no
-// setting per thread. Done once; both libraries are looked up at run time, so that neither is linked.
-void use_one_blas_thread();
 
 }  // namespace dda

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
 #include "engine/core/allocation_counter.h"
 #include "engine/linear/cholesky_solver.h"
+#include "engine/linear/library_function.h"
 #include "engine/linear/pcg_solver.h"
 #include "engine/linear/solver_choice.h"
 #include "engine/linear/solver_test_support.h"
@@ -154,6 +156,17 @@ TEST(CholeskySolver, ReportsAFreeBody) {
       EXPECT_EQ(solver.factorize(matrix), Status::singular) << columns << " x " << rows << ", seed " << seed;
     }
   }
+}
+
+// Or round-off, and with it rock that slides or breaks, would be another on each processor.
+TEST(CholeskySolver, HasTheSameKernelsOnAllProcessorsOfItsKind) {
+  static_cast<void>(make_solver(SolverKind::cholesky));
+  auto* name = library_function<const char*()>("openblas_get_corename");
+  if (name == nullptr || library_function<void()>("gotoblas_dynamic_init") == nullptr)
+    GTEST_SKIP() << "no OpenBLAS that chooses its kernels";
+  const char* asked = std::getenv("OPENBLAS_CORETYPE");
+  if (asked == nullptr && !__builtin_cpu_supports("avx2")) GTEST_SKIP() << "a processor without AVX2";
+  EXPECT_STREQ(name(), asked != nullptr ? asked : "Haswell");
 }
 
 TEST(CholeskySolver, HasNoFillOnAChain) {

@@ -144,6 +144,9 @@ void remark_on_materials(const Model& model, const ContactSet& /*contacts*/, Rem
   }
 }
 
+// m2, of two digits, and above that of a block of this size, m.
+double area_above(double size) { return 1.06 * size * size; }
+
 void remark_on_sizes(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   std::vector<double> sizes;
   for (const Block& block : model.blocks) sizes.push_back(block_size(block));
@@ -152,10 +155,13 @@ void remark_on_sizes(const Model& model, const ContactSet& /*contacts*/, Remarks
   const double median = *middle;
   Blocks tiny = blocks_with(model, [&](const Block& block) { return block_size(block) < smallest_share * median; });
   if (tiny.empty()) return;
-  const double size = block_size(model.blocks[at(tiny[0])]);
+  const auto size_of = [&model](int block) { return block_size(model.blocks[at(block)]); };
+  std::ranges::sort(tiny, {}, size_of);
+  const double size = size_of(tiny[0]);
   remarks.push_back(fmt::format(
-      "{} is {:.2g} m in size, {:.2g} of the middle block's: such slivers make steps dear, or fail; leave them out",
-      named(model, tiny), size, size / median));
+      "{} is {:.2g} m in size, {:.2g} of the middle block's: such slivers make steps dear, or fail; leave them out "
+      "(where rock is cut, \"merge\": {{\"area\": {:.2g}}} adds them to neighbours)",
+      named(model, tiny), size, size / median, area_above(size_of(tiny.back()))));
 }
 
 double extent_of(const Model& model) {

@@ -109,8 +109,7 @@ const std::vector<OddScene> odd_scenes = {
      "material \"rock\": density is 2.65 kg/m3; rock has 2000 to 3000 kg/m3"},
     {"sliver", [](Model& model) { model.blocks.push_back(square("chip", 0.5, 3, 1e-3)); },
      "block \"chip\" is 0.001 m in size, 0.001 of the middle block's: such slivers make steps dear, or fail; leave "
-     "them "
-     "out"},
+     "them out (where rock is cut, \"merge\": {\"area\": 1.1e-06} adds them to neighbours)"},
     {"half_the_size", [](Model& model) { model.blocks.push_back(square("chip", 0.5, 3, 0.5)); }, ""},
     {"gap", [](Model& model) { model.blocks.push_back(square("top", 0.5, 3.001, 1)); },
      "blocks \"b2\" and \"top\" are 0.001 m apart and do not touch: blocks touch within 4.3e-09 m"},

@@ -26,14 +26,21 @@ double most_turn_now(const BlockSystem& system) {
 // Below this share of the area of most blocks a block is a splinter.
 constexpr double splinter_share = 1e-6;
 
-// Whether more than half of the blocks that can move are so much larger. Among many stones that are all small, or
-// beside one large block, a small one is none: it may be what the scene is about.
-bool is_splinter(const BlockSystem& system, std::size_t block) {
+// What weighs nothing ends nobody's run: in the shortest parts of a step a splinter may turn so far that its gaps are
+// off by half of its size, which is nothing to what it meets.
+constexpr double most_turn_of_splinters = 1;
+
+// And of one below this share it is said that the rock would do without it.
+constexpr double sliver_share = 1e-4;
+
+// Whether the area of a block is less than this share of that of more than half of the blocks that can move. Among many
+// stones that are all small, or beside one large block, a small one is not: it may be what the scene is about.
+bool is_below(double share, const BlockSystem& system, std::size_t block) {
   std::size_t free = 0, larger = 0;
   for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
     if (system.held.holds(static_cast<int>(i))) continue;
     ++free;
-    if (splinter_share * system.terms.area[i] > system.terms.area[block]) ++larger;
+    if (share * system.terms.area[i] > system.terms.area[block]) ++larger;
   }
   return 2 * larger > free;
 }
@@ -41,7 +48,8 @@ bool is_splinter(const BlockSystem& system, std::size_t block) {
 // What tumbles like a small block in the shortest steps does so in steps of any length when it is a splinter: rock of
 // hundreds of blocks is not stepped 64 times as often for what weighs nothing.
 double most_turn_of(const BlockSystem& system, std::size_t block, double most) {
-  return is_splinter(system, block) ? std::max(most, most_turn_in_shortest_steps) : most;
+  if (!is_below(splinter_share, system, block)) return most;
+  return is_shortest_part(system) ? most_turn_of_splinters : most_turn_in_shortest_steps;
 }
 
 std::string_view remedy_of_unsettled(const Stage& stage) {
@@ -88,8 +96,9 @@ std::string turn_problem(const BlockSystem& system) {
     if (turn > own_most)
       return fmt::format(
           "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
-          "take a smaller dt",
-          system.model.blocks[i].name, turn, system.coefficients.dt, own_most);
+          "take a smaller dt{}",
+          system.model.blocks[i].name, turn, system.coefficients.dt, own_most,
+          is_below(sliver_share, system, i) ? ", or leave out what is so much smaller than the others" : "");
   }
   return "";
 }

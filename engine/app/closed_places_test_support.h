@@ -67,7 +67,7 @@ class ClosedPlaces {
   [[nodiscard]] double cohesion() const {
     const double lever = simulation_.contacts().elements[contact_].lever;
     // A corner that a stretch has left knows what was closed of it then.
-    const double closed = is_stretch() ? closed_part(lever, {state_.gap[0], state_.gap[2]}).share : 1 - state_.torn[0];
+    const double closed = is_stretch() ? closed_share(lever, {state_.force[0], state_.force[2]}) : 1 - state_.torn[0];
     return joint().residual_cohesion * interface_.share * closed;
   }
   [[nodiscard]] double ends_that_count() const { return is_stretch() ? 2 : 1; }

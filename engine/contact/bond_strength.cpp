@@ -37,28 +37,26 @@ bool leave_residual(const EndStrength& strength, InterfaceTrial& trial) {
   return true;
 }
 
-// What has gaped at either edge by now.
-std::array<double, 2> torn_so_far(double closed, const std::array<double, 2>& before, double lever, const Vec2& gaps) {
-  const OpenEnds open = open_ends(lever, gaps);
-  return {open.first ? std::max(before[0], 1 - closed) : before[0],
-          open.second ? std::max(before[1], 1 - closed) : before[1]};
+Vec2 normal_forces(const Vec4& force) { return {force(0), force(2)}; }
+
+// What has gaped at either edge by now, at this share that is closed: the edge where less of the pressure is.
+std::array<double, 2> torn_so_far(double closed, const std::array<double, 2>& before, const Vec4& force) {
+  std::array<double, 2> torn = before;
+  double& gaping = torn[force(0) > force(2) ? 0 : 1];
+  gaping = std::max(gaping, 1 - closed);
+  return torn;
 }
 
-// An end that is broken, or dry, and where it stands.
+// An end that is broken, or dry, and what of the stretch has torn.
 struct BrokenEnd {
   int end = 0;
   bool residual = false;
-  std::array<double, 2> torn{0, 0};  // of the stretch
-  Vec2 gaps = Vec2::Zero();          // m, normal, of both points
+  std::array<double, 2> torn{0, 0};
 };
 
-BrokenEnd broken_end(const InterfaceState& state, int end) {
-  return {end, state.residual[static_cast<std::size_t>(end)], state.torn, {state.gap(0), state.gap(2)}};
-}
-
-BrokenEnd broken_end(const InterfaceTrial& trial, int end) {
-  const Vec2 gaps(trial.normal_gap(0), trial.normal_gap(1));
-  return {end, trial.residual[static_cast<std::size_t>(end)], trial.torn, gaps};
+template <typename StateOrTrial>
+BrokenEnd broken_end(const StateOrTrial& interface, int end) {
+  return {end, interface.residual[static_cast<std::size_t>(end)], interface.torn};
 }
 
 // The share of its cohesion that a point of the stretch has, and how it follows the gaps of both, 1/m.
@@ -80,39 +78,38 @@ bool has_cohesion(const EndStrength& strength, const BrokenEnd& broken, const Ve
   return strength.cohesion_now(broken.residual) > 0 && pressing_force(force, broken.end) < 0;
 }
 
-// What cohesion adds to the capacity of the stretch as a whole, N per m of thickness, and how that follows the gaps,
-// N/m per m of thickness. The end does not matter.
-struct CohesionLeft {
-  double force = 0;
-  Vec2 by_gaps = Vec2::Zero();
+// What has cohesion, of the length, and whether it follows what is closed of the stretch. The end does not matter.
+struct Cohesive {
+  double share = 0;
+  bool follows = false;
 };
 
-CohesionLeft cohesion_at(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken) {
-  const double whole = 2 * strength.cohesion_now(broken.residual);
-  if (whole == 0) return {};
-  const ClosedPart closed = closed_part(springs.lever, broken.gaps);
-  if (broken.residual) return {whole * closed.share, whole * closed.by_gaps};
-  const std::array<double, 2> now = torn_so_far(closed.share, broken.torn, springs.lever, broken.gaps);
+Cohesive cohesive(const InterfaceSprings& springs, const BrokenEnd& broken, const Vec4& force) {
+  const double closed = closed_share(springs.lever, normal_forces(force));
+  if (broken.residual) return {closed, true};
+  const std::array<double, 2> now = torn_so_far(closed, broken.torn, force);
   const double left = 1 - now[0] - now[1];
-  if (left <= 0) return {};
-  return {whole * left, now == broken.torn ? Vec2(Vec2::Zero()) : Vec2(whole * closed.by_gaps)};
+  return left <= 0 ? Cohesive{} : Cohesive{left, now != broken.torn};
 }
 
 double shear_capacity(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
                       const Vec4& force) {
   const double friction = friction_of(strength, broken.residual, force, broken.end);
   if (!has_cohesion(strength, broken, force)) return friction;
-  return friction + share_of_cohesion(force, broken.end) * cohesion_at(springs, strength, broken).force;
+  const double whole = 2 * strength.cohesion_now(broken.residual);
+  return friction + whole * cohesive(springs, broken, force).share * share_of_cohesion(force, broken.end);
 }
 
 Vec2 shear_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& strength, const BrokenEnd& broken,
                             const Vec4& force, const Mat2& by_gaps) {
   Vec2 slope = -strength.friction_now(broken.residual) * pressing_slope(force, by_gaps, broken.end);
   if (!has_cohesion(strength, broken, force)) return slope;
-  const CohesionLeft cohesion = cohesion_at(springs, strength, broken);
-  slope += cohesion.force * share_of_cohesion_by_gaps(force, by_gaps, broken.end);
-  slope += share_of_cohesion(force, broken.end) * cohesion.by_gaps;
-  return slope;
+  const double whole = 2 * strength.cohesion_now(broken.residual);
+  const Cohesive of = cohesive(springs, broken, force);
+  slope += whole * of.share * share_of_cohesion_by_gaps(force, by_gaps, broken.end);
+  if (!of.follows) return slope;
+  return slope + whole * share_of_cohesion(force, broken.end) *
+                     closed_share_by_gaps(springs.lever, normal_forces(force), by_gaps);
 }
 
 }  // namespace
@@ -152,8 +149,7 @@ Vec2 stretch_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength
 
 void note_torn(const InterfaceSprings& springs, InterfaceState& state) {
   if (state.residual[0] || !press_together(springs, state.broken)) return;
-  const Vec2 gaps(state.gap(0), state.gap(2));
-  state.torn = torn_so_far(closed_part(springs.lever, gaps).share, state.torn, springs.lever, gaps);
+  state.torn = torn_so_far(closed_share(springs.lever, normal_forces(state.force)), state.torn, state.force);
 }
 
 }  // namespace dda

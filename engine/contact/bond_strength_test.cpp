@@ -126,28 +126,28 @@ TEST(BondStrength, WhatIsLeftOfATornStretchHasItsCohesion) {
 }
 
 double left_closed(InterfaceState state) {
-  state.gap << -0.1, 0, -0.1, 0;
   state.force << -10, 0, -10, 0;
   const auto capacity = [&](int end) { return stretch_capacity(stretch_with(1 / 3.0), cohesive, state, end); };
   return capacity(0) + capacity(1) - 0.5 * 20;
 }
 
+// Either end in turn, by forces of the points of which the far one pulls by a third of what the near one presses: they
+// press together at 2/3 of half the length from the middle, which leaves half of it closed.
 TEST(BondStrength, WhatHasGapedHasNoCohesionWhenItClosesAgain) {
   const InterfaceSprings springs = stretch_with(1 / 3.0);
   InterfaceState state;
   state.broken = {true, true};
-  state.gap << 0.1, 0, -0.1, 0;
+  state.force << 10, 0, -30, 0;
   note_torn(springs, state);
-  const double closed = 1 / (1 + std::sqrt(1 / 3.0));
-  EXPECT_NEAR(state.torn[0], 1 - closed, 1e-15);
+  EXPECT_NEAR(state.torn[0], 0.5, 1e-15);
   EXPECT_EQ(state.torn[1], 0);
-  EXPECT_NEAR(left_closed(state), 12 * closed, 1e-14);
-  state.gap << -0.1, 0, 0.1, 0;
+  EXPECT_NEAR(left_closed(state), 12 * 0.5, 1e-14);
+  state.force << -27, 0, 3, 0;
   note_torn(springs, state);
-  EXPECT_NEAR(state.torn[1], 1 - closed, 1e-15);
-  EXPECT_NEAR(left_closed(state), 12 * (2 * closed - 1), 1e-14);
+  EXPECT_NEAR(state.torn[1], 0.125, 1e-15);
+  EXPECT_NEAR(left_closed(state), 12 * 0.375, 1e-14);
   const InterfaceState before = state;
-  state.gap << -0.1, 0, -0.1, 0;
+  state.force << -10, 0, -10, 0;
   note_torn(springs, state);
   EXPECT_EQ(state.torn, before.torn);
 }

@@ -144,9 +144,11 @@ class WayOverBed {
   std::size_t count_ = 1;
 };
 
-// The closed part under a force that is `arm` half lengths from the middle, |M|/|N|: (1 - arm) 3/2 in a column, all of
-// it where the arm is a third or less. A stiffer bed has no closed form; the arm falls as more is closed, since the
-// potential is convex.
+// How far from the middle these forces of the points press, in half lengths, |M|/|N|.
+double arm_of(double lever, const Vec2& force, double normal) { return lever * std::abs(force(1) - force(0)) / normal; }
+
+// The closed part under a force with such an arm: (1 - arm) 3/2 in a column, all of it where the arm is a third or
+// less. A stiffer bed has no closed form; the arm falls as more is closed, since the potential is convex.
 double closed_under(const Bed& of, double arm) {
   const double column = 1.5 * (1 - arm);
   if (column >= of.spread) return column;
@@ -193,13 +195,13 @@ BedAnswer mean_of_bed(const Bed& bed, const Vec2& from, const Vec2& to) {
 }
 
 Vec2 gaps_of_bed(const Bed& of, const Vec2& force) {
-  const double normal = -force.sum(), moment = of.lever * (force(1) - force(0));
-  const double closed = closed_under(of, std::abs(moment) / normal);
+  const double normal = -force.sum();
+  const double closed = closed_under(of, arm_of(of.lever, force, normal));
   if (closed >= 1) return force / of.stiffness;
   const double bed = bed_of(of.lever);
   const double turn = normal / (2 * bed * of.stiffness * share_of(bed, of.spread, closed).force);
   const double mean = turn * ratio_at(bed, closed);
-  const double half = std::copysign(of.lever * turn, moment);
+  const double half = std::copysign(of.lever * turn, force(1) - force(0));
   return {mean - half, mean + half};
 }
 
@@ -210,15 +212,19 @@ OpenEnds open_ends(double lever, const Vec2& gaps) {
   return {opening.turn<0, opening.turn> 0};
 }
 
-ClosedPart closed_part(double lever, const Vec2& gaps) {
-  const Opening opening = opening_of(lever, gaps);
-  const double bed = bed_of(lever);
-  if (is_closed(opening, bed)) return {1, Vec2::Zero()};
-  if (is_open(opening)) return {0, Vec2::Zero()};
-  const double ratio = opening.mean / std::abs(opening.turn);
-  const auto [closed, root] = closed_at(bed, ratio);
-  const double by_turn = std::copysign(1 / (2 * lever), opening.turn) * ratio;
-  return {closed, Vec2(0.5 + by_turn, 0.5 - by_turn) / (-2 * root * std::abs(opening.turn))};
+double closed_share(double lever, const Vec2& force) {
+  const double normal = -force.sum();
+  if (normal <= 0) return 0;
+  return std::clamp(1.5 * (1 - arm_of(lever, force, normal)), 0.0, 1.0);
+}
+
+Vec2 closed_share_by_gaps(double lever, const Vec2& force, const Mat2& by_gaps) {
+  const double normal = -force.sum();
+  if (normal <= 0) return Vec2::Zero();
+  const double arm = arm_of(lever, force, normal);
+  if (arm <= 1 / 3.0 || arm >= 1) return Vec2::Zero();
+  const Vec2 difference = by_gaps.row(1) - by_gaps.row(0), sum = by_gaps.colwise().sum();
+  return -1.5 / normal * (std::copysign(lever, force(1) - force(0)) * difference + arm * sum);
 }
 
 double deepest_end(double lever, const Vec2& gaps) {

@@ -63,13 +63,13 @@ struct OpenEnds {
 };
 OpenEnds open_ends(double lever, const Vec2& gaps);
 
-// The part of the stretch that is closed at these gaps, a of the header: 0 where it is open, 1 where no end gapes; and
-// how it follows either gap, 1/m.
-struct ClosedPart {
-  double share;
-  Vec2 by_gaps;
-};
-ClosedPart closed_part(double lever, const Vec2& gaps);
+// The part of the stretch on which these forces of its points press, of its length, and how that follows the normal
+// gaps of both, 1/m, by how the forces (rows of `by_gaps`) do. It is what equilibrium leaves a joint without tension,
+// three times the distance of the resultant from the edge that it is nearest to, and so a of the header of a bed that
+// is a column. Gaps tell another where a bed spreads its load: they are how the rock yields, and no measure of the face
+// that bears. 0 where nothing presses, 1 where no end gapes.
+double closed_share(double lever, const Vec2& force);
+Vec2 closed_share_by_gaps(double lever, const Vec2& force, const Mat2& by_gaps);
 
 // How far the stretch lies in its neighbour at the end where it does most, beyond the points, m; not positive where it
 // is open.

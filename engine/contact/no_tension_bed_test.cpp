@@ -60,20 +60,51 @@ double pressed_share(double lever, double mean, double turn) {
   return std::clamp((1 - gap_of_bed / std::abs(turn)) / 2, 0.0, 1.0);
 }
 
+Vec2 force_at(const Bed& bed, const Vec2& gaps) { return press_bed(bed, gaps).force; }
+
+Mat2 slopes_at(const Bed& bed, const Vec2& gaps) {
+  const BedAnswer answer = press_bed(bed, gaps);
+  return (Mat2() << answer.slope(0), answer.coupling, answer.coupling, answer.slope(1)).finished();
+}
+
 TEST(NoTensionBed, IsClosedWhereSpringsPress) {
+  for (const double lever : levers)
+    for (const double mean : means)
+      for (const double turn : {1.0, -1.0})
+        EXPECT_NEAR(closed_share(lever, force_at({stiffness, lever}, gaps_at(lever, mean, turn))),
+                    pressed_share(lever, mean, turn), 1e-4)  // 20,000 springs
+            << lever << " " << mean;
+}
+
+// Whether or not the bed spreads its load.
+TEST(NoTensionBed, KnowsHowTheClosedShareFollowsTheGaps) {
   constexpr double difference = 1e-6;
   for (const double lever : levers) {
     for (const double mean : means) {
-      for (const double turn : {1.0, -1.0}) {
-        const Vec2 gaps = gaps_at(lever, mean, turn);
-        const ClosedPart closed = closed_part(lever, gaps);
-        EXPECT_NEAR(closed.share, pressed_share(lever, mean, turn), 1e-4) << lever << " " << mean;  // 20,000 springs
+      for (const double spread : {0.0, 0.4, 1.0}) {
+        const Bed bed{stiffness, lever, spread};
+        const Vec2 gaps = gaps_at(lever, mean, 1);
+        const auto share_at = [&](const Vec2& at) { return closed_share(lever, force_at(bed, at)); };
+        const Vec2 by_gaps = closed_share_by_gaps(lever, force_at(bed, gaps), slopes_at(bed, gaps));
         for (int point = 0; point < 2; ++point) {
           const Vec2 change = difference * Vec2::Unit(point);
-          const double by =
-              (closed_part(lever, gaps + change).share - closed_part(lever, gaps - change).share) / (2 * difference);
-          EXPECT_NEAR(closed.by_gaps(point), by, 1e-7) << lever << " " << mean;  // its third derivative is some tens
+          const double by = (share_at(gaps + change) - share_at(gaps - change)) / (2 * difference);
+          EXPECT_NEAR(by_gaps(point), by, 1e-7) << lever << " " << mean << " " << spread;  // as its third derivative
         }
+      }
+    }
+  }
+}
+
+// As equilibrium has it, however the bed yields.
+TEST(NoTensionBed, ClosedShareIsThreeTimesTheDistanceFromTheEdge) {
+  for (const double lever : levers) {
+    for (const double spread : {0.0, 0.25, 1.0}) {
+      for (const double from_edge : {0.001, 0.01, 0.05, 0.2, 0.3}) {  // over the length
+        const double arm = (1 - 2 * from_edge) / lever;
+        const Vec2 force = force_at({stiffness, lever, spread},
+                                    gaps_of_bed({stiffness, lever, spread}, {-(1 + arm) / 2, -(1 - arm) / 2}));
+        EXPECT_NEAR(closed_share(lever, force), 3 * from_edge, 1e-9) << lever << " " << spread;
       }
     }
   }

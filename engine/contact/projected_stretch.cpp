@@ -161,7 +161,7 @@ StressLetGo stress_let_go(const Model& model, const State& state, const Interfac
 
 double gaping_share(const InterfaceElement& element, const InterfaceState& state) {
   if (!presses_together(element, state.broken, state.force)) return 0;
-  return 1 - closed_part(element.lever, {state.gap(0), state.gap(2)}).share;
+  return 1 - closed_share(element.lever, {state.force(0), state.force(2)});
 }
 
 std::array<Vec2, 2> pressing_ends(const InterfaceElement& element, const InterfaceState& state) {

@@ -167,18 +167,19 @@ bool slides_under(Scene scene, double load) {
   return simulation.contacts().states[0].residual[0];
 }
 
-// Below a quarter of the length the bed spreads its load (no_tension_bed.h), and the closed form is another.
+// Also below a quarter of the length, where the bed spreads its load (no_tension_bed.h): where the force stands is
+// known without it.
 TEST(ProjectedBond, SlidesWhereFrictionAndTheCohesionOfItsClosedPartAreUsedUp) {
   int gaped = 0;
   for (int seed = 0; seed < 120; ++seed) {
     Lot lot(seed);
     const Gaping gaping = pushed_till_it_gapes(lot);
-    if (gaping.closed < 0.26 || gaping.closed >= 1) continue;
+    if (gaping.closed < 0.02 || gaping.closed >= 1) continue;
     ++gaped;
     EXPECT_FALSE(slides_under(gaping.scene, (1 - share_off) * gaping.load)) << "seed " << seed;
     EXPECT_TRUE(slides_under(gaping.scene, (1 + share_off) * gaping.load)) << "seed " << seed;
   }
-  EXPECT_GT(gaped, 20);
+  EXPECT_GT(gaped, 60);
 }
 
 // A block of 1 x 1 m on a plane of 30 degrees, whose joint keeps all of its cohesion as it slides and would hold

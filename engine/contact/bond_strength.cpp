@@ -18,9 +18,17 @@ bool is_torn_off(const InterfaceSprings& springs, const EndStrength& strength, c
   return at_edge > strength.tension;
 }
 
-bool is_sheared_off(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force) {
-  const double shear = std::max(std::abs(force(1) + force(3)), springs.lever * std::abs(force(3) - force(1)));
-  return shear > 2 * strength.cohesion - strength.friction * (force(0) + force(2));
+double shear_strength(const EndStrength& strength, const Vec4& force) {
+  return 2 * strength.cohesion - strength.friction * (force(0) + force(2));
+}
+
+bool is_sheared_off(const EndStrength& strength, const Vec4& force) {
+  return std::abs(force(1) + force(3)) > shear_strength(strength, force);
+}
+
+// To the opposite shear of its points.
+bool yields(const InterfaceSprings& springs, const EndStrength& strength, const Vec4& force) {
+  return springs.lever * std::abs(force(3) - force(1)) > shear_strength(strength, force);
 }
 
 bool presses(const Vec4& force) { return force(0) + force(2) < 0; }
@@ -29,9 +37,15 @@ bool sticks(const InterfaceTrial& trial, std::size_t end) {
   return trial.capacity[end] > 0 && trial.active(static_cast<Eigen::Index>(2 * end + 1)) >= 1;
 }
 
+// Ends that slide away from or towards each other follow the strain of a block, and go nowhere.
+bool slides_as_a_whole(const InterfaceTrial& trial) {
+  const Vec4 shear = trial.force + trial.before;
+  return !sticks(trial, 0) && !sticks(trial, 1) && shear(1) * shear(3) >= 0;
+}
+
 // Dry ones have their friction until one of their ends slides (open_close.cpp).
 bool leave_residual(const EndStrength& strength, InterfaceTrial& trial) {
-  const bool holds = presses(trial.force) && (sticks(trial, 0) || sticks(trial, 1));
+  const bool holds = presses(trial.force) && !slides_as_a_whole(trial);
   if (strength.is_dry() || trial.residual[0] || holds) return false;
   trial.residual = {true, true};
   return true;
@@ -116,8 +130,8 @@ Vec2 shear_capacity_by_gaps(const InterfaceSprings& springs, const EndStrength& 
 
 bool break_stretch(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.broken[0]) return leave_residual(strength, trial);
-  const bool sheared = is_sheared_off(springs, strength, trial.force);
-  if (!sheared && !is_torn_off(springs, strength, trial.force)) return false;
+  const bool sheared = is_sheared_off(strength, trial.force);
+  if (!sheared && !yields(springs, strength, trial.force) && !is_torn_off(springs, strength, trial.force)) return false;
   trial.broken = {true, true};
   if (sheared || !presses(trial.force)) trial.residual = {true, true};
   return true;

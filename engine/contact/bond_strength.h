@@ -9,14 +9,17 @@
 //   shear    of the whole stretch, |T| > c l - N tan(phi), as that of a block that slides. A moment shifts normal force
 //            from one half to the other, and friction with it, but leaves their sum; and where bending pulls the edges
 //            most no shear flows in a beam. So the strength goes over to the friction of a dry joint as c goes to 0.
-//            Of |T|: what a block does that is stretched beside one that is not has opposite shear at both ends, which
-//            must not count for nothing. No traction with the resultant T and the moment m about the middle of the
-//            stretch (of shear times place) adds up to less than the larger of |T| and 2 |m|/l: that is what is judged.
-//            It leaves alone what is only shared unevenly, as under a force on one end of a flat block.
+//            A block that is stretched beside one that is not, as by its Poisson's ratio under its weight, has opposite
+//            shear at both ends. No traction with the resultant T and the moment m about the middle of the stretch (of
+//            shear times place) adds up to less than the larger of |T| and 2 |m|/l. Where the latter is beyond the
+//            strength the ends slide against each other, as far as the block is strained, and nothing goes anywhere. So
+//            a stretch that presses yields there: its ends carry what they can, together as much as before, and it has
+//            failed when it slides as a whole, as limit equilibrium has it. One that does not press has failed.
+//            What is only shared unevenly is left alone, as under a force on one end of a flat block.
 //
-// A stretch that is torn at an edge and presses carries no tension any more, and keeps the peak strength in shear
-// where it has never gaped: c l' - N tan(phi), l' what is left of the length when the farthest that either edge has
-// gaped is taken off (`torn`). When it slides or opens as a whole it has failed, and has its residual strength where it
+// A stretch that is torn at an edge, or yields, and presses carries no tension any more, and keeps the peak strength in
+// shear where it has never gaped: c l' - N tan(phi), l' what is left of the length when the farthest that either edge
+// has gaped is taken off (`torn`). When it slides or opens as a whole it has failed, and has its residual strength where it
 // is closed. Either point has of the cohesion what it has of the pressure, so none is lost when an edge gapes so far
 // that one of the points no longer presses.
 #pragma once

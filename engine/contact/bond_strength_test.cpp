@@ -74,6 +74,23 @@ TEST(BondStrength, ShearOfAStretchIsJudgedByWhatHasItsResultants) {
   EXPECT_TRUE(breaks({0, 18.1, 0, -18.1}));
 }
 
+// What opposite shear is beyond the strength is strain: a stretch that presses keeps its strength, one that does not has
+// failed.
+TEST(BondStrength, AStretchThatPressesYieldsToOppositeShear) {
+  for (const double side : {1.0, -1.0}) {
+    const auto residual_by = [&](const Vec4& force) {
+      InterfaceTrial trial;
+      trial.force = force;
+      break_ends(stretch_with(1 / 3.0), glued, trial);
+      EXPECT_EQ(trial.broken, (Ends{true, true}));
+      return trial.residual;
+    };
+    EXPECT_EQ(residual_by({-4, side * 25, -4, -side * 25}), (Ends{false, false}));
+    EXPECT_EQ(residual_by({-4, side * 9, -4, side * 9}), (Ends{true, true})) << "sheared off";
+    EXPECT_EQ(residual_by({4, side * 25, 4, -side * 25}), (Ends{true, true})) << "it does not press";
+  }
+}
+
 TEST(BondStrength, EndsOfOtherLawsBreakByThemselves) {
   InterfaceSprings springs = stretch_with(1);
   springs.law = InterfaceLaw::classical;
@@ -189,6 +206,12 @@ TEST(BondStrength, ATornStretchFailsWhenItSlidesOrOpensAsAWhole) {
   one_end.gap(1) = 0.3;
   follow({-0.1, -0.1}, one_end);
   EXPECT_FALSE(break_ends(springs, cohesive, one_end)) << "the other end sticks";
+  one_end.gap(3) = -0.3;
+  follow({-0.1, -0.1}, one_end);
+  EXPECT_FALSE(break_ends(springs, cohesive, one_end)) << "both slide against each other";
+  one_end.gap(3) = 0.3;
+  follow({-0.1, -0.1}, one_end);
+  EXPECT_TRUE(break_ends(springs, cohesive, one_end));
 }
 
 }  // namespace

@@ -96,5 +96,14 @@ TEST(LimitEquilibrium, CohesionActsOnWhatIsClosedOfAFootHoweverLittleItIs) {
   });
 }
 
+// So little of the weight goes along the plane that what it strains the block by shears the ends of the foot by more.
+TEST(LimitEquilibrium, AFootIsNotShearedOffByTheStrainOfItsBlock) {
+  expect_factors_of_limit_equilibrium([](Lot& lot) {
+    BlockOnAPlane block = drawn_block(lot.between(0.005, 0.1), lot.between(0.2, 3), lot);
+    cohere(block, lot);
+    return block;
+  });
+}
+
 }  // namespace
 }  // namespace dda

@@ -43,12 +43,12 @@ bool slides_as_a_whole(const InterfaceTrial& trial) {
   return !sticks(trial, 0) && !sticks(trial, 1) && shear(1) * shear(3) >= 0;
 }
 
-// Dry ones have their friction until one of their ends slides (open_close.cpp).
+// Opening as a whole takes a bond, and nothing from a dry stretch.
 bool leave_residual(const EndStrength& strength, InterfaceTrial& trial) {
-  const bool holds = presses(trial.force) && !slides_as_a_whole(trial);
-  if (strength.is_dry() || trial.residual[0] || holds) return false;
-  trial.residual = {true, true};
-  return true;
+  if (trial.residual[0] || (strength.is_dry() && strength.friction_drop == 0)) return false;
+  const bool fails = presses(trial.force) ? slides_as_a_whole(trial) : !strength.is_dry();
+  if (fails) trial.residual = {true, true};
+  return fails;
 }
 
 Vec2 normal_forces(const Vec4& force) { return {force(0), force(2)}; }

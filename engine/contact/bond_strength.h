@@ -19,9 +19,9 @@
 //
 // A stretch that is torn at an edge, or yields, and presses carries no tension any more, and keeps the peak strength in
 // shear where it has never gaped: c l' - N tan(phi), l' what is left of the length when the farthest that either edge
-// has gaped is taken off (`torn`). When it slides or opens as a whole it has failed, and has its residual strength where it
-// is closed. Either point has of the cohesion what it has of the pressure, so none is lost when an edge gapes so far
-// that one of the points no longer presses.
+// has gaped is taken off (`torn`). When it slides or opens as a whole it has failed, and has its residual strength
+// where it is closed. Either point has of the cohesion what it has of the pressure, so none is lost when an edge gapes
+// so far that one of the points no longer presses.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@
 
 namespace dda {
 
-// Breaks a projected stretch whose forces are beyond its strength, of which either end has half, or leaves a torn one
-// that no longer holds its residual strength; returns whether it did either.
+// Breaks a projected stretch whose forces are beyond its strength, of which either end has half, or leaves one that is
+// torn and no longer holds, or dry and slides, its residual strength; returns whether it did either.
 bool break_stretch(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial);
 
 // The largest shear force of an end of a stretch that is broken or dry, N per m of thickness: between steps, and in the

@@ -74,8 +74,8 @@ TEST(BondStrength, ShearOfAStretchIsJudgedByWhatHasItsResultants) {
   EXPECT_TRUE(breaks({0, 18.1, 0, -18.1}));
 }
 
-// What opposite shear is beyond the strength is strain: a stretch that presses keeps its strength, one that does not has
-// failed.
+// What opposite shear is beyond the strength is strain: a stretch that presses keeps its strength, one that does not
+// has failed.
 TEST(BondStrength, AStretchThatPressesYieldsToOppositeShear) {
   for (const double side : {1.0, -1.0}) {
     const auto residual_by = [&](const Vec4& force) {
@@ -212,6 +212,26 @@ TEST(BondStrength, ATornStretchFailsWhenItSlidesOrOpensAsAWhole) {
   one_end.gap(3) = 0.3;
   follow({-0.1, -0.1}, one_end);
   EXPECT_TRUE(break_ends(springs, cohesive, one_end));
+}
+
+// It has no bond to lose by opening.
+TEST(BondStrength, ADryStretchHasItsPeakFrictionUntilItSlidesAsAWhole) {
+  const InterfaceSprings springs = stretch_with(1 / 3.0);
+  const EndStrength dry{.friction = 0.5, .friction_drop = 0.3};
+  InterfaceState start;
+  start.broken = {true, true};
+  InterfaceTrial trial = start_trial(springs, dry, start);
+  const auto leaves_residual = [&](const Vec4& gap) {
+    trial.gap = gap;
+    respond_with_friction(springs, dry, trial);
+    return break_ends(springs, dry, trial);
+  };
+  EXPECT_FALSE(leaves_residual({-0.1, 0.3, -0.1, 0})) << "one end sticks";
+  EXPECT_FALSE(leaves_residual({-0.1, 0.3, -0.1, -0.3})) << "both slide against each other";
+  EXPECT_FALSE(leaves_residual({0.1, 0.3, 0.1, 0.3})) << "it is open";
+  EXPECT_TRUE(leaves_residual({-0.1, 0.3, -0.1, 0.3}));
+  EXPECT_EQ(trial.residual, (Ends{true, true}));
+  EXPECT_FALSE(leaves_residual({-0.1, 0.3, -0.1, 0.3})) << "once";
 }
 
 }  // namespace

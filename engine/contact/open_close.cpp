@@ -295,9 +295,8 @@ void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, I
 
 bool break_ends(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (trial.rule.sticks) return false;
-  const bool breaks_as_whole = springs.law == InterfaceLaw::projected;
-  bool broke = breaks_as_whole && break_stretch(springs, strength, trial);
-  if (breaks_as_whole && !strength.is_dry()) return broke;
+  if (springs.law == InterfaceLaw::projected) return break_stretch(springs, strength, trial);
+  bool broke = false;
   for (int end = 0; end < 2; ++end) {
     const auto e = static_cast<std::size_t>(end);
     const Eigen::Index n = normal_row(end);

@@ -105,5 +105,16 @@ TEST(LimitEquilibrium, AFootIsNotShearedOffByTheStrainOfItsBlock) {
   });
 }
 
+// Nor does that take the friction that a dry foot has before it slides.
+TEST(LimitEquilibrium, ADryFootKeepsItsPeakFrictionUntilItSlidesAsAWhole) {
+  expect_factors_of_limit_equilibrium([](Lot& lot) {
+    const double slope = lot.between(0.02, 1);
+    BlockOnAPlane block = drawn_block(slope, lot.between(0.05, 0.9) / std::tan(slope), lot);
+    block.height = std::min(block.height, 5 * block.length);
+    block.joint.residual_friction_angle = block.joint.friction_angle * lot.between(0.2, 0.95);
+    return block;
+  });
+}
+
 }  // namespace
 }  // namespace dda

@@ -43,8 +43,8 @@ struct JointMaterial {
   double cohesion = 0;          // Pa
   double tensile_strength = 0;  // Pa
 
-  // After failure in shear or tension; a joint without cohesion and tensile strength fails when it first slides.
-  // Neither above the values before, and no tension any more.
+  // After failure in shear or tension; a joint without cohesion and tensile strength fails when it slides, projected
+  // ones as a whole. Neither above the values before, and no tension any more.
   std::optional<double> residual_friction_angle = {};  // rad; none: friction_angle
   double residual_cohesion = 0;                        // Pa, where closed
 

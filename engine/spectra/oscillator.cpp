@@ -1,6 +1,7 @@
 #include "engine/spectra/oscillator.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace dda {
 namespace {
@@ -44,15 +45,24 @@ Impulse by_series(const Oscillator& oscillator, double t) {
 }  // namespace
 
 double derivative(int order, const Oscillator& oscillator, const OscillatorState& state, double f, double slope) {
+  if (order == 0) return state.value;
+  if (order == 1) return state.rate;
   const double stiffness = oscillator.omega * oscillator.omega;
   const double damping = 2 * oscillator.ratio * oscillator.omega;
-  const double second = -f - damping * state.rate - stiffness * state.value;
-  switch (order) {
-    case 0: return state.value;
-    case 1: return state.rate;
-    case 2: return second;
-    default: return -slope - damping * second - stiffness * state.rate;
+  double before = state.rate;
+  double last = -f - damping * state.rate - stiffness * state.value;
+  for (int i = 2; i < order; ++i) {
+    const double next = (i == 2 ? -slope : 0) - damping * last - stiffness * before;
+    before = last;
+    last = next;
   }
+  return last;
+}
+
+double first_zero(const Oscillator& oscillator, double value, double rate) {
+  const double damped = oscillator.omega * std::sqrt((1 - oscillator.ratio) * (1 + oscillator.ratio));
+  const double angle = std::atan2(-value, (rate + oscillator.ratio * oscillator.omega * value) / damped);
+  return (angle > 0 ? angle : angle + std::numbers::pi) / damped;
 }
 
 OscillatorStep::OscillatorStep(const Oscillator& oscillator, double dt)

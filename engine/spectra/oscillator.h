@@ -24,8 +24,12 @@ struct LeadingLine {
   double slope = 0;  // 1/s
 };
 
-// The `order`th derivative of w, 0 to 3, where the line has gone on to the value `f`.
+// The `order`th derivative of w, 0 to 5, where the line has gone on to the value `f`.
 double derivative(int order, const Oscillator& oscillator, const OscillatorState& state, double f, double slope);
+
+// The time (s) after which a free vibration that begins with this value and rate is zero for the first time. From the
+// second on derivatives of w are such vibrations while the line goes on.
+double first_zero(const Oscillator& oscillator, double value, double rate);
 
 class OscillatorStep {
  public:

@@ -34,43 +34,60 @@ class Follower {
     state_ = step_->after(start, line);
     const double end = line.start + line.slope * dt;
     note(derivative(order_, oscillator_, state_, end, line.slope));
-    const double rate_at_start = derivative(order_ + 1, oscillator_, start, line.start, line.slope);
-    const double rate_at_end = derivative(order_ + 1, oscillator_, state_, end, line.slope);
-    if ((rate_at_start < 0) != (rate_at_end < 0)) note_extremum(dt, line, start, rate_at_start, rate_at_end);
+    note_extrema(dt, line, start, end);
   }
 
   [[nodiscard]] double largest() const { return largest_; }
 
  private:
+  struct Moment {
+    double time = 0;  // s, since the start of the interval
+    double rate = 0;  // of the displacement
+  };
+
   void note(double displacement) { largest_ = std::max(largest_, std::abs(displacement)); }
 
-  // Regula falsi on the rate, where an end that stays twice counts half (the "Illinois" rule). What is off in the
-  // place of an extremum is off in its value by the square.
-  void note_extremum(double dt, const LeadingLine& line, const OscillatorState& start, double rate_left,
-                     double rate_right) {
+  // Up to where the rate turns, and from there on, it has one zero at most.
+  void note_extrema(double dt, const LeadingLine& line, const OscillatorState& start, double end) {
+    const auto at_start = [&](int order) {
+      return derivative(order_ + order, oscillator_, start, line.start, line.slope);
+    };
+    const auto at_end = [&](int order) { return derivative(order_ + order, oscillator_, state_, end, line.slope); };
+    const Moment first{0, at_start(1)}, last{dt, at_end(1)};
+    const double bend = at_start(2);
+    const bool turns = (bend < 0) != (at_end(2) < 0);
+    const double when = turns ? first_zero(oscillator_, bend, at_start(3)) : dt;
+    if (!(when > 0 && when < dt)) return note_extremum(line, start, first, last);
+    const Moment turn = moment_at(when, line, start);
+    note_extremum(line, start, first, turn);
+    note_extremum(line, start, turn, last);
+  }
+
+  Moment moment_at(double t, const LeadingLine& line, const OscillatorState& start) {
+    const OscillatorState there = OscillatorStep(oscillator_, t).after(start, line);
+    const double f = line.start + line.slope * t;
+    note(derivative(order_, oscillator_, there, f, line.slope));
+    return {t, derivative(order_ + 1, oscillator_, there, f, line.slope)};
+  }
+
+  // None where the rate has the same sign at both ends. Regula falsi on the rate, where an end that stays twice counts
+  // half (the "Illinois" rule). What is off in the place of an extremum is off in its value by the square.
+  void note_extremum(const LeadingLine& line, const OscillatorState& start, Moment left, Moment right) {
     constexpr double precision = 1e-8;  // of the interval
-    double left = 0, right = dt, last = -dt;
+    if ((left.rate < 0) == (right.rate < 0)) return;
+    const double interval = right.time - left.time;
+    double last = left.time - interval;
     int stayed = 0;
     for (int i = 0; i < 60; ++i) {
-      const double t = (left * rate_right - right * rate_left) / (rate_right - rate_left);
-      if (!(t > left && t < right) || std::abs(t - last) < precision * dt) break;
+      const double t = (left.time * right.rate - right.time * left.rate) / (right.rate - left.rate);
+      if (!(t > left.time && t < right.time) || std::abs(t - last) < precision * interval) break;
       last = t;
-      const OscillatorState there = OscillatorStep(oscillator_, t).after(start, line);
-      const double f = line.start + line.slope * t;
-      note(derivative(order_, oscillator_, there, f, line.slope));
-      const double rate = derivative(order_ + 1, oscillator_, there, f, line.slope);
-      if (rate == 0) break;
-      if ((rate < 0) == (rate_left < 0)) {
-        left = t;
-        rate_left = rate;
-        if (stayed == 1) rate_right /= 2;
-        stayed = 1;
-      } else {
-        right = t;
-        rate_right = rate;
-        if (stayed == -1) rate_left /= 2;
-        stayed = -1;
-      }
+      const Moment there = moment_at(t, line, start);
+      if (there.rate == 0) break;
+      const bool on_left = (there.rate < 0) == (left.rate < 0);
+      (on_left ? left : right) = there;
+      if (stayed == (on_left ? 1 : -1)) (on_left ? right : left).rate /= 2;
+      stayed = on_left ? 1 : -1;
     }
   }
 
@@ -82,8 +99,9 @@ class Follower {
   double largest_ = 0;  // m
 };
 
-// So short that no part has more than one extremum. Oscillators of periods below an eighth of the interval go with the
-// ground but for a share that is less than the period over the interval, and some parts will do.
+// So short that no part has more than two extrema, and the rate no more than one between these. Oscillators of periods
+// below an eighth of the interval go with the ground but for a share that is less than the period over the interval,
+// and some parts will do.
 int parts_of(double interval, double period) {
   constexpr double parts_of_period = 8;
   constexpr double most = 64;

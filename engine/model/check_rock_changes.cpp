@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
 #include "engine/model/rock_change.h"
@@ -91,15 +92,16 @@ void check_growth(const Item& item, const ModulusLimits& limits, const Material&
     item.fail("Young's modulus", problem->first, problem->second);
 }
 
-void check_sizes(const Item& item, std::size_t now, std::size_t before) {
-  if (now != before) item.fail("rock", fmt::format("of {} entries", now), fmt::format("{}, as the model", before));
+void check_sizes(std::size_t now, std::size_t before) {
+  if (now != before)
+    throw InputError("", "rock", fmt::format("of {} entries", now), fmt::format("{}, as the model", before));
 }
 
 void check_joints_of(const Model& model, std::size_t stage) {
   const std::vector<JointMaterial>& before = joints_in(model, stage - 1);
   const std::vector<JointMaterial>& now = model.stages[stage].rock.joints;
   check_strengths(now);
-  check_sizes(Item("stages", stage, model.stages[stage].name), now.size(), before.size());
+  check_sizes(now.size(), before.size());
   for (std::size_t i = 0; i < now.size(); ++i) check_change(Item("joints", i, now[i].name), before[i], now[i]);
 }
 
@@ -107,7 +109,7 @@ void check_materials_of(const Model& model, std::size_t stage) {
   const std::vector<Material>& before = materials_in(model, stage - 1);
   const std::vector<Material>& now = model.stages[stage].rock.materials;
   check_materials(now);
-  check_sizes(Item("stages", stage, model.stages[stage].name), now.size(), before.size());
+  check_sizes(now.size(), before.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
     check_change(Item("materials", i, now[i].name), before[i], now[i]);
     check_growth(Item("materials", i, now[i].name), modulus_limits(model), materials_in(model, 0)[i], now[i]);
@@ -125,6 +127,16 @@ void refuse_beside(const Model& model, std::size_t stage) {
     item.fail("moduli", "changed beside projected joints",
               "the same in all stages, or joints of another law: what projected joints take off their blocks goes by "
               "the modulus at the start");
+}
+
+// A joint or material may be changed by many stages: what is refused says by which.
+template <typename Check>
+void in_stage(const Model& model, std::size_t stage, Check check) {
+  try {
+    check(model, stage);
+  } catch (const InputError& error) {
+    Item("stages", stage, model.stages[stage].name).fail(error.field(), error.value(), error.expected());
+  }
 }
 
 }  // namespace
@@ -156,8 +168,8 @@ void check_rock_changes(const Model& model) {
     const RockOfStage& rock = model.stages[i].rock;
     if (rock.materials.empty() && rock.joints.empty()) continue;
     refuse_beside(model, i);
-    if (!rock.joints.empty()) check_joints_of(model, i);
-    if (!rock.materials.empty()) check_materials_of(model, i);
+    if (!rock.joints.empty()) in_stage(model, i, check_joints_of);
+    if (!rock.materials.empty()) in_stage(model, i, check_materials_of);
   }
 }
 

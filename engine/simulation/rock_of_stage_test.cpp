@@ -166,5 +166,19 @@ TEST(RockOfStage, RefusesWhatAStageCannotChange) {
   EXPECT_NE(refused_young(1e10, projected).find("projected"), std::string::npos);
 }
 
+TEST(RockOfStage, NamesTheStageThatAsksForWhatItRefuses) {
+  const auto expect_named = [](Model model) {
+    model.stages[1].name = "weak";
+    const std::string refusal = refusal_of(model);
+    EXPECT_EQ(refusal.find("stages \"weak\" "), 0U) << refusal;
+  };
+  JointMaterial rising = rough(0.5);
+  rising.dilation_angle = 0.1;
+  for (const JointMaterial& later : {rising, rough(0.5, 1e6), rough(-1)})
+    expect_named(block_on_slope(rough(0.5), later, Kinematics::small));
+  for (const double young : {-1.0, 4.1e10})
+    expect_named(pulled_bar(bond(InterfaceLaw::consistent), 1, 0, with_young(young), Kinematics::small));
+}
+
 }  // namespace
 }  // namespace dda

@@ -28,6 +28,7 @@
 #include "engine/core/error.h"
 #include "engine/core/option_values.h"
 #include "engine/core/quantity.h"
+#include "engine/core/read_file.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
 #include "engine/scene/scene_schema.h"
@@ -346,6 +347,9 @@ int run_command_line(int argc, const char* const* argv, std::ostream& out, std::
     errors << "dda: " << complaint(app, error, argc, argv) << "; dda --help says more\n";
     return exit_bad_input;
   } catch (const InputError& error) {
+    errors << "dda: " << error.what() << '\n';
+    return exit_bad_input;
+  } catch (const UnreadableFile& error) {  // such as a folder in the place of a run's summary
     errors << "dda: " << error.what() << '\n';
     return exit_bad_input;
   } catch (const std::filesystem::filesystem_error& error) {

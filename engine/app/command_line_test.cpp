@@ -119,8 +119,43 @@ TEST_F(CommandLine, WhereResultsCannotGo) {
   EXPECT_EQ(onto_file.errors, "dda: --out is " + path("file") + ", which is a file, expected a folder\n");
   EXPECT_EQ(text("file"), "mine");
   const Outcome below_file = call({"run", path("scene.json"), "--out", path("file/out")});
-  EXPECT_EQ(below_file.code, 1);
+  EXPECT_EQ(below_file.code, 2);
   EXPECT_EQ(lines(below_file.errors), 1);
+}
+
+// Folders below /proc cannot be made, nor files in the one of a process.
+TEST_F(CommandLine, PlacesWhereNothingCanBeMadeAreBadInput) {
+  write("scene.json", bar_scene(3, 10));
+  ASSERT_EQ(call({"run", path("scene.json"), "--out", path("results"), "--frames", "1"}).code, 0);
+  const auto before = files_below("results");
+  for (const std::string& place : {std::string("/proc/1/x"), std::string("/proc/x"), std::string(300, 'x')}) {
+    for (const std::string command : {"run", "keyblocks", "fos"})
+      expect_refusal({command, path("scene.json"), "--out", place}, "--out is " + place + ", which cannot be made");
+    for (const std::string command : {"view", "report"})
+      expect_refusal({command, path("results"), "--out", place + ".html"},
+                     "--out is " + place + ".html, where nothing can be written");
+  }
+  EXPECT_EQ(files_below("results"), before);
+}
+
+TEST_F(CommandLine, FoldersInThePlaceOfResultsAreBadInput) {
+  write("scene.json", bar_scene(3, 10));
+  for (const std::string name : {"summary.json", "histories.csv", "energies.csv"}) {
+    ASSERT_EQ(call({"run", path("scene.json"), "--out", path("results"), "--frames", "1"}).code, 0);
+    std::filesystem::remove(path("results/" + name));
+    std::filesystem::create_directories(path("results/" + name));
+    expect_refusal({"run", path("scene.json"), "--out", path("results")}, "where " + name + " is a directory");
+    expect_refusal({"report", path("results")}, "cannot read " + path("results/" + name) + ": it is a directory");
+    if (name == "energies.csv") continue;  // which a page does without
+    expect_refusal({"view", path("results")}, "cannot read " + path("results/" + name) + ": it is a directory");
+    std::filesystem::remove(path("results/" + name));
+  }
+  for (const std::string name : {"run.lock", "keyblocks.svg"}) {
+    std::filesystem::create_directories(path("other/" + name));
+    expect_refusal({"keyblocks", path("scene.json"), "--out", path("other")}, "--out is " + path("other") + ", where ");
+    std::filesystem::remove(path("other/" + name));
+    EXPECT_TRUE(files_below("other").empty());
+  }
 }
 
 TEST_F(CommandLine, CheckSaysWhatWillBeRun) {

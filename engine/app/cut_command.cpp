@@ -17,8 +17,8 @@
 #include "engine/core/parallel.h"
 #include "engine/drawing/write_blocks.h"
 #include "engine/record/atomic_file.h"
-#include "engine/record/folder_lock.h"
 #include "engine/record/progress.h"
+#include "engine/record/reserved_folder.h"
 #include "engine/scene/cut_scene.h"
 
 namespace dda {
@@ -44,8 +44,6 @@ void expect_source_kept(const CutRequest& request) {
 void check_outputs(const CutRequest& request) {
   const std::filesystem::path& folder = request.folder;
   if (folder.empty()) throw InputError("", "--out", "empty", "a folder");
-  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
-    throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
   expect_source_kept(request);
   if (request.exported.empty()) return;
   if (!is_block_format(request.exported))
@@ -86,6 +84,7 @@ std::vector<Output> outputs_of(const CutScene& cut, const CutFigures& figures, c
 
 void cut_into_folder(const CutRequest& request, std::ostream& out) {
   check_outputs(request);
+  const ReservedFolder folder(request.folder, {"scene.json", "cut.json", "cut.svg", "statistics.svg"});
   const ThreadsInUse threads(request.threads > 0 ? request.threads : cores());
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
@@ -103,7 +102,6 @@ void cut_into_folder(const CutRequest& request, std::ostream& out) {
   });
   Output scene{request.folder / "scene.json", std::exchange(cut.text, {}), ""};
   outputs.insert(outputs.begin(), std::move(scene));
-  const FolderLock lock(request.folder);
   for (const Output& output : outputs) write_file(output.file, output.text);
   out << report_text(cut, figures);
   for (const Output& output : outputs)

@@ -15,7 +15,7 @@
 #include "engine/core/quantity.h"
 #include "engine/keyblocks/key_blocks.h"
 #include "engine/record/atomic_file.h"
-#include "engine/record/folder_lock.h"
+#include "engine/record/reserved_folder.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_parts.h"
 #include "engine/scene/unmerged_scene.h"
@@ -116,8 +116,7 @@ void add_keyblocks(CLI::App& app, KeyBlocksRequest& request) {
 }
 
 void find_key_blocks(const KeyBlocksRequest& request, std::ostream& out) {
-  if (std::filesystem::exists(request.folder) && !std::filesystem::is_directory(request.folder))
-    throw InputError("", "--out", request.folder.string() + ", which is a file", "a folder");
+  const ReservedFolder folder(request.folder, {"keyblocks.json", "keyblocks.svg"});
   const SceneParts scene = read_scene_parts(request.scene);
   const KeyBlockQuestion question = question_of(scene, request);
   KeyBlockReport report = key_blocks(scene.model, question);
@@ -126,7 +125,6 @@ void find_key_blocks(const KeyBlocksRequest& request, std::ostream& out) {
   if (!request.folder.empty()) {
     const std::string picture = keyblocks_picture(report, question, scene.model);
     const std::string numbers = report_json(report, question, scene.model);
-    const FolderLock lock(request.folder);
     write_file(request.folder / "keyblocks.json", numbers);
     write_file(request.folder / "keyblocks.svg", picture);
     text += fmt::format("written: {}\n", (request.folder / "keyblocks.json").string());

@@ -11,6 +11,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -157,9 +158,10 @@ class Run {
   [[nodiscard]] const std::filesystem::path& checked_folder() const {
     const std::filesystem::path& folder = options_.folder;
     if (folder.empty()) throw InputError("", "--out", "empty", "a folder");
-    if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+    std::error_code unknown;  // what it is, making it tells
+    if (std::filesystem::exists(folder, unknown) && !std::filesystem::is_directory(folder, unknown))
       throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
-    if (options_.resume && !std::filesystem::exists(folder / checkpoint_name))
+    if (options_.resume && !std::filesystem::exists(folder / checkpoint_name, unknown))
       throw InputError("", "--resume", "asked for without " + (folder / checkpoint_name).string(),
                        "a folder that a run has written to; begin anew without --resume");
     check_run_folder(folder);

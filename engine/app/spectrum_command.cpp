@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "engine/app/moving_part.h"
+#include "engine/app/output_file.h"
 #include "engine/core/error.h"
 #include "engine/core/quantity.h"
 #include "engine/record/atomic_file.h"
@@ -127,13 +128,12 @@ struct Peak {
 };
 
 // Another name than those of a run's own tables, which would be gone.
-void check_name(const std::filesystem::path& file) {
+void check_name(const std::filesystem::path& file, const std::filesystem::path& folder_of_run) {
   const std::filesystem::path name = file.filename();
   const bool is_of_a_run = name == histories_name || name == energies_name || name == peaks_name;
   if (file.extension() != ".csv" || is_of_a_run)
     throw InputError("", "--out", file.string(), "a name that ends in .csv and is none of a run's own files");
-  if (const std::string kind = why_unwritable(file); !kind.empty())
-    throw InputError("", "--out", file.string() + ", which is " + kind, "a file, or a name that is free");
+  expect_output(file, folder_of_run);
 }
 
 // The rows of the file; `peaks`: the largest Sa of every damping.
@@ -194,7 +194,7 @@ void add_spectrum(CLI::App& app, SpectrumRequest& request) {
 
 void write_spectrum(const SpectrumRequest& request, std::ostream& out) {
   const std::filesystem::path file = request.file.empty() ? request.folder / spectrum_name : request.file;
-  check_name(file);
+  check_name(file, request.folder);
   std::vector<double> ratios;
   for (const std::string& text : request.damping) {
     ratios.push_back(damping_of(text));

@@ -106,8 +106,8 @@ def mistakes_end_all(bench):
         problem("bad scene", f"exit code {done.returncode}: {done.stderr}")
     if (bench.folder / "none").exists():
         problem("bad scene", "left a folder")
-    if bench.call(2, "run", bench.write("dry_wall", "petsc"), "--out", "/proc/none").returncode != 1:
-        problem("folder that cannot be made", "not exit code 1")
+    if bench.call(2, "run", bench.write("dry_wall", "petsc"), "--out", "/proc/none").returncode != 2:
+        problem("folder that cannot be made", "not exit code 2")
 
 
 def idle_processes_are_named(bench):

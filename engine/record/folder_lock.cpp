@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cerrno>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -17,8 +16,19 @@
 namespace dda {
 namespace {
 
-[[noreturn]] void throw_lock_error(const std::filesystem::path& path, int error) {
-  throw std::runtime_error(fmt::format("cannot lock {}: {}", path.string(), std::generic_category().message(error)));
+[[noreturn]] void refuse_place(const std::filesystem::path& folder, const std::string& why) {
+  throw InputError("", "--out", folder.string() + ", " + why, "a folder that can be written to");
+}
+
+[[noreturn]] void refuse_lock(const std::filesystem::path& path, int error) {
+  refuse_place(path.parent_path(), fmt::format("where nothing can be written (cannot lock {}: {})", path.string(),
+                                               std::generic_category().message(error)));
+}
+
+void make(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) refuse_place(folder, "which cannot be made (" + error.message() + ")");
 }
 
 // False when the file has been removed, or another one has taken its name, since it was opened.
@@ -32,7 +42,7 @@ bool still_has_its_name(int descriptor, const std::filesystem::path& path) {
 }  // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / "run.lock") {
-  std::filesystem::create_directories(folder);
+  make(folder);
   while (!lock(folder)) ::close(descriptor_);
   name_holder();
 }
@@ -45,12 +55,12 @@ FolderLock::~FolderLock() {
 // False when the holder before removed the file between opening and locking it.
 bool FolderLock::lock(const std::filesystem::path& folder) {
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-  if (descriptor_ < 0) throw_lock_error(path_, errno);
+  if (descriptor_ < 0) refuse_lock(path_, errno);
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     if (errno == EWOULDBLOCK) refuse(folder);
     const int error = errno;
     ::close(descriptor_);
-    throw_lock_error(path_, error);
+    refuse_lock(path_, error);
   }
   return still_has_its_name(descriptor_, path_);
 }

@@ -9,8 +9,8 @@ namespace dda {
 // ends. The file names the holder for whom it refuses, and goes with the lock; one that a killed run leaves is no lock.
 class FolderLock {
  public:
-  // Creates the folder if need be. InputError, which says who holds the folder, when another run does;
-  // std::runtime_error naming path and reason when it cannot be created or locked.
+  // Creates the folder if need be. InputError of "--out" when another run holds the folder, saying which, and when it
+  // cannot be created or written to, saying why.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -1,7 +1,7 @@
 #include "engine/record/reserved_folder.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include "engine/core/error.h"
@@ -31,7 +31,8 @@ std::vector<std::filesystem::path> missing_folders(std::filesystem::path folder)
 
 ReservedFolder::ReservedFolder(const std::filesystem::path& folder, const std::vector<const char*>& files) {
   if (folder.empty()) return;
-  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+  std::error_code unknown;  // what it is, making it tells
+  if (std::filesystem::exists(folder, unknown) && !std::filesystem::is_directory(folder, unknown))
     throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
   for (const char* file : files)
     if (const std::string kind = why_unwritable(folder / file); !kind.empty())
@@ -55,13 +56,7 @@ void ReservedFolder::make(const std::filesystem::path& folder) {
     if (std::filesystem::create_directory(each, error)) made_.push_back(each);
     if (error) refuse(folder, "which cannot be made (" + error.message() + ")");
   }
-  try {
-    lock_.emplace(folder);
-  } catch (const InputError&) {  // another run holds it
-    throw;
-  } catch (const std::runtime_error& error) {
-    refuse(folder, std::string("where nothing can be written (") + error.what() + ")");
-  }
+  lock_.emplace(folder);
 }
 
 // A folder that has something in it stays, and so do those around it.

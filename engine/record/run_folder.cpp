@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -64,7 +65,8 @@ bool is_end_of_stage(const std::filesystem::directory_entry& entry) {
 
 std::vector<std::filesystem::path> ends_of_stages(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found;
-  if (!std::filesystem::is_directory(folder)) return found;
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(folder, unknown)) return found;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (is_end_of_stage(entry)) found.push_back(entry.path());
   return found;
@@ -84,7 +86,8 @@ void check_run_folder(const std::filesystem::path& folder) {
       refuse(folder, path, kind, "a folder where that name is free, or a file");
   for (const char* name : series) {
     const auto frames = folder_of_frames(folder, name);
-    const auto status = std::filesystem::symlink_status(frames);
+    std::error_code unknown;  // nothing is where a name is too long to be one
+    const auto status = std::filesystem::symlink_status(frames, unknown);
     if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
       refuse(folder, frames, "not a folder", "a folder where that name is free, or a folder");
   }

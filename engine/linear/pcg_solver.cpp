@@ -62,27 +62,39 @@ Status PcgSolver::do_factorize_part(const BlockMatrix& matrix, const BlockPart& 
   return factor_.factorize(matrix, part) ? Status::ok : Status::singular;
 }
 
+// A guess that is many times the solution leaves round-off of its own size, which no iteration takes away: where the
+// answer to one is not true the way begins at zero.
 Status PcgSolver::do_solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
+  const bool is_from_a_guess = !x.isZero(0);
+  bool is_true = true;
+  const Status status = iterate(rhs, x, is_true);
+  if (is_true || !is_from_a_guess) return status;
+  x.setZero();
+  return iterate(rhs, x, is_true);
+}
+
+Status PcgSolver::iterate(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, bool& is_true) {
   const auto times = [this](const Eigen::VectorXd& v, Eigen::VectorXd& w) { multiply(v, w); };
   const auto precondition = [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) { return do_precondition(r, z); };
   const KrylovResult result =
       iteration_.solve(times, precondition, rhs, options_.relative_residual, options_.max_iterations, x);
   count_iterations(result.iterations);
   if (result.status != Status::ok || result.iterations <= checked_iterations_) return result.status;
-  const Status status = check(rhs, x);
-  if (status == Status::ok) checked_iterations_ = result.iterations;
-  return status;
+  is_true = check(rhs, x);
+  if (!is_true) return Status::not_converged;
+  checked_iterations_ = result.iterations;
+  return Status::ok;
 }
 
 // The residual that the iteration carries along parts from the true one where the condition of the matrix nears the
 // precision of the numbers, the further the more iterations there are (Greenbaum 1997): a matrix that has been checked
 // need not be checked again for a solution that took no more of them.
-Status PcgSolver::check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) {
+bool PcgSolver::check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) {
   multiply(x, residual_);
   in_stretches(rhs.size(), [&](const VectorStretch& here) { here.of(residual_) = here.of(rhs) - here.of(residual_); });
   const double norm = do_precondition(residual_, preconditioned_);
   const double limit = options_.true_residual * options_.true_residual * do_precondition(rhs, preconditioned_);
-  return norm <= limit ? Status::ok : Status::not_converged;
+  return norm <= limit;
 }
 
 double PcgSolver::do_precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) {

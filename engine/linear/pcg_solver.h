@@ -48,7 +48,9 @@ class PcgSolver final : public LinearSolver {
   void share_inverses();
   void lay_out_factor(const BlockMatrix& matrix);
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
-  Status check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
+  // `is_true`: false where the solution is not what the iteration takes it for.
+  [[nodiscard]] Status iterate(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, bool& is_true);
+  [[nodiscard]] bool check(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
 
   PcgOptions options_;
   const BlockMatrix* matrix_ = nullptr;

@@ -288,6 +288,20 @@ TEST(PcgSolver, DoesNotTrustWhatRoundOffHasSpoilt) {
   EXPECT_NE(solver.solve(system.rhs, x), Status::ok);  // more iterations than were checked
 }
 
+// As where rock has moved far in the step before and is at rest in this one.
+TEST(PcgSolver, ForgetsAGuessThatIsFarTooLarge) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const RandomSystem system = random_system(20, grid_couplings(20, 1), seed);
+    PcgSolver solver;
+    solver.analyze(system.matrix);
+    ASSERT_EQ(solver.factorize(system.matrix), Status::ok);
+    const Eigen::VectorXd solution = oracle(system);
+    Eigen::VectorXd x = 1e12 * solution.reverse();
+    ASSERT_EQ(solver.solve(system.rhs, x), Status::ok) << seed;
+    EXPECT_LE((x - solution).norm(), 1e-8 * solution.norm()) << seed;  // as EverySolver
+  }
+}
+
 TEST(PcgSolver, ReportsFailure) {
   RandomSystem system = random_system(20, grid_couplings(20, 1), 1);
   PcgSolver solver({1e-12, 3});

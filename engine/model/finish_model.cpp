@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/principal_stress.h"
 #include "engine/model/check_parts.h"
 #include "engine/model/extent.h"
 #include "engine/model/model.h"
@@ -38,7 +39,7 @@ double expected_pressure(const Model& model) {
   for (const Block& block : model.blocks) {
     for (const Vec2& vertex : block.shape.outer) depths = expanded(depths, Vec2(down.dot(vertex), 0));
     density = std::max(density, model.materials[static_cast<std::size_t>(block.material)].density);
-    stress = std::max(stress, block.initial_stress.cwiseAbs().maxCoeff());
+    stress = std::max(stress, largest_stress(block.initial_stress));
   }
   for (const EdgeLoad& load : model.edge_loads) traction = std::max(traction, load.traction.norm() + load.rise.norm());
   return density * gravity * (depths.upper - depths.lower).x() + stress + traction;

@@ -64,6 +64,18 @@ TEST(FinishModel, ToleranceIsTheSameWhicheverWayTheSceneIsTurned) {
   }
 }
 
+// Springs that the engine chooses go by the pressure that it expects, of which the initial stress is a part.
+TEST(FinishModel, ExpectsTheSamePressureWhicheverWayTheSceneIsTurned) {
+  for (const double angle : {0.0, 0.35, 0.7, 1.2, 2.8}) {
+    Model model = complete_model();
+    model.edge_loads.clear();
+    model.point_loads.clear();
+    for (Block& block : model.blocks) block.initial_stress = rotate_stress({-2e6, 1e6, 0.5e6}, -angle);
+    finish_model(model);
+    EXPECT_NEAR(model.expected.pressure, 0.5e6 + std::hypot(1.5e6, 0.5e6), 1e-3) << angle;
+  }
+}
+
 TEST(FinishModel, TurnsOutlinesCounterClockwise) {
   Model model = complete_model();
   model.blocks[0].shape.outer = {{0, 0}, {0, 1}, {2, 1}, {2, 0}};

@@ -144,7 +144,7 @@ double fastest_change(const Model& model) {
 double dt_for_wave(const Model& model, const Integrator& integrator, double frequency) {
   double slowest = std::numeric_limits<double>::infinity();
   for (const Block& block : model.blocks) slowest = std::min(slowest, bar_speed(rock_of(model, block)));
-  const double periods = std::max(1.0, extent(model) * frequency / slowest);
+  const double periods = std::max(1.0, diameter(model) * frequency / slowest);
   const auto is_good = [&](double theta) {
     const StepErrors errors = step_errors(integrator, theta);
     return std::max(std::abs(errors.speed), periods * std::abs(errors.amplitude)) <= wave_error;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/core/principal_stress.h"
 #include "engine/simulation/block_system.h"
 #include "engine/solve/largest_entry.h"
 
@@ -47,7 +48,7 @@ double largest_of_all(const BlockSystem& system, const Eigen::VectorXd& forces) 
 double largest_of_springs(const BlockSystem& system) {
   double largest = 0;
   for (const SupportElement& support : system.supports)
-    largest = std::max(largest, (support.stiffness * support.gap).cwiseAbs().maxCoeff());
+    largest = std::max(largest, (support.stiffness * support.gap).norm());
   for (const LinkElement& link : system.reinforcement.bolts.links())
     if (!link.carries_nothing()) largest = std::max(largest, link.state.force.cwiseAbs().maxCoeff());
   return largest;
@@ -57,7 +58,7 @@ double largest_of_springs(const BlockSystem& system) {
 double largest_in_rock(const BlockSystem& system) {
   double largest = 0;
   for (std::size_t i = 0; i < system.terms.area.size(); ++i)
-    largest = std::max(largest, std::sqrt(system.terms.area[i]) * system.state.stress[i].cwiseAbs().maxCoeff());
+    largest = std::max(largest, std::sqrt(system.terms.area[i]) * largest_stress(system.state.stress[i]));
   for (const int block : system.held.blocks)
     largest = std::max(largest, largest_of(system, system.forces.internal_old, static_cast<std::size_t>(block)));
   return largest;

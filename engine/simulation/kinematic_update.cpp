@@ -37,9 +37,12 @@ void deform_block(Kinematics kinematics, const Eigen::VectorXd& d, std::size_t i
 
 double trace(const Vec3& squares) { return squares(0) + squares(1); }
 
+// The length of the tensor, whichever way the block lies.
+double length(const Vec3& squares) { return std::sqrt(squares.squaredNorm() + squares(2) * squares(2)); }
+
 bool shape_has_changed(double area, const Vec3& squares, double old_area, const Vec3& old_squares) {
   return std::abs(area - old_area) > shape_tolerance * old_area ||
-         (squares - old_squares).cwiseAbs().maxCoeff() > shape_tolerance * trace(old_squares);
+         length(squares - old_squares) > shape_tolerance * trace(old_squares);
 }
 
 // Into the directions that the block has when it has turned by `to` (rad).

@@ -19,6 +19,12 @@ constexpr double most_travel = 0.5;
 // A block whose motion fell by less than this with its drag raised is carried by others.
 constexpr double carried = 0.7;
 
+// What moves too far gets so much drag that it moves by this share of `most_motion`. Each step then eases the drag.
+// Were the one the inverse of the other a block that falls would go by exactly `most_motion` every second step, and
+// round-off would say whether that is too far.
+constexpr double share_after_raise = 0.5;
+constexpr double easing = 1.8;
+
 Vec6 own(const Eigen::VectorXd& d, std::size_t block) { return d.segment<6>(static_cast<Eigen::Index>(6 * block)); }
 
 }  // namespace
@@ -39,7 +45,7 @@ bool SettlingDrag::ease() {
   bool changed = false;
   for (double& factor : factors_) {
     if (factor == 1) continue;
-    factor = std::max(1.0, factor / 2);
+    factor = std::max(1.0, factor / easing);
     changed = true;
   }
   return changed;
@@ -56,7 +62,7 @@ bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, cons
     moved_[i] = motion_share(own(d, i), terms.area[i]);
     if (before > most_motion && moved_[i] > carried * before) is_carried_[i] = 1;
     if (moved_[i] <= most_motion || (before > 0 && moved_[i] > carried * before)) continue;
-    factors_[i] *= 2 * moved_[i] / most_motion;
+    factors_[i] *= moved_[i] / (share_after_raise * most_motion);
     raised = true;
   }
   return raised;

@@ -1,6 +1,7 @@
 #include "engine/contact/cover_corners.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -74,10 +75,28 @@ int compare_stay(const Cover& first, const Cover& second, double round_off) {
   return compare(first.coming_gap, second.coming_gap, round_off);
 }
 
-// Two covers in line may be the same but for round-off. The one goes before whose vertex lies farther within its edge:
-// it stays on it longer. Where corners are exactly above each other either will do, see acting_frame.h.
-bool goes_before(const CoverEnd& one, const CoverEnd& other) {
-  return one.cover->past != other.cover->past ? one.cover->past < other.cover->past : &one < &other;
+// m, round the outline of a block.
+double perimeter_of(const Outlines& outlines, int block) {
+  double length = 0;
+  for (int edge = outlines.starts[at(block)]; edge < outlines.starts[at(block) + 1]; ++edge)
+    length += outlines.along(edge).norm();
+  return length;
+}
+
+// What the end of a cover is compared by with another one in line, the first that differs: how far its vertex lies
+// within its edge, as it stays on it the longer; its edge; the block of that.
+std::array<double, 3> rank_of(const Outlines& outlines, const CoverEnd& end) {
+  return {-end.cover->past, end.along.norm(), perimeter_of(outlines, end.cover->contact.edge_block)};
+}
+
+// Two covers in line may be the same but for round-off, which must not choose: contacts that go on carry the load of
+// before, and of two corners above each other that have been pushed past each other both are contacts. Blocks of one
+// shape leave it to their order, see acting_frame.h.
+bool goes_before(const Outlines& outlines, const CoverEnd& one, const CoverEnd& other, double round_off) {
+  const std::array<double, 3> mine = rank_of(outlines, one), others = rank_of(outlines, other);
+  for (std::size_t i = 0; i < mine.size(); ++i)
+    if (std::abs(mine[i] - others[i]) > round_off) return mine[i] > others[i];
+  return &one < &other;
 }
 
 // Calls act(ends) for the ends of every corner.
@@ -92,15 +111,16 @@ void for_each_corner(const std::vector<CoverEnd>& ends, Act act) {
 }
 
 // What is asked about an end of a cover that the place taken now has come to: whether the cover is to go.
-using Question = bool (*)(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner);
+using Question = bool (*)(const Outlines& outlines, const CoverEnd& end, double round_off,
+                          std::span<const CoverEnd> corner);
 
 // Puts a question to all ends and then takes out the covers that are to go: the order of blocks and vertices decides
 // nothing.
-void ask(Question goes, double round_off, const std::vector<CoverEnd>& ends) {
+void ask(Question goes, const Outlines& outlines, double round_off, const std::vector<CoverEnd>& ends) {
   std::vector<Cover*> out;
   for_each_corner(ends, [&](std::span<const CoverEnd> corner) {
     for (const CoverEnd& end : corner)
-      if (end.cover->counts && goes(end, round_off, corner)) out.push_back(end.cover);
+      if (end.cover->counts && goes(outlines, end, round_off, corner)) out.push_back(end.cover);
   });
   for (Cover* cover : out) cover->counts = false;
 }
@@ -115,7 +135,8 @@ bool makes_a_reflex_corner(const CoverEnd& end, std::span<const CoverEnd> corner
 }
 
 // Its end is passed, and a cover in line goes on there.
-bool is_followed(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
+bool is_followed(const Outlines& /*outlines*/, const CoverEnd& end, double round_off,
+                 std::span<const CoverEnd> corner) {
   if (end.cover->beyond <= 0 || !is_asked(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
   return std::ranges::any_of(corner, [&](const CoverEnd& other) {
     return other.cover != end.cover && other.cover->counts && other.cover->beyond <= 0 && are_parallel(other, end);
@@ -123,13 +144,13 @@ bool is_followed(const CoverEnd& end, double round_off, std::span<const CoverEnd
 }
 
 // Another cover keeps the blocks apart longer. Of two in line that do so as long one goes, others count both.
-bool is_outlasted(const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
+bool is_outlasted(const Outlines& outlines, const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
   if (!is_asked(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
   if (end.gap() < -round_off) return true;
   return std::ranges::any_of(corner, [&](const CoverEnd& other) {
     if (other.cover == end.cover || !other.cover->counts || !other.is_near()) return false;
     const int longer = compare_stay(*other.cover, *end.cover, round_off);
-    return longer > 0 || (longer == 0 && are_parallel(other, end) && goes_before(other, end));
+    return longer > 0 || (longer == 0 && are_parallel(other, end) && goes_before(outlines, other, end, round_off));
   });
 }
 
@@ -139,8 +160,8 @@ bool are_one(const CoverEnd& i, const CoverEnd& j, const Vec2& apart, double rou
   return std::abs(apart.dot(i.along.normalized())) <= std::max({round_off, -i.gap(), -j.gap()});
 }
 
-bool lasts_longer(const CoverEnd& i, const CoverEnd& j, double round_off) {
-  return std::abs(i.gap() - j.gap()) > round_off ? i.gap() > j.gap() : goes_before(i, j);
+bool lasts_longer(const Outlines& outlines, const CoverEnd& i, const CoverEnd& j, double round_off) {
+  return std::abs(i.gap() - j.gap()) > round_off ? i.gap() > j.gap() : goes_before(outlines, i, j, round_off);
 }
 
 // Where covers are one and the same, only the one with the largest gap stays.
@@ -152,7 +173,7 @@ void drop_doubles(const Outlines& outlines, double round_off, const std::vector<
     for (const CoverEnd& i : corner)
       for (const CoverEnd& j : corner)
         if (&i < &j && i.cover->counts && j.cover->counts && are_one(i, j, apart, round_off))
-          out.push_back((lasts_longer(i, j, round_off) ? j : i).cover);
+          out.push_back((lasts_longer(outlines, i, j, round_off) ? j : i).cover);
   });
   for (Cover* cover : out) cover->counts = false;
 }
@@ -161,8 +182,8 @@ void drop_doubles(const Outlines& outlines, double round_off, const std::vector<
 
 void choose_at_corners(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers) {
   const std::vector<CoverEnd> ends = ends_of(outlines, reach, covers);
-  ask(is_followed, round_off, ends);
-  ask(is_outlasted, round_off, ends);
+  ask(is_followed, outlines, round_off, ends);
+  ask(is_outlasted, outlines, round_off, ends);
   drop_doubles(outlines, round_off, ends);
   std::erase_if(covers, [](const Cover& cover) { return !cover.counts; });
 }

@@ -51,14 +51,18 @@ bool share_a_face(const Outlines& outlines, int vertex, int corner, double near)
 }
 
 // The end of the contact's edge that its vertex is at, or comes past, where the blocks share no more than corners; else
-// -1.
+// -1. An edge may be so short that both ends are near: then the nearer one, since which comes first depends on the side
+// from which the scene is looked at.
 int shared_corner(const Outlines& outlines, const VertexContact& contact, double near) {
-  const int end = outlines.next[at(contact.edge)];
-  for (const int corner : {contact.edge, end})
-    if (least_distance(outlines, contact.vertex, corner) <= near &&
-        !share_a_face(outlines, contact.vertex, corner, near))
-      return corner;
-  return -1;
+  int shared = -1;
+  double least = near;
+  for (const int corner : {contact.edge, outlines.next[at(contact.edge)]}) {
+    const double distance = least_distance(outlines, contact.vertex, corner);
+    if (distance > least || share_a_face(outlines, contact.vertex, corner, near)) continue;
+    least = distance;
+    shared = corner;
+  }
+  return shared;
 }
 
 class CoveredCorners {

@@ -1,7 +1,7 @@
 #include "engine/contact/succession.h"
 
 #include <algorithm>
-#include <limits>
+#include <tuple>
 
 #include "engine/contact/covered_corners.h"
 
@@ -48,28 +48,36 @@ void Succession::for_each_on(int edge, Act act) const {
     act(static_cast<std::size_t>(known - known_.begin()));
 }
 
-// What is new because corners drawn in one point are past each other by round-off takes nothing over.
-std::ptrdiff_t Succession::beside(const VertexContact& contact) {
-  std::ptrdiff_t nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
-  const auto look = [&](std::size_t i, double from, const Vec2& normal) {
-    const double distance = (outlines_.current[at(known_[i].vertex)] - outlines_.current[at(contact.vertex)]).norm();
-    if (known_[i].normal.dot(normal) < same_direction || distance < from || distance >= least) return;
-    least = distance;
-    nearest = static_cast<std::ptrdiff_t>(i);
-  };
-  const auto look_if_left = [&](int vertex, const Vec2& normal) {
-    for_each_at(vertex, [&](std::size_t i) {
-      if (has_left(known_[i])) look(i, 0, normal);
-    });
-  };
-  look_if_left(contact.vertex, contact.normal);
-  for (const int end : {contact.edge, outlines_.next[at(contact.edge)]}) look_if_left(end, -contact.normal);
+// Which of two corners above each other is the vertex of a known contact, either block's numbering may say, so that
+// both are looked for. What is new because corners drawn in one point are past each other by round-off takes nothing
+// over.
+std::vector<Succession::InLine> Succession::in_line_with(const VertexContact& contact) {
+  std::vector<InLine> found;
   const double apart = least_way * outlines_.along(contact.edge).norm();
-  for_each_on(contact.edge, [&](std::size_t i) { look(i, apart, contact.normal); });
-  for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]})
-    for_each_on(edge, [&](std::size_t i) { look(i, apart, -contact.normal); });
-  return nearest;
+  const auto look = [&](std::size_t i, const Vec2& normal) {
+    const VertexContact& known = known_[i];
+    const double distance = (outlines_.current[at(known.vertex)] - outlines_.current[at(contact.vertex)]).norm();
+    if (known.normal.dot(normal) < same_direction || (distance < apart && !has_left(known))) return;
+    found.push_back({i, distance, blocks_of(known) == blocks_of(contact)});
+  };
+  const auto look_at_face = [&](int edge, const Vec2& normal) {
+    for_each_on(edge, [&](std::size_t i) { look(i, normal); });
+    for (const int end : {edge, outlines_.next[at(edge)]}) for_each_at(end, [&](std::size_t i) { look(i, -normal); });
+  };
+  look_at_face(contact.edge, contact.normal);
+  for (const int edge : {contact.vertex, outlines_.previous[at(contact.vertex)]}) look_at_face(edge, -contact.normal);
+  return found;
+}
+
+std::ptrdiff_t Succession::beside(const VertexContact& contact, const std::vector<double>& pressures) {
+  const std::vector<InLine> found = in_line_with(contact);
+  if (found.empty()) return -1;
+  const double nearest = std::ranges::min(found, {}, &InLine::distance).distance;
+  const double one_place = nearest + in_line * outlines_.along(contact.edge).norm();
+  const auto rank = [&](const InLine& each) {
+    return std::tuple(each.distance > one_place, !each.same_blocks, pressures[each.index]);
+  };
+  return static_cast<std::ptrdiff_t>(std::ranges::min(found, {}, rank).index);
 }
 
 // Whether the vertex of a known contact is past the end of its edge by more than round-off. Corners drawn in one point

@@ -33,9 +33,9 @@ class Succession {
   // none. Each is given once.
   [[nodiscard]] std::ptrdiff_t ended_beside(const VertexContact& contact);
 
-  // Returns the known contact nearest to a new one of those in line with it, at its vertex or on its edge; -1 where
-  // there is none.
-  [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact);
+  // Returns the known contact nearest to a new one of those in line with it, at its face or the facing one; -1 where
+  // there is none. Of several in one place one between the same blocks, else the one of `pressures` that is least.
+  [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact, const std::vector<double>& pressures);
 
  private:
   using Rule = std::ptrdiff_t (Succession::*)(const VertexContact&);
@@ -56,6 +56,13 @@ class Succession {
   template <typename Act>
   void for_each_on(int edge, Act act) const;
   void list_by_vertex();
+  // A known contact in line with a new one.
+  struct InLine {
+    std::size_t index;
+    double distance;  // m
+    bool same_blocks;
+  };
+  [[nodiscard]] std::vector<InLine> in_line_with(const VertexContact& contact);
   std::ptrdiff_t take(int edge, int vertex, const Vec2& normal);
   std::ptrdiff_t take(std::vector<VertexContact>::const_iterator place, const Vec2& normal);
 

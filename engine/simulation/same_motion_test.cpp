@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulation/block_system.h"
 #include "engine/simulation/seen_rock.h"
 
 namespace dda {
@@ -27,8 +29,8 @@ constexpr double same = 1e-6;
 // 4 km away coordinates are rounded by 5e-13 m, 5e-6 of what springs give way.
 constexpr double same_far_away = 5e-5;
 
-// In rare steps friction has several answers, and round-off finds the other one (ADR 53).
-constexpr int rocks_with_several_answers = 1;
+// In rare steps friction has several answers, and round-off finds the other one (ADR 53). Such runs say so.
+constexpr int rocks_with_several_answers = 2;
 
 std::vector<int> reversed(std::size_t blocks) {
   std::vector<int> order(blocks);
@@ -56,12 +58,27 @@ Mat2 quarter_turn() {
   return turn;
 }
 
-// Returns nothing where a step did not come to an end.
-std::optional<std::vector<Vec3>> end_of(const Model& drawn, const View& view) {
+// Where a run has come to, and whether it says that others may come elsewhere: friction leaves the answer open (ADR
+// 46), or nothing holds a block.
+struct Outcome {
+  std::optional<std::vector<Vec3>> motion;  // none where a step did not come to an end
+  bool is_open = false;
+};
+
+Outcome outcome_of(const Model& drawn, const View& view, int most) {
   Simulation simulation = simulation_of(seen(drawn, view));
-  for (int step = 0; step < most_steps && !simulation.finished(); ++step)
-    if (simulation.step() != Status::ok) return std::nullopt;
-  return motion_of(simulation, view);
+  Outcome outcome;
+  Status status = Status::ok;
+  for (int step = 0; step < most && !simulation.finished() && status == Status::ok; ++step) status = simulation.step();
+  if (status == Status::ok) outcome.motion = motion_of(simulation, view);
+  outcome.is_open = simulation.system().audit.unsettled.count > 0 || !simulation.results().loose.empty();
+  return outcome;
+}
+
+// The share of the motion by which two runs differ; 1 where one of them came to no end.
+double apart(const Outcome& one, const Outcome& other) {
+  if (!one.motion && !other.motion) return 0;  // some block falls out of the rock
+  return one.motion && other.motion ? difference(*one.motion, *other.motion) : 1;
 }
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -78,28 +95,34 @@ struct Seen {
   View view;
   double tolerance = same;  // share of the motion
   int allowed = rocks_with_several_answers;
-  int differ = 0;
+  int differ = 0, unsaid = 0;
   std::string names = {};
 };
 
-// In every view at most as many rocks end elsewhere as are allowed.
+void compare(const Outcome& expected, const Outcome& actual, const std::string& name, Seen& each) {
+  const double off = apart(expected, actual);
+  if (off < each.tolerance) return;
+  ++each.differ;
+  each.names += fmt::format("{}: {:.1e}; ", name, off);
+  if (!expected.is_open && !actual.is_open) ++each.unsaid;
+}
+
+// In every view at most as many rocks end elsewhere as are allowed, and all of these say that they may.
 void expect_same_motion(const Stage& stage, std::vector<Seen> all) {
   for (int kind = 0; kind < cut_kinds; ++kind)
     for (std::uint64_t seed = 1; seed <= rocks_of_a_kind; ++seed) {
       Model rock = dry_rock(static_cast<CutKind>(kind), seed);
       rock.stages = {stage};
-      const auto expected = end_of(rock, {});
+      const Outcome expected = outcome_of(rock, {}, most_steps);
       for (Seen& each : all) {
-        const auto actual =
-            end_of(rock, seen_of(each.view, rock.blocks.size(), 10 * seed + static_cast<std::uint64_t>(kind)));
-        if (!expected && !actual) continue;  // some block falls out of the rock
-        const double off = expected && actual ? difference(*expected, *actual) : 1;
-        if (off < each.tolerance) continue;
-        ++each.differ;
-        each.names += fmt::format("kind {}, seed {}: {:.1e}; ", kind, seed, off);
+        const View view = seen_of(each.view, rock.blocks.size(), 10 * seed + static_cast<std::uint64_t>(kind));
+        compare(expected, outcome_of(rock, view, most_steps), fmt::format("kind {}, seed {}", kind, seed), each);
       }
     }
-  for (const Seen& each : all) EXPECT_LE(each.differ, each.allowed) << each.view.name << ": " << each.names;
+  for (const Seen& each : all) {
+    EXPECT_LE(each.differ, each.allowed) << each.view.name << ": " << each.names;
+    EXPECT_EQ(each.unsaid, 0) << each.view.name << ": " << each.names;
+  }
 }
 
 Stage motion() { return stage_of(generalized_alpha_integrator(0), 1e-3, 20, Kinematics::finite); }
@@ -179,6 +202,61 @@ TEST(SameMotion, SettlesTheSameTurnedMirroredOrLarger) {
   views.push_back({.view = {.name = "turned by lot"}, .allowed = turned_rocks_with_several_answers});
   expect_same_motion(settling(), views);
 }
+
+// ---- Rock under stress, in which blocks are taken out, joints slide and break.
+
+constexpr int first_steps = 10;  // of what moves after the excavation
+
+Model excavated_rock(std::uint64_t seed) {
+  Model rock = stressed_rock(seed);
+  const std::vector<int> removed = rock.stages[1].removal.blocks;
+  Stage settle = settling();
+  settle.on_unbalanced = OnUnbalanced::carry_on;
+  Stage move = stage_of(generalized_alpha_integrator(0), 2e-4, first_steps, Kinematics::finite);
+  rock.stages = {settle, settle, move};
+  rock.stages[1].removal.blocks = removed;
+  return rock;
+}
+
+std::vector<View> views_of(const Model& rock, std::uint64_t seed) {
+  const std::vector<View> named = {{.name = "turned by lot"},
+                                   {.name = "mirrored", .turn = mirror()},
+                                   {.name = "shuffled"},
+                                   {.name = "rings from another corner", .first_corner = 1},
+                                   {.name = "moved", .shift = {130, -70}},
+                                   {.name = "1000 times larger", .scale = 1000},
+                                   {.name = "1000 times smaller", .scale = 1e-3}};
+  std::vector<View> views;
+  for (const View& each : named) views.push_back(seen_of(each, rock.blocks.size(), seed));
+  return views;
+}
+
+// Counts in how many rocks the answer is said to be open.
+int expect_same_or_said_open(std::uint64_t first, std::uint64_t rocks) {
+  constexpr int all_steps = 1000;
+  int open = 0;
+  for (std::uint64_t seed = first; seed < first + rocks; ++seed) {
+    const Model rock = excavated_rock(seed);
+    const Outcome drawn = outcome_of(rock, {}, all_steps);
+    bool is_open = drawn.is_open;
+    for (const View& view : views_of(rock, seed)) {
+      const Outcome other = outcome_of(rock, view, all_steps);
+      is_open = is_open || other.is_open;
+      if (drawn.is_open || other.is_open) continue;
+      EXPECT_LT(apart(drawn, other), same) << "seed " << seed << ", " << view.name;
+    }
+    open += is_open ? 1 : 0;
+  }
+  return open;
+}
+
+// Among them are the two of the first hundred that went another way while round-off chose the contacts of corners drawn
+// in one point: 155, larger, by 2e-5, and 199, mirrored, by 6e-3.
+TEST(SameMotion, ExcavationsComeToTheSameOrSayThatTheAnswerIsOpen) {
+  EXPECT_LE(expect_same_or_said_open(151, 6) + expect_same_or_said_open(195, 6), 4);
+}
+
+TEST(SameMotion, DISABLED_HundredsOfExcavations) { EXPECT_LE(expect_same_or_said_open(100, 300), 60); }
 
 }  // namespace
 }  // namespace dda

@@ -138,13 +138,45 @@ inline Model dry_rock(CutKind kind, std::uint64_t seed) {
   return model;
 }
 
+// As deep below ground: cut from one piece between held sides, under stress and weight, with joints that slide or
+// break. A block or two are taken out in the second stage.
+inline Model stressed_rock(std::uint64_t seed) {
+  SeededNumbers random(seed);
+  Model model;
+  model.materials = {{"rock", 2600, random.magnitude(9, 10.5), random.number(0, 0.3), PlaneState::strain}};
+  JointMaterial joint;
+  joint.law = InterfaceLaw::classical;
+  joint.friction_angle = random.number(0.25, 0.8);
+  const double pressure = random.magnitude(4.5, 6.5);
+  if (random.chance(0.4)) {
+    joint.cohesion = random.magnitude(-1, 0.5) * pressure;
+    joint.tensile_strength = random.magnitude(-2, 0) * pressure;
+  }
+  joint.automatic_stiffness = random.chance(0.3);
+  model.joints = {joint};
+  const CutKind kind = random.chance(0.5) ? CutKind::oblique : CutKind::three_sets;
+  for (const Ring& ring : dry_cells(kind, random))
+    model.blocks.push_back(block_of("block " + std::to_string(model.blocks.size()), ring));
+  const int removed = random.integer(0, static_cast<int>(model.blocks.size()) - 1);
+  add_held("floor", -1, -1, 5, 0, model);
+  add_held("left", -1, 0, 0, 3, model);
+  add_held("right", 4, 0, 5, 3, model);
+  add_held("roof", -1, 3, 5, 4, model);
+  const Vec3 stress = -pressure * Vec3(random.number(0.5, 2), 1, random.number(-0.3, 0.3));
+  for (Block& block : model.blocks) block.initial_stress = stress;
+  model.gravity = {0, -9.81};
+  model.stages.resize(2);
+  model.stages[1].removal.blocks = {removed};
+  return model;
+}
+
 // ---- The same seen from elsewhere.
 
 struct View {
   std::string name = "as drawn";
   Mat2 turn = Mat2::Identity();  // a reflection where its determinant is negative
   Vec2 shift = Vec2::Zero();     // m
-  double scale = 1;              // of lengths; of times its root, of moduli itself
+  double scale = 1;              // of lengths; of times its root, of moduli, stresses and strengths itself
   std::vector<int> order = {};   // which block comes first, second and so on; empty: as drawn
   int first_corner = 0;          // rings begin at this one
   double jitter = 0;             // share of the coordinates by which they are off by lot: round-off
@@ -157,6 +189,14 @@ inline std::vector<int> order_of(const View& view, std::size_t blocks) {
   std::vector<int> order(blocks);
   std::iota(order.begin(), order.end(), 0);
   return order;
+}
+
+// A stress (xx, yy, xy) where the axes have been turned, or mirrored.
+inline Vec3 turned(const Mat2& turn, const Vec3& stress) {
+  Mat2 tensor;
+  tensor << stress(0), stress(2), stress(2), stress(1);
+  const Mat2 seen = turn * tensor * turn.transpose();
+  return {seen(0, 0), seen(1, 1), seen(0, 1)};
 }
 
 inline Model seen(const Model& drawn, const View& view) {
@@ -176,11 +216,15 @@ inline Model seen(const Model& drawn, const View& view) {
     if (view.mirrors()) std::reverse(ring.begin(), ring.end());
     std::rotate(ring.begin(), ring.begin() + view.first_corner % static_cast<int>(ring.size()), ring.end());
     block.initial_velocity = std::sqrt(view.scale) * (view.turn * block.initial_velocity);
+    block.initial_stress = view.scale * turned(view.turn, block.initial_stress);
   }
   for (HeldBlock& held : model.held_blocks) held.block = place[static_cast<std::size_t>(held.block)];
   model.gravity = view.turn * model.gravity;
   for (Material& material : model.materials) material.young *= view.scale;
+  for (JointMaterial& joint : model.joints)
+    for (double* strength : {&joint.cohesion, &joint.tensile_strength}) *strength *= view.scale;
   for (Stage& stage : model.stages) {
+    for (int& block : stage.removal.blocks) block = place[static_cast<std::size_t>(block)];
     stage.dt *= std::sqrt(view.scale);
     stage.duration *= std::sqrt(view.scale);
   }

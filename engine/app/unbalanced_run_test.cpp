@@ -50,7 +50,8 @@ TEST_F(UnbalancedRun, ListsBlocksWithNumberMassAndFaces) {
   write("scene.json", loose_rock(goes_on, moves));
   const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_TRUE(contains(outcome.out, "loose in stage \"settle\": block \"stone\" (number 3) at (4.5, 19.99")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "loose in stage \"settle\": block \"stone\" (number 3) at (4.5, 19.99"))
+      << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "2600 kg/m, held by no face")) << outcome.out;
   const nlohmann::json listed = summary()["loose_blocks"].at(0);
   EXPECT_EQ(listed["stage"], "settle");

@@ -86,9 +86,9 @@ double change_of_motion(double young, const Vec2& to) {
   return change / largest;
 }
 
-// Without a remark settlements change by no more than the share that is tolerated times what was measured (up to 12,
-// and 89 for the softest wall nearest by, whose bricks strike and slide; with a margin of 2); where there is one,
-// moving the scene shows.
+// Without a remark settlements change by no more than the share that is tolerated times what was measured: up to 12,
+// and 66 to 127 for the softest wall at 60 to 130 km, whose bricks strike and slide and come to one of two places that
+// are as far apart whatever the distance. Where there is a remark, moving the scene shows.
 TEST(FarCoordinates, MovedScenesGoTheSameWayWhereNothingIsSaid) {
   for (const double young : {1e9, 10e9, 50e9}) {
     for (const double distance : {1e5, 1e6, 5e6, 1e7}) {

@@ -87,8 +87,9 @@ double change_of_motion(double young, const Vec2& to) {
 }
 
 // Without a remark settlements change by no more than the share that is tolerated times what was measured: up to 12,
-// and 66 to 127 for the softest wall at 60 to 130 km, whose bricks strike and slide and come to one of two places that
-// are as far apart whatever the distance. Where there is a remark, moving the scene shows.
+// and 68 to 127 for the softest wall between 66 and 131 km, where coordinates are all rounded to 1.5e-11 m and its
+// bricks, which strike and slide, make a thousand times that of it in a hundred steps. Where there is a remark, moving
+// the scene shows.
 TEST(FarCoordinates, MovedScenesGoTheSameWayWhereNothingIsSaid) {
   for (const double young : {1e9, 10e9, 50e9}) {
     for (const double distance : {1e5, 1e6, 5e6, 1e7}) {

@@ -21,6 +21,7 @@
 #include "engine/advice/springs_around_openings.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/contact/joint_stiffness.h"
+#include "engine/core/principal_stress.h"
 #include "engine/geometry/box.h"
 #include "engine/model/held_motion.h"
 #include "engine/model/step_choice.h"
@@ -117,10 +118,6 @@ void remark_on_gravity(const Model& model, const ContactSet& /*contacts*/, Remar
   if (model.gravity.y() <= 0) return;
   remarks.push_back(fmt::format("gravity points upwards, [{:g}, {:g}] m/s2: y is up, so weight has a negative y",
                                 model.gravity.x(), model.gravity.y()));
-}
-
-double largest_principal(const Vec3& stress) {
-  return (stress[0] + stress[1]) / 2 + std::hypot((stress[0] - stress[1]) / 2, stress[2]);
 }
 
 void remark_on_tension(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {

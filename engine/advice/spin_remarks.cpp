@@ -21,8 +21,6 @@ Vec3 centrifugal_stress(const Model& model, int index) {
   return density * block.initial_spin * block.initial_spin * mean_squares(block.moments);
 }
 
-double largest_principal(const Vec3& stress) { return mean_stress(stress) + largest_shear(stress); }
-
 std::set<std::size_t> blocks_that_touch(const ContactSet& contacts) {
   std::set<std::size_t> touching;
   for (const Interface& interface : contacts.interfaces) {

@@ -9,7 +9,6 @@
 #include "engine/record/atomic_file.h"
 
 namespace dda {
-
 namespace {
 
 // A folder may be there in which no file can be made, as those below /proc: only trying tells.

@@ -1,7 +1,6 @@
 #include "engine/contact/cover_corners.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -58,6 +57,11 @@ bool is_at(const CoverEnd& end, double round_off) {
   return end.cover->beyond > 0 || (end.cover->beyond == 0 && end.gap() >= -round_off);
 }
 
+// Which is the larger: 1 the first, -1 the second, 0 neither, as far as `same` tells.
+int compare(double first, double second, double same) {
+  return first > second + same ? 1 : second > first + same ? -1 : 0;
+}
+
 // Which of two covers keeps the blocks apart longer in the foreseen motion: 1 the first, -1 the second, 0 neither, as
 // far as round-off can tell. Covers that stay open do so longest, by their gap then; next those that close, by when;
 // last those that are closed, by their gap, and where that is the same by what the motion makes of it.
@@ -66,7 +70,6 @@ int compare_stay(const Cover& first, const Cover& second, double round_off) {
     if (cover.contact.gap <= round_off) return 0;
     return cover.coming_gap < 0 ? 1 : 2;
   };
-  const auto compare = [](double a, double b, double same) { return a > b + same ? 1 : b > a + same ? -1 : 0; };
   const auto closes_at = [](const Cover& cover) { return cover.contact.gap / (cover.contact.gap - cover.coming_gap); };
   if (kind(first) != kind(second)) return kind(first) > kind(second) ? 1 : -1;
   if (kind(first) == 1) return compare(closes_at(first), closes_at(second), same_time);
@@ -83,19 +86,15 @@ double perimeter_of(const Outlines& outlines, int block) {
   return length;
 }
 
-// What the end of a cover is compared by with another one in line, the first that differs: how far its vertex lies
-// within its edge, as it stays on it the longer; its edge; the block of that.
-std::array<double, 3> rank_of(const Outlines& outlines, const CoverEnd& end) {
-  return {-end.cover->past, end.along.norm(), perimeter_of(outlines, end.cover->contact.edge_block)};
-}
-
 // Two covers in line may be the same but for round-off, which must not choose: contacts that go on carry the load of
-// before, and of two corners above each other that have been pushed past each other both are contacts. Blocks of one
-// shape leave it to their order, see acting_frame.h.
+// before, and of two corners above each other that have been pushed past each other both are contacts. The one goes
+// before whose vertex lies farther within its edge, as it stays on it the longer; else the one on the longer edge; else
+// the one on the edge of the longer outline. Blocks of one shape leave it to their order, see acting_frame.h.
 bool goes_before(const Outlines& outlines, const CoverEnd& one, const CoverEnd& other, double round_off) {
-  const std::array<double, 3> mine = rank_of(outlines, one), others = rank_of(outlines, other);
-  for (std::size_t i = 0; i < mine.size(); ++i)
-    if (std::abs(mine[i] - others[i]) > round_off) return mine[i] > others[i];
+  if (const int within = compare(other.cover->past, one.cover->past, round_off); within != 0) return within > 0;
+  if (const int edge = compare(one.along.norm(), other.along.norm(), round_off); edge != 0) return edge > 0;
+  const auto perimeter = [&](const CoverEnd& end) { return perimeter_of(outlines, end.cover->contact.edge_block); };
+  if (const int outline = compare(perimeter(one), perimeter(other), round_off); outline != 0) return outline > 0;
   return &one < &other;
 }
 

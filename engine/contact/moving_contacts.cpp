@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "engine/contact/acting_frame.h"
@@ -305,27 +306,17 @@ MovingContacts::FoundContacts MovingContacts::with_shares(const Model& model, st
   return all;
 }
 
-// N per m of thickness, of the known contacts.
-std::vector<double> MovingContacts::pressures_of_known(const ContactSet& contacts) const {
-  std::vector<double> pressures;
-  for (std::size_t i = stretches_; i < contacts.states.size(); ++i) pressures.push_back(-contacts.states[i].force(0));
-  return pressures;
-}
-
 std::vector<MovingContacts::Heritage> MovingContacts::heritage_of(
     const FoundContacts& all, const std::vector<std::optional<InterfaceState>>& left, const ContactSet& contacts,
     Succession& succession) const {
   std::vector<Heritage> heritage(all.contacts.size());
-  std::vector<double> pressures;
+  const std::span<const InterfaceState> known = std::span(contacts.states).subspan(stretches_);
   for (std::size_t i = 0; i < heritage.size(); ++i) {
     const VertexContact& contact = all.contacts[i];
     Heritage& own = heritage[i];
     own.earlier = heavier(succession.earlier()[i], succession.ended_beside(contact), stretches_, contacts.states);
     if (own.earlier >= 0) continue;
-    if (all.of_faces[i]) {
-      if (pressures.empty()) pressures = pressures_of_known(contacts);
-      own.beside = succession.beside(contact, pressures);
-    }
+    own.beside = all.of_faces[i] ? succession.beside(contact, known) : -1;
     if (!left.empty() && left[i]) own.from_stretch = &*left[i];
   }
   return heritage;

@@ -92,7 +92,6 @@ class MovingContacts {
   std::vector<Carrier> follow_stretches(const Model& model, const State& state, const State& acting,
                                         ContactSet& contacts) const;
   [[nodiscard]] FoundContacts with_shares(const Model& model, std::vector<VertexContact> found) const;
-  [[nodiscard]] std::vector<double> pressures_of_known(const ContactSet& contacts) const;
   [[nodiscard]] std::vector<Heritage> heritage_of(const FoundContacts& all,
                                                   const std::vector<std::optional<InterfaceState>>& left,
                                                   const ContactSet& contacts, Succession& succession) const;

@@ -69,13 +69,13 @@ std::vector<Succession::InLine> Succession::in_line_with(const VertexContact& co
   return found;
 }
 
-std::ptrdiff_t Succession::beside(const VertexContact& contact, const std::vector<double>& pressures) {
+std::ptrdiff_t Succession::beside(const VertexContact& contact, std::span<const InterfaceState> states) {
   const std::vector<InLine> found = in_line_with(contact);
   if (found.empty()) return -1;
   const double nearest = std::ranges::min(found, {}, &InLine::distance).distance;
   const double one_place = nearest + in_line * outlines_.along(contact.edge).norm();
   const auto rank = [&](const InLine& each) {
-    return std::tuple(each.distance > one_place, !each.same_blocks, pressures[each.index]);
+    return std::tuple(each.distance > one_place, !each.same_blocks, -states[each.index].force(0));
   };
   return static_cast<std::ptrdiff_t>(std::ranges::min(found, {}, rank).index);
 }

@@ -11,9 +11,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "engine/contact/interface_state.h"
 #include "engine/contact/outlines.h"
 #include "engine/contact/vertex_contact.h"
 
@@ -34,8 +36,9 @@ class Succession {
   [[nodiscard]] std::ptrdiff_t ended_beside(const VertexContact& contact);
 
   // Returns the known contact nearest to a new one of those in line with it, at its face or the facing one; -1 where
-  // there is none. Of several in one place one between the same blocks, else the one of `pressures` that is least.
-  [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact, const std::vector<double>& pressures);
+  // there is none. Of several in one place one between the same blocks, else the one that presses least
+  // in `states`, those of the known contacts.
+  [[nodiscard]] std::ptrdiff_t beside(const VertexContact& contact, std::span<const InterfaceState> states);
 
  private:
   using Rule = std::ptrdiff_t (Succession::*)(const VertexContact&);

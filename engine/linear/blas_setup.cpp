@@ -7,13 +7,7 @@
 namespace dda {
 namespace {
 
-bool has_avx2() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
-}
+bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 
 void use_one_thread() {
   auto* set_threads = library_function<void(int)>("openblas_set_num_threads");

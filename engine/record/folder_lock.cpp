@@ -14,11 +14,12 @@
 #include "engine/core/error.h"
 
 namespace dda {
-namespace {
 
-[[noreturn]] void refuse_place(const std::filesystem::path& folder, const std::string& why) {
+void refuse_place(const std::filesystem::path& folder, const std::string& why) {
   throw InputError("", "--out", folder.string() + ", " + why, "a folder that can be written to");
 }
+
+namespace {
 
 [[noreturn]] void refuse_lock(const std::filesystem::path& path, int error) {
   refuse_place(path.parent_path(), fmt::format("where nothing can be written (cannot lock {}: {})", path.string(),

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace dda {
+
+// InputError of "--out": this folder, and why nothing can be written there.
+[[noreturn]] void refuse_place(const std::filesystem::path& folder, const std::string& why);
 
 // Holds a folder while it lives, by a lock of the system on FOLDER/run.lock, which ends with the process however that
 // ends. The file names the holder for whom it refuses, and goes with the lock; one that a killed run leaves is no lock.

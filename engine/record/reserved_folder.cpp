@@ -10,10 +10,6 @@
 namespace dda {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
-  throw InputError("", "--out", folder.string() + ", " + why, "a folder that can be written to");
-}
-
 // The ones that are missing, the innermost last.
 std::vector<std::filesystem::path> missing_folders(std::filesystem::path folder) {
   std::vector<std::filesystem::path> missing;
@@ -36,7 +32,7 @@ ReservedFolder::ReservedFolder(const std::filesystem::path& folder, const std::v
     throw InputError("", "--out", folder.string() + ", which is a file", "a folder");
   for (const char* file : files)
     if (const std::string kind = why_unwritable(folder / file); !kind.empty())
-      refuse(folder, std::string("where ") + file + " is " + kind);
+      refuse_place(folder, std::string("where ") + file + " is " + kind);
   try {
     make(folder);
   } catch (...) {
@@ -54,7 +50,7 @@ void ReservedFolder::make(const std::filesystem::path& folder) {
   for (const std::filesystem::path& each : missing_folders(folder)) {
     std::error_code error;
     if (std::filesystem::create_directory(each, error)) made_.push_back(each);
-    if (error) refuse(folder, "which cannot be made (" + error.message() + ")");
+    if (error) refuse_place(folder, "which cannot be made (" + error.message() + ")");
   }
   lock_.emplace(folder);
 }

@@ -37,7 +37,6 @@ std::int64_t parts_taken(Model model) {
 
 TEST(Splinter, TurnsWithoutCuttingTheStepsOfAllOthers) { EXPECT_EQ(parts_taken(stones_beside(3, 5e-4)), steps); }
 
-// A turn of 0.1 is cut into sixteenths, the first power of two below 0.01.
 // What would be cut for ever is stepped in the shortest parts: a turn of 50 rad a step in 64 of them by 0.8.
 TEST(Splinter, EndsNoRunThatItTumblesThroughUnresolved) {
   Model model = stones_beside(3, 5e-4);
@@ -45,6 +44,7 @@ TEST(Splinter, EndsNoRunThatItTumblesThroughUnresolved) {
   EXPECT_EQ(parts_taken(std::move(model)), 64 * steps);
 }
 
+// A turn of 0.1 is cut into sixteenths, the first power of two below 0.01.
 TEST(Splinter, IsNoStoneThatIsAThousandthOfTheArea) { EXPECT_EQ(parts_taken(stones_beside(3, 0.03)), 16 * steps); }
 
 TEST(Splinter, IsNoStoneBesideOneLargeBlockAlone) { EXPECT_EQ(parts_taken(stones_beside(1, 5e-4)), 16 * steps); }

@@ -112,6 +112,10 @@ struct BlockSystem {
   [[nodiscard]] double end_of_stage() const;
   // s, for which loads and prescribed motions of a step of `dt` from now are meant.
   [[nodiscard]] double end_of_step(double dt) const;
+  // Passes of the open-close iteration in the step under way, those of attempts that did not settle among them.
+  [[nodiscard]] std::int64_t passes_of_step() const {
+    return costs.counters.open_close_iterations - clock.passes_before_step;
+  }
 
   // Geometry of a scene whose blocks never left the drawing is that of the model.
   [[nodiscard]] bool geometry_moves() const;

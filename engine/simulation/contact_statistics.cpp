@@ -22,7 +22,7 @@ void count(ContactStatus status, ContactStatistics& statistics) {
 ContactStatistics count_contacts(const Simulation& simulation) {
   ContactStatistics statistics;
   const BlockSystem& system = simulation.system();
-  statistics.passes = system.costs.counters.open_close_iterations - system.clock.passes_before_step;
+  statistics.passes = system.passes_of_step();
   const ContactSet& contacts = simulation.contacts();
   InterfaceElement room;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {

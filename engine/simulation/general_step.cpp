@@ -344,7 +344,7 @@ void GeneralStep::accept() {
   given_friction_.settled(s);
   if (given_friction_.was_given()) ++s.costs.counters.steps_of_given_friction;
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
-  if (cushion_.wears() || more_are_loose) base_is_current_ = false;
+  if (cushion_.wears(s.passes_of_step()) || more_are_loose) base_is_current_ = false;
   accept_bonded(bonded_, s);  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);

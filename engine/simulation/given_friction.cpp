@@ -51,8 +51,7 @@ bool GivenFriction::give_to_shortest_part(const BlockSystem& system) {
 void GivenFriction::settled(const BlockSystem& system) {
   was_given_ = is_given();
   if (!was_given_) return;
-  const std::int64_t passes = system.costs.counters.open_close_iterations - system.clock.passes_before_step;
-  steps_left_ = passes <= passes_at_rest ? 0 : steps_left_ - 1;
+  steps_left_ = system.passes_of_step() <= passes_at_rest ? 0 : steps_left_ - 1;
 }
 
 }  // namespace dda

@@ -11,11 +11,12 @@
 // step alone, they are nothing once the motion has died down: equilibrium is the same with them and without. Slip is
 // free: blocks that slide to where they come to lie would take many steps else.
 //
-// They come with the first step of a stage that does not settle, and stay for a hundred steps: rocks are at rest by
-// then, and where springs are a million times as stiff as their blocks cushions that are as stiff would hold them for
-// good. Where steps settle there are none.
+// They come with the first step of a stage that does not settle, and stay until a step has next to nothing to change,
+// or for a hundred steps: what nothing but a cushion holds would creep on it, and where springs are a million times as
+// stiff as their blocks cushions that are as stiff would hold them for good. Where steps settle there are none.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "engine/linear/block_matrix.h"
@@ -30,10 +31,11 @@ class SettlingCushion {
   // false where there were some already, or can be none.
   [[nodiscard]] bool put_in(const BlockSystem& system);
   [[nodiscard]] bool is_in() const { return steps_left_ > 0; }
-  // To be told at the end of a step. Returns whether there were cushions in it, which are not those of the next.
-  bool wears() {
+  // To be told at the end of a step, and how many passes it took. Returns whether there were cushions in it, which are
+  // not those of the next.
+  bool wears(std::int64_t passes) {
     if (!is_in()) return false;
-    --steps_left_;
+    steps_left_ = passes <= passes_at_rest ? 0 : steps_left_ - 1;
     return true;
   }
 
@@ -51,6 +53,8 @@ class SettlingCushion {
   }
 
  private:
+  static constexpr std::int64_t passes_at_rest = 5;
+
   bool was_put_in_ = false;
   int steps_left_ = 0;
 };

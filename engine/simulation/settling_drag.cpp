@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "engine/simulation/held_blocks.h"
+#include "engine/simulation/relative_size.h"
 #include "engine/terms/inertia.h"
 
 namespace dda {
@@ -13,14 +14,23 @@ namespace {
 // Blocks may move by this share of their size in a static step: contacts still turn little in such a step.
 constexpr double most_motion = 0.02;
 
+// And blocks below this share of the area of most by so much: until a splinter that is squeezed out counts as loose it
+// presses with up to a hundred times the weight of the largest block, and all others are solved for in every step.
+constexpr double small_share = 1e-2;
+constexpr double most_motion_of_small = 0.2;
+
+double most_motion_of(std::size_t block, const BlockTerms& terms, const HeldUnknowns& held) {
+  return is_below(small_share, terms, held, block) ? most_motion_of_small : most_motion;
+}
+
 // How far, in its own size, a block goes under drag before it is loose.
 constexpr double most_travel = 0.5;
 
 // A block whose motion fell by less than this with its drag raised is carried by others.
 constexpr double carried = 0.7;
 
-// What moves too far gets so much drag that it moves by this share of `most_motion`. Each step then eases the drag.
-// Were the one the inverse of the other a block that falls would go by exactly `most_motion` every second step, and
+// What moves too far gets so much drag that it moves by this share of the most it may. Each step then eases the drag.
+// Were the one the inverse of the other a block that falls would go by exactly the most every second step, and
 // round-off would say whether that is too far.
 constexpr double share_after_raise = 0.5;
 constexpr double easing = 1.8;
@@ -60,9 +70,12 @@ bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, cons
     if (held.holds(static_cast<int>(i))) continue;
     const double before = moved_[i];
     moved_[i] = motion_share(own(d, i), terms.area[i]);
-    if (before > most_motion && moved_[i] > carried * before) is_carried_[i] = 1;
-    if (moved_[i] <= most_motion || (before > 0 && moved_[i] > carried * before)) continue;
-    factors_[i] *= moved_[i] / (share_after_raise * most_motion);
+    if (std::max(moved_[i], before) <= most_motion) continue;
+    const double most = most_motion_of(i, terms, held);
+    const bool goes_on = moved_[i] > carried * before;
+    if (before > most && goes_on) is_carried_[i] = 1;
+    if (moved_[i] <= most || (before > 0 && goes_on)) continue;
+    factors_[i] *= moved_[i] / (share_after_raise * most);
     raised = true;
   }
   return raised;

@@ -17,8 +17,10 @@ constexpr double shortest = 1e-4;
 constexpr double growth = 8;
 constexpr double shrinking = 8;
 
-// Steps that took more passes than this are long enough.
+// Steps that took more passes than this are long enough; and of those that settle at any length, which take as many
+// when they are longer, steps of more than this.
 constexpr std::int64_t easy = 30;
+constexpr std::int64_t easy_when_sure = 100;
 
 // And steps that took more than this were too long, by so much: two shorter ones take less.
 constexpr std::int64_t hard = 60;
@@ -52,7 +54,7 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
 }
 
 void SettlingPace::settled(std::int64_t passes, bool is_sure) {
-  if (passes <= easy) dt_ = std::min(growth * dt_, longest * transit_);
+  if (passes <= (is_sure ? easy_when_sure : easy)) dt_ = std::min(growth * dt_, longest * transit_);
   if (passes > hard && !is_convex_ && !is_sure) dt_ = std::max(dt_ / shrinking_after_hard, shortest * transit_);
 }
 

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/settling_cushion.h"
+#include "engine/simulation/settling_pace.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
@@ -163,6 +166,53 @@ TEST(SettlingScale, WhatOnlyHoldsDoesNotCount) {
                         unbalanced.segment<4>(6 * block + 2).cwiseAbs().maxCoeff() /
                             std::sqrt(system.terms.area[static_cast<std::size_t>(block)])});
   EXPECT_DOUBLE_EQ(simulation.results().out_of_balance[0], largest / (6 * 2048 * 10));  // the lid's weight
+}
+
+// When a stage lets go of what helped it on, and when its steps grow.
+
+Model stone_on_floor() {
+  Model model;
+  model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
+  model.joints = {JointMaterial{}};
+  model.joints[0].friction_angle = 0.5;
+  model.blocks = {rectangle("floor", -2, -1, 4, 1), rectangle("stone", -0.5, 0, 1, 1)};
+  model.held_blocks.emplace_back().block = 0;
+  model.gravity = {0, -9.81};
+  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
+  stage.equilibrium = 1e-9;
+  model.stages = {stage};
+  finish_model(model);
+  return model;
+}
+
+TEST(SettlingCushion, LetsGoWithAStepThatHasNextToNothingToChange) {
+  Model model = stone_on_floor();
+  const BlockSystem system(std::move(model));
+  SettlingCushion cushion;
+  EXPECT_FALSE(cushion.wears(1)) << "there is none";
+  ASSERT_TRUE(cushion.put_in(system));
+  EXPECT_TRUE(cushion.wears(6));
+  EXPECT_TRUE(cushion.is_in());
+  EXPECT_TRUE(cushion.wears(5));
+  EXPECT_FALSE(cushion.is_in());
+  EXPECT_FALSE(cushion.put_in(system)) << "once a stage";
+}
+
+// With friction given by its start a step of any length settles, and takes as many passes when it is longer.
+TEST(SettlingPace, StepsThatAreSureToSettleGrowAfterManyPasses) {
+  const auto growth = [](std::int64_t passes, bool is_sure) {
+    const Model model = stone_on_floor();
+    SettlingPace pace;
+    pace.begin(model, model.stages[0], true);
+    const double before = pace.dt();
+    pace.settled(passes, is_sure);
+    return pace.dt() / before;
+  };
+  EXPECT_EQ(growth(30, false), 8);
+  EXPECT_EQ(growth(31, false), 1);
+  EXPECT_EQ(growth(61, false), 0.25);
+  EXPECT_EQ(growth(100, true), 8);
+  EXPECT_EQ(growth(101, true), 1);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "engine/simulation/relative_size.h"
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step.h"
 
@@ -33,22 +34,10 @@ constexpr double most_turn_of_splinters = 1;
 // And of one below this share it is said that the rock would do without it.
 constexpr double sliver_share = 1e-4;
 
-// Whether the area of a block is less than this share of that of more than half of the blocks that can move. Among many
-// stones that are all small, or beside one large block, a small one is not: it may be what the scene is about.
-bool is_below(double share, const BlockSystem& system, std::size_t block) {
-  std::size_t free = 0, larger = 0;
-  for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
-    if (system.held.holds(static_cast<int>(i))) continue;
-    ++free;
-    if (share * system.terms.area[i] > system.terms.area[block]) ++larger;
-  }
-  return 2 * larger > free;
-}
-
 // What tumbles like a small block in the shortest steps does so in steps of any length when it is a splinter: rock of
 // hundreds of blocks is not stepped 64 times as often for what weighs nothing.
 double most_turn_of(const BlockSystem& system, std::size_t block, double most) {
-  if (!is_below(splinter_share, system, block)) return most;
+  if (!is_below(splinter_share, system.terms, system.held, block)) return most;
   return is_shortest_part(system) ? most_turn_of_splinters : most_turn_in_shortest_steps;
 }
 
@@ -98,7 +87,9 @@ std::string turn_problem(const BlockSystem& system) {
           "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
           "take a smaller dt{}",
           system.model.blocks[i].name, turn, system.coefficients.dt, own_most,
-          is_below(sliver_share, system, i) ? ", or leave out what is so much smaller than the others" : "");
+          is_below(sliver_share, system.terms, system.held, i)
+              ? ", or leave out what is so much smaller than the others"
+              : "");
   }
   return "";
 }

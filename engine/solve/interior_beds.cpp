@@ -29,7 +29,7 @@ double InteriorPasses::take_answer_of_bed(const InterfaceSprings& springs, BedEn
   const Vec2 pressures = pressures_of_ends(springs.lever, answer.force);
   for (const std::size_t end : {0U, 1U}) rows_[ends.first + end].force = pressures(static_cast<Eigen::Index>(end));
   ends.points << answer.slope(0), answer.coupling, answer.coupling, answer.slope(1);
-  return -answer.force.dot(gaps);
+  return answer.force.dot(gaps);
 }
 
 // As if each end were a spring for itself, but for the least share.

@@ -19,10 +19,6 @@ constexpr double most_motion = 0.02;
 constexpr double small_share = 1e-2;
 constexpr double most_motion_of_small = 0.2;
 
-double most_motion_of(std::size_t block, const BlockTerms& terms, const HeldUnknowns& held) {
-  return is_below(small_share, terms, held, block) ? most_motion_of_small : most_motion;
-}
-
 // How far, in its own size, a block goes under drag before it is loose.
 constexpr double most_travel = 0.5;
 
@@ -65,13 +61,13 @@ bool SettlingDrag::raise(const BlockTerms& terms, const HeldUnknowns& held, cons
   factors_.resize(terms.area.size(), 1.0);
   moved_.resize(terms.area.size(), 0.0);
   is_carried_.resize(terms.area.size(), 0);
+  const double small = small_share * area_of_most(terms, held, areas_);
   bool raised = false;
   for (std::size_t i = 0; i < factors_.size(); ++i) {
     if (held.holds(static_cast<int>(i))) continue;
     const double before = moved_[i];
     moved_[i] = motion_share(own(d, i), terms.area[i]);
-    if (std::max(moved_[i], before) <= most_motion) continue;
-    const double most = most_motion_of(i, terms, held);
+    const double most = terms.area[i] < small ? most_motion_of_small : most_motion;
     const bool goes_on = moved_[i] > carried * before;
     if (before > most && goes_on) is_carried_[i] = 1;
     if (moved_[i] <= most || (before > 0 && goes_on)) continue;

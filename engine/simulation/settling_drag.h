@@ -52,10 +52,10 @@ class SettlingDrag {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [factors, moved, is_carried, travelled, loose] = self;
+    auto& [factors, moved, is_carried, travelled, loose, areas] = self;
     archive.of_blocks(factors);
     archive.of_blocks(travelled);
-    archive.lists_blocks(loose);  // `moved` and `is_carried` are of the step under way
+    archive.lists_blocks(loose);  // `moved`, `is_carried` and `areas` are of the step under way
   }
 
  private:
@@ -64,6 +64,7 @@ class SettlingDrag {
   std::vector<char> is_carried_;   // too far in this step, by others: more drag did not hold it back
   std::vector<double> travelled_;  // under drag, in each block's size
   std::vector<int> loose_;         // blocks, in the order found
+  std::vector<double> areas_;      // m2, of the blocks that can move
 };
 
 }  // namespace dda

@@ -170,24 +170,14 @@ TEST(SettlingScale, WhatOnlyHoldsDoesNotCount) {
 
 // When a stage lets go of what helped it on, and when its steps grow.
 
-Model stone_on_floor() {
-  Model model;
-  model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
-  model.joints = {JointMaterial{}};
-  model.joints[0].friction_angle = 0.5;
-  model.blocks = {rectangle("floor", -2, -1, 4, 1), rectangle("stone", -0.5, 0, 1, 1)};
-  model.held_blocks.emplace_back().block = 0;
-  model.gravity = {0, -9.81};
-  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
-  stage.equilibrium = 1e-9;
-  model.stages = {stage};
+Model finished_press() {
+  Model model = press(scales[1], JointMaterial{}, 0);
   finish_model(model);
   return model;
 }
 
 TEST(SettlingCushion, LetsGoWithAStepThatHasNextToNothingToChange) {
-  Model model = stone_on_floor();
-  const BlockSystem system(std::move(model));
+  const BlockSystem system(finished_press());
   SettlingCushion cushion;
   EXPECT_FALSE(cushion.wears(1)) << "there is none";
   ASSERT_TRUE(cushion.put_in(system));
@@ -201,7 +191,7 @@ TEST(SettlingCushion, LetsGoWithAStepThatHasNextToNothingToChange) {
 // With friction given by its start a step of any length settles, and takes as many passes when it is longer.
 TEST(SettlingPace, StepsThatAreSureToSettleGrowAfterManyPasses) {
   const auto growth = [](std::int64_t passes, bool is_sure) {
-    const Model model = stone_on_floor();
+    const Model model = finished_press();
     SettlingPace pace;
     pace.begin(model, model.stages[0], true);
     const double before = pace.dt();

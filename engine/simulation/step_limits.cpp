@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "engine/simulation/relative_size.h"
 #include "engine/simulation/settling_drag.h"
@@ -36,8 +37,8 @@ constexpr double sliver_share = 1e-4;
 
 // What tumbles like a small block in the shortest steps does so in steps of any length when it is a splinter: rock of
 // hundreds of blocks is not stepped 64 times as often for what weighs nothing.
-double most_turn_of(const BlockSystem& system, std::size_t block, double most) {
-  if (!is_below(splinter_share, system.terms, system.held, block)) return most;
+double most_turn_of(const BlockSystem& system, double area, double of_most, double most) {
+  if (!(area < splinter_share * of_most)) return most;
   return is_shortest_part(system) ? most_turn_of_splinters : most_turn_in_shortest_steps;
 }
 
@@ -78,18 +79,19 @@ double largest_motion_within(const BlockSystem& system, double time) {
 
 std::string turn_problem(const BlockSystem& system) {
   const double most = most_turn_now(system);
+  std::vector<double> room;  // stays empty where nothing turns far
   for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
     const double turn = turn_or_strain(system.increment.segment<6>(static_cast<Eigen::Index>(6 * i)));
     if (turn <= most) continue;
-    const double own_most = most_turn_of(system, i, most);
+    const double area = system.terms.area[i];
+    const double of_most = area_of_most(system.terms, system.held, room);
+    const double own_most = most_turn_of(system, area, of_most, most);
     if (turn > own_most)
       return fmt::format(
           "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
           "take a smaller dt{}",
           system.model.blocks[i].name, turn, system.coefficients.dt, own_most,
-          is_below(sliver_share, system.terms, system.held, i)
-              ? ", or leave out what is so much smaller than the others"
-              : "");
+          area < sliver_share * of_most ? ", or leave out what is so much smaller than the others" : "");
   }
   return "";
 }

@@ -86,8 +86,8 @@ TEST(StretchesOnBeds, InteriorPassesLeadToTheAnswerOfGivenFriction) {
   EXPECT_GT(gape, 200);  // of some 4,200
 }
 
-// A way inside begins as far from the edges as what the beds store and what the loads do amount to. Here no load is left,
-// as in rock that has all but settled.
+// A way inside begins as far from the edges as what the beds store and what the loads do amount to. Here no load is
+// left, as in rock that has all but settled.
 TEST(StretchesOnBeds, WhatTheyStoreIsEnoughToBeginFromInside) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     HandMadeProblem made = heap_of_stretches(seed, 1);

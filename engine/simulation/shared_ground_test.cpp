@@ -83,5 +83,32 @@ TEST(SharedGround, IsNoneWhereSpringsGiveWay) {
   EXPECT_TRUE(shared_ground(simulation.system()).empty());
 }
 
+// A box of 1 m that lies 3 cm deep in the floor, as its contacts have forgiven: each of their springs closes deeper by as
+// much, and all is in balance.
+TEST(SharedGround, IsGivenBackBeforeAStageThatSettlesIsOver) {
+  Model model;
+  model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};
+  model.joints = {JointMaterial{}};
+  model.joints[0].friction_angle = 0.5;
+  model.joints[0].normal_stiffness = model.joints[0].shear_stiffness = 1e8;  // so soft that it does not settle at once
+  model.blocks = {rectangle("floor", -5, -1, 10, 1), rectangle("box", 0, 0, 1, 1)};
+  model.held_blocks.emplace_back().block = 0;
+  model.gravity = {0, -9.81};
+  model.stages = {stage_of(static_integrator(), 0, 0, Kinematics::finite)};
+  model.stages[0].equilibrium = 1e-9;
+  Simulation simulation = simulation_of(std::move(model));
+  State state = simulation.state();
+  state.displacement[1](1) = -0.03;
+  const auto saved = simulation.save();
+  simulation.restore(std::move(state), saved);
+  ASSERT_FALSE(shared_ground(simulation.system()).empty());
+  while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+  EXPECT_LT(simulation.results().out_of_balance[0], 1e-9);
+  EXPECT_TRUE(simulation.results().shared_ground.empty());
+  // Its last two thousandths are within what is tolerated.
+  EXPECT_NEAR(simulation.state().displacement[1](1), 0, tolerated_share);
+  EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
+}
+
 }  // namespace
 }  // namespace dda

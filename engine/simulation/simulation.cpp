@@ -8,6 +8,7 @@
 
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/depth_given_back.h"
 #include "engine/simulation/equilibrium.h"
 #include "engine/simulation/excavation.h"
 #include "engine/simulation/explicit_step.h"
@@ -193,6 +194,8 @@ bool Simulation::is_over() {
   const double asked = s.stage().equilibrium;
   const bool is_balanced = s.plan.is_static && asked > 0 && !stage_step().is_provisional() &&
                            out_of_balance() <= asked && nothing_prescribed_changes_until(s.end_of_stage(), s);
+  // Half of the steps are kept for the balance.
+  if (is_balanced && is_settling() && s.clock.step < most_settling_steps / 2 && give_back_depths(s)) return false;
   const bool is_over = is_balanced || s.clock.step >= (is_settling() ? most_settling_steps : s.stage().steps());
   if (is_balanced || (is_settling() && is_over)) s.state.time = s.end_of_stage();
   return is_over;

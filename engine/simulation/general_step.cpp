@@ -329,6 +329,11 @@ void GeneralStep::weaken(std::size_t i) {
   base_is_current_ = false;
 }
 
+void GeneralStep::note_penetrations() {
+  if (system_.plan.contacts_can_change)
+    dda::note_penetrations(system_.contacts, system_.terms, system_.state, deepest_);
+}
+
 bool GeneralStep::is_in_contact_range() {
   if (!system_.plan.finite_kinematics || moving_) return true;
   message_ = range_.problem(system_.model, system_.state, system_.contacts);
@@ -353,7 +358,7 @@ void GeneralStep::accept() {
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts(solver_.contacts(), moving_.has_value(), s);
   if (s.plan.contacts_can_change) {
-    note_penetrations(s.contacts, s.terms, s.state, deepest_);
+    if (!s.stage().paces_itself()) note_penetrations();
     if (s.plan.finite_kinematics)  // or contacts stay those of the drawing, and nothing can pass
       note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
   }

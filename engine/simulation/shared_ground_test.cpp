@@ -83,8 +83,8 @@ TEST(SharedGround, IsNoneWhereSpringsGiveWay) {
   EXPECT_TRUE(shared_ground(simulation.system()).empty());
 }
 
-// A box of 1 m that lies 3 cm deep in the floor, as its contacts have forgiven: each of their springs closes deeper by as
-// much, and all is in balance.
+// A box of 1 m that lies 3 cm deep in the floor, as its contacts have forgiven: each of their springs closes deeper by
+// as much, and all is in balance.
 TEST(SharedGround, IsGivenBackBeforeAStageThatSettlesIsOver) {
   Model model;
   model.materials = {{"rock", 2600, 20e9, 0.2, PlaneState::stress}};

@@ -28,6 +28,8 @@ Vec2 pressures_of_ends(double lever, const Vec2& forces) { return -(points_by_en
 
 Vec2 forces_of_points(double lever, const Vec2& pressures) { return -(ends_by_points(lever) * pressures); }
 
+bool is_taken_for_a_spring(const Vec2& pressures) { return pressures.minCoeff() < least_share * pressures.sum(); }
+
 Compression compress(const Bed& bed, const Vec2& pressures) {
   const double least = least_share * pressures.sum();
   const Vec2 forces = forces_of_points(bed.lever, pressures.cwiseMax(least));

@@ -20,6 +20,10 @@ namespace dda {
 [[nodiscard]] Vec2 pressures_of_ends(double lever, const Vec2& forces);
 [[nodiscard]] Vec2 forces_of_points(double lever, const Vec2& pressures);
 
+// Whether so little is closed under these pressures that the bed gives way as a spring at its end: it then turns as it
+// likes, and does not give way further as it does.
+[[nodiscard]] bool is_taken_for_a_spring(const Vec2& pressures);
+
 struct Compression {
   Vec2 depth;     // c, m
   Mat2 softness;  // dc/dp, m2/N

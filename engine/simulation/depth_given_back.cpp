@@ -11,7 +11,7 @@
 namespace dda {
 namespace {
 
-// Of the smaller block's size, given back at once: contacts then press as those of a step that goes as far.
+// This share of the smaller block's size is given back at once: contacts then press as in a step that goes as far.
 constexpr double share_at_once = 5e-3;
 
 // What is less than this share of the smaller block's size is left, as many contacts have it from round-off.

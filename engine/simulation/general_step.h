@@ -54,7 +54,8 @@ class GeneralStep : public Step {
   // False when bonded blocks have left the contacts of the start, which are then not followed; message() says which.
   [[nodiscard]] bool is_in_contact_range();
   [[nodiscard]] const Penetration& deepest_penetration() const { return deepest_; }
-  // Of every step, but of a stage that paces itself when it is over: what its steps pass through is no answer.
+  // To be called when a stage that paces itself is over: what its steps pass through is no answer. Those of all other
+  // stages are noted with every step.
   void note_penetrations();
   [[nodiscard]] std::int64_t solver_iterations() const { return solver_.solver_iterations(); }
 

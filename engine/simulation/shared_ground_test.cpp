@@ -107,7 +107,7 @@ TEST(SharedGround, IsGivenBackBeforeAStageThatSettlesIsOver) {
   EXPECT_TRUE(simulation.results().shared_ground.empty());
   // Its last two thousandths are within what is tolerated.
   EXPECT_NEAR(simulation.state().displacement[1](1), 0, tolerated_share);
-  // Of how deep contacts were the end counts, under the weight, and not the way there.
+  // The deepest penetration is that of the end, under the weight, and not what it was on the way there.
   EXPECT_NEAR(simulation.deepest_penetration().share, 2600 * 9.81 / 1e8, 1e-6);
   EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-9);
 }

@@ -1,10 +1,13 @@
 #include "engine/simulation/depth_given_back.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <map>
+#include <set>
 #include <utility>
+#include <vector>
 
+#include "engine/contact/inherited_state.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/shared_ground.h"
 
@@ -17,32 +20,41 @@ constexpr double share_at_once = 5e-3;
 // What is less than this share of the smaller block's size is left, as many contacts have it from round-off.
 constexpr double least_share = 1e-4;
 
-// Returns whether the contact was forgiven a depth worth a step, of which it then has `most` (m) less.
-bool give_back(double most, double least, const InterfaceElement& element, InterfaceState& state) {
-  if (state.seat[0] > -least) return false;
-  const double part = std::min(most, -state.seat[0]);
-  state.seat[0] += part;
-  state.gap(0) -= part;
-  state.force(0) = element.stiffness(0) * std::min(0.0, state.gap(0));
-  return true;
+double smaller_size(const Model& model, const InterfaceElement& element) {
+  const auto area_of = [&](int block) { return model.blocks[static_cast<std::size_t>(block)].moments.area; };
+  return std::sqrt(std::min(area_of(element.block_a), area_of(element.block_b)));
+}
+
+// Vertices whose contacts were forgiven a depth worth a step: their places among all.
+std::vector<std::size_t> forgiven_contacts(const BlockSystem& s) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < s.contacts.states.size(); ++i) {
+    const double seat = s.contacts.states[i].seat[0];
+    if (seat >= 0 || s.contacts.interfaces[i].length > 0) continue;
+    if (seat <= -least_share * smaller_size(s.model, s.contacts.elements.own()[i])) places.push_back(i);
+  }
+  return places;
+}
+
+void give_back(double most, const InterfaceElement& element, InterfaceState& state) {
+  const double distance = state.gap(0) + state.held_open(0);
+  state.seat[0] += std::min(most, -state.seat[0]);
+  measure(element, distance, state);
 }
 
 }  // namespace
 
 bool give_back_depths(BlockSystem& s) {
-  const std::vector<SharedGround> shared = shared_ground(s);
-  if (shared.empty()) return false;
-  std::map<std::pair<int, int>, double> size_of_pair;
-  for (const SharedGround& each : shared)
-    size_of_pair[std::minmax(each.block_a, each.block_b)] = each.depth / each.share;
+  const std::vector<std::size_t> forgiven = forgiven_contacts(s);
+  if (forgiven.empty()) return false;  // outlines need not be compared
+  std::set<std::pair<int, int>> pairs;
+  for (const SharedGround& each : shared_ground(s)) pairs.insert(std::minmax(each.block_a, each.block_b));
   bool any = false;
-  for (std::size_t i = 0; i < s.contacts.elements.size(); ++i) {
+  for (const std::size_t i : forgiven) {
     const InterfaceElement& element = s.contacts.elements.own()[i];
-    const auto size = size_of_pair.find(std::minmax(element.block_a, element.block_b));
-    if (size == size_of_pair.end() || s.contacts.interfaces[i].length > 0) continue;
-    const bool given =
-        give_back(share_at_once * size->second, least_share * size->second, element, s.contacts.states[i]);
-    any = given || any;
+    if (!pairs.contains(std::minmax(element.block_a, element.block_b))) continue;
+    give_back(share_at_once * smaller_size(s.model, element), element, s.contacts.states[i]);
+    any = true;
   }
   if (!any) return false;
   s.audit.geometry_followed(s.stored_energy_now());

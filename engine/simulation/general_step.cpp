@@ -357,11 +357,9 @@ void GeneralStep::accept() {
   const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance;
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts(solver_.contacts(), moving_.has_value(), s);
-  if (s.plan.contacts_can_change) {
-    if (!s.stage().paces_itself()) note_penetrations();
-    if (s.plan.finite_kinematics)  // or contacts stay those of the drawing, and nothing can pass
-      note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
-  }
+  if (!s.stage().paces_itself()) note_penetrations();
+  if (s.plan.contacts_can_change && s.plan.finite_kinematics)  // or contacts stay as drawn, and nothing can pass
+    note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
   s.reinforcement.bolts.accept(solver_.bolts(), s.audit);
   s.reinforcement.linings.accept(s.increment, s.audit);
   accept_supports(s);

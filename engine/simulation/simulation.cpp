@@ -205,7 +205,7 @@ Status Simulation::end_stage() {
   BlockSystem& s = *system_;
   const bool unlimited_strength = s.stage().unlimited_strength;
   if (stage_step().is_provisional()) release_shear_of_contacts(s);
-  if (s.stage().paces_itself() && !s.plan.linear) general_->note_penetrations();
+  if (s.stage().paces_itself()) general_->note_penetrations();
   note_results(s, in_situ_force_, results_);
   const std::string problem = problem_at_end_of(s.clock.stage, s.model, results_);
   let_go_of_loose_blocks(s);

@@ -69,7 +69,7 @@ class Simulation {
   [[nodiscard]] const StepPlan& plan() const;
   [[nodiscard]] const EnergyLedger& energy() const;
   [[nodiscard]] Counters counters() const;
-  // The deepest of all steps with contacts that can change.
+  // The deepest of steps with contacts that can change; of stages that pace themselves of their ends.
   [[nodiscard]] const Penetration& deepest_penetration() const;
 
   // The longest dt with which a stage of explicit steps is stable, s; 0 for other stages.

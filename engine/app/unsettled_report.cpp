@@ -31,9 +31,9 @@ std::string unsettled_remark(const Simulation& simulation) {
                                 : fmt::format(" between \"{}\" and \"{}\"", name_of(simulation, steps.block_a),
                                               name_of(simulation, steps.block_b));
   return fmt::format(
-      "contacts left the answer open in {} step{}, first at {:.6g} s{}: no balance was found for the whole step, and "
-      "it was taken in parts; another solver may find one, after which blocks go another way: compare with a smaller "
-      "dt",
+      "contacts left the answer open in {} step{}, first at {:.6g} s{}: no balance was found for the whole step at "
+      "first, and it was found from elsewhere or the step taken in parts; another solver may find another, after which "
+      "blocks go another way: compare with a smaller dt",
       steps.count, steps.count == 1 ? "" : "s", steps.first_time, place);
 }
 

@@ -138,8 +138,8 @@ TEST_F(Unsettled, RunsThatDependOnTheSolverAreAnnounced) {
     (part ? announced : announced_in_vain) += times;
   }
   EXPECT_GE(differing, 12);
-  EXPECT_GE(announced, 0.8 * differing) << announced << " of " << differing;
-  EXPECT_LE(announced_in_vain, 0.35 * agreeing) << announced_in_vain << " of " << agreeing;
+  EXPECT_GE(announced, 0.9 * differing) << announced << " of " << differing;
+  EXPECT_LE(announced_in_vain, 0.15 * agreeing) << announced_in_vain << " of " << agreeing;
 }
 
 }  // namespace

@@ -252,7 +252,8 @@ StepProblem GeneralStep::problem() const {
           .held = s.held,
           .dilates = s.plan.dilation && !rule_.capacity_is_given,
           .max_passes = most_passes(s.stage()),
-          .to_the_end = !can_be_cut_};
+          .to_the_end = !can_be_cut_,
+          .goes_from_inside = !s.stage().paces_itself()};
 }
 
 Status GeneralStep::solve() {
@@ -261,6 +262,7 @@ Status GeneralStep::solve() {
   int rounds_of_linings = 0;
   const int most_rounds_of_linings = can_be_cut_ ? LiningSet::most_rounds_before_a_cut : LiningSet::most_rounds;
   while (solution.status == Status::ok && rounds_of_linings < most_rounds_of_linings) {
+    if (solution.settled_from_inside) note_unsettled(solution, system_);
     const bool broke = replace_broken_joints() || solution.something_broke();
     if (broke) can_be_cut_ = false;  // it did so in this step, and a shorter one would not know of it
     // Linings that yield lie outside of the problem as well: Newton's method around it.

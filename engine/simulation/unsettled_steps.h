@@ -1,8 +1,9 @@
-// Steps whose contacts found no balance, so that they were taken in parts.
+// Steps for whose contacts quick passes found no balance, so that it was found from inside or they were taken in parts.
 //
 // Where friction leaves open how contacts share forces, the quick passes may find one of the answers or none, and which
-// of these depends on the way there: on round-off, the numbering of blocks, the solver. A step that is taken in parts
-// ends elsewhere than one that is not, by what its length leaves unresolved.
+// of these depends on the way there: on round-off, the numbering of blocks, the solver. Interior passes may find
+// another answer, and a step that is taken in parts ends elsewhere than one that is not, by what its length leaves
+// unresolved.
 #pragma once
 
 #include <cstdint>

@@ -30,8 +30,10 @@ namespace dda {
 struct StepSolution {
   Status status = Status::ok;
   Failure failure = Failure::none;
-  // An open-close iteration that did not settle: the contact (place among all interfaces; -1: none) that still changes
-  // most, and by how much, N per m of thickness.
+  // Friction followed the forces, quick passes found no balance, and interior ones did: there may be another one.
+  bool settled_from_inside = false;
+  // An open-close iteration that did not settle, or quick passes that did not: the contact (place among all interfaces;
+  // -1: none) that still changes most, and by how much, N per m of thickness.
   int restless_contact = -1;
   double restless_force = 0;
   // Contacts (their places) with an end that broke or began to slide with residual strength, and links of bolts that
@@ -70,8 +72,8 @@ class ContactSolver {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [at, friction, convex, interior, solution, base_version, rises, is_sure] = self;
-    archive(at);  // all else begins with every step
+    auto& [at, friction, convex, interior, solution, base_version, rises, without_quick_passes, is_sure] = self;
+    archive(at, without_quick_passes);  // all else begins with every step
   }
 
  private:
@@ -82,6 +84,7 @@ class ContactSolver {
   [[nodiscard]] bool settle_quickly();
   [[nodiscard]] bool settle_from_inside();
   [[nodiscard]] Status settle_with_given_capacities();
+  [[nodiscard]] bool settle_with_friction();
   void note_restless();
 
   Iterate at_;
@@ -90,7 +93,8 @@ class ContactSolver {
   InteriorPasses interior_;
   StepSolution solution_;
   std::uint64_t base_version_ = 0;
-  int rises_ = 0;         // times that dilations moved in this step
+  int rises_ = 0;                 // times that dilations moved in this step
+  int without_quick_passes_ = 0;  // > 0: steps in a row that begin with interior ones, up to the next
   bool is_sure_ = false;  // its dilations move between sure passes: the quick ones, which have them, did not settle
 };
 

@@ -27,15 +27,8 @@ constexpr double balance_tolerance = 1e-10;
 // at that level, and walls of 10,000 bricks take two thirds more passes. A hundred times saves nothing.)
 constexpr double piece_tolerance = 10;
 
-// Measured on walls of 1,600 to 10,000 bricks that gravity is switched on for: where passes settle they take 5 to 20,
-// and up to 60 in the first step, when all contacts start without force. Hardly any step settles that has not come
-// nearer to the balance with the work of ten passes over all blocks; a local pass does its part of that, and this much
-// in any case.
-constexpr double patience = 10;
+// What a local pass costs beside its part of one over all blocks.
 constexpr double local_overhead = 0.05;
-
-// Where capacities are given there is something else to try soon: see ContactSolver.
-constexpr double patience_with_given_capacities = 3;
 
 // When the balance has not come nearer for this many passes but is near (this share of the largest force), every other
 // pass goes half its way: a few ends that drive each other in a circle fall out of step. Farther away half steps lead
@@ -147,7 +140,7 @@ bool FrictionPasses::has_something_to_settle(const Iterate& at) {
   return !live_.empty() || !at.bolts.empty();
 }
 
-bool FrictionPasses::find_balance(Iterate& at) {
+bool FrictionPasses::find_balance(Iterate& at, double most_in_vain) {
   resize(at.increment.size());
   bool changed = false;
   // The whole matrix is brought up to date first: what a step does depends on the state, not on earlier round-off.
@@ -155,11 +148,10 @@ bool FrictionPasses::find_balance(Iterate& at) {
   form_residual(at);
   const std::span<const double> asked = at.problem->asked_balance;
   largest_asked_ = asked.empty() ? 0 : std::ranges::max(asked);
-  const double most_work = at.problem->contacts.rule.capacity_is_given ? patience_with_given_capacities : patience;
   nearest_.begin(imbalance_, 0);
   int for_more = 0;
   for (int pass = 0; !is_balanced(at) || (for_more++ < most_passes_for_more && is_asked_for_more(at)); ++pass) {
-    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || nearest_.work > most_work) break;
+    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || nearest_.work > most_in_vain) break;
     if (pass > 0 && prepare_pass(at, changed) != Status::ok) break;
     ++at.costs.counters.open_close_iterations;
     const double enough =

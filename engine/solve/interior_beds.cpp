@@ -23,7 +23,7 @@ void InteriorPasses::list_beds() {
     if (rows_[i].on_bed) beds_.push_back({.first = i++});
 }
 
-double InteriorPasses::take_answer_of_bed(const InterfaceSprings& springs, BedEnds& ends) {
+double InteriorPasses::take_answer_of_bed(const InterfaceSprings& springs, InteriorBed& ends) {
   const Vec2 gaps = points_of(gaps_[rows_[ends.first].contact]);
   const BedAnswer answer = press_bed(bed_of(springs), gaps);
   const Vec2 pressures = pressures_of_ends(springs.lever, answer.force);
@@ -34,27 +34,27 @@ double InteriorPasses::take_answer_of_bed(const InterfaceSprings& springs, BedEn
 
 // As if each end were a spring for itself, but for the least share.
 void InteriorPasses::move_beds_inside(const Iterate& at, double product) {
-  for (const BedEnds& ends : beds_) {
-    Row& first = rows_[ends.first];
-    Row& second = rows_[ends.first + 1];
+  for (const InteriorBed& ends : beds_) {
+    InteriorRow& first = rows_[ends.first];
+    InteriorRow& second = rows_[ends.first + 1];
     const Vec2 openings = openings_of(at, ends);
     move_inside(product, openings(0), first);
     move_inside(product, openings(1), second);
     const double least = least_share_at_first * std::max(first.force, second.force);
-    for (Row* row : {&first, &second}) {
+    for (InteriorRow* row : {&first, &second}) {
       row->force = row->partner[0] = std::max(row->force, least);
       row->length[0] = product / row->force;
     }
   }
 }
 
-Vec2 InteriorPasses::openings_of(const Iterate& at, const BedEnds& ends) const {
+Vec2 InteriorPasses::openings_of(const Iterate& at, const InteriorBed& ends) const {
   const std::size_t k = rows_[ends.first].contact;
   return openings_of_ends(at.contacts.element(k).lever, points_of(gaps_[k]));
 }
 
 void InteriorPasses::take_forces_of_beds(const Iterate& at) {
-  for (const BedEnds& ends : beds_) {
+  for (const InteriorBed& ends : beds_) {
     const std::size_t k = rows_[ends.first].contact;
     const Vec2 pressures(rows_[ends.first].force, rows_[ends.first + 1].force);
     const Vec2 at_points = forces_of_points(at.contacts.element(k).lever, pressures);
@@ -67,7 +67,7 @@ void InteriorPasses::take_forces_of_beds(const Iterate& at) {
 // taken for a spring: theirs stay off by the square root of the share of pressure from which they are, 5e-5.
 double InteriorPasses::beds_off_answers(const Iterate& at) const {
   double off = 0;
-  for (const BedEnds& ends : beds_) {
+  for (const InteriorBed& ends : beds_) {
     const std::size_t k = rows_[ends.first].contact;
     if (is_taken_for_a_spring({rows_[ends.first].force, rows_[ends.first + 1].force})) continue;
     const Vec2 answer = press_bed(bed_of(at.contacts.element(k)), points_of(gaps_[k])).force;
@@ -77,8 +77,8 @@ double InteriorPasses::beds_off_answers(const Iterate& at) const {
 }
 
 void InteriorPasses::take_rows_of_beds() {
-  for (const BedEnds& ends : beds_) {
-    const Row& first = rows_[ends.first];
+  for (const InteriorBed& ends : beds_) {
+    const InteriorRow& first = rows_[ends.first];
     ContactRows& rows = active_[first.contact];
     rows.active(0) = ends.points(0, 0) / first.stiffness;
     rows.active(2) = ends.points(1, 1) / first.stiffness;
@@ -87,9 +87,9 @@ void InteriorPasses::take_rows_of_beds() {
 }
 
 void InteriorPasses::take_stiffness_of_beds(const Iterate& at) {
-  for (BedEnds& ends : beds_) {
-    Row& first = rows_[ends.first];
-    Row& second = rows_[ends.first + 1];
+  for (InteriorBed& ends : beds_) {
+    InteriorRow& first = rows_[ends.first];
+    InteriorRow& second = rows_[ends.first + 1];
     if (first.length[0] == 0) continue;
     const InterfaceSprings& springs = at.contacts.element(first.contact);
     const Compression under = compress(bed_of(springs), {first.force, second.force});
@@ -105,9 +105,9 @@ void InteriorPasses::take_stiffness_of_beds(const Iterate& at) {
 
 // Both ends give way under both forces, so what changes of these is off by what both openings are.
 void InteriorPasses::eliminate_beds(const Iterate& at, double product, bool corrects) {
-  for (const BedEnds& ends : beds_) {
-    Row& first = rows_[ends.first];
-    Row& second = rows_[ends.first + 1];
+  for (const InteriorBed& ends : beds_) {
+    InteriorRow& first = rows_[ends.first];
+    InteriorRow& second = rows_[ends.first + 1];
     const Vec2 openings = openings_of(at, ends);
     eliminate_lengths(openings(0), product, corrects, first);
     eliminate_lengths(openings(1), product, corrects, second);
@@ -121,7 +121,7 @@ void InteriorPasses::eliminate_beds(const Iterate& at, double product, bool corr
 }
 
 void InteriorPasses::follow_beds(const Iterate& at) {
-  for (const BedEnds& ends : beds_) {
+  for (const InteriorBed& ends : beds_) {
     const InterfaceElement& element = at.contacts.element(rows_[ends.first].contact);
     const Vec2 opened = openings_of_ends(element.lever, points_of(gap_increment(element, step_)));
     const Vec2 along = ends.stiffness * opened;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "engine/contact/contact_set.h"
 #include "engine/contact/projected_law.h"
@@ -37,18 +38,20 @@ bool has_other_answers(const InterfaceSprings& springs, const InterfaceTrial& tr
 
 bool InteriorPasses::serve(const Iterate& at) {
   if (!at.bolts.empty() || at.problem->dilates || !at.matrix.solver().is_direct()) return false;
+  if (!at.problem->contacts.rule.capacity_is_given && !InteriorFriction::serves(at)) return false;
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     if (has_other_answers(at.contacts.element(k), at.contacts[k])) return false;
   return true;
 }
 
 bool InteriorPasses::begin(Iterate& at) {
+  friction_.begin(at);
   list_rows(at);
   start_at_rest(at);
   const double product = start_products(at);
   if (!(product > 0)) return false;
   measure(at);
-  passes_left_ = most_passes;
+  passes_left_ = std::min(most_passes, at.problem->max_passes);
   return true;
 }
 
@@ -56,30 +59,35 @@ bool InteriorPasses::approach(Iterate& at, double share_off) {
   while (off_answers(at) > share_off) {
     if (passes_left_-- == 0) return false;
     ++at.costs.counters.open_close_iterations;
-    if (factorize(at) != Status::ok) return false;
-    const double product = mean_product(0);
-    solve(at, 0, false);
-    const double left = mean_product(longest_step()) / product;
-    solve(at, left * left * left * product, true);
-    double share = std::min(1.0, kept_inside * longest_step());
-    if (share < short_step) {  // some product is far below the others
-      solve(at, product, false);
-      share = std::min(1.0, kept_inside * longest_step());
-    }
+    const double share = find_step(at);
     if (!(share > shortest_step) || !std::isfinite(share)) return false;
     move(share);
     measure(at);
   }
   at.increment = increment_;
   for (std::size_t k = 0; k < at.contacts.size(); ++k) at.contacts.measure(k, at.increment);
+  if (friction_.follows()) std::ignore = at.contacts.follow_capacities();
   at.matrix.outdate();
   return true;
+}
+
+// Predicts and corrects; returns the share of the step that stays inside. 0: none.
+double InteriorPasses::find_step(Iterate& at) {
+  if (factorize(at) != Status::ok) return 0;
+  const double product = mean_product(0);
+  if (solve(at, 0, false) != Status::ok) return 0;
+  const double left = mean_product(longest_step()) / product;
+  if (solve(at, left * left * left * product, true) != Status::ok) return 0;
+  const double share = std::min(1.0, kept_inside * longest_step());
+  if (!(share < short_step)) return share;
+  // Some product is far below the others.
+  return solve(at, product, false) == Status::ok ? std::min(1.0, kept_inside * longest_step()) : 0;
 }
 
 // Infinite where the balance is not a number.
 double InteriorPasses::off_answers(const Iterate& at) const {
   double off = imbalance_, largest = 0;
-  for (const Row& row : rows_) {
+  for (const InteriorRow& row : rows_) {
     largest = std::max(largest, row.force);
     if (row.on_bed) continue;
     const double stuck = row.stiffness * gaps_[row.contact](row.row);
@@ -137,10 +145,13 @@ double InteriorPasses::start_products(Iterate& at) {
   at.problem->held.clear(step_);
   double product = std::max(stored, std::abs(rhs_.dot(step_))) / static_cast<double>(rows_.size());
   if (!beds_.empty()) product *= farther_inside;
-  for (Row& row : rows_)
-    if (!row.on_bed) move_inside(product, gaps_[row.contact](row.row), row);
+  for (InteriorRow& row : rows_)
+    if (row.is_normal() && !row.on_bed) move_inside(product, gaps_[row.contact](row.row), row);
   move_beds_inside(at, product);
-  std::erase_if(rows_, [](const Row& row) { return row.capacity == 0; });
+  take_forces_of_rows(at);
+  for (InteriorRow& row : rows_)
+    if (!row.is_normal()) move_inside(product, gaps_[row.contact](row.row), row);
+  std::erase_if(rows_, [](const InteriorRow& row) { return row.capacity == 0; });
   list_beds();
   return product;
 }
@@ -148,31 +159,46 @@ double InteriorPasses::start_products(Iterate& at) {
 // What ends answer to their gaps, and what the normal ones store of it, twice over.
 double InteriorPasses::take_answers(const Iterate& at) {
   double stored = 0;
-  for (BedEnds& ends : beds_) stored += take_answer_of_bed(at.contacts.element(rows_[ends.first].contact), ends);
-  for (Row& row : rows_) {
-    if (row.on_bed) continue;
-    const double gap = gaps_[row.contact](row.row);
-    row.force = row.is_normal() ? std::max(0.0, -row.stiffness * gap)
-                                : std::clamp(row.stiffness * gap, -row.capacity, row.capacity);
-    row.share = row.is_normal() && row.force == 0 ? 0.0 : row.capacity == 0 ? 0.0 : 1.0;
-    row.constant = 0;
-    row.length = {0, 0};
-    if (row.is_normal()) stored += row.force * row.force / row.stiffness;
+  for (InteriorBed& ends : beds_) stored += take_answer_of_bed(at.contacts.element(rows_[ends.first].contact), ends);
+  for (InteriorRow& row : rows_) {
+    if (row.on_bed || !row.is_normal()) continue;
+    row.force = std::max(0.0, -row.stiffness * gaps_[row.contact](row.row));
+    row.share = row.force == 0 ? 0.0 : 1.0;
+    stored += row.force * row.force / row.stiffness;
+  }
+  take_forces_of_rows(at);
+  for (InteriorRow& row : rows_) {
+    if (row.is_normal()) continue;
+    row.force = std::clamp(row.stiffness * gaps_[row.contact](row.row), -row.capacity, row.capacity);
+    row.share = row.capacity == 0 ? 0.0 : 1.0;
   }
   return stored;
 }
 
-// Forces and lengths that have this product: of a normal row those that fit its gap.
-void InteriorPasses::move_inside(double product, double gap, Row& row) {
+// Partners and lengths that have this product: of a normal row those that fit its gap.
+void InteriorPasses::move_inside(double product, double gap, InteriorRow& row) {
   if (row.is_normal()) {
     const double root = std::sqrt(gap * gap + 4 * product / row.stiffness);
     row.force = gap < 0 ? row.stiffness * (root - gap) / 2 : 2 * product / (root + gap);
     row.partner[0] = row.force;
     row.length[0] = product / row.force;
   } else if (row.capacity > 0) {
-    row.force = std::clamp(row.force, -row.capacity / 2, row.capacity / 2);
-    row.partner = {row.capacity - row.force, row.capacity + row.force};
-    row.length = {product / row.partner[0], product / row.partner[1]};
+    const double share = std::clamp(row.force / row.capacity, -0.5, 0.5);
+    row.partner = {1 - share, 1 + share};
+    row.length = {product / row.capacity / row.partner[0], product / row.capacity / row.partner[1]};
+  }
+}
+
+// Forces of normal rows and then, as shares of the capacities that may follow these, of tangential ones.
+void InteriorPasses::take_forces_of_rows(const Iterate& at) {
+  for (const InteriorRow& row : rows_)
+    if (row.is_normal()) forces_[row.contact](row.row) = -row.force;
+  take_forces_of_beds(at);
+  if (friction_.follows()) friction_.take_capacities(at, forces_, mean_product(0), rows_);
+  for (InteriorRow& row : rows_) {
+    if (row.is_normal()) continue;
+    if (row.length[0] > 0) row.force = row.capacity * row.share_of_capacity();
+    forces_[row.contact](row.row) = row.force;
   }
 }
 
@@ -190,8 +216,7 @@ void InteriorPasses::measure(const Iterate& at) {
       if (std::isfinite(trial.capacity[e])) forces_[k](2 * end + 1) = 0;
     }
   }
-  for (const Row& row : rows_) forces_[row.contact](row.row) = row.is_normal() ? -row.force : row.force;
-  take_forces_of_beds(at);
+  take_forces_of_rows(at);
   rhs_ = at.problem->rhs;
   image_.resize(rhs_.size());
   step_.resize(rhs_.size());
@@ -210,11 +235,12 @@ void InteriorPasses::measure(const Iterate& at) {
 double InteriorPasses::mean_product(double share) const {
   double sum = 0;
   int count = 0;
-  for (const Row& row : rows_) {
+  for (const InteriorRow& row : rows_) {
     for (int i = 0; i < row.products(); ++i, ++count) {
       const auto n = static_cast<std::size_t>(i);
-      const double partner = row.partner[n] + share * row.partner_sign(i) * row.force_step;
-      sum += partner * (row.length[n] + share * row.length_step[n]);
+      const double partner = row.partner[n] + (share > 0 ? share * row.partner_step(i) : 0);
+      const double unit = row.unit() + share * row.capacity_step;
+      sum += unit * partner * (row.length[n] + share * row.length_step[n]);
     }
   }
   return count > 0 ? sum / count : 0;
@@ -229,7 +255,7 @@ Status InteriorPasses::factorize(Iterate& at) {
         active_[k].active.segment<2>(2 * end).setZero();
   }
   take_shares(at);
-  for (const Row& row : rows_)
+  for (const InteriorRow& row : rows_)
     if (!row.on_bed) active_[row.contact].active(row.row) = row.share;
   take_rows_of_beds();
   at.matrix.assemble(at.problem->held, [&](BlockMatrix& values) {
@@ -241,63 +267,78 @@ Status InteriorPasses::factorize(Iterate& at) {
 }
 
 void InteriorPasses::take_shares(const Iterate& at) {
-  for (Row& row : rows_) {
+  for (InteriorRow& row : rows_) {
     if (row.length[0] == 0 || row.on_bed) continue;  // before there are products
     double softness = 1 / row.stiffness;
-    for (std::size_t n = 0; n < 2 && row.length[n] > 0; ++n) softness += row.length[n] / row.partner[n];
+    if (row.is_normal()) softness += row.length[0] / row.partner[0];
+    if (!row.is_normal()) softness += row.slip_by_force(0) + row.slip_by_force(1);
     row.share = 1 / (row.stiffness * softness);
   }
   take_stiffness_of_beds(at);
 }
 
 // With all products going to `product`. A step that `corrects` takes in what the last one left of its products.
-void InteriorPasses::solve(Iterate& at, double product, bool corrects) {
+Status InteriorPasses::solve(Iterate& at, double product, bool corrects) {
   const PhaseScope scope(Phase::solution);
   ++at.costs.counters.solves;
   image_ = rhs_;
   eliminate_beds(at, product, corrects);
-  for (Row& row : rows_) {
+  for (InteriorRow& row : rows_)
+    if (!row.on_bed) eliminate_lengths(gaps_[row.contact](row.row), product, corrects, row);
+  if (friction_.follows()) friction_.eliminate(at, beds_, rows_);
+  for (const InteriorRow& row : rows_) {
     if (row.on_bed) continue;
-    eliminate_lengths(gaps_[row.contact](row.row), product, corrects, row);
     const double outwards = row.is_normal() ? -row.constant : row.constant;
     Vec4 force = Vec4::Zero();
     force(row.row) = -at.problem->factor * outwards;
     add_interface_force(at.contacts.element(row.contact), force, Vec4::Zero(), image_);
   }
   at.problem->held.clear(image_);
-  at.matrix.solver().precondition(image_, step_);
-  at.problem->held.clear(step_);
-  for (Row& row : rows_) {
-    if (row.on_bed) continue;
-    const double moved = gap_increment(at.contacts.element(row.contact), step_)(row.row);
-    follow(row.share * row.stiffness * moved, row);
+  Status status = Status::ok;
+  if (friction_.follows()) {
+    status = friction_.solve(at, rows_, beds_, image_, corrects, step_);
+  } else {
+    at.matrix.solver().precondition(image_, step_);
   }
+  at.problem->held.clear(step_);
   follow_beds(at);
+  const auto follow_gaps = [&](bool normal) {
+    for (InteriorRow& row : rows_) {
+      if (row.on_bed || row.is_normal() != normal) continue;
+      const double moved = gap_increment(at.contacts.element(row.contact), step_)(row.row);
+      follow(row.share * row.stiffness * moved, row);
+    }
+  };
+  follow_gaps(true);
+  if (friction_.follows()) friction_.follow(at, beds_, rows_);
+  follow_gaps(false);
+  return status;
 }
 
 // Leaves in `constant` what the change of the force is off share * k * change of gap (of an end on a bed what its
-// opening is off), and in `length_step` by how much
-// lengths change where the force does not.
-void InteriorPasses::eliminate_lengths(double gap, double product, bool corrects, Row& row) {
-  const double depth = row.on_bed ? row.depth : row.force / row.stiffness;
-  double off = row.is_normal() ? -(gap + depth - row.length[0])
-                               : gap - row.force / row.stiffness - row.length[0] + row.length[1];
+// opening is off), and in `length_step` by how much lengths change where the force does not.
+void InteriorPasses::eliminate_lengths(double gap, double product, bool corrects, InteriorRow& row) {
   for (int i = 0; i < row.products(); ++i) {
     const auto n = static_cast<std::size_t>(i);
-    const double second = corrects ? row.partner_sign(i) * row.force_step * row.length_step[n] : 0;
-    const double left = product - row.partner[n] * row.length[n] - second;
-    row.length_step[n] = left / row.partner[n];
-    off += row.partner_sign(i) * row.length_step[n];
+    const double second = corrects ? row.second_order(i) : 0;
+    row.length_step[n] = (product / row.unit() - row.partner[n] * row.length[n] - second) / row.partner[n];
   }
-  row.constant = row.on_bed ? off : row.share * row.stiffness * off;
+  if (row.is_normal()) {
+    const double depth = row.on_bed ? row.depth : row.force / row.stiffness;
+    const double off = row.length[0] + row.length_step[0] - gap - depth;
+    row.constant = row.on_bed ? off : row.share * row.stiffness * off;
+    return;
+  }
+  const double slip = row.length[0] + row.length_step[0] - row.length[1] - row.length_step[1];
+  row.constant = row.share * row.stiffness * (gap - row.force / row.stiffness - slip);
 }
 
 // The force of a row follows its gap by `along`, N per m of thickness.
-void InteriorPasses::follow(double along, Row& row) {
+void InteriorPasses::follow(double along, InteriorRow& row) {
   row.force_step = row.constant + (row.is_normal() ? -along : along);
   for (int i = 0; i < row.products(); ++i) {
     const auto n = static_cast<std::size_t>(i);
-    row.length_step[n] -= row.partner_sign(i) * row.length[n] / row.partner[n] * row.force_step;
+    row.length_step[n] -= row.length[n] * (row.partner_step(i) / row.partner[n] + row.capacity_step / row.unit());
   }
 }
 
@@ -307,11 +348,11 @@ double InteriorPasses::longest_step() const {
   const auto limit = [&](double value, double change) {
     if (change < 0) longest = std::min(longest, -value / change);
   };
-  for (const Row& row : rows_) {
+  for (const InteriorRow& row : rows_) {
     for (int i = 0; i < row.products(); ++i) {
       const auto n = static_cast<std::size_t>(i);
       limit(row.length[n], row.length_step[n]);
-      limit(row.partner[n], row.partner_sign(i) * row.force_step);
+      limit(row.partner[n], row.partner_step(i));
     }
   }
   return longest;
@@ -319,11 +360,11 @@ double InteriorPasses::longest_step() const {
 
 void InteriorPasses::move(double share) {
   increment_ += share * step_;
-  for (Row& row : rows_) {
-    row.force += share * row.force_step;
-    for (int i = 0; i < row.products(); ++i) {
-      const auto n = static_cast<std::size_t>(i);
-      row.partner[n] += share * row.partner_sign(i) * row.force_step;
+  for (InteriorRow& row : rows_) {
+    if (row.is_normal()) row.force += share * row.force_step;
+    const std::array<double, 2> partner_steps{row.partner_step(0), row.partner_step(1)};
+    for (std::size_t n = 0; n < static_cast<std::size_t>(row.products()); ++n) {
+      row.partner[n] += share * partner_steps[n];
       row.length[n] += share * row.length_step[n];
     }
   }

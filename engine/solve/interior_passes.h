@@ -1,17 +1,17 @@
-// The way to the answer of a step of given friction capacities that does not depend on how many contacts change: an
-// interior-point method.
+// A way to the answer of a step that does not depend on how many contacts change: an interior-point method.
 //
-// Such a step minimizes a convex, piecewise quadratic function (convex_passes.h). Newton's method on its pieces is
-// stopped at every contact that closes, and a rock of some hundred blocks takes hundreds of passes. Here no contact is
-// on a piece before the end. With gaps of an end g (normal) and u (tangential, slip of the step included), springs k
-// and capacity c,
+// With friction capacities given a step minimizes a convex, piecewise quadratic function (convex_passes.h). Newton's
+// method on its pieces is stopped at every contact that closes, and a rock of some hundred blocks takes hundreds of
+// passes. Here no contact is on a piece before the end. With gaps of an end g (normal) and u (tangential, slip of the
+// step included), springs k and capacity c,
 //   normal:      pressure f > 0, opening s > 0,    g + f/k = s,             f s = mu
 //   tangential:  -c < t < c, slips z, y > 0,       u - t/k = z - y,         z (c - t) = mu,  y (c + t) = mu
 // which for mu = 0 are what the ends answer. A pass is a step of Newton's method on balance and products, predicted and
 // corrected (Mehrotra 1992), with mu falling from pass to pass; f, t, s, z and y are eliminated end by end, so that its
 // matrix is that of every other pass with rows active by shares between 0 and 1. What is left is near enough for the
-// quick passes to end. A projected stretch on its bed has two normal rows, of its ends, that know of each other
-// (bed_ends.h).
+// quick passes to end. Where capacities follow the pressures there is no potential, and no proof; the same passes take
+// that in as well (interior_friction.h), and mostly arrive. A projected stretch on its bed has two normal rows, of its
+// ends, that know of each other (bed_ends.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -21,6 +21,8 @@
 
 #include "engine/core/status.h"
 #include "engine/solve/contact_rows.h"
+#include "engine/solve/interior_friction.h"
+#include "engine/solve/interior_rows.h"
 #include "engine/solve/iterate.h"
 
 namespace dda {
@@ -37,60 +39,29 @@ class InteriorPasses {
   [[nodiscard]] bool approach(Iterate& at, double share_off);
 
  private:
-  // Two forces that are to vanish together with two lengths: of a normal row f with s, of a tangential one c - t with z
-  // and c + t with y.
-  struct Row {
-    std::size_t contact;
-    Eigen::Index row;
-    double stiffness;
-    double capacity;  // < 0: of a normal row
-    bool on_bed = false;
-    double force = 0;  // f or t, N per m of thickness
-    double depth = 0;  // m, of a normal row: what gives way under the force
-    // f, or c - t and c + t: by themselves, since the difference of two forces of one size has no digits when it is
-    // small.
-    std::array<double, 2> partner{0, 0};  // N per m of thickness
-    std::array<double, 2> length{0, 0};   // m
-    double share = 0;                     // of the stiffness that the matrix sees
-    double constant = 0;                  // N per m of thickness, of the change of the force
-    double force_step = 0;                // of the last solve
-    std::array<double, 2> length_step{0, 0};
-
-    [[nodiscard]] bool is_normal() const { return capacity < 0; }
-    [[nodiscard]] int products() const { return is_normal() ? 1 : 2; }
-    // How a partner changes with the force.
-    [[nodiscard]] double partner_sign(int i) const { return is_normal() || i == 1 ? 1 : -1; }
-  };
-
-  // The rows of both ends of a stretch on its bed, which lie side by side.
-  struct BedEnds {
-    std::size_t first;
-    Mat2 softness = Mat2::Zero();   // m2/N, of the depths by both forces
-    Mat2 stiffness = Mat2::Zero();  // N/m per m of thickness, by which the forces fall with both openings
-    Mat2 points = Mat2::Zero();     // the same of forces and gaps at the points of the law, as the matrix sees them
-  };
-
   void list_rows(const Iterate& at);
   void start_at_rest(const Iterate& at);
   [[nodiscard]] double start_products(Iterate& at);
   [[nodiscard]] double take_answers(const Iterate& at);
-  static void move_inside(double product, double gap, Row& row);
+  static void move_inside(double product, double gap, InteriorRow& row);
+  void take_forces_of_rows(const Iterate& at);
   void measure(const Iterate& at);
   [[nodiscard]] double off_answers(const Iterate& at) const;
   [[nodiscard]] double mean_product(double share) const;
   [[nodiscard]] Status factorize(Iterate& at);
   void take_shares(const Iterate& at);
-  void solve(Iterate& at, double product, bool corrects);
-  static void eliminate_lengths(double gap, double product, bool corrects, Row& row);
-  static void follow(double along, Row& row);
+  [[nodiscard]] double find_step(Iterate& at);
+  [[nodiscard]] Status solve(Iterate& at, double product, bool corrects);
+  static void eliminate_lengths(double gap, double product, bool corrects, InteriorRow& row);
+  static void follow(double along, InteriorRow& row);
   [[nodiscard]] double longest_step() const;
   void move(double share);
 
   // interior_beds.cpp
   void list_beds();
-  [[nodiscard]] double take_answer_of_bed(const InterfaceSprings& springs, BedEnds& ends);
+  [[nodiscard]] double take_answer_of_bed(const InterfaceSprings& springs, InteriorBed& ends);
   void move_beds_inside(const Iterate& at, double product);
-  [[nodiscard]] Vec2 openings_of(const Iterate& at, const BedEnds& ends) const;
+  [[nodiscard]] Vec2 openings_of(const Iterate& at, const InteriorBed& ends) const;
   void take_forces_of_beds(const Iterate& at);
   [[nodiscard]] double beds_off_answers(const Iterate& at) const;
   void take_rows_of_beds();
@@ -98,8 +69,9 @@ class InteriorPasses {
   void eliminate_beds(const Iterate& at, double product, bool corrects);
   void follow_beds(const Iterate& at);
 
-  std::vector<Row> rows_;
-  std::vector<BedEnds> beds_;
+  InteriorFriction friction_;
+  std::vector<InteriorRow> rows_;
+  std::vector<InteriorBed> beds_;
   std::vector<Vec4> gaps_;           // m, of all contacts
   std::vector<ContactRows> active_;  // of all contacts, as the matrix sees them
   std::vector<Vec4> forces_;         // N per m of thickness: of linear rows, and of all others by their rows

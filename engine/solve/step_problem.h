@@ -39,6 +39,7 @@ struct StepProblem {
   bool dilates;            // some contact opens as it slides
   int max_passes;          // of the open-close iteration
   bool to_the_end = true;  // where quick passes do not settle take the sure ones; else the step is to be shortened
+  bool goes_from_inside = true;  // where quick passes do not settle take interior ones, if friction follows the forces
 };
 
 }  // namespace dda

@@ -63,6 +63,14 @@ TEST(Rocks, PressSplintersNoDeeperThanOtherBlocks) {
   for (const unsigned seed : {28U, 44U, 52U}) EXPECT_LT(deepest_when_settled(seed), 2e-4) << seed;
 }
 
+// A slope of 59 blocks, 178 whole steps. They were taken in 377 parts while nothing led to balance with Coulomb's law
+// where quick passes did not.
+TEST(Rocks, SlopesInMotionTakeWholeSteps) {
+  dda::Simulation simulation(dda::parse_scene(random_rock(14).scene, "scene.json"));
+  while (!simulation.finished()) ASSERT_EQ(simulation.step(), dda::Status::ok) << simulation.message();
+  EXPECT_LT(static_cast<double>(simulation.counters().steps), 1.1 * static_cast<double>(simulation.state().step));
+}
+
 // Half of such rocks ended not_converged while dilations followed the slips from one solution to the next.
 TEST(Rocks, SettleAndMoveWithJointsThatRideUp) {
   for (const unsigned seed : {1U, 4U, 5U, 15U, 16U, 24U}) {

@@ -1,5 +1,7 @@
 #include "engine/solve/contact_solver.h"
 
+#include <array>
+#include <span>
 #include <utility>
 
 #include "engine/contact/contact_set.h"
@@ -104,10 +106,10 @@ bool ContactSolver::settle_quickly() {
 // blocks), and mostly from 1e-7 (135 of 149).
 bool ContactSolver::settle_from_inside() {
   if (!interior_.serve(at_) || !interior_.begin(at_)) return false;
+  constexpr std::array shares_off{1e-5, 1e-7, 1e-9};
   const bool is_given = at_.problem->contacts.rule.capacity_is_given;
   bool is_near = false;
-  for (const double share_off : {1e-5, 1e-7, 1e-9}) {
-    if (!is_given && share_off > 1e-7) continue;
+  for (const double share_off : std::span(shares_off).subspan(is_given ? 0 : 1)) {
     if (!interior_.approach(at_, share_off)) break;
     is_near = true;
     if (settle_quickly()) return true;
@@ -151,8 +153,10 @@ Status ContactSolver::settle_contacts() {
 // Where quick passes did not settle they hardly do so in the next step, and are left out of some.
 bool ContactSolver::settle_with_friction() {
   constexpr int most_without_quick_passes = 4;
-  if (without_quick_passes_ == 0 && friction_.find_balance(at_, FrictionPasses::patience)) return true;
-  note_restless();
+  if (without_quick_passes_ == 0) {
+    if (friction_.find_balance(at_, FrictionPasses::patience)) return true;
+    note_restless();
+  }
   solution_.settled_from_inside = at_.problem->goes_from_inside && settle_from_inside();
   without_quick_passes_ = solution_.settled_from_inside ? (without_quick_passes_ + 1) % most_without_quick_passes : 0;
   return solution_.settled_from_inside;

@@ -42,6 +42,7 @@ Share share_of(double own, double other, double rounding) {
 }  // namespace
 
 bool InteriorFriction::serves(const Iterate& at) {
+  if (at.problem->contacts.rule.capacity_is_given) return true;
   for (std::size_t k = 0; k < at.contacts.size(); ++k) {
     const InterfaceTrial& trial = at.contacts[k];
     for (const std::size_t end : {0U, 1U})
@@ -61,6 +62,7 @@ void InteriorFriction::begin(const Iterate& at) {
 
 void InteriorFriction::take_capacities(const Iterate& at, std::span<const Vec4> forces, double product,
                                        std::span<InteriorRow> rows) {
+  if (!follows_) return;
   for (InteriorRow& row : rows) {
     if (row.is_normal()) continue;
     const std::size_t k = row.contact;
@@ -77,10 +79,6 @@ void InteriorFriction::take_capacities(const Iterate& at, std::span<const Vec4> 
   }
 }
 
-double InteriorFriction::capacity_step(const InteriorRow& row) const {
-  return by_forces_[row.contact].row(row.end()).dot(changes_[row.contact]);
-}
-
 // Pressures are the negative of forces.
 template <double InteriorRow::*change>
 void InteriorFriction::note_changes(const Iterate& at, std::span<const InteriorBed> beds,
@@ -94,27 +92,30 @@ void InteriorFriction::note_changes(const Iterate& at, std::span<const InteriorB
   }
 }
 
-void InteriorFriction::eliminate(const Iterate& at, std::span<const InteriorBed> beds, std::span<InteriorRow> rows) {
-  note_changes<&InteriorRow::constant>(at, beds, rows);
+template <double InteriorRow::*change>
+void InteriorFriction::follow_changes(const Iterate& at, std::span<const InteriorBed> beds,
+                                      std::span<InteriorRow> rows) {
+  note_changes<change>(at, beds, rows);
   for (InteriorRow& row : rows) {
     if (row.is_normal()) continue;
-    row.capacity_step = capacity_step(row);
-    row.constant += row.force_by_capacity() * row.capacity_step;
-  }
-}
-
-void InteriorFriction::follow(const Iterate& at, std::span<const InteriorBed> beds, std::span<InteriorRow> rows) {
-  note_changes<&InteriorRow::force_step>(at, beds, rows);
-  for (InteriorRow& row : rows) {
-    if (row.is_normal()) continue;
-    const double whole = capacity_step(row);
+    const double whole = by_forces_[row.contact].row(row.end()).dot(changes_[row.contact]);
     row.constant += row.force_by_capacity() * (whole - row.capacity_step);
     row.capacity_step = whole;
   }
 }
 
-void InteriorFriction::list_couplings(const Iterate& at, std::span<const InteriorRow> rows,
-                                      std::span<const InteriorBed> beds) {
+void InteriorFriction::eliminate(const Iterate& at, std::span<const InteriorBed> beds, std::span<InteriorRow> rows) {
+  if (!follows_) return;
+  for (InteriorRow& row : rows) row.capacity_step = 0;
+  follow_changes<&InteriorRow::constant>(at, beds, rows);
+}
+
+void InteriorFriction::follow(const Iterate& at, std::span<const InteriorBed> beds, std::span<InteriorRow> rows) {
+  if (follows_) follow_changes<&InteriorRow::force_step>(at, beds, rows);
+}
+
+void InteriorFriction::couple(const Iterate& at, std::span<const InteriorBed> beds, std::span<const InteriorRow> rows) {
+  if (!follows_) return;
   for (const InteriorRow& row : rows)
     if (row.is_normal() && !row.on_bed) normals_[row.contact](row.end(), row.end()) = row.share * row.stiffness;
   for (const InteriorBed& bed : beds) normals_[rows[bed.first].contact] = bed.points;
@@ -144,9 +145,11 @@ void InteriorFriction::multiply(const Iterate& at, const Eigen::VectorXd& v, Eig
 }
 
 // What the basis does not reach the next pass may.
-Status InteriorFriction::solve(Iterate& at, std::span<const InteriorRow> rows, std::span<const InteriorBed> beds,
-                               const Eigen::VectorXd& rhs, bool corrects, Eigen::VectorXd& step) {
-  list_couplings(at, rows, beds);
+Status InteriorFriction::solve(Iterate& at, const Eigen::VectorXd& rhs, bool corrects, Eigen::VectorXd& step) {
+  if (!follows_) {
+    at.matrix.solver().precondition(rhs, step);
+    return Status::ok;
+  }
   const auto product = [&](const Eigen::VectorXd& v, Eigen::VectorXd& w) { multiply(at, v, w); };
   const auto precondition = [&at](const Eigen::VectorXd& r, Eigen::VectorXd& z) {
     return at.matrix.solver().precondition(r, z);

@@ -27,23 +27,25 @@ namespace dda {
 
 class InteriorFriction {
  public:
-  // Whether all capacities of the step are friction alone. (Cohesion goes at once where an end opens.)
+  // Whether friction is given, or all that capacities are. (Cohesion goes at once where an end opens.)
   [[nodiscard]] static bool serves(const Iterate& at);
 
-  // A step begins. Its friction follows the pressures unless it is given.
+  // A step begins. Its friction follows the pressures unless it is given: capacities then stay what they are, and
+  // nothing is coupled.
   void begin(const Iterate& at);
   [[nodiscard]] bool follows() const { return follows_; }
 
   // Sets capacities of tangential rows to those of these forces (of all contacts), rounded off by products of this
   // mean.
   void take_capacities(const Iterate& at, std::span<const Vec4> forces, double product, std::span<InteriorRow> rows);
+  // Couples shear forces to normal gaps as the shares of all rows are in the matrix that was factored.
+  void couple(const Iterate& at, std::span<const InteriorBed> beds, std::span<const InteriorRow> rows);
 
   // Where the lengths of all rows are eliminated: adds to the constants of tangential ones what their forces change by
   // with the constants of normal ones.
   void eliminate(const Iterate& at, std::span<const InteriorBed> beds, std::span<InteriorRow> rows);
   // Solves for the increments `step` of a pass, less well where it only predicts.
-  [[nodiscard]] Status solve(Iterate& at, std::span<const InteriorRow> rows, std::span<const InteriorBed> beds,
-                             const Eigen::VectorXd& rhs, bool corrects, Eigen::VectorXd& step);
+  [[nodiscard]] Status solve(Iterate& at, const Eigen::VectorXd& rhs, bool corrects, Eigen::VectorXd& step);
   // The same for the steps of normal ones, once these are known, in place of their constants.
   void follow(const Iterate& at, std::span<const InteriorBed> beds, std::span<InteriorRow> rows);
 
@@ -55,10 +57,10 @@ class InteriorFriction {
     Mat2 shear_by_gap;
   };
 
-  [[nodiscard]] double capacity_step(const InteriorRow& row) const;
   template <double InteriorRow::*change>
   void note_changes(const Iterate& at, std::span<const InteriorBed> beds, std::span<const InteriorRow> rows);
-  void list_couplings(const Iterate& at, std::span<const InteriorRow> rows, std::span<const InteriorBed> beds);
+  template <double InteriorRow::*change>
+  void follow_changes(const Iterate& at, std::span<const InteriorBed> beds, std::span<InteriorRow> rows);
   void multiply(const Iterate& at, const Eigen::VectorXd& v, Eigen::VectorXd& w) const;
 
   static constexpr int basis = 40;  // of GMRES

@@ -38,7 +38,7 @@ bool has_other_answers(const InterfaceSprings& springs, const InterfaceTrial& tr
 
 bool InteriorPasses::serve(const Iterate& at) {
   if (!at.bolts.empty() || at.problem->dilates || !at.matrix.solver().is_direct()) return false;
-  if (!at.problem->contacts.rule.capacity_is_given && !InteriorFriction::serves(at)) return false;
+  if (!InteriorFriction::serves(at)) return false;
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     if (has_other_answers(at.contacts.element(k), at.contacts[k])) return false;
   return true;
@@ -74,6 +74,7 @@ bool InteriorPasses::approach(Iterate& at, double share_off) {
 // Predicts and corrects; returns the share of the step that stays inside. 0: none.
 double InteriorPasses::find_step(Iterate& at) {
   if (factorize(at) != Status::ok) return 0;
+  friction_.couple(at, beds_, rows_);
   const double product = mean_product(0);
   if (solve(at, 0, false) != Status::ok) return 0;
   const double left = mean_product(longest_step()) / product;
@@ -194,7 +195,7 @@ void InteriorPasses::take_forces_of_rows(const Iterate& at) {
   for (const InteriorRow& row : rows_)
     if (row.is_normal()) forces_[row.contact](row.row) = -row.force;
   take_forces_of_beds(at);
-  if (friction_.follows()) friction_.take_capacities(at, forces_, mean_product(0), rows_);
+  friction_.take_capacities(at, forces_, mean_product(0), rows_);
   for (InteriorRow& row : rows_) {
     if (row.is_normal()) continue;
     if (row.length[0] > 0) row.force = row.capacity * row.share_of_capacity();
@@ -285,7 +286,7 @@ Status InteriorPasses::solve(Iterate& at, double product, bool corrects) {
   eliminate_beds(at, product, corrects);
   for (InteriorRow& row : rows_)
     if (!row.on_bed) eliminate_lengths(gaps_[row.contact](row.row), product, corrects, row);
-  if (friction_.follows()) friction_.eliminate(at, beds_, rows_);
+  friction_.eliminate(at, beds_, rows_);
   for (const InteriorRow& row : rows_) {
     if (row.on_bed) continue;
     const double outwards = row.is_normal() ? -row.constant : row.constant;
@@ -294,12 +295,7 @@ Status InteriorPasses::solve(Iterate& at, double product, bool corrects) {
     add_interface_force(at.contacts.element(row.contact), force, Vec4::Zero(), image_);
   }
   at.problem->held.clear(image_);
-  Status status = Status::ok;
-  if (friction_.follows()) {
-    status = friction_.solve(at, rows_, beds_, image_, corrects, step_);
-  } else {
-    at.matrix.solver().precondition(image_, step_);
-  }
+  const Status status = friction_.solve(at, image_, corrects, step_);
   at.problem->held.clear(step_);
   follow_beds(at);
   const auto follow_gaps = [&](bool normal) {
@@ -310,7 +306,7 @@ Status InteriorPasses::solve(Iterate& at, double product, bool corrects) {
     }
   };
   follow_gaps(true);
-  if (friction_.follows()) friction_.follow(at, beds_, rows_);
+  friction_.follow(at, beds_, rows_);
   follow_gaps(false);
   return status;
 }

@@ -149,10 +149,8 @@ Model random_scene(std::uint64_t seed, Contacts contacts) {
 }
 
 // Springs that go by the length of a face are up to 1e7 times as stiff as what the step resolves of a needle's inertia.
-// 2.9e-7 is the worst of 6,000 scenes (seed 5292, in one step of a needle that bounces, which quick passes settle; the
-// same scenes on other ways gave 6.7e-8). Scenes beyond that are rare and are needles that spin by most of a radian a
-// step: of seeds 8000 to 19999 two, by 4e-5 and 0.1.
-double round_off(Contacts contacts) { return contacts == Contacts::springs ? 1e-9 : 5e-7; }
+// 6.6e-8 is the worst of 24,000 scenes (seeds 2000 to 25999, seed 3559), and 12 of them are above 1e-9.
+double round_off(Contacts contacts) { return contacts == Contacts::springs ? 1e-9 : 2e-7; }
 
 // A sentence on what is wrong, or an empty string.
 std::string fault_of(std::uint64_t seed, Contacts contacts, double& worst_gain) {
@@ -203,6 +201,13 @@ TEST(ContactFuzz, FacesThatGrowGainNothing) {
 // A sliver that is pressed by the last few millimetres of its face. The bed there gave way by the width of its large
 // neighbour, and the sliver lay 0.0059 of its size in that one.
 TEST(ContactFuzz, SliversDoNotSinkInWhereTheirFacesGape) { EXPECT_EQ(faults(5570, 1, Contacts::projected), 0); }
+
+// Passes that went far and came back left round-off in the gaps, and other round-off in the increments that the balance
+// is taken of: needles' contacts had forces that were 1e-4 off it. Ledgers were off by 2.9e-7, 6e-3, 0.1 and 4e-5.
+TEST(ContactFuzz, ForcesAreThoseOfTheIncrements) {
+  for (const std::uint64_t seed : {5292U, 9672U, 17013U, 18338U})
+    EXPECT_EQ(faults(seed, 1, Contacts::chosen_springs), 0);
+}
 
 TEST(ContactFuzz, DISABLED_ThousandsOfScenes) {
   EXPECT_EQ(faults(1000, 500, Contacts::springs), 0);

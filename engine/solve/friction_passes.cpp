@@ -351,8 +351,9 @@ void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
       const PieceRule own_rule = all_are_asked_alike ? rule : rule_of(contact, rule, at, largest_asked_);
       const Vec4 force_before = trial.force;
       const ContactPieces pieces_before = contact.pieces;
-      const Vec4 moved = contact.gap(step_);
-      trial.gap = judged_by.goes_back ? Vec4(trial.start + contact.gap(at.increment)) : Vec4(trial.gap + moved);
+      // By the increments, as the balance is: what steps that went far leave of round-off in the increments, a sum of
+      // gaps would have once more, and otherwise. (A stiff needle's forces were off the balance by 1e-4.)
+      trial.gap = trial.start + contact.gap(at.increment);
       respond_with_friction(contact.springs, strength, trial);
       contact.between = keep_to_bordering_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       contact.changes = contact.pieces != pieces_before;
@@ -361,7 +362,7 @@ void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
         contact.between = stay_on_pieces(contact.springs, strength, own_rule, trial, contact.pieces);
       }
       if (contact.between) between.store(true, std::memory_order_relaxed);
-      if (is_local_) follow_residual(at, contact, moved, force_before);
+      if (is_local_) follow_residual(at, contact, force_before);
       if (!is_local_) largest = larger(largest, note_constant(at, contact, constants_[taken_[i]]));
     }
     return largest;

@@ -57,9 +57,8 @@ class FrictionPasses {
 
   // How a step judges the contacts that it moves.
   struct JudgedBy {
-    bool strictly;           // PieceRule
-    bool one_by_one;         // only the first of those that want to goes over to other pieces
-    bool goes_back = false;  // gaps are measured anew: steps that went far would leave their round-off in them
+    bool strictly;    // PieceRule
+    bool one_by_one;  // only the first of those that want to goes over to other pieces
   };
 
   // What the pass nearest to the balance came to, and what was done since.
@@ -99,7 +98,7 @@ class FrictionPasses {
 
   // trusted_steps.cpp
   void take_step(Iterate& at, const JudgedBy& judged_by);
-  void go_back(Iterate& at, JudgedBy judged_by);
+  void go_back(Iterate& at, const JudgedBy& judged_by);
   void halve_step(Iterate& at, const JudgedBy& judged_by, double enough);
 
   // local_pass.cpp
@@ -108,7 +107,7 @@ class FrictionPasses {
   [[nodiscard]] Status prepare_whole_pass(Iterate& at);
   [[nodiscard]] bool choose_part(const Iterate& at);
   void add_neighbours(const Iterate& at);
-  void follow_residual(const Iterate& at, const LiveContact& contact, const Vec4& moved, const Vec4& force_before);
+  void follow_residual(const Iterate& at, const LiveContact& contact, const Vec4& force_before);
 
   std::vector<LiveContact> live_;
   std::vector<std::size_t> taken_;  // of these, those that the pass moves

@@ -106,10 +106,9 @@ void FrictionPasses::add_neighbours(const Iterate& at) {
 
 // The step's product with the matrix is off the residual already; what a contact answers beyond the rows in the matrix
 // goes off it too.
-void FrictionPasses::follow_residual(const Iterate& at, const LiveContact& contact, const Vec4& moved,
-                                     const Vec4& force_before) {
+void FrictionPasses::follow_residual(const Iterate& at, const LiveContact& contact, const Vec4& force_before) {
   const InterfaceTrial& trial = at.contacts[contact.trial];
-  const Vec4 expected = at.contacts.force_in_matrix(contact.trial, contact.springs, moved);
+  const Vec4 expected = at.contacts.force_in_matrix(contact.trial, contact.springs, contact.gap(step_));
   const Vec4 beyond = trial.force - force_before - expected;
   largest_force_ = std::max(largest_force_, trial.force.cwiseAbs().maxCoeff());
   if (!beyond.isZero(0)) contact.add_force(-at.problem->factor * beyond, residual_);

@@ -40,8 +40,7 @@ void FrictionPasses::take_step(Iterate& at, const JudgedBy& judged_by) {
   halve_step(at, judged_by, before);
 }
 
-void FrictionPasses::go_back(Iterate& at, JudgedBy judged_by) {
-  judged_by.goes_back = true;
+void FrictionPasses::go_back(Iterate& at, const JudgedBy& judged_by) {
   left_.put_back_pieces(live_);
   take_whole_step(at, judged_by);
 }

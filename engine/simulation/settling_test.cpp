@@ -69,19 +69,21 @@ TEST(Settling, CornersThatAStepUncoversMeet) {
 }
 
 // In one step the stone moves by ten times its size, and by a hundred times what contacts are usually looked for from.
+// Gaps are differences of coordinates of 0.1 m, and what springs make of their round-off acts on a way of ten sizes,
+// beside a kinetic energy that goes by size^4. Of 200 heights the worst was 4.4e-13, 8.9e-10 and 5.5e-8.
 TEST(Settling, FastStoneIsStoppedByWhatItWouldPassInOneStep) {
-  for (const double size : {1e-1, 1e-2, 1e-3}) {
-    Model model = stone_over_floor(size, 0.1);
-    model.blocks[1].initial_velocity = {0, -10 * size / 1e-3};
-    model.stages = {stage_of(generalized_alpha_integrator(0), 1e-3, 100, Kinematics::finite)};
-    Simulation simulation = simulation_of(std::move(model));
-    run(simulation, 100);
-    EXPECT_GT(simulation.state().displacement[1](1), -0.1 - 0.1 * size) << size;
-    const EnergyLedger& energy = simulation.energy();
-    EXPECT_LE(energy.kinetic, energy.initial_kinetic + energy.gravity_work) << size;
-    // Gaps are differences of coordinates of 0.1 m: the smaller the stone, the more their round-off is of its motion.
-    EXPECT_LT(std::abs(energy.relative_residual()), 1e-11 / size) << size;
-  }
+  for (const double size : {1e-1, 1e-2, 1e-3})
+    for (const double height : {0.1, 0.1007, 0.114, 0.125, 0.1693, 0.2}) {
+      Model model = stone_over_floor(size, height);
+      model.blocks[1].initial_velocity = {0, -10 * size / 1e-3};
+      model.stages = {stage_of(generalized_alpha_integrator(0), 1e-3, 100, Kinematics::finite)};
+      Simulation simulation = simulation_of(std::move(model));
+      run(simulation, 100);
+      EXPECT_GT(simulation.state().displacement[1](1), -height - 0.1 * size) << size;
+      const EnergyLedger& energy = simulation.energy();
+      EXPECT_LE(energy.kinetic, energy.initial_kinetic + energy.gravity_work) << size;
+      EXPECT_LT(std::abs(energy.relative_residual()), 2e-15 / std::pow(size, 3)) << size << ", " << height;
+    }
 }
 
 // A pebble wedged between blocks, whose shear of a stage of unlimited strength is let go at its end: the pebble's

@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "engine/contact/narrow_phase.h"
-#include "engine/contact/pair_motion.h"
 #include "engine/core/parallel.h"
 
 namespace dda {
@@ -97,16 +96,47 @@ double ContactSearch::largest_motion(const Eigen::VectorXd& d) const {
   return largest;
 }
 
-bool ContactSearch::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
-  const auto moving = [&](int block) -> MovingBox {
-    return {outlines_.boxes[at(block)], current_centroid(model, state, block), d.segment<6>(6 * block)};
-  };
-  bool wider = false;
+// Contacts of the pair that are found from as far away as its blocks move against each other, m, and close. All others
+// have no force in what was solved, so that a step that knew of them would come to the same.
+bool ContactSearch::misses_contact(int a, int b, double relative, std::span<const MovingBox> blocks,
+                                   const SeenContacts& seen) const {
+  if (std::ranges::binary_search(seen.of_stretches, std::pair{a, b})) return false;
+  const double smaller = std::min(size_of(a), size_of(b));
+  std::vector<VertexContact> found;
+  find_vertex_contacts(outlines_, a, b, margin * relative + lift_, deepest * smaller, round_off * smaller, found);
+  return std::ranges::any_of(found, [&](const VertexContact& contact) {
+    if (std::binary_search(seen.contacts.begin(), seen.contacts.end(), contact)) return false;
+    const Vec2& vertex = outlines_.current[at(contact.vertex)];
+    const Vec2 of_vertex = displacement_at(blocks[at(contact.vertex_block)], vertex);
+    const Vec2 of_edge = displacement_at(blocks[at(contact.edge_block)], vertex);
+    return contact.gap + contact.normal.dot(of_vertex - of_edge) < 0;
+  });
+}
+
+// The same of a block that leaves its bounds and others with which it is no pair.
+bool ContactSearch::meets_unlisted(int block, std::span<const MovingBox> blocks, std::span<const double> motion,
+                                   const SeenContacts& seen) const {
+  for (int other = 0; other < outlines_.blocks(); ++other) {
+    const auto [a, b] = std::minmax(block, other);
+    if (a == b || is_absent(at(other)) || std::ranges::binary_search(pairs_, std::pair{a, b})) continue;
+    const double relative = relative_displacement(blocks[at(a)], blocks[at(b)], motion[at(a)] + motion[at(b)]);
+    if (relative > 0 && misses_contact(a, b, relative, blocks, seen)) return true;
+  }
+  return false;
+}
+
+bool ContactSearch::widen(const Model& model, const State& state, const Eigen::VectorXd& d, const SeenContacts& seen) {
+  std::vector<MovingBox> blocks(sizes_.size());
   std::vector<double> motion(sizes_.size());
   for (int i = 0; i < outlines_.blocks(); ++i) {
     if (is_absent(at(i))) continue;
-    motion[at(i)] = largest_displacement(moving(i));
-    if (bounds_.hold(outlines_, i, motion[at(i)])) continue;
+    blocks[at(i)] = {outlines_.boxes[at(i)], current_centroid(model, state, i), d.segment<6>(6 * i)};
+    motion[at(i)] = largest_displacement(blocks[at(i)]);
+  }
+  bool wider = false;
+  for (int i = 0; i < outlines_.blocks(); ++i) {
+    if (is_absent(at(i)) || bounds_.hold(outlines_, i, motion[at(i)])) continue;
+    if (!meets_unlisted(i, blocks, motion, seen)) continue;
     room_[at(i)] = margin * motion[at(i)];
     must_list_ = wider = true;
   }
@@ -114,8 +144,8 @@ bool ContactSearch::widen(const Model& model, const State& state, const Eigen::V
     const auto [a, b] = pairs_[k];
     const double both = motion[at(a)] + motion[at(b)];
     if (both <= reach_of(k)) continue;
-    const double relative = relative_displacement(moving(a), moving(b), both);
-    if (relative <= reach_of(k)) continue;
+    const double relative = relative_displacement(blocks[at(a)], blocks[at(b)], both);
+    if (relative <= reach_of(k) || !misses_contact(a, b, relative, blocks, seen)) continue;
     wider_[k] = margin * relative;
     wider = true;
   }

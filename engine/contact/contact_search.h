@@ -4,24 +4,32 @@
 // some block leaves its grown boxes (a Verlet list, block_bounds.h). Narrow phase: vertex-edge contacts of the listed
 // pairs, see vertex_contact.h.
 //
-// Contacts are looked for from a share of the smaller block away. Where a step turns out to move the blocks of a pair
-// further against each other than that, a contact could have been missed: `widen` notices, and from then on looks as
-// far as that pair, or that block, needs.
+// Contacts are looked for from a share of the smaller block away. A step may move the blocks of a pair further against
+// each other than that, and close a contact that it was solved without: `widen` looks for such, and from then on the
+// search looks as far as that pair, or that block, needs.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "engine/contact/block_bounds.h"
 #include "engine/contact/outlines.h"
+#include "engine/contact/pair_motion.h"
 #include "engine/contact/vertex_contact.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
 
 namespace dda {
+
+// What a step was solved with.
+struct SeenContacts {
+  std::span<const VertexContact> contacts;            // sorted
+  std::span<const std::pair<int, int>> of_stretches;  // between which no others are looked for; smaller first, sorted
+};
 
 class ContactSearch {
  public:
@@ -65,8 +73,8 @@ class ContactSearch {
   [[nodiscard]] double largest_motion(const Eigen::VectorXd& d) const;
 
   // Looks at what increments `d` (6 a block) make of the geometry of `state`, which must be the one of the last update.
-  // True when contacts could be missed in that motion: the next update and find then look far enough for it.
-  bool widen(const Model& model, const State& state, const Eigen::VectorXd& d);
+  // True when contacts that were not `seen` close in that motion: the next update and find then look far enough for it.
+  bool widen(const Model& model, const State& state, const Eigen::VectorXd& d, const SeenContacts& seen);
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
@@ -87,6 +95,10 @@ class ContactSearch {
   template <typename... IsOut>
   void find_of_pair(std::size_t k, std::vector<VertexContact>& found, const IsOut&... is_out) const;
   void forget_slowly();
+  [[nodiscard]] bool misses_contact(int a, int b, double relative, std::span<const MovingBox> blocks,
+                                    const SeenContacts& seen) const;
+  [[nodiscard]] bool meets_unlisted(int block, std::span<const MovingBox> blocks, std::span<const double> motion,
+                                    const SeenContacts& seen) const;
   [[nodiscard]] double reach_of(std::size_t pair) const;
   [[nodiscard]] bool is_absent(std::size_t block) const { return !absent_.empty() && absent_[block]; }
 

@@ -10,6 +10,8 @@
 
 #include "engine/contact/contact_models.h"
 #include "engine/contact/narrow_phase.h"
+#include "engine/geometry/cut_pieces.h"
+#include "engine/geometry/overlap.h"
 
 namespace dda {
 namespace {
@@ -187,6 +189,102 @@ TEST(ContactSearch, BondedPairsAreLeftOut) {
   for (const VertexContact& contact : rest) EXPECT_EQ(std::min(contact.edge_block, contact.vertex_block), 0);
   for (const VertexContact& contact : rest) EXPECT_EQ(std::max(contact.edge_block, contact.vertex_block), 1);
   EXPECT_TRUE(search.find({{0, 1}, {0, 2}}).empty());
+}
+
+// ---- What a step can miss.
+
+// Two blocks as they move in a step, to first order.
+struct MovingPair {
+  Model model;
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(12);
+
+  [[nodiscard]] Vec2 displacement(int block, const Vec2& place) const {
+    const Vec6 own = d.segment<6>(6 * block);
+    return displacement_of(own, place - model.blocks[static_cast<std::size_t>(block)].moments.centroid);
+  }
+  [[nodiscard]] Polygon shape_at(int block, double share) const {
+    Polygon shape = model.blocks[static_cast<std::size_t>(block)].shape;
+    for (Vec2& vertex : shape.outer) vertex += share * displacement(block, vertex);
+    return shape;
+  }
+  // Whether they are in each other by more than this at some time.
+  [[nodiscard]] bool meet(double depth) const {
+    constexpr int times = 50;
+    for (int i = 1; i <= times; ++i)
+      if (interiors_overlap(shape_at(0, i / double{times}), shape_at(1, i / double{times}), depth)) return true;
+    return false;
+  }
+  [[nodiscard]] bool closes(const VertexContact& contact, const Outlines& outlines) const {
+    const Vec2& vertex = outlines.current[static_cast<std::size_t>(contact.vertex)];
+    const Vec2 opening = displacement(contact.vertex_block, vertex) - displacement(contact.edge_block, vertex);
+    return contact.gap + contact.normal.dot(opening) < 0;
+  }
+};
+
+// Neighbours of a rock that was cut by lot, apart by up to a fifth of their size, which go any way by up to `far` of
+// it.
+MovingPair pair_by_lot(SeededNumbers& random, double far) {
+  const std::vector<Ring> rock = random_blocks(random, 5, 1e-3);
+  if (rock.size() < 2) return pair_by_lot(random, far);
+  Polygon a{rock[0], {}}, b{rock[1], {}};
+  const double size = std::sqrt(std::min(signed_area(a.outer), signed_area(b.outer)));
+  const Vec2 apart = (area_moments(b).centroid - area_moments(a).centroid).normalized();
+  const double gap = random.magnitude(-5, -0.7) * size;
+  for (Vec2& vertex : b.outer) vertex += gap * apart;
+  if (interiors_overlap(a, b, 1e-9)) return pair_by_lot(random, far);  // concave ones that were apart
+  MovingPair pair;
+  pair.model = model_of({a, b});
+  for (int block = 0; block < 2; ++block) {
+    pair.d.segment<2>(6 * block) = random.magnitude(-3, std::log10(far)) * size * random.direction();
+    pair.d(6 * block + 2) = random.number(-0.005, 0.005);
+  }
+  return pair;
+}
+
+// Steps that move blocks far, but close no contact that was not looked for, need not be solved again. The oracle sees
+// the blocks on their way at fifty moments, and knows nothing of contacts.
+TEST(ContactSearch, MissesNothingThatBlocksMeetInAStep) {
+  SeededNumbers random(1);
+  int far = 0, wider = 0, meet = 0;
+  for (int scene = 0; scene < 20000; ++scene) {
+    const MovingPair pair = pair_by_lot(random, 2);
+    const State state = initial_state(pair.model);
+    ContactSearch search(pair.model, state);
+    const std::vector<VertexContact> seen = search.find({});
+    if (std::ranges::any_of(seen, [&](const VertexContact& c) { return pair.closes(c, search.outlines()); })) continue;
+    const double size = std::min(search.size_of(0), search.size_of(1));
+    const double relative = (pair.d.segment<2>(0) - pair.d.segment<2>(6)).norm();
+    // Gaps of first order leave out what normals that turn by up to 0.01 make of the way.
+    const bool meets = pair.meet(1e-3 * size + 0.01 * relative);
+    const bool is_wider = search.widen(pair.model, state, pair.d, {seen, {}});
+    far += relative > ContactSearch::reach * size ? 1 : 0;
+    wider += is_wider ? 1 : 0;
+    meet += meets ? 1 : 0;
+    EXPECT_TRUE(is_wider || !meets) << "scene " << scene;
+  }
+  EXPECT_GT(meet, 1000);
+  EXPECT_LT(wider, 1.3 * meet);
+  EXPECT_GT(far, 5 * wider);
+}
+
+// A box falls by more than its size onto a floor that is far below it.
+TEST(ContactSearch, WhatAStretchHoldsOrASolutionKnowsIsNotMissed) {
+  const Model model = model_of({{box_ring(0, 0, 3, 1), {}}, {box_ring(1, 1.5, 1.2, 1.7), {}}});
+  const State state = initial_state(model);
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(12);
+  d(7) = -0.51;
+  ContactSearch search(model, state);
+  for (int looks = 0; looks < 2; ++looks) {  // the first makes them a pair
+    EXPECT_TRUE(search.widen(model, state, d, {}));
+    search.update(model, state);
+  }
+  const std::vector<VertexContact> found = search.find({});
+  EXPECT_EQ(found.size(), 2U);
+  EXPECT_FALSE(search.widen(model, state, d, {found, {}}));
+  const std::vector<std::pair<int, int>> held = {{0, 1}};
+  EXPECT_FALSE(search.widen(model, state, d, {{}, held}));
+  d(7) = -0.49;
+  EXPECT_FALSE(search.widen(model, state, d, {}));
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ void MovingContacts::let_part(const Model& model, State& state, ContactSet& cont
 bool MovingContacts::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
   constexpr double unseen = in_line / 10;  // of the smallest block: what moves by less is seen in time by later steps
   if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
-  const bool wider = search_.widen(model, state, d);
+  const bool wider = search_.widen(model, state, d, {known_, of_stretches_});
   if (covered_.empty()) return wider;
   const auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());
@@ -250,7 +250,8 @@ void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& c
 
 void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   const std::vector<Carrier> joints = follow_stretches(model, state, acting, contacts);
-  std::vector<VertexContact> found = search_.find(pairs_of_stretches(contacts));
+  of_stretches_ = pairs_of_stretches(contacts);
+  std::vector<VertexContact> found = search_.find(of_stretches_);
   covered_ = take_out_covered(search_, joints, uncovered_, known_, found);
   forget_corners_apart(found);
   const FoundContacts all = with_shares(model, std::move(found));

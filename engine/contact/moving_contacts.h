@@ -47,7 +47,7 @@ class MovingContacts {
   // near what was drawn, by no more than contacts are looked for; elsewhere they count as broken.
   void bring_in(const Model& model, const State& state, const ComingBlocks& blocks, ContactSet& contacts);
 
-  // True when increments `d` from `state` move blocks further against each other than contacts were looked for, or into
+  // True when increments `d` from `state` close contacts that lay further away than was looked for, or move blocks into
   // each other at corners that a third block covered: the next `follow` looks far enough and has those.
   bool widen(const Model& model, const State& state, const Eigen::VectorXd& d);
 
@@ -61,9 +61,10 @@ class MovingContacts {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [search, surfaces, lost_ends, stretches, known, stiffness_before, covered, uncovered] = self;
+    auto& [search, surfaces, lost_ends, stretches, known, stiffness_before, covered, of_stretches, uncovered] = self;
     // Surfaces are the drawing's; no end is lost between steps; what springs were is asked within a search.
     archive(search, stretches, known, covered);
+    archive.pairs_of_blocks(of_stretches);
     archive.pairs_of_blocks(uncovered);
   }
 
@@ -107,11 +108,12 @@ class MovingContacts {
 
   ContactSearch search_;
   SurfaceJoints surfaces_;
-  LostEnds lost_ends_;                          // between the loss of a stretch and the next search
-  std::size_t stretches_ = 0;                   // leading entries of the ContactSet that are joints with strength
-  std::vector<VertexContact> known_;            // the others, in the same order
-  std::vector<Vec2> stiffness_before_;          // of their springs at the search before, normal and shear
-  std::vector<VertexContact> covered_;          // what the last search has taken out
+  LostEnds lost_ends_;                             // between the loss of a stretch and the next search
+  std::size_t stretches_ = 0;                      // leading entries of the ContactSet that are joints with strength
+  std::vector<VertexContact> known_;               // the others, in the same order
+  std::vector<Vec2> stiffness_before_;             // of their springs at the search before, normal and shear
+  std::vector<VertexContact> covered_;             // what the last search has taken out
+  std::vector<std::pair<int, int>> of_stretches_;  // the last search's: pairs_of_stretches
   std::vector<std::pair<int, int>> uncovered_;  // blocks whose corners are contacts all the same; smaller first, sorted
 };
 

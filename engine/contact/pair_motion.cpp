@@ -20,8 +20,7 @@ Vec2 displacement_of(const Vec6& increments, const Vec2& arm) {
 
 double largest_displacement(const MovingBox& block) {
   double largest = 0;
-  for (const Vec2& corner : corners(block.box))
-    largest = std::max(largest, displacement_of(block.increments, corner - block.centroid).norm());
+  for (const Vec2& corner : corners(block.box)) largest = std::max(largest, displacement_at(block, corner).norm());
   return largest;
 }
 
@@ -32,9 +31,7 @@ double relative_displacement(const MovingBox& a, const MovingBox& b, double dist
   if (is_empty(common)) return 0;
   double largest = 0;
   for (const Vec2& corner : corners(common)) {
-    const Vec2 of_a = displacement_of(a.increments, corner - a.centroid);
-    const Vec2 of_b = displacement_of(b.increments, corner - b.centroid);
-    largest = std::max(largest, (of_a - of_b).norm());
+    largest = std::max(largest, (displacement_at(a, corner) - displacement_at(b, corner)).norm());
   }
   return largest;
 }

@@ -20,6 +20,11 @@ struct MovingBox {
   Vec6 increments;
 };
 
+// Displacement (m) of the point of the block that is at `place` (m).
+inline Vec2 displacement_at(const MovingBox& block, const Vec2& place) {
+  return displacement_of(block.increments, place - block.centroid);
+}
+
 // The largest displacement (m) of any point of the box. The displacement is affine, so a corner has it.
 double largest_displacement(const MovingBox& block);
 

@@ -7,6 +7,7 @@
 
 #include "engine/contact/narrow_phase.h"
 #include "engine/core/parallel.h"
+#include "engine/geometry/segment.h"
 
 namespace dda {
 namespace {
@@ -96,6 +97,19 @@ double ContactSearch::largest_motion(const Eigen::VectorXd& d) const {
   return largest;
 }
 
+// As steps see it, or as blocks are moved: gaps of a step are of first order, and a contact that comes in by the second
+// must be known for it, as one that is found in depth does not press.
+bool ContactSearch::closes(const VertexContact& contact, std::span<const MovingBox> blocks) const {
+  const MovingBox& of_edge = blocks[at(contact.edge_block)];
+  const MovingBox& of_vertex = blocks[at(contact.vertex_block)];
+  const Vec2& vertex = outlines_.current[at(contact.vertex)];
+  const Vec2 opening = displacement_at(of_vertex, vertex) - displacement_at(of_edge, vertex);
+  if (contact.gap + contact.normal.dot(opening) < 0) return true;
+  const Vec2 start = place_after(of_edge, outlines_.current[at(contact.edge)]);
+  const Vec2 end = place_after(of_edge, outlines_.current[at(outlines_.next[at(contact.edge)])]);
+  return cross(end - start, place_after(of_vertex, vertex) - start) > 0;  // the block is on the left of its edges
+}
+
 // Contacts of the pair that are found from as far away as its blocks move against each other, m, and close. All others
 // have no force in what was solved, so that a step that knew of them would come to the same.
 bool ContactSearch::misses_contact(int a, int b, double relative, std::span<const MovingBox> blocks,
@@ -105,11 +119,7 @@ bool ContactSearch::misses_contact(int a, int b, double relative, std::span<cons
   std::vector<VertexContact> found;
   find_vertex_contacts(outlines_, a, b, margin * relative + lift_, deepest * smaller, round_off * smaller, found);
   return std::ranges::any_of(found, [&](const VertexContact& contact) {
-    if (std::binary_search(seen.contacts.begin(), seen.contacts.end(), contact)) return false;
-    const Vec2& vertex = outlines_.current[at(contact.vertex)];
-    const Vec2 of_vertex = displacement_at(blocks[at(contact.vertex_block)], vertex);
-    const Vec2 of_edge = displacement_at(blocks[at(contact.edge_block)], vertex);
-    return contact.gap + contact.normal.dot(of_vertex - of_edge) < 0;
+    return !std::binary_search(seen.contacts.begin(), seen.contacts.end(), contact) && closes(contact, blocks);
   });
 }
 

@@ -95,6 +95,7 @@ class ContactSearch {
   template <typename... IsOut>
   void find_of_pair(std::size_t k, std::vector<VertexContact>& found, const IsOut&... is_out) const;
   void forget_slowly();
+  [[nodiscard]] bool closes(const VertexContact& contact, std::span<const MovingBox> blocks) const;
   [[nodiscard]] bool misses_contact(int a, int b, double relative, std::span<const MovingBox> blocks,
                                     const SeenContacts& seen) const;
   [[nodiscard]] bool meets_unlisted(int block, std::span<const MovingBox> blocks, std::span<const double> motion,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/geometry/rotation.h"
+
 namespace dda {
 namespace {
 
@@ -16,6 +18,11 @@ Vec2 displacement_of(const Vec6& increments, const Vec2& arm) {
   const double half_shear = increments(5) / 2;
   return {increments(0) + increments(3) * arm.x() + (half_shear - increments(2)) * arm.y(),
           increments(1) + (half_shear + increments(2)) * arm.x() + increments(4) * arm.y()};
+}
+
+Vec2 place_after(const MovingBox& block, const Vec2& place) {
+  return block.centroid + block.increments.head<2>() +
+         deformation_increment(block.increments) * (place - block.centroid);
 }
 
 double largest_displacement(const MovingBox& block) {

@@ -25,6 +25,9 @@ inline Vec2 displacement_at(const MovingBox& block, const Vec2& place) {
   return displacement_of(block.increments, place - block.centroid);
 }
 
+// Where that point comes to, m: not to first order, but as blocks are moved.
+Vec2 place_after(const MovingBox& block, const Vec2& place);
+
 // The largest displacement (m) of any point of the box. The displacement is affine, so a corner has it.
 double largest_displacement(const MovingBox& block);
 

@@ -55,6 +55,16 @@ double BlockSystem::end_of_step(double dt) const {
   return stage_in_force().paces_itself() ? end_of_stage() : state.time + dt;
 }
 
+LoadTime BlockSystem::load_time() const {
+  if (!stage_in_force().paces_itself()) return LoadTime::at(state.time);
+  return {clock.start, end_of_stage(), clock.parts.share()};
+}
+
+LoadTime BlockSystem::load_time_after(double dt) const {
+  if (!stage_in_force().paces_itself()) return LoadTime::at(state.time + dt);
+  return {clock.start, end_of_stage(), clock.parts.next_share()};
+}
+
 bool BlockSystem::geometry_moves() const {
   const auto begun = model.stages.begin() + static_cast<std::ptrdiff_t>(clock.in_force() + 1);
   return std::any_of(model.stages.begin(), begun,
@@ -65,6 +75,15 @@ void BlockSystem::loads_at(double time, Eigen::VectorXd& force) const {
   external.loads_at(time, force);
   excavated.released.add_loads_at(model, time, force);
   if (free_field) free_field->add_loads_at(time, acting_damping(stage_in_force()).stiffness, force);
+}
+
+void BlockSystem::loads_at(const LoadTime& time, Eigen::VectorXd& force) const {
+  if (time.share >= 1) return loads_at(time.to, force);
+  force = time.of([&](double then) {
+    Eigen::VectorXd all(force.size());
+    loads_at(then, all);
+    return all;
+  });
 }
 
 void BlockSystem::sum_internal_forces(Eigen::VectorXd& force) const {

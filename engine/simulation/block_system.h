@@ -19,6 +19,7 @@
 #include "engine/simulation/excavated.h"
 #include "engine/simulation/external_forces.h"
 #include "engine/simulation/lining_set.h"
+#include "engine/simulation/load_time.h"
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/small_motion.h"
 #include "engine/simulation/stage_clock.h"
@@ -110,8 +111,10 @@ struct BlockSystem {
   // The same; between stages, and after the last, the one that ended.
   [[nodiscard]] const Stage& stage_in_force() const;
   [[nodiscard]] double end_of_stage() const;
-  // s, for which loads and prescribed motions of a step of `dt` from now are meant.
   [[nodiscard]] double end_of_step(double dt) const;
+  // For which loads and prescribed motions are meant as they are, and at the end of a step of `dt` from now.
+  [[nodiscard]] LoadTime load_time() const;
+  [[nodiscard]] LoadTime load_time_after(double dt) const;
   // Passes of the open-close iteration in the step under way, those of attempts that did not settle among them.
   [[nodiscard]] std::int64_t passes_of_step() const {
     return costs.counters.open_close_iterations - clock.passes_before_step;
@@ -122,6 +125,7 @@ struct BlockSystem {
 
   // Loads (without weight) at `time`, s.
   void loads_at(double time, Eigen::VectorXd& force) const;
+  void loads_at(const LoadTime& time, Eigen::VectorXd& force) const;
 
   // Forces of stresses, interfaces, supports, bolts and linings, as they are.
   void sum_internal_forces(Eigen::VectorXd& force) const;

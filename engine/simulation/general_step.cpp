@@ -81,7 +81,6 @@ void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
   solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
   set_step_size(system_.stage_in_force().dt);
-  motion_steps_ = moving_ ? steps_of_motion(system_) : 1;
   list_contacts();
   system_.drag.hold_loose(system_.model.blocks.size(), system_.held);
 }
@@ -148,10 +147,10 @@ Status GeneralStep::solve_far_enough(double end) {
 void GeneralStep::pose(double end) {
   if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
   if (system_.plan.finite_kinematics) follow_geometry();
-  if (system_.plan.loads) system_.loads_at(end, system_.forces.load_new);
+  if (system_.plan.loads) system_.loads_at(system_.load_time_after(system_.coefficients.dt), system_.forces.load_new);
   if (system_.reinforcement.linings.begin_step()) base_is_current_ = false;
   form_rhs(system_, rhs_);
-  aim(system_.model, system_.state, end_of_motion(system_, motion_steps_, end), system_.held);
+  aim(system_.model, system_.state, end_of_motion(system_, end), system_.held);
 }
 
 // True when the step must be solved again, with drag on loose blocks or contacts looked for from further away.
@@ -193,7 +192,7 @@ void GeneralStep::place_geometry(double coming) {
   if (moves && moving_ && s.coefficients.acts_at != 0.5)
     foresee_gaps(acting_.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
   update_geometry(s.model, acting_, s.supports);
-  measure_gaps(s.model, s.state, s.supports);
+  measure_gaps(s.model, s.state, s.load_time(), s.supports);
   foresee_gaps(s.model, s.state, acting_.velocity, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, s.supports);
   s.reinforcement.bolts.update_geometry(s.model, s.state, acting_);
   s.reinforcement.linings.update_geometry(s.model, s.state, acting_);
@@ -202,7 +201,7 @@ void GeneralStep::place_geometry(double coming) {
     s.external.update_geometry(s.model, acting_);
     s.excavated.released.update_geometry(acting_.deformation);
     if (s.free_field) s.free_field->update_geometry(s.model, acting_, s.clock.stage);
-    s.loads_at(s.state.time, s.forces.load_old);
+    s.loads_at(s.load_time(), s.forces.load_old);
   }
   refresh_tractions(s.state, s.contacts);
   s.sum_internal_forces(s.forces.internal_old);

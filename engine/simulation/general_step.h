@@ -62,7 +62,7 @@ class GeneralStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, changing, bonded, base,
-           base_version, base_is_current, rule, rhs, can_be_cut, motion_steps, message] = self;
+           base_version, base_is_current, rule, rhs, can_be_cut, message] = self;
     if (moving) {
       archive(*moving);
       archive.expect(moving->known_contacts() == system.contacts.interfaces.size());
@@ -110,7 +110,6 @@ class GeneralStep : public Step {
   bool base_is_current_ = false;
   ContactRule rule_;
   Eigen::VectorXd rhs_;
-  int motion_steps_ = 1;     // in which held blocks go to the end of a stage that paces itself
   bool can_be_cut_ = false;  // the step under way, should its contacts not settle quickly
   std::string message_;
 };

@@ -12,6 +12,11 @@
 namespace dda {
 namespace {
 
+// Of a block that slides on friction under a spring that is pulled, one whose bolt yields, and a tunnel in dry blocks
+// that is let go, the work is off by 15, 54 and 9 % in one part, by 15, 2.4 and 0.3 % in 8, by 0.3, 0.4 and 0.03 %
+// in 32.
+constexpr int parts_of_what_yields = 32;
+
 // Supports have a part in a step beyond what its matrix makes of them: prescribed motion, or what is foreseen.
 bool supports_drive(const StepPlan& plan) { return plan.moving_supports || plan.finite_kinematics; }
 
@@ -34,7 +39,7 @@ void add_dashpot_and_support_rhs(const BlockSystem& system, Eigen::VectorXd& rhs
     rhs.segment<6>(6 * block) -= matrix * (c.damping_v * state.velocity[i] + c.damping_a * state.acceleration[i]);
   }
   if (!supports_drive(system.plan)) return;
-  const double end = system.end_of_step(c.dt);
+  const LoadTime end = system.load_time_after(c.dt);
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     const SupportElement& support = system.supports[i];
     const Vec2 motion = prescribed_displacement(system.model.supports[i], end) - support.prescribed - support.foreseen;
@@ -44,6 +49,9 @@ void add_dashpot_and_support_rhs(const BlockSystem& system, Eigen::VectorXd& rhs
 
 void accept_supports(BlockSystem& system) {
   const bool small = !has_finite_kinematics(system.model);
+  // The state is at the end of the step already.
+  const LoadTime end = system.stage_in_force().paces_itself() ? system.load_time_after(system.coefficients.dt)
+                                                              : LoadTime::at(system.state.time);
   for (std::size_t i = 0; i < system.supports.size(); ++i) {
     SupportElement& support = system.supports[i];
     const SupportElement before = support;
@@ -54,7 +62,7 @@ void accept_supports(BlockSystem& system) {
       else
         measure_gap(system.model, system.state, i, support);
     } else {
-      advance_gap(prescription, system.increment, system.state.time, support);
+      advance_gap(prescribed_displacement(prescription, end), system.increment, support);
     }
     if (supports_drive(system.plan)) system.audit.support_moved(before, support);
   }
@@ -110,15 +118,19 @@ bool nothing_prescribed_changes_until(double time, BlockSystem& system) {
   return held_blocks_stand_still_until(system.model, system.state, time);
 }
 
-int steps_of_motion(const BlockSystem& system) {
-  if (!system.clock.begun || !system.plan.finite_kinematics || !system.stage().paces_itself()) return 1;
-  return steps_of_motion(system.model, system.clock.start, system.end_of_stage(), ContactSearch::reach / 2);
+int parts_of_stage(bool contacts_are_followed, BlockSystem& system) {
+  if (!system.stage().paces_itself() || nothing_prescribed_changes_until(system.end_of_stage(), system)) return 1;
+  const StepPlan& plan = system.plan;
+  const bool yields = plan.contacts_can_change || plan.reinforcement.linings_yield;
+  const int parts = yields ? parts_of_what_yields : 1;
+  if (!contacts_are_followed || !plan.finite_kinematics) return parts;
+  return std::max(parts,
+                  steps_of_motion(system.model, system.clock.start, system.end_of_stage(), ContactSearch::reach / 2));
 }
 
-double end_of_motion(const BlockSystem& system, int steps, double end) {
-  const std::int64_t step = system.clock.step + 1;
-  if (step >= steps) return end;
-  return system.clock.start + (end - system.clock.start) * static_cast<double>(step) / steps;
+double end_of_motion(const BlockSystem& system, double end) {
+  if (!system.stage_in_force().paces_itself()) return end;
+  return system.clock.start + (end - system.clock.start) * system.clock.parts.next_share();
 }
 
 }  // namespace dda

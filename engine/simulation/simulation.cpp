@@ -38,6 +38,9 @@ Status step_free_field(BlockSystem& s, std::string& message) {
   return status;
 }
 
+// Of the largest force: what may be out of balance when loads go on to their next part.
+constexpr double at_rest_between_parts = 1e-3;
+
 BlocksInMotion in_motion(const BlockSystem& s) {
   return {s.model, s.state, s.contacts, s.plan, s.clock, s.excavated.absent};
 }
@@ -124,6 +127,7 @@ void Simulation::begin_stage() {
   if (other_kind) stage_step().hand_over();
   s.plan = next;
   if (other_kind) stage_step().take_over();
+  s.clock.parts = {.all = parts_of_stage(general_->follows_contacts(), s)};
   if (s.plan.is_static) damp_velocities(s);
   begin_viscous_edges(s);
   stage_step().set_up(std::move(pattern));
@@ -157,6 +161,7 @@ Status Simulation::step() {
     return status;
   }
   ++s.clock.step;
+  if (is_settling()) s.clock.parts.follow(s.clock.parts.all == 1 || out_of_balance() <= at_rest_between_parts);
   ++s.state.step;
   s.state.time = s.clock.start + static_cast<double>(s.clock.step) * s.stage().dt;
   s.audit.small_motion.follow(in_motion(s));

@@ -75,9 +75,12 @@ void measure_gap(const Model& model, const State& state, std::size_t index, Supp
   support.gap = measured_gap(model, state, index, support);
 }
 
-void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports) {
+void measure_gaps(const Model& model, const State& state, const LoadTime& now, std::vector<SupportElement>& supports) {
   for (std::size_t i = 0; i < supports.size(); ++i)
-    if (!model.supports[i].partner) measure_gap(model, state, i, supports[i]);
+    if (!model.supports[i].partner) {
+      supports[i].prescribed = prescribed_displacement(model.supports[i], now);
+      supports[i].gap = measured_gap(model, state, i, supports[i]);
+    }
 }
 
 void foresee_gaps(const Model& model, const State& state, const std::vector<Vec6>& believed, double dt, double acts_at,
@@ -102,8 +105,7 @@ void foresee_nothing(std::vector<SupportElement>& supports) {
   for (SupportElement& support : supports) support.foreseen.setZero();
 }
 
-void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support) {
-  const Vec2 prescribed = prescribed_displacement(prescription, time);
+void advance_gap(const Vec2& prescribed, const Eigen::VectorXd& d, SupportElement& support) {
   support.gap += support.rows * d.segment<6>(6 * support.block) + support.foreseen - (prescribed - support.prescribed);
   support.prescribed = prescribed;
 }

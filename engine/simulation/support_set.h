@@ -6,6 +6,7 @@
 #include "engine/core/types.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
+#include "engine/simulation/load_time.h"
 
 namespace dda {
 
@@ -34,13 +35,13 @@ std::vector<SupportElement> make_supports(const Model& model, const State& state
 // Moves the held points with their blocks (finite kinematics).
 void update_geometry(const Model& model, const State& state, std::vector<SupportElement>& supports);
 
-// Gap of support `index` at the state's time.
+// Gap of support `index`, prescribed for the state's time.
 void measure_gap(const Model& model, const State& state, std::size_t index, SupportElement& support);
 
-// The same of all but ties between two points of a block: their way would be lost in the points' own, and forces that
-// jump as gaps are measured anew are not what the ground beside a tie is to feel. Their increments and what was
-// foreseen of them is all they go by.
-void measure_gaps(const Model& model, const State& state, std::vector<SupportElement>& supports);
+// Gaps as they are prescribed `now`, of all but ties between two points of a block: their way would be lost in the
+// points' own, and forces that jump as gaps are measured anew are not what the ground beside a tie is to feel. Their
+// increments and what was foreseen of them is all they go by.
+void measure_gaps(const Model& model, const State& state, const LoadTime& now, std::vector<SupportElement>& supports);
 
 // Foresees what the rows, which are those of the share `acts_at` of a step of `dt` (s), miss of the gaps' change in it:
 // second order in the turns and strains of the step, times stiff springs a large force. See ADR 30. `believed`: the
@@ -49,11 +50,15 @@ void foresee_gaps(const Model& model, const State& state, const std::vector<Vec6
                   std::vector<SupportElement>& supports);
 void foresee_nothing(std::vector<SupportElement>& supports);
 
-// Follows a held point by the increments `d` of all blocks to `time`, along the directions of the step's start.
-void advance_gap(const PointSupport& prescription, const Eigen::VectorXd& d, double time, SupportElement& support);
+// Follows a held point by the increments `d` of all blocks to where it is `prescribed`, along the directions of the
+// step's start.
+void advance_gap(const Vec2& prescribed, const Eigen::VectorXd& d, SupportElement& support);
 
 // Prescribed displacement and velocity at `time`, m and m/s.
 Vec2 prescribed_displacement(const PointSupport& support, double time);
+inline Vec2 prescribed_displacement(const PointSupport& support, const LoadTime& time) {
+  return time.of([&](double then) { return prescribed_displacement(support, then); });
+}
 Vec2 prescribed_velocity(const PointSupport& support, double time);
 
 // Adds the internal forces (stiffness * gap) of all supports to `force`.

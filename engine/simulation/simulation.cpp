@@ -38,7 +38,7 @@ Status step_free_field(BlockSystem& s, std::string& message) {
   return status;
 }
 
-// Of the largest force: what may be out of balance when loads go on to their next part.
+// What may be out of balance when loads go on to their next part, of the largest force.
 constexpr double at_rest_between_parts = 1e-3;
 
 BlocksInMotion in_motion(const BlockSystem& s) {

@@ -84,12 +84,27 @@ std::string balance_warning(const Simulation& simulation) {
                      named_with_places(simulation.model(), of_stage(static_cast<std::size_t>(first), unbalanced)));
 }
 
+std::string air_warning(const Simulation& simulation, const ReinforcementInAir& each) {
+  const Model& model = simulation.model();
+  const auto number = static_cast<std::size_t>(each.number);
+  const std::string what = each.is_lining ? fmt::format("lining \"{}\", sprayed", model.linings[number].name)
+                                          : fmt::format("bolt \"{}\", put in", model.bolts[number].name);
+  const int stage = each.is_lining ? model.linings[number].first_stage : model.bolts[number].first_stage;
+  return fmt::format(
+      "warning: {} when stage \"{}\" begins, crosses {:.3g} m of air that was not drawn, since blocks \"{}\" and "
+      "\"{}\" "
+      "have parted by then: nothing bonds it there",
+      what, model.stages[static_cast<std::size_t>(stage)].name, each.way, name_of(simulation, each.block_a),
+      name_of(simulation, each.block_b));
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Simulation& simulation) {
   std::vector<std::string> warnings = {penetration_warning(simulation), shared_ground_warning(simulation),
                                        settled_in_each_other_warning(simulation), loose_warning(simulation),
                                        balance_warning(simulation)};
+  for (const ReinforcementInAir& each : simulation.results().in_air) warnings.push_back(air_warning(simulation, each));
   const auto add = [&](const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences) warnings.push_back("warning: " + sentence);
   };

@@ -8,8 +8,8 @@
 
 namespace dda {
 
-// A sentence each, beginning with "warning: ": blocks deep in each other, blocks that nothing holds, loads that steps
-// pass over, blocks whose spin pulls them.
+// A sentence each, beginning with "warning: ": blocks deep in each other, blocks that nothing holds, bolts and linings
+// through air, loads that steps pass over, blocks whose spin pulls them.
 std::vector<std::string> warnings_of(const Simulation& simulation);
 
 }  // namespace dda

@@ -9,4 +9,7 @@ namespace dda {
 // seven digits; what is decided with it (which block, which edge) does not enter the mechanics.
 inline double point_tolerance(const Model& model) { return 100 * model.length_tolerance; }
 
+// A gap wider than this share of the smaller block beside it is air and no open joint: contacts are sought no farther.
+inline constexpr double widest_joint = 0.1;
+
 }  // namespace dda

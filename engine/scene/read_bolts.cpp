@@ -5,15 +5,13 @@
 #include <numbers>
 
 #include "engine/core/error.h"
+#include "engine/model/tolerance.h"
 #include "engine/scene/places.h"
 #include "engine/scene/read_withdrawal.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
 namespace {
-
-// A gap wider than this share of the smaller block beside it is air and no open joint: contacts are sought no farther.
-constexpr double widest_joint = 0.1;
 
 // Axial stiffness of a bolt, N/m: given, or Young's modulus times section over a length.
 struct AxialStiffness {

@@ -19,9 +19,15 @@ namespace dda {
 namespace {
 
 constexpr double skin = 0.01;               // of the least thickness
-constexpr double overlap_tolerance = 1e-3;  // of the thinner block's thickness: far above elastic closure of corners
+constexpr double overlap_tolerance = 1e-3;  // of the thinner block's thickness
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// By which a block's sides have come nearer to each other, or corners have moved that neighbours of one strain each
+// share with it: so much of a block is in its neighbour across a corner where rock is bonded.
+double strain_of(const Mat2& deformation) {
+  return (deformation.transpose() * deformation - Mat2::Identity()).norm() / 2;
+}
 
 double slide_limit(const Model& model, const Interface& interface) {
   if (interface.length > 0) return interface.length;
@@ -114,7 +120,8 @@ std::string ContactRange::overlap_problem(const Model& model, const State& state
   }
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
     if (holds_together(a, b, contacts)) continue;
-    const double tolerance = overlap_tolerance * std::min(thickness_[at(a)], thickness_[at(b)]);
+    const double strains = strain_of(state.deformation[at(a)]) + strain_of(state.deformation[at(b)]);
+    const double tolerance = (overlap_tolerance + strains) * std::min(thickness_[at(a)], thickness_[at(b)]);
     if (interiors_overlap(outlines[at(a)], outlines[at(b)], tolerance))
       return sentence(model, a, b, "have run into each other where they did not touch at the start");
   }

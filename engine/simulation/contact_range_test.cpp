@@ -163,5 +163,34 @@ TEST(ContactRange, OpenInterfaceDoesNotExcuseOverlap) {
   EXPECT_NE(range.problem(model, state, contacts), "");
 }
 
+// A hole of one square in bonded squares under 2 % of their modulus: across its corners blocks are in each other by
+// what they strain, 1.3 % of their size and more.
+TEST(ContactRange, BlocksAcrossACornerOfAHoleMayStrain) {
+  std::vector<Block> blocks;
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i)
+      if (i != 2 || j != 2) blocks.push_back(rectangle(fmt::format("{}.{}", i, j), i, j, 1, 1));
+  Model model = scene(std::move(blocks));
+  model.joints[0].bonded = true;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const int block = static_cast<int>(b);
+    const Vec2 corner = model.blocks[b].shape.outer[0];
+    const double p = 2e8;
+    if (corner.x() == 0) model.edge_loads.push_back({block, corner + Vec2(0, 1), corner, {p, 0}, Constant{}});
+    if (corner.x() == 4)
+      model.edge_loads.push_back({block, corner + Vec2(1, 0), corner + Vec2(1, 1), {-p, 0}, Constant{}});
+    if (corner.y() == 0) model.edge_loads.push_back({block, corner, corner + Vec2(1, 0), {0, p}, Constant{}});
+    if (corner.y() == 4)
+      model.edge_loads.push_back({block, corner + Vec2(1, 1), corner + Vec2(0, 1), {0, -p}, Constant{}});
+  }
+  model.supports = {{0, {0, 0}, true, true, 1e9, Vec2::Zero(), {}}, {4, {5, 0}, false, true, 1e9, Vec2::Zero(), {}}};
+  model.stages[0].integrator = static_integrator();
+  model.stages[0].dt = 0;
+  model.stages[0].duration = 0;
+  model.stages[0].equilibrium = 1e-9;
+  Simulation simulation = simulation_of(std::move(model));
+  EXPECT_EQ(run(simulation), Status::ok) << simulation.message();
+}
+
 }  // namespace
 }  // namespace dda

@@ -233,5 +233,42 @@ TEST(LateBolt, TakesWhatFollowsAnExcavation) {
   }
 }
 
+// --- Through air ---
+
+// A stone falls for half a second; then a grouted bolt and a lining come in between it and its neighbour above. One
+// that has fallen by less than a tenth of its size has an open joint.
+TEST(LateBolt, IsToldOfWhereBlocksHaveParted) {
+  for (const double seconds : {0.5, 0.1}) {
+    Model model;
+    model.materials = {rock()};
+    model.joints = {JointMaterial{}};
+    model.blocks = {rectangle("roof", 0, 1, 1, 1), rectangle("stone", 0, 0, 1, 1)};
+    model.held_blocks = {HeldBlock{}};
+    model.gravity = {0, -10};
+    Bolt bolt = late_bolt({0.5, 1}, {0.5, 1}, 0);
+    bolt.grouted = true;
+    bolt.direction = {0, -1};
+    model.bolts = {bolt};
+    Lining& lining = model.linings.emplace_back();
+    lining.nodes = {{0, {1, 1.5}, {0, -1}}, {1, {1, 0.5}, {0, -1}}};
+    lining.thickness = 0.1;
+    lining.young = 1e9;
+    lining.first_stage = 1;
+    model.stages.assign(2, stage_of(generalized_alpha_integrator(0), 1e-3, 10, Kinematics::finite));
+    model.stages[0].duration = seconds;
+    Simulation simulation = simulation_of(std::move(model));
+    run(simulation, static_cast<int>(std::lround(seconds / 1e-3)) + 1);
+    const std::vector<ReinforcementInAir>& in_air = simulation.results().in_air;
+    if (seconds < 0.2) {
+      EXPECT_TRUE(in_air.empty());
+      continue;
+    }
+    ASSERT_EQ(in_air.size(), 2U);
+    for (const ReinforcementInAir& each : in_air) EXPECT_NEAR(each.way, 10 * seconds * seconds / 2, 1e-3);
+    EXPECT_FALSE(in_air[0].is_lining);
+    EXPECT_TRUE(in_air[1].is_lining);
+  }
+}
+
 }  // namespace
 }  // namespace dda

@@ -4,18 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/contact/contact_search.h"
 #include "engine/model/moving_stages.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 
 namespace dda {
 namespace {
-
-// Measured: for a block that slides on friction under a spring that is pulled, one whose bolt yields, and a tunnel that
-// that is let go, the work is off by 15, 54 and 9 % in one part, by 15, 2.4 and 0.3 % in 8, by 0.3, 0.4 and 0.03 %
-// in 32.
-constexpr int parts_of_what_yields = 32;
 
 // Supports have a part in a step beyond what its matrix makes of them: prescribed motion, or what is foreseen.
 bool supports_drive(const StepPlan& plan) { return plan.moving_supports || plan.finite_kinematics; }
@@ -116,16 +110,6 @@ bool nothing_prescribed_changes_until(double time, BlockSystem& system) {
   for (std::size_t i = 0; system.plan.moving_supports && i < system.supports.size(); ++i)
     if (prescribed_displacement(system.model.supports[i], time) != system.supports[i].prescribed) return false;
   return held_blocks_stand_still_until(system.model, system.state, time);
-}
-
-int parts_of_stage(bool contacts_are_followed, BlockSystem& system) {
-  if (!system.stage().paces_itself() || nothing_prescribed_changes_until(system.end_of_stage(), system)) return 1;
-  const StepPlan& plan = system.plan;
-  const bool yields = plan.contacts_can_change || plan.reinforcement.linings_yield;
-  const int parts = yields ? parts_of_what_yields : 1;
-  if (!contacts_are_followed || !plan.finite_kinematics) return parts;
-  return std::max(parts,
-                  steps_of_motion(system.model, system.clock.start, system.end_of_stage(), ContactSearch::reach / 2));
 }
 
 double end_of_motion(const BlockSystem& system, double end) {

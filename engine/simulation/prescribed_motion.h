@@ -26,11 +26,6 @@ void begin_viscous_edges(BlockSystem& system);
 // What moves the held blocks works against all other forces on them.
 void audit_held_blocks(BlockSystem& system);
 
-// In how many steps of a stage that paces itself loads and motions get to its end: in several where something slides,
-// opens or yields under them, so that each does so at its own load, and their work is that of a slow change; and so
-// that no contact is missed where held blocks go far. 1 elsewhere. Writes the loads at the end to forces.load_new.
-int parts_of_stage(bool contacts_are_followed, BlockSystem& system);
-
 // Where a step that ends at `end`, s, takes held blocks, as a time.
 double end_of_motion(const BlockSystem& system, double end);
 

@@ -38,9 +38,6 @@ Status step_free_field(BlockSystem& s, std::string& message) {
   return status;
 }
 
-// What may be out of balance when loads go on to their next part, of the largest force.
-constexpr double at_rest_between_parts = 1e-3;
-
 BlocksInMotion in_motion(const BlockSystem& s) {
   return {s.model, s.state, s.contacts, s.plan, s.clock, s.excavated.absent};
 }
@@ -117,6 +114,7 @@ void Simulation::begin_stage() {
   bring_in(s, *general_);
   if (s.external.begin_stage(s.model, s.clock.stage)) s.loads_at(s.state.time, s.forces.load_old);
   put_in_reinforcement(*general_, s);
+  note_reinforcement_in_air(s, results_.in_air);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();
   if (s.stage().paces_itself()) pace_.begin(s.model, s.stage(), s.contacts.can_change);
@@ -127,7 +125,7 @@ void Simulation::begin_stage() {
   if (other_kind) stage_step().hand_over();
   s.plan = next;
   if (other_kind) stage_step().take_over();
-  s.clock.parts = {.all = parts_of_stage(general_->follows_contacts(), s)};
+  s.clock.parts = parts_of_stage(general_->follows_contacts(), s);
   if (s.plan.is_static) damp_velocities(s);
   begin_viscous_edges(s);
   stage_step().set_up(std::move(pattern));
@@ -161,7 +159,7 @@ Status Simulation::step() {
     return status;
   }
   ++s.clock.step;
-  if (is_settling()) s.clock.parts.follow(s.clock.parts.all == 1 || out_of_balance() <= at_rest_between_parts);
+  if (is_settling()) go_on_with_loads(in_situ_force_, s);
   ++s.state.step;
   s.state.time = s.clock.start + static_cast<double>(s.clock.step) * s.stage().dt;
   s.audit.small_motion.follow(in_motion(s));

@@ -9,6 +9,7 @@
 
 #include "engine/model/energy.h"
 #include "engine/simulation/excess_shear.h"
+#include "engine/simulation/reinforcement_in_air.h"
 #include "engine/simulation/shared_ground.h"
 #include "engine/simulation/unbalanced_block.h"
 
@@ -26,6 +27,8 @@ struct StageResults {
 
   std::vector<SharedGroundOfStage> shared_ground;  // of static stages that left blocks in each other
 
+  std::vector<ReinforcementInAir> in_air;  // bolts and linings that stages put in where blocks had parted
+
   explicit StageResults(std::size_t stages = 0)
       : out_of_balance(stages, std::numeric_limits<double>::quiet_NaN()), energy(stages) {}
 
@@ -37,12 +40,13 @@ struct StageResults {
     unbalanced = before.unbalanced;
     excess = before.excess;
     shared_ground = before.shared_ground;
+    in_air = before.in_air;
   }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [out_of_balance, energy, loose, unbalanced, excess, shared_ground] = self;
-    archive(loose, unbalanced, excess, shared_ground);
+    auto& [out_of_balance, energy, loose, unbalanced, excess, shared_ground, in_air] = self;
+    archive(loose, unbalanced, excess, shared_ground, in_air);
     archive.each(out_of_balance);
     archive.each(energy);
   }

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "engine/advice/changed_rock_remarks.h"
+#include "engine/advice/fading_remarks.h"
 #include "engine/advice/far_coordinates.h"
 #include "engine/advice/gap_remarks.h"
 #include "engine/advice/held_blocks_acted_on.h"
@@ -315,6 +316,10 @@ void remark_on_changed_rock(const Model& model, const ContactSet& /*contacts*/, 
   for (std::string& sentence : changed_rock_remarks(model)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_fading(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : fading_remarks(model)) remarks.push_back(std::move(sentence));
+}
+
 void remark_on_gaps(const Model& model, const ContactSet& contacts, Remarks& remarks) {
   for (std::string& sentence : gap_remarks(model, contacts)) remarks.push_back(std::move(sentence));
 }
@@ -328,7 +333,7 @@ constexpr auto all_remarks = {
     remark_on_sizes,   remark_on_gaps,         remark_on_steps,        remark_on_coarse_steps,
     remark_on_loads,   remark_on_joints,       remark_on_chatter,      remark_on_chatter_on_slopes,
     remark_on_linings, remark_on_held_blocks,  remark_on_damping_rate, remark_on_coordinates,
-    remark_on_springs, remark_on_changed_rock, remark_on_spins};
+    remark_on_springs, remark_on_changed_rock, remark_on_fading,       remark_on_spins};
 
 }  // namespace
 

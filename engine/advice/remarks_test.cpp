@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dda {
@@ -45,6 +46,29 @@ void make_static(Model& model) { model.stages[0].integrator.is_static = true; }
 void shake(Model& model) {
   model.held_blocks[0].amplitude = {1e-2, 0};
   model.held_blocks[0].history = SineCycles{.frequency = 2};
+}
+
+// A second stage of 0.5 s takes the uppermost block away by a table; a static one that takes no time comes after it.
+void take_away(Model& model, PiecewiseLinear table) {
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].name = "gone";
+  model.stages[1].duration = 0.5;
+  model.stages[1].removal = {{2}, std::move(table)};
+  Stage& rest = model.stages.emplace_back();
+  rest.integrator = static_integrator();
+  rest.equilibrium = 1e-9;
+}
+
+// A bolt between the lower blocks is taken out after the first stage, and what it exerted fades over 2 s.
+void take_a_bolt_out(Model& model) {
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].name = "without";
+  Bolt bolt;
+  bolt.name = "prop";
+  bolt.direction = {0, 1};
+  bolt.links = {{0, 1, {0.5, 0.5}, {0.5, 1.5}, 1e8, 0}};
+  bolt.withdrawal = {0, PiecewiseLinear{{0, 2}, {1, 0}}};
+  model.bolts = {bolt};
 }
 
 std::vector<std::string> remarks_after(const std::function<void(Model&)>& change) {
@@ -322,6 +346,35 @@ const std::vector<OddScene> odd_scenes = {
          model.supports.push_back({block, {0, block + 0.5}, true, true, 1e9, {0, 0}, Constant{}});
      },
      "1 of 2 springs of supports are on blocks that are held, the first on block \"b0\": they do nothing there"},
+    {"a_fade_that_is_not_over",
+     [](Model& model) {
+       take_away(model, {{0, 1}, {1, 0}});
+     },
+     "stage \"gone\": what the blocks that it removes exerted fades until 2 s, and the run ends at 1.5 s: 50 % of it "
+     "still "
+     "acts then, and 0 % would in the end; stages that last longer, or a fade that is over sooner, get there"},
+    {"a_fade_that_is_over",
+     [](Model& model) {
+       take_away(model, {{0, 0.5}, {1, 0}});
+     },
+     ""},
+    {"a_fade_that_stops_on_purpose",
+     [](Model& model) {
+       take_away(model, {{0, 0.5, 9}, {1, 0.3, 0.3}});
+     },
+     ""},
+    {"a_fade_to_a_share_that_is_not_over",
+     [](Model& model) {
+       take_away(model, {{0, 1}, {1, 0.4}});
+     },
+     "stage \"gone\": what the blocks that it removes exerted fades until 2 s, and the run ends at 1.5 s: 70 % of it "
+     "still "
+     "acts then, and 40 % would in the end; stages that last longer, or a fade that is over sooner, get there"},
+    {"a_fading_bolt", take_a_bolt_out,
+     "stage \"without\": what bolt \"prop\", taken out when it begins, exerted fades until 3 s, and the run ends at 2 "
+     "s: 50 "
+     "% of it still acts then, and 0 % would in the end; stages that last longer, or a fade that is over sooner, get "
+     "there"},
     {"tough",
      [](Model& model) {
        model.joints[0].cohesion = 1e6;

@@ -284,6 +284,25 @@ TEST(StressField, IsRefusedOnAnEdgeThatCarriesItAlready) {
   EXPECT_EQ(parse_scene(scene(beside, right), "scene").edge_loads.size(), 2U + 2U + 1U);
 }
 
+// Removed blocks whose force fades act on the wall as it does: rock was loaded twice, in silence.
+TEST(StressField, IsPutOnAWallByALoadOrByWhatFades) {
+  const auto scene = [](const std::string& load, const std::string& fade) {
+    return scene_with(
+        R"(, "stress_field": {"xx": -5}, "loads": [{"edge": {"opening": "hole"}, "traction": "in-situ")" + load + "}]",
+        R"(, "remove": {"blocks": ["hole"])" + fade + R"(}}, {"name": "after", "dt": 1e-4, "duration": 1e-2)");
+  };
+  const std::string at_once = R"(, "from_stage": "motion")", later = R"(, "from_stage": "after")";
+  const std::string to_half = R"(, "table": [[0, 1], [1e-3, 0.5]])", over = R"(, "over": "10 ms")";
+  const std::vector<std::string> sentence = {"loads[0].traction is \"in-situ\" along",
+                                             "on which what stage \"motion\" removes still acts while it fades",
+                                             "one of the two"};
+  for (const std::string& load : {at_once, later}) expect_sentence_for(scene(load, to_half), sentence);
+  expect_sentence_for(scene(at_once, over), sentence);
+  EXPECT_NO_THROW(parse_scene(scene(later, over), "scene")) << "nothing is left of it when the load comes";
+  EXPECT_NO_THROW(parse_scene(scene(at_once, ""), "scene"));
+  EXPECT_NO_THROW(parse_scene(scene(at_once + R"(, "history": {"table": [[0, 0], [1, 1]]})", over), "scene"));
+}
+
 // A load with a history may take off what another puts on, and one may follow the other.
 TEST(StressField, IsPutOnAnEdgeByOneLoadAtATime) {
   const auto scene = [](const std::string& stages_of_one, const std::string& stages_of_other) {

@@ -12,6 +12,7 @@
 #include "engine/model/check_parts.h"
 #include "engine/model/tolerance.h"
 #include "engine/scene/face_pressure.h"
+#include "engine/scene/fading_faces.h"
 #include "engine/scene/laid_bare.h"
 #include "engine/scene/places.h"
 #include "engine/scene/sections.h"
@@ -93,8 +94,8 @@ void read_pressure(const Field& field, const std::vector<Stretch>& stretches, co
 // Stretches of edges along which entries of the scene act. Two that do the same there would add up, in silence.
 class TakenEdges {
  public:
-  void take(const Stretch& stretch, const StageSpan& stages, const Field& entry) {
-    taken_.push_back({stretch, stages, entry.path()});
+  void take(const Stretch& stretch, const StageSpan& stages, const std::string& entry) {
+    taken_.push_back({stretch, stages, entry});
   }
 
   // The entry that acts along a part of this stretch in some of these stages; empty: none.
@@ -131,18 +132,36 @@ class TakenEdges {
 
 const std::string& name_of(int block, const Model& model) { return model.blocks[static_cast<std::size_t>(block)].name; }
 
+// What acts with the traction in situ on edges: loads, and removed blocks while their force fades, by the names of the
+// stages that remove them.
+struct InSituEdges {
+  TakenEdges loads, fades;
+};
+
+TakenEdges fading_edges(const Field& scene, const GroundPlan& plan, const Model& model) {
+  TakenEdges fades;
+  if (!scene.has("loads")) return fades;
+  for (const FadingFace& each : fading_faces(plan, model))
+    fades.take(each.face, each.stages, model.stages[each.stage].name);
+  return fades;
+}
+
 // A history may take off what another load puts on.
-void take_in_situ(const Field& load, const Stretch& s, const StageSpan& stages, const Model& model, TakenEdges& taken) {
+void take_in_situ(const Field& load, const Stretch& s, const StageSpan& stages, const Model& model,
+                  InSituEdges& taken) {
   if (load.has("history")) return;
-  if (const std::string taker = taken.taker_of(s, stages, model); !taker.empty())
+  const std::string along = fmt::format("\"in-situ\" along \"{}\", on which ", name_of(s.block, model));
+  if (const std::string taker = taken.loads.taker_of(s, stages, model); !taker.empty())
+    load.at("traction").fail(along + taker + " puts it already", "one of the two, as both would double it");
+  if (const std::string stage = taken.fades.taker_of(s, stages, model); !stage.empty())
     load.at("traction")
-        .fail(fmt::format("\"in-situ\" along \"{}\", on which {} puts it already", name_of(s.block, model), taker),
-              "one of the two, as both would double it");
-  taken.take(s, stages, load);
+        .fail(fmt::format("{}what stage \"{}\" removes still acts while it fades", along, stage),
+              "one of the two, as both would double it: this load, or \"over\" or \"table\" in \"remove\"");
+  taken.loads.take(s, stages, load.path());
 }
 
 void read_edge_load(const Field& field, const GroundPlan& plan, const std::vector<std::string>& groups,
-                    const StressField& stresses, RecordFiles& records, TakenEdges& taken, Model& model) {
+                    const StressField& stresses, RecordFiles& records, InSituEdges& taken, Model& model) {
   const StageSpan stages = read_stages_of(field, model);
   const std::vector<Stretch> stretches = read_loaded_faces(field, plan, groups, stages, model);
   const std::string kind = only_edge_intensity(field);
@@ -207,7 +226,7 @@ TakenEdges in_situ_loads(const Field& scene, const GroundPlan& plan, const Model
   for (const Field& load : loads->items()) {
     const auto traction = load.find("traction");
     if (!traction || !traction->is_text() || is_wall_laid_bare(load)) continue;
-    for (const Stretch& stretch : read_edge(load, plan, model)) found.take(stretch, {}, load);
+    for (const Stretch& stretch : read_edge(load, plan, model)) found.take(stretch, {}, load.path());
   }
   return found;
 }
@@ -234,7 +253,7 @@ void take_absorbing(const Field& boundary, const Stretch& s, const Model& model,
   if (const std::string taker = absorbing.taker_of(s, {}, model); !taker.empty())
     boundary.at("edge").fail(fmt::format("along \"{}\", where {} absorbs already", name_of(s.block, model), taker),
                              "one of the two, as both would add up");
-  absorbing.take(s, {}, boundary);
+  absorbing.take(s, {}, boundary.path());
 }
 
 void read_viscous_boundary(const Field& field, const GroundPlan& plan, const StressField& stresses,
@@ -283,7 +302,7 @@ void read_each(const Field& scene, const char* key, Read read) {
 
 void read_loads(const Field& scene, const GroundPlan& plan, const std::vector<std::string>& groups,
                 const StressField& stresses, RecordFiles& records, Model& model) {
-  TakenEdges in_situ;
+  InSituEdges in_situ{{}, fading_edges(scene, plan, model)};
   read_each(scene, "loads", [&](const Field& load) {
     if (load.has("point")) {
       read_point_load(load, plan, records, model);

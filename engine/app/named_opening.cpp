@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <set>
 
+#include "engine/builder/separate_places.h"
 #include "engine/core/error.h"
 #include "engine/scene/nearest_word.h"
 
@@ -19,6 +20,18 @@ std::string listed(const std::vector<std::string>& names) {
   const bool all = names.size() <= most;
   const std::vector<std::string> shown(names.begin(), all ? names.end() : names.begin() + most);
   return fmt::format("{}{}", fmt::join(shown, ", "), all ? "" : ", ...");
+}
+
+// The blocks that are not there once the opening is made: its own, and those that are away then.
+std::vector<bool> away_with(const std::vector<int>& opening, const Model& model) {
+  const auto removes_it = [&](const Stage& stage) {
+    return std::ranges::find(stage.removal.blocks, opening.front()) != stage.removal.blocks.end();
+  };
+  const auto stage = static_cast<std::size_t>(std::ranges::find_if(model.stages, removes_it) - model.stages.begin());
+  std::vector<bool> away = model.absent_in(stage < model.stages.size() ? stage : 0);
+  away.resize(model.blocks.size(), false);
+  for (const int block : opening) away[static_cast<std::size_t>(block)] = true;
+  return away;
 }
 
 }  // namespace
@@ -44,6 +57,13 @@ std::vector<int> blocks_of_opening(const std::string& name, const SceneParts& sc
   if (std::ranges::find(scene.openings, name, &PlanOpening::name) == scene.openings.end()) refuse_opening(name, scene);
   throw InputError("", "--opening", fmt::format("\"{}\", which has no blocks inside", name),
                    "an opening that is not left_out, so that its rock can be taken out");
+}
+
+void expect_one_opening(const std::string& name, const std::vector<int>& blocks, const Model& model) {
+  const auto places = separate_places(blocks, away_with(blocks, model), model);
+  if (places.size() < 2) return;
+  throw InputError("", "--opening", in_several_places(name, places, model),
+                   "an opening with one wall, which has a crown and an invert: a group for each place");
 }
 
 }  // namespace dda

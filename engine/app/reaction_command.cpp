@@ -115,6 +115,7 @@ void add_reaction(CLI::App& app, ReactionRequest& request) {
 int find_ground_reaction(const ReactionRequest& request, std::ostream& out, std::ostream& progress) {
   const SceneParts scene = read_scene_parts(request.scene);
   const ReactionQuestion question{blocks_of_opening(request.opening, scene), shares_of(request)};
+  expect_one_opening(request.opening, question.opening, scene.model);
   const ReservedFolder folder(request.folder, file_names);
   const ReactionCurve curve = answer(request, question, scene.model, progress);
   if (curve.in_situ != Status::ok) {

@@ -170,6 +170,19 @@ TEST_F(ReactionCommand, TakesSharesOfItsOwn) {
   EXPECT_EQ(report["points"][1]["share"], 0.25);
 }
 
+// Crown and invert were looked for from a centroid in the rock between the two.
+TEST_F(ReactionCommand, RefusesAGroupInTwoPlaces) {
+  nlohmann::json scene = nlohmann::json::parse(keystone);
+  scene["blocks"].push_back(
+      {{"polygon", {{"name", "far"}, {"group", "tunnel"}, {"vertices", {{3, 0}, {4, 0}, {4, 1}, {3, 1}}}}}});
+  write("scene.json", scene.dump());
+  expect_refusal(
+      {"reaction", path("scene.json"), "--opening", "tunnel", "--out", path("out")},
+      "--opening is \"tunnel\", whose blocks lie in 2 places, at \"core\" and \"far\", expected an opening with "
+      "one wall");
+  EXPECT_FALSE(exists("out"));
+}
+
 // Rock that falls before anything is taken out has no curve.
 TEST_F(ReactionCommand, OfRockThatDoesNotSettleInSituEndsEarly) {
   nlohmann::json scene = nlohmann::json::parse(keystone);

@@ -8,6 +8,7 @@
 
 #include "engine/builder/builder_models.h"
 #include "engine/builder/generators.h"
+#include "engine/builder/separate_places.h"
 #include "engine/scene/scene.h"
 
 namespace dda {
@@ -72,6 +73,32 @@ TEST(FreeOutline, OpeningsThatTouchAtACornerStayApart) {
   EXPECT_TRUE(ring_around(rings, {3.5, 1.5}).empty());
   EXPECT_NEAR(length_of(outer_rings(rings)), 18, 1e-12);  // 16 and the two more sides of the notch
   expect_closed(outer_rings(rings));
+}
+
+using Places = std::vector<std::vector<int>>;
+
+// 5 x 5 squares of which some are not there as drawn, and some are taken out.
+Places places_of(const std::vector<int>& opening, const std::vector<int>& away_before, int left_out = -1) {
+  Model model = with_rock();
+  for (int i = 0; i < 25; ++i)
+    if (i != left_out) append_square(model, i % 5, i / 5, 1);
+  finish_model(model);
+  std::vector<bool> away(model.blocks.size(), false);
+  for (const std::vector<int>& blocks : {opening, away_before})
+    for (const int block : blocks) away[static_cast<std::size_t>(block)] = true;
+  return separate_places(opening, away, model);
+}
+
+TEST(SeparatePlaces, AreThoseWithoutAFaceInCommon) {
+  EXPECT_EQ(places_of({6, 7, 8}, {}), (Places{{6, 7, 8}}));
+  EXPECT_EQ(places_of({6, 8, 11, 16}, {}), (Places{{6, 11, 16}, {8}}));
+  EXPECT_EQ(places_of({6, 12, 18}, {}), (Places{{6}, {12}, {18}})) << "corners alone keep walls apart";
+}
+
+TEST(SeparatePlaces, AreOneAroundWhatIsAwayOrWasNeverThere) {
+  EXPECT_EQ(places_of({11, 13}, {12}), (Places{{11, 13}}));
+  EXPECT_EQ(places_of({6, 8}, {12}), (Places{{6}, {8}}));
+  EXPECT_EQ(places_of({11, 12}, {}, 12), (Places{{11, 12}})) << "on both sides of a hole";
 }
 
 // A wide block below two narrow ones with a gap between them, and a lid: the opening's floor is part of an edge.

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "engine/builder/free_outline.h"
+#include "engine/builder/separate_places.h"
 #include "engine/core/error.h"
 #include "engine/geometry/polygon.h"
 #include "engine/model/tolerance.h"
@@ -100,14 +101,26 @@ Vec2 inside(const Ring& outline, double tolerance) {
   return shape.outer[longest] + along / 2 + 1e-3 * Vec2(-along.y(), along.x());
 }
 
+// The beam is one chain around one wall.
+void expect_one_place(const Field& name, const std::vector<int>& blocks, std::size_t stage, const Model& model) {
+  const std::vector<bool> away = model.absent_in(stage);
+  if (std::ranges::any_of(blocks, [&](int block) { return away.empty() || !away[static_cast<std::size_t>(block)]; }))
+    return;  // what is still there is told when its wall is looked for
+  const auto places = separate_places(blocks, away, model);
+  if (places.size() < 2) return;
+  name.fail(in_several_places(name.text(), places, model),
+            "an opening with one wall: a lining for each place, by a group of its own or a point in it (cavity)");
+}
+
 }  // namespace
 
 // Returns a point in the outline that was drawn, or in a block of the group that is taken out.
-Vec2 Walls::point_in_opening(const Field& name) const {
+Vec2 Walls::point_in_opening(const Field& name, std::size_t stage) const {
   const auto drawn = std::ranges::find(openings_, name.text(), &PlanOpening::name);
   if (drawn != openings_.end()) return inside(drawn->outline, model_.length_tolerance);
-  const int block = blocks_called(name, groups_, model_).front();
-  return inside(model_.blocks[static_cast<std::size_t>(block)].shape.outer, model_.length_tolerance);
+  const std::vector<int> blocks = blocks_called(name, groups_, model_);
+  expect_one_place(name, blocks, stage, model_);
+  return inside(model_.blocks[static_cast<std::size_t>(blocks.front())].shape.outer, model_.length_tolerance);
 }
 
 LinedWall Walls::of(const Field& lining, std::size_t stage) const {
@@ -122,7 +135,7 @@ LinedWall Walls::of(const Field& lining, std::size_t stage) const {
     return along_line(*along, value_or(lining, "closed", false, [](const Field& f) { return f.truth(); }), present);
   }
   refuse(lining, {"closed"}, "without along: the wall of an opening closes");
-  if (const auto name = lining.find("opening")) return around(lining, *name, point_in_opening(*name), present);
+  if (const auto name = lining.find("opening")) return around(lining, *name, point_in_opening(*name, stage), present);
   const Field cavity = lining.at("cavity");
   return around(lining, cavity, cavity.vector(Dimension::length), present);
 }

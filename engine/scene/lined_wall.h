@@ -27,7 +27,7 @@ class Walls {
   [[nodiscard]] LinedWall of(const Field& lining, std::size_t stage) const;
 
  private:
-  [[nodiscard]] Vec2 point_in_opening(const Field& name) const;
+  [[nodiscard]] Vec2 point_in_opening(const Field& name, std::size_t stage) const;
 
   const std::vector<std::string>& groups_;
   const std::vector<PlanOpening>& openings_;

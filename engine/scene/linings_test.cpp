@@ -1,4 +1,5 @@
 // Linings of scenes: where they lie, and what is refused.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -145,6 +146,36 @@ TEST(Linings, BelowIsStillThere) {
   } catch (const InputError& error) {
     expect_sentence(error.what(), {"linings[0].opening is \"tunnel\"", "without blocks inside once"});
   }
+}
+
+// Five by three squares, of which some of the middle row are removed.
+std::string two_tunnels(const std::string& lining, const std::string& between) {
+  std::string blocks;
+  for (int i = 0; i < 15; ++i) {
+    const int x = i % 5, y = i / 5;
+    const std::string group = y == 1 && (x == 1 || x == 3) ? "tunnel" : x == 2 && y == 1 ? between : "rock";
+    blocks += (i > 0 ? ", " : "") + fmt::format(R"({{"polygon": {{"name": "b{}", "group": "{}",
+      "vertices": [[{}, {}], [{}, {}], [{}, {}], [{}, {}]]}}}})",
+                                                i, group, x, y, x + 1, y, x + 1, y + 1, x, y + 1);
+  }
+  return R"({"dda": 1, "materials": {"rock": {"density": 2650, "young": "50 GPa", "poisson": 0.25}},
+    "joints": {"default": {"bonded": true}}, "supports": [{"edge": "bottom"}], "linings": [{"thickness": 0.01,
+    "young": 2e10, "from_stage": "after", )" +
+         lining + R"(}], "blocks": [)" + blocks + "], \"steps\": " + two_steps + "}";
+}
+
+// The wall of the first of two tunnels was lined, and it was said that all of it was.
+TEST(Linings, OfAGroupInTwoPlacesAreRefused) {
+  try {
+    parse_scene(two_tunnels(R"("opening": "tunnel")", "rock"), "bad.json");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    expect_sentence(error.what(),
+                    {"linings[0].opening is \"tunnel\", whose blocks lie in 2 places, at \"b6\" and \"b8\"",
+                     "a lining for each place"});
+  }
+  EXPECT_EQ(model_of(two_tunnels(R"("opening": "tunnel")", "tunnel")).linings[0].nodes.size(), 8U);
+  EXPECT_EQ(model_of(two_tunnels(R"("cavity": [1.5, 1.5])", "rock")).linings[0].nodes.size(), 4U);
 }
 
 TEST(Linings, KeepTheirBlocks) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 #include "engine/builder/free_outline.h"
@@ -66,6 +67,20 @@ std::vector<Stretch> faces_along(const Field& field, const Segment& piece, const
   return faces;
 }
 
+// A beam that passes a face a second time would be there twice.
+void expect_each_once(const Field& field, const std::vector<Stretch>& faces, const Model& model, double tolerance) {
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (faces[i].block != faces[j].block) continue;
+      const auto common = collinear_overlap({faces[i].from, faces[i].to}, {faces[j].from, faces[j].to}, tolerance);
+      if (!common) continue;
+      field.fail(fmt::format("past the face of \"{}\" at {} twice",
+                             model.blocks[static_cast<std::size_t>(faces[i].block)].name,
+                             written((common->first + common->second) / 2)),
+                 "a line that passes each face once: the lining would be there twice");
+    }
+}
+
 LinedWall along_line(const Field& field, bool closed, const PresentBlocks& present) {
   std::vector<Vec2> points;
   for (const Field& item : field.items()) points.push_back(item.vector(Dimension::length));
@@ -84,6 +99,7 @@ LinedWall along_line(const Field& field, bool closed, const PresentBlocks& prese
   for (std::size_t i = 1; i < wall.faces.size(); ++i)
     if ((wall.faces[i].from - wall.faces[i - 1].to).norm() > 2 * tolerance)
       field.fail("on both sides of the rock at " + written(wall.faces[i].from), "a line with the rock on one side");
+  expect_each_once(field, wall.faces, present.model, tolerance);
   wall.faces = present.in_whole(std::move(wall.faces));
   return wall;
 }

@@ -122,6 +122,13 @@ const std::vector<Spoiled> spoilt = {
     spoiled("closed opening", concrete + R"("closed": true, "cavity": [1, 0.5])",
             {"linings[0].closed", "without along"}),
     spoiled("a point twice", concrete + R"("along": [[0, 1], [0, 1]])", {"linings[0].along", "twice"}),
+    spoiled("there and back", concrete + R"("along": [[0, 1], [4, 1], [0, 1]])", {"linings[0].along"}),
+    {"measured far from it",
+     R"("quantity": "stress_xx", "point": [2, 0.5]}],)",
+     R"("quantity": "lining_thrust", "lining": "lining 1", "point": [2, 99]}], "linings": [{)" + concrete + deck +
+         "}],",
+     {"measurements[0].point is (2, 99) m, 98 m away from lining \"lining 1\"",
+      "no further off than its longest element, 2 m"}},
     spoiled("through air", concrete + R"("along": [[0, 1], [5, 1]])", {"linings[0].along", "past no block at [4, 1]"}),
     spoiled("in a joint", concrete + R"("along": [[2, 0], [2, 1]])", {"linings[0].along", "along a joint"}),
     spoiled("one face", concrete + R"("along": [[0, 1], [2, 1]])", {"linings[0]", "along 1 face of blocks"}),
@@ -176,6 +183,23 @@ TEST(Linings, OfAGroupInTwoPlacesAreRefused) {
   }
   EXPECT_EQ(model_of(two_tunnels(R"("opening": "tunnel")", "tunnel")).linings[0].nodes.size(), 8U);
   EXPECT_EQ(model_of(two_tunnels(R"("cavity": [1.5, 1.5])", "rock")).linings[0].nodes.size(), 4U);
+}
+
+// The beam was there twice, with twice the stiffness.
+TEST(Linings, ThatGoAroundTwiceAreRefused) {
+  const std::string once = "[1, 1], [2, 1], [2, 2], [1, 2]";
+  const auto along = [](const std::string& points, const std::string& closed) {
+    return two_tunnels(R"("along": [)" + points + R"(], "closed": )" + closed, "rock");
+  };
+  EXPECT_EQ(model_of(along(once, "true")).linings[0].nodes.size(), 4U);
+  EXPECT_EQ(model_of(along(once + ", [1, 1]", "false")).linings[0].nodes.size(), 4U);
+  for (const char* closed : {"true", "false"}) try {
+      parse_scene(along(once + ", " + once, closed), "bad.json");
+      FAIL() << "accepted";
+    } catch (const InputError& error) {
+      expect_sentence(error.what(), {"linings[0].along is past the face of \"b",
+                                     "] twice, expected a line that passes each face once"});
+    }
 }
 
 TEST(Linings, KeepTheirBlocks) {

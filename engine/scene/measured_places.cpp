@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/error.h"
+#include "engine/model/lining_chord.h"
 #include "engine/model/quantity_names.h"
 #include "engine/scene/places.h"
 
@@ -143,7 +145,8 @@ void MeasuredPlaces::place_on_bolt(const Field& field, Measurement& measurement)
   measurement.link = static_cast<int>(nearest - links.begin());
 }
 
-// The element nearest to the point, where one is given.
+// The element nearest to the point, where one is given. A point within the length of the longest element is beside the
+// lining, wherever it is between two faces and however coarse these are; one further off means something else.
 void MeasuredPlaces::place_on_lining(const Field& field, Measurement& measurement) const {
   if (model_.linings.empty()) field.at("lining").fail("the name of a lining, of which there is none");
   measurement.lining = field.at("lining").choice(linings_);
@@ -151,13 +154,17 @@ void MeasuredPlaces::place_on_lining(const Field& field, Measurement& measuremen
   if (!point) return;
   measurement.point = point->vector(Dimension::length);
   const Lining& lining = model_.linings[static_cast<std::size_t>(measurement.lining)];
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), longest = 0;
   for (std::size_t i = 0; i < lining.elements(); ++i) {
+    longest = std::max(longest, chord_of(lining, i).norm());
     const double away = distance(Segment{lining.start_of(i).point, lining.end_of(i).point}, measurement.point);
     if (away >= least) continue;
     least = away;
     measurement.element = static_cast<int>(i);
   }
+  if (least > longest)
+    point->fail(fmt::format("{}, {:.3g} m away from lining \"{}\"", written(measurement.point), least, lining.name),
+                fmt::format("a point on it, or no further off than its longest element, {:.3g} m", longest));
 }
 
 // Measures the reaction of named supports, of blocks that are held as a whole, or of all that is held.

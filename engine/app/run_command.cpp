@@ -297,8 +297,14 @@ class Run {
     if (!linings_of(simulation_).empty()) summary.linings = linings_json(simulation_);
     summary.unsettled_steps = unsettled_json(simulation_);
     summary.remarks = remarks_;
-    if (const std::string remark = unsettled_remark(simulation_); !remark.empty()) summary.remarks.push_back(remark);
+    std::ranges::move(remarks_at_end(), std::back_inserter(summary.remarks));
     return summary;
+  }
+
+  [[nodiscard]] std::vector<std::string> remarks_at_end() const {
+    std::vector<std::string> remarks{unasked_balance_remark(simulation_), unsettled_remark(simulation_)};
+    std::erase(remarks, "");
+    return remarks;
   }
 
   [[nodiscard]] std::optional<DeepestPenetration> penetration() const {
@@ -322,7 +328,7 @@ class Run {
     for (const auto& [name, share] : static_stages())
       out << fmt::format("static stage \"{}\": forces out of balance by {:.1e} of the largest force\n", name, share);
     out << unbalanced_lines(simulation_);
-    if (const std::string remark = unsettled_remark(simulation_); !remark.empty()) out << "remark: " << remark << '\n';
+    for (const std::string& remark : remarks_at_end()) out << "remark: " << remark << '\n';
     out << fmt::format("{}: {} steps to {:.6g} s in {:.3g} s, energy residual {:.1e}; results in {}\n",
                        to_string(status), simulation_.state().step, simulation_.state().time, wall_seconds() - began_,
                        simulation_.energy().relative_residual(), options_.folder.string());

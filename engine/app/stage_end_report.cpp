@@ -17,6 +17,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_listed = 1000;
 constexpr std::size_t most_lines = 10;
 
+// Forces that miss each other by more than this share of the largest are wrong in the third digit, which is what people
+// read. Stages that had steps enough are at 1e-6 and below, so nothing hangs on the figure.
+constexpr double far_from_balance = 1e-3;
+
 const std::string& name_of(int block, const Model& model) { return model.blocks[static_cast<std::size_t>(block)].name; }
 
 const std::string& stage_name(int stage, const Model& model) {
@@ -62,6 +66,23 @@ std::string unbalanced_lines(const Simulation& simulation) {
   append_lines(simulation.results().loose, "loose", simulation.model(), text);
   append_lines(simulation.results().unbalanced, "out of balance", simulation.model(), text);
   return text;
+}
+
+std::string unasked_balance_remark(const Simulation& simulation) {
+  const std::vector<Stage>& stages = simulation.model().stages;
+  const std::vector<double>& shares = simulation.results().out_of_balance;
+  std::size_t worst = 0, count = 0;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    if (stages[i].equilibrium > 0 || !(shares[i] > far_from_balance)) continue;  // nor where it is no number
+    if (count == 0 || shares[i] > shares[worst]) worst = i;
+    ++count;
+  }
+  if (count == 0) return "";
+  const std::string others = count > 1 ? fmt::format(" ({} other{} by less)", count - 1, count > 2 ? "s" : "") : "";
+  return fmt::format(
+      "static stage \"{}\"{} ended with forces out of balance by {:.2g} of the largest force, and was not asked for "
+      "equilibrium: its rock was still on the way; longer steps, or \"equilibrium\", bring it to rest",
+      stages[worst].name, others, shares[worst]);
 }
 
 Json excess_shear_json(const Simulation& simulation) {

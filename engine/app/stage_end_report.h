@@ -16,6 +16,10 @@ nlohmann::ordered_json unbalanced_json(const std::vector<UnbalancedBlock>& block
 // The same for people: a line for each of the first blocks, and how many more there are; empty without any.
 std::string unbalanced_lines(const Simulation& simulation);
 
+// One sentence where static stages with steps of their own, which were not asked for equilibrium, ended far from it;
+// empty without any. Of several the worst is named.
+std::string unasked_balance_remark(const Simulation& simulation);
+
 // Lists by stage and joint the largest excess shear stress (Pa), where it is, and on what length it is above zero (m).
 nlohmann::ordered_json excess_shear_json(const Simulation& simulation);
 

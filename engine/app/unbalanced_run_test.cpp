@@ -100,6 +100,30 @@ TEST_F(UnbalancedRun, SaysWhatDiggingReleasedAndWhatJointsCarry) {
   EXPECT_TRUE(contains(text("out/report.html"), "largest ESS (Pa)"));
 }
 
+// How far it was from balance stood in summary.json alone.
+TEST_F(UnbalancedRun, RemarksOnAStageThatWasTooShortToSettle) {
+  const auto run = [&](const std::string& steps) {
+    nlohmann::json scene = nlohmann::json::parse(loose_rock("", ""));
+    scene["blocks"].erase(3);
+    scene["steps"] = nlohmann::json::parse(steps);
+    write("scene.json", scene.dump());
+    const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome.out;
+  };
+  const std::string short_one = R"({"name": "short", "integrator": "static", "dt": 1e-6, "duration": 2e-6)";
+  const std::string sentence = "static stage \"short\" ended with forces out of balance by ";
+  const std::string out = run("[" + short_one + "}]");
+  EXPECT_TRUE(contains(out, "remark: " + sentence)) << out;
+  EXPECT_TRUE(contains(out, "was not asked for equilibrium")) << out;
+  const std::string said = summary()["remarks"].back();
+  EXPECT_TRUE(contains(said, sentence)) << said;
+  const std::string shorter = R"(, {"name": "shorter", "integrator": "static", "dt": 1e-7, "duration": 1e-7})";
+  EXPECT_TRUE(contains(run("[" + short_one + "}" + shorter + "]"), "(1 other by less) ended with forces"));
+  EXPECT_FALSE(contains(run(R"([{"integrator": "static", "dt": 0.1, "duration": 2}])"), "was not asked for"));
+  EXPECT_FALSE(contains(run("[" + short_one + R"(, "equilibrium": 1}])"), "was not asked for"));
+}
+
 TEST_F(UnbalancedRun, RefusesTheKeyWhereNothingAsksForEquilibrium) {
   for (const char* steps : {R"({"dt": 1e-3, "duration": 1, "on_unbalanced": "stop"})",
                             R"({"integrator": "static", "dt": 1e-3, "duration": 1, "on_unbalanced": "stop"})"}) {

@@ -117,11 +117,11 @@ Vec2 inside(const Ring& outline, double tolerance) {
   return shape.outer[longest] + along / 2 + 1e-3 * Vec2(-along.y(), along.x());
 }
 
-// The beam is one chain around one wall.
-void expect_one_place(const Field& name, const std::vector<int>& blocks, std::size_t stage, const Model& model) {
+// The beam is one chain around one wall. What is still there by then has none yet.
+void expect_one_place(const Field& name, std::vector<int> blocks, std::size_t stage, const Model& model) {
   const std::vector<bool> away = model.absent_in(stage);
-  if (std::ranges::any_of(blocks, [&](int block) { return away.empty() || !away[static_cast<std::size_t>(block)]; }))
-    return;  // what is still there is told when its wall is looked for
+  std::erase_if(blocks, [&](int block) { return away.empty() || !away[static_cast<std::size_t>(block)]; });
+  if (blocks.empty()) return;
   const auto places = separate_places(blocks, away, model);
   if (places.size() < 2) return;
   name.fail(in_several_places(name.text(), places, model),

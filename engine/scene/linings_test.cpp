@@ -183,6 +183,9 @@ TEST(Linings, OfAGroupInTwoPlacesAreRefused) {
   }
   EXPECT_EQ(model_of(two_tunnels(R"("opening": "tunnel")", "tunnel")).linings[0].nodes.size(), 8U);
   EXPECT_EQ(model_of(two_tunnels(R"("cavity": [1.5, 1.5])", "rock")).linings[0].nodes.size(), 4U);
+  std::string first_alone = two_tunnels(R"("opening": "tunnel")", "rock");
+  first_alone.replace(first_alone.find(R"("remove": ["tunnel"])"), 20, R"("remove": ["b6"])");
+  EXPECT_EQ(model_of(first_alone).linings[0].nodes.size(), 4U) << "the other place is not open yet";
 }
 
 // The beam was there twice, with twice the stiffness.

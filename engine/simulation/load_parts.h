@@ -7,8 +7,6 @@
 
 namespace dda {
 
-struct BlockSystem;
-
 struct LoadParts {
   int all = 1;
   int gone = 0;    // by the loads as they are
@@ -35,13 +33,5 @@ struct LoadParts {
  private:
   [[nodiscard]] int next() const { return waits ? gone : std::min(all, gone + 1); }
 };
-
-// The parts of the stage that begins: one where nothing changes, or where everything is linear and one does as well.
-// Blocks that are moved far go in as many as it takes to miss no contact. Writes the loads at the end to
-// forces.load_new.
-LoadParts parts_of_stage(bool contacts_are_followed, BlockSystem& system);
-
-// A step of the stage has settled. `in_situ_force` (N): as for out_of_balance().
-void go_on_with_loads(double in_situ_force, BlockSystem& system);
 
 }  // namespace dda

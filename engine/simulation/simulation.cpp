@@ -18,6 +18,7 @@
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/integrator_choice.h"
 #include "engine/simulation/linear_step.h"
+#include "engine/simulation/parts_of_stage.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/reinforcement_of_stage.h"
 #include "engine/simulation/rock_of_stage.h"

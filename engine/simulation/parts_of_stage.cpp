@@ -1,4 +1,6 @@
-#include "engine/simulation/load_parts.h"
+#include "engine/simulation/parts_of_stage.h"
+
+#include <algorithm>
 
 #include "engine/contact/contact_search.h"
 #include "engine/simulation/block_system.h"

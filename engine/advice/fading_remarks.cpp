@@ -42,8 +42,7 @@ std::optional<CutFade> cut_fade(const std::optional<TimeFunction>& relaxation, s
 std::string sentence(const std::string& what, const CutFade& fade) {
   return fmt::format(
       "{} fades until {:.6g} s, and the run ends at {:.6g} s: {:.3g} % of it still acts then, and {:.3g} % would in "
-      "the "
-      "end; stages that last longer, or a fade that is over sooner, get there",
+      "the end; stages that last longer, or a fade that is over sooner, get there",
       what, fade.fades_to, fade.end, 100 * fade.left, 100 * fade.at_last);
 }
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <variant>
 #include <vector>
 
+#include "engine/core/disjoint_sets.h"
 #include "engine/model/rock_change.h"
 
 namespace dda {
@@ -97,19 +97,15 @@ int material_beside(const Model& model, const ContactSet& contacts, const std::v
 
 // Removed blocks that touch are one opening. Its area, m2, of the largest.
 double largest_opening(const Model& model, const ContactSet& contacts, const std::vector<char>& removed) {
-  std::vector<std::size_t> root(model.blocks.size());
-  std::iota(root.begin(), root.end(), std::size_t{0});
-  const auto find = [&](std::size_t block) {
-    while (root[block] != block) block = root[block] = root[root[block]];
-    return block;
-  };
+  DisjointSets openings(model.blocks.size());
   for (const Interface& each : contacts.interfaces) {
     const auto a = static_cast<std::size_t>(each.block_a), b = static_cast<std::size_t>(each.block_b);
-    if (removed[a] != 0 && removed[b] != 0) root[find(a)] = find(b);
+    if (removed[a] != 0 && removed[b] != 0) openings.join(each.block_a, each.block_b);
   }
   std::vector<double> area(model.blocks.size(), 0);
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (removed[i] != 0) area[find(i)] += model.blocks[i].moments.area;
+    if (removed[i] != 0)
+      area[static_cast<std::size_t>(openings.root(static_cast<int>(i)))] += model.blocks[i].moments.area;
   return *std::ranges::max_element(area);
 }
 

@@ -92,8 +92,7 @@ std::string air_warning(const Simulation& simulation, const ReinforcementInAir& 
   const int stage = each.is_lining ? model.linings[number].first_stage : model.bolts[number].first_stage;
   return fmt::format(
       "warning: {} when stage \"{}\" begins, crosses {:.3g} m of air that was not drawn, since blocks \"{}\" and "
-      "\"{}\" "
-      "have parted by then: nothing bonds it there",
+      "\"{}\" have parted by then: nothing bonds it there",
       what, model.stages[static_cast<std::size_t>(stage)].name, each.way, name_of(simulation, each.block_a),
       name_of(simulation, each.block_b));
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "engine/builder/free_outline.h"
+#include "engine/core/disjoint_sets.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/edge_index.h"
 #include "engine/geometry/triangulate.h"
@@ -17,23 +17,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-// Sets of blocks: a forest of representatives, of which the smallest block stands for its set.
-class Sets {
- public:
-  explicit Sets(std::size_t blocks) : parent_(blocks) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int of(int block) {
-    while (parent_[at(block)] != block) block = parent_[at(block)] = parent_[at(parent_[at(block)])];
-    return block;
-  }
-  void join(int a, int b) {
-    const int first = of(a), second = of(b);
-    parent_[at(std::max(first, second))] = std::min(first, second);
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
 bool touch_along_a_face(const Block& a, const Block& b, double tolerance) {
   const std::vector<Segment> others = edges_of(b.shape);
   for (const Segment& edge : edges_of(a.shape))
@@ -42,7 +25,7 @@ bool touch_along_a_face(const Block& a, const Block& b, double tolerance) {
   return false;
 }
 
-void join_touching(const std::vector<bool>& away, const Model& model, Sets& sets) {
+void join_touching(const std::vector<bool>& away, const Model& model, DisjointSets& sets) {
   const double tolerance = point_tolerance(model);
   std::vector<int> blocks;
   std::vector<Box> boxes;
@@ -80,7 +63,7 @@ Vec2 point_inside(const Polygon& shape) {
 }
 
 void join_within_a_wall(const std::vector<std::vector<int>>& places, const std::vector<bool>& away, const Model& model,
-                        Sets& sets) {
+                        DisjointSets& sets) {
   const Model rest = without(away, model);
   const std::vector<FreeRing> rings = free_rings(rest);
   std::map<std::pair<double, double>, int> first_within;  // by where the ring begins
@@ -94,9 +77,9 @@ void join_within_a_wall(const std::vector<std::vector<int>>& places, const std::
   }
 }
 
-std::vector<std::vector<int>> listed(const std::vector<int>& opening, Sets& sets) {
+std::vector<std::vector<int>> listed(const std::vector<int>& opening, DisjointSets& sets) {
   std::map<int, std::vector<int>> places;
-  for (const int block : opening) places[sets.of(block)].push_back(block);
+  for (const int block : opening) places[sets.root(block)].push_back(block);
   std::vector<std::vector<int>> list;
   for (auto& [first, blocks] : places) list.push_back(std::move(blocks));
   std::ranges::sort(list);
@@ -107,7 +90,7 @@ std::vector<std::vector<int>> listed(const std::vector<int>& opening, Sets& sets
 
 std::vector<std::vector<int>> separate_places(const std::vector<int>& opening, const std::vector<bool>& away,
                                               const Model& model) {
-  Sets sets(model.blocks.size());
+  DisjointSets sets(model.blocks.size());
   join_touching(away, model, sets);
   std::vector<std::vector<int>> places = listed(opening, sets);
   if (places.size() < 2) return places;

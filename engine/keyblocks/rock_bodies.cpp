@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 #include "engine/contact/interface.h"
+#include "engine/core/disjoint_sets.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/tolerance.h"
 
@@ -14,25 +14,6 @@ namespace dda {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-// Which blocks are one, by union and find; the smallest block of a set stands for it.
-class Joined {
- public:
-  explicit Joined(std::size_t blocks) : parent_(blocks) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int root(int block) {
-    while (parent_[at(block)] != block) block = parent_[at(block)] = parent_[at(parent_[at(block)])];
-    return block;
-  }
-
-  void join(int a, int b) {
-    const auto [first, second] = std::minmax({root(a), root(b)});
-    parent_[at(second)] = first;
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 std::vector<bool> held_blocks(const Model& model) {
   std::vector<bool> held(model.blocks.size(), false);
@@ -151,7 +132,7 @@ class Bodies {
 
   const Model& model_;
   const std::vector<bool>& is_void_;
-  Joined joined_;
+  DisjointSets joined_;                         // blocks that are one
   std::vector<Interface> interfaces_;           // without those of blocks that are taken out
   std::vector<std::vector<Segment>> faces_of_;  // where each block touches others
   std::vector<int> body_of_;

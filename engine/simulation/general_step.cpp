@@ -105,13 +105,12 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
   can_be_cut_ = can_be_cut;
   if (dt != system_.coefficients.dt) set_step_size(dt);
   if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
-  const double end = system_.end_of_step(dt);
-  Status status = solve_far_enough(end);
-  if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough(end);
+  Status status = solve_far_enough();
+  if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough();
   if (status == Status::not_converged &&
       (can_be_cut ? given_friction_.give(system_) : given_friction_.give_to_shortest_part(system_))) {
     system_.increment.setZero();  // what did not settle is no place to begin
-    status = solve_far_enough(end);
+    status = solve_far_enough();
   }
   if (status != Status::ok) {
     given_friction_.take_back();
@@ -123,9 +122,9 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
 
 // A step is solved with the contacts that were looked for, and solved again where what came out moves blocks beyond
 // them.
-Status GeneralStep::solve_far_enough(double end) {
+Status GeneralStep::solve_far_enough() {
   rule_.capacity_is_given = given_friction_.is_given();
-  pose(end);
+  pose();
   for (int round = 0; round < most_rounds; ++round) {
     const Status status = solve();
     system_.increment = solver_.increment();
@@ -135,7 +134,7 @@ Status GeneralStep::solve_far_enough(double end) {
       message_ = turn_problem(system_);
       return message_.empty() ? Status::ok : Status::not_converged;
     }
-    pose(end);
+    pose();
   }
   message_ =
       fmt::format("blocks move beyond the contacts looked for in {} solutions of a step of {:.3g} s: take a smaller dt",
@@ -143,14 +142,14 @@ Status GeneralStep::solve_far_enough(double end) {
   return Status::not_converged;
 }
 
-// The problem of the step that ends at `end`, s.
-void GeneralStep::pose(double end) {
+// The problem of the step under way.
+void GeneralStep::pose() {
   if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(system_.load_time_after(system_.coefficients.dt), system_.forces.load_new);
   if (system_.reinforcement.linings.begin_step()) base_is_current_ = false;
   form_rhs(system_, rhs_);
-  aim(system_.model, system_.state, end_of_motion(system_, end), system_.held);
+  aim(system_.model, system_.state, end_of_motion(system_), system_.held);
 }
 
 // True when the step must be solved again, with drag on loose blocks or contacts looked for from further away.

@@ -80,8 +80,8 @@ class GeneralStep : public Step {
   void set_step_size(double dt);
   void list_contacts();
 
-  void pose(double end);
-  [[nodiscard]] Status solve_far_enough(double end);
+  void pose();
+  [[nodiscard]] Status solve_far_enough();
   [[nodiscard]] bool moves_further_than_seen();
   void follow_geometry();
   void follow_contacts();

@@ -26,8 +26,8 @@ void begin_viscous_edges(BlockSystem& system);
 // What moves the held blocks works against all other forces on them.
 void audit_held_blocks(BlockSystem& system);
 
-// Where a step that ends at `end`, s, takes held blocks, as a time.
-double end_of_motion(const BlockSystem& system, double end);
+// Where the step under way takes held blocks, as a time, s.
+double end_of_motion(const BlockSystem& system);
 
 // True when loads, supports and held blocks are at `time` what they are now; writes the loads there to forces.load_new.
 bool nothing_prescribed_changes_until(double time, BlockSystem& system);

@@ -25,6 +25,61 @@ nlohmann::json pushed_bar(const char* dt) {
             {"damping", {{"ratio", 0.02}, {"frequency", "100 Hz"}}}}}};
 }
 
+// A block that two others press, glued to one of them by a joint with springs that are not stiff: they take over the
+// whole force as it breaks, and store F^2/2k of it at any dt.
+TEST_F(Verdict, EnergyOfSpringsThatTakeOverIsSaidToBeTheirs) {
+  const auto square = [](const char* name, double x) {
+    return nlohmann::json{{"polygon",
+                           {{"name", name},
+                            {"vertices", {{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}}},
+                            {"initial_stress", {{"xx", "-20 MPa"}}}}}};
+  };
+  for (const double dt : {1e-5, 1e-6}) {
+    const nlohmann::json scene = {
+        {"dda", 1},
+        {"materials", {{"rock", {{"density", 2500}, {"young", 1e10}, {"poisson", 0}}}}},
+        {"joints", {{"default", {{"cohesion", "1 MPa"}, {"law", "consistent"}, {"spring_over_young", 10}}}}},
+        {"blocks", {square("wall", -1), square("block", 0)}},
+        {"fixed", {"wall"}},
+        {"loads",
+         {{{"edge", {{"from", {1, 0}}, {"to", {1, 1}}}}, {"traction", {-20e6, 0}}},
+          {{"point", {0.5, 0.5}}, {"force", {0, 2e6}}, {"history", {{"table", {{0, 0}, {4e-4, 1}}}}}}}},
+        {"steps", {{"dt", dt}, {"duration", 2e-3}, {"kinematics", "small"}}}};
+    write("glued.json", scene.dump());
+    const Outcome outcome = call({"run", path("glued.json"), "--out", path("out"), "--quiet"});
+    EXPECT_TRUE(contains(outcome.errors, "joints that went over to springs as they slid or broke added"))
+        << outcome.errors;
+    const nlohmann::json energy = nlohmann::json::parse(text("out/summary.json"))["energy"];
+    const double stored = 2e7 * 2e7 / (2 * 2 * 10 * 1e10);  // by two springs of 10 E
+    EXPECT_NEAR(energy["law_changes"].get<double>(), -stored, 0.05 * stored);
+    EXPECT_LT(std::abs(energy["numerical"].get<double>()), 0.05 * stored);
+  }
+}
+
+// Most of every velocity goes at the end of every step, and the accelerations stay: what they do in the next step is no
+// gain.
+TEST_F(Verdict, StepsThatTakeVelocitiesDoNotGain) {
+  for (const double factor : {0.0, 0.25, 0.5}) {
+    const nlohmann::json scene = {
+        {"dda", 1},
+        {"materials", {{"rock", {{"density", 2500}, {"young", 1e10}, {"poisson", 0.2}}}}},
+        {"joints", {{"default", {{"friction_angle", "35 deg"}}}}},
+        {"blocks",
+         {{{"polygon", {{"name", "base"}, {"vertices", {{-1, -1}, {3, -1}, {3, 0}, {-1, 0}}}}}},
+          {{"grid", {{"name", "w"}, {"columns", 2}, {"rows", 2}, {"block_width", 1}, {"block_height", 1}}}}}},
+        {"fixed", {"base"}},
+        {"gravity", 9.81},
+        {"steps", {{"dt", 1e-3}, {"duration", 0.5}, {"velocity_factor", factor}}}};
+    write("wall.json", scene.dump());
+    const Outcome outcome = call({"run", path("wall.json"), "--out", path("out"), "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << factor << outcome.errors;
+    EXPECT_EQ(outcome.errors, "") << factor;
+    const nlohmann::json energy = nlohmann::json::parse(text("out/summary.json"))["energy"];
+    EXPECT_GT(energy["damping"].get<double>(), 0);
+    EXPECT_LT(std::abs(energy["residual_relative"].get<double>()), 1e-9);
+  }
+}
+
 // A displacement that jumps within a step: the damping is proportional to a velocity that no step sees.
 TEST_F(Verdict, DampersThatGiveEnergyMakeARunInaccurate) {
   nlohmann::json scene = pushed_bar("1 ms");

@@ -40,6 +40,9 @@ class MovingContacts {
   // stretches itself where there are some of that law.
   void let_part(const Model& model, State& state, ContactSet& contacts);
 
+  // How many there are that have not gone over to contacts of vertices.
+  [[nodiscard]] std::size_t stretches() const { return stretches_; }
+
   // Takes out the contacts of blocks that are absent, which touch nothing from now on.
   void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
 

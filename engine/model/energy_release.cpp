@@ -17,11 +17,11 @@ double stored(const EnergyLedger& energy) { return energy.strain + energy.contac
 // The ledger as it was when the run began.
 EnergyLedger start_of(const EnergyLedger& energy) {
   EnergyLedger start;
-  start.kinetic = energy.initial_kinetic;
-  start.strain = energy.initial_strain;
-  start.contact = energy.initial_contact;
-  start.bolts = energy.initial_bolts;
-  start.linings = energy.initial_linings;
+  start.kinetic = energy.initial.kinetic;
+  start.strain = energy.initial.strain;
+  start.contact = energy.initial.contact;
+  start.bolts = energy.initial.bolts;
+  start.linings = energy.initial.linings;
   return start;
 }
 
@@ -48,7 +48,7 @@ EnergyRelease energy_release(const EnergyLedger& before, const EnergyLedger& aft
   release.plastic = after.plastic - before.plastic;
   release.kinetic = after.kinetic - before.kinetic;
   release.damping =
-      (after.damping - before.damping) + (after.dashpot - before.dashpot) + (after.numerical - before.numerical);
+      (after.damping - before.damping) + (after.dashpot - before.dashpot) + (before.gained() - after.gained());
   release.radiated = after.radiated - before.radiated;
   release.removed = after.removed - before.removed;
   release.round_off = roundings(steps) * std::numeric_limits<double>::epsilon() * after.scale();

@@ -9,7 +9,7 @@ namespace {
 EnergyRelease of_motion(double released, double lost) {
   EnergyLedger before;
   before.strain = 1e9;
-  before.initial_strain = 1e9;
+  before.initial.strain = 1e9;
   EnergyLedger after = before;
   after.strain -= released;
   after.kinetic = released - lost;

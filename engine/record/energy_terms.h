@@ -11,7 +11,7 @@ namespace dda {
 struct StoredTerm {
   const char* name;
   double EnergyLedger::*now;
-  double EnergyLedger::*initial;
+  double StoredEnergy::*initial;
 };
 
 // Summed up since then: work and losses.
@@ -21,11 +21,11 @@ struct FlowTerm {
 };
 
 inline constexpr std::array stored_terms{
-    StoredTerm{"kinetic", &EnergyLedger::kinetic, &EnergyLedger::initial_kinetic},
-    StoredTerm{"strain", &EnergyLedger::strain, &EnergyLedger::initial_strain},
-    StoredTerm{"contact", &EnergyLedger::contact, &EnergyLedger::initial_contact},
-    StoredTerm{"bolts", &EnergyLedger::bolts, &EnergyLedger::initial_bolts},
-    StoredTerm{"linings", &EnergyLedger::linings, &EnergyLedger::initial_linings},
+    StoredTerm{"kinetic", &EnergyLedger::kinetic, &StoredEnergy::kinetic},
+    StoredTerm{"strain", &EnergyLedger::strain, &StoredEnergy::strain},
+    StoredTerm{"contact", &EnergyLedger::contact, &StoredEnergy::contact},
+    StoredTerm{"bolts", &EnergyLedger::bolts, &StoredEnergy::bolts},
+    StoredTerm{"linings", &EnergyLedger::linings, &StoredEnergy::linings},
 };
 
 inline constexpr std::array flow_terms{
@@ -37,6 +37,7 @@ inline constexpr std::array flow_terms{
     FlowTerm{"dashpot", &EnergyLedger::dashpot},
     FlowTerm{"damping", &EnergyLedger::damping},
     FlowTerm{"numerical", &EnergyLedger::numerical},
+    FlowTerm{"law_changes", &EnergyLedger::law_changes},
     FlowTerm{"removed", &EnergyLedger::removed},
 };
 

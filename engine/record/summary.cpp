@@ -21,7 +21,7 @@ Json to_json(const Counters& counters) {
 Json to_json(const EnergyLedger& energy) {
   Json json = {{"unit", "J per m of thickness"}};
   for (const StoredTerm& term : stored_terms) json[term.name] = energy.*term.now;
-  for (const StoredTerm& term : stored_terms) json[std::string("initial_") + term.name] = energy.*term.initial;
+  for (const StoredTerm& term : stored_terms) json[std::string("initial_") + term.name] = energy.initial.*term.initial;
   for (const FlowTerm& term : flow_terms) json[term.name] = energy.*term.sum;
   json["residual"] = energy.residual();
   json["residual_relative"] = energy.relative_residual();

@@ -1,8 +1,8 @@
 #include "engine/scene/choose_laws.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <initializer_list>
 
 #include "engine/model/moving_stages.h"
 #include "engine/model/rock_change.h"
@@ -10,11 +10,21 @@
 namespace dda {
 namespace {
 
+bool has_any(const Field& joint, std::initializer_list<const char*> keys) {
+  return std::ranges::any_of(keys, [&](const char* key) { return joint.has(key); });
+}
+
 // Whoever gives one of these has a law in mind.
 bool names_law(const Field& joint) {
-  constexpr std::array keys = {"law",           "penalty",           "stabilisation",
-                               "normal_spring", "spring_over_young", "contact_damping"};
-  return std::ranges::any_of(keys, [&](const char* key) { return joint.has(key); });
+  return has_any(joint, {"law", "penalty", "stabilisation", "normal_spring", "spring_over_young"});
+}
+
+// Dashpots are given for impacts, which springs answer as documented. Where nothing moves from where it was drawn
+// blocks hit nothing, and without springs from the start the other law would have joints that get them as they slip.
+bool dashpots_ask_for_springs(const Model& model) {
+  return has_finite_kinematics(model) || std::ranges::any_of(model.stages, [](const Stage& stage) {
+           return with_contacts(stage.integrator).conserves_contact_energy;
+         });
 }
 
 // A stiffness per area is what the joint itself gives way by, whatever the law.
@@ -25,7 +35,8 @@ bool names_springs(const Field& given, const JointMaterial& joint) {
   return !has_stiffness_of_its_own(joint) && (given.has("normal_stiffness") || given.has("shear_to_normal"));
 }
 
-bool is_left_open(const Field& scene, const JointMaterial& joint) {
+bool is_left_open(const Field& scene, const Model& model, const JointMaterial& joint) {
+  if (joint.contact_damping > 0 && dashpots_ask_for_springs(model)) return false;
   const auto joints = scene.find("joints");
   if (!joints || !joints->has(joint.name)) return true;
   const Field given = joints->at(joint.name);
@@ -60,10 +71,21 @@ void make_projected(JointMaterial& joint) {
   joint.automatic_stiffness = false;
 }
 
-void make_projected(std::size_t joint, Model& model) {
-  make_projected(model.joints[joint]);
+// In the model and in stages that change joints.
+void everywhere(Model& model, std::size_t joint, void (*make)(JointMaterial&)) {
+  make(model.joints[joint]);
   for (Stage& stage : model.stages)
-    if (!stage.rock.joints.empty()) make_projected(stage.rock.joints[joint]);
+    if (!stage.rock.joints.empty()) make(stage.rock.joints[joint]);
+}
+
+// A dry joint that passes the stress of its blocks on gets springs as it slips, with the whole of its force, and what
+// these store of it nothing has brought: 5 % of what its blocks store with springs of ten times Young's modulus.
+bool gets_springs_as_it_slips(const Field& scene, const Model& model, const JointMaterial& joint) {
+  const bool passes_stress = joint.law == InterfaceLaw::consistent || joint.law == InterfaceLaw::cubic;
+  if (has_finite_kinematics(model) || joint.bonded || !passes_stress) return false;
+  const auto joints = scene.find("joints");
+  return !joints || !joints->has(joint.name) ||
+         !has_any(joints->at(joint.name), {"normal_spring", "spring_over_young", "normal_stiffness"});
 }
 
 }  // namespace
@@ -71,8 +93,10 @@ void make_projected(std::size_t joint, Model& model) {
 void choose_laws(const Field& scene, const Scheme& scheme, Model& model) {
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const JointMaterial& joint = model.joints[i];
-    if (would_be_springs(joint, scheme) && is_left_open(scene, joint) && allow_the_law(model, i))
-      make_projected(i, model);
+    if (would_be_springs(joint, scheme) && is_left_open(scene, model, joint) && allow_the_law(model, i))
+      everywhere(model, i, make_projected);
+    if (gets_springs_as_it_slips(scene, model, joint))
+      everywhere(model, i, [](JointMaterial& each) { each.automatic_stiffness = true; });
   }
 }
 

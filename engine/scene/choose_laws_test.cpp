@@ -59,6 +59,30 @@ TEST(ChooseLaws, WhatNamesALawOrSpringsKeepsItsOwn) {
   EXPECT_EQ(law_of("", moving, R"("scheme": "thesis", )"), InterfaceLaw::classical);
 }
 
+// Dashpots are for impacts on springs. Where nothing moves from where it was drawn there are none, and joints of the
+// other law got springs as they slipped, with 5 % of the energy of their blocks from nowhere.
+TEST(ChooseLaws, DashpotsAskForSpringsWhereBlocksMove) {
+  const std::string damped = R"("friction_angle": 0.5, "contact_damping": 0.2)";
+  EXPECT_EQ(law_of(damped, as_drawn), InterfaceLaw::projected);
+  EXPECT_NE(law_of(damped, moving), InterfaceLaw::projected);
+  EXPECT_NE(law_of(damped, as_drawn + ", " + moving), InterfaceLaw::projected);
+  EXPECT_NE(law_of(damped, R"({"integrator": "trapezoidal", "dt": 1e-3, "duration": 1, "kinematics": "small"})"),
+            InterfaceLaw::projected);
+}
+
+TEST(ChooseLaws, DryJointsThatPassStressOnGetStiffSpringsAsTheySlip) {
+  const auto are_chosen = [](const std::string& joint, const std::string& steps) {
+    return squares("\"default\": {" + joint + "}", steps).joints[0].automatic_stiffness;
+  };
+  EXPECT_TRUE(are_chosen(R"("law": "consistent")", as_drawn));
+  EXPECT_FALSE(are_chosen(R"("law": "consistent", "spring_over_young": 10)", as_drawn));
+  EXPECT_TRUE(are_chosen(R"("penalty": 4)", as_drawn));  // of the scheme's law
+  EXPECT_FALSE(are_chosen(R"("law": "consistent", "normal_spring": 1e10)", as_drawn));
+  EXPECT_FALSE(are_chosen(R"("law": "consistent")", moving));  // springs from the start, as documented
+  EXPECT_FALSE(are_chosen(R"("law": "classical")", as_drawn));
+  EXPECT_FALSE(are_chosen(R"("bonded": true)", as_drawn));
+}
+
 // It is what the joint gives way by, and no choice of springs; the law has it in series with that of the blocks.
 TEST(ChooseLaws, StiffnessPerAreaNamesNoLaw) {
   EXPECT_EQ(law_of(R"("normal_stiffness": 1e11)"), InterfaceLaw::projected);

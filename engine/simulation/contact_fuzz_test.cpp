@@ -107,7 +107,7 @@ struct Gain {
   double most = 1e-9;  // J/m
 
   void look(const EnergyLedger& energy) {
-    const double had = energy.initial_kinetic + energy.initial_strain + energy.initial_contact;
+    const double had = energy.initial.kinetic + energy.initial.strain + energy.initial.contact;
     const double stored = energy.kinetic + energy.strain + energy.contact;
     const double brought = energy.external_work + energy.gravity_work;
     most = std::max({most, had, std::abs(energy.gravity_work), energy.kinetic});

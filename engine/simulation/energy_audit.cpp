@@ -58,11 +58,12 @@ double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const
 
 void EnergyAudit::start(const StoredEnergy& stored) {
   ledger_ = {};
-  ledger_.kinetic = ledger_.initial_kinetic = stored.kinetic;
-  ledger_.strain = ledger_.initial_strain = stored.strain;
-  ledger_.contact = ledger_.initial_contact = stored.contact;
-  ledger_.bolts = ledger_.initial_bolts = stored.bolts;
-  ledger_.linings = ledger_.initial_linings = stored.linings;
+  ledger_.initial = stored;
+  ledger_.kinetic = stored.kinetic;
+  ledger_.strain = stored.strain;
+  ledger_.contact = stored.contact;
+  ledger_.bolts = stored.bolts;
+  ledger_.linings = stored.linings;
 }
 
 void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDamping& damping, const State& state,
@@ -95,8 +96,9 @@ void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
   most_gained_ = most_gained();  // what the step before has booked after its record() is in it
   ledger_.external_work += works.loads;
   ledger_.gravity_work += works.weight;
-  ledger_.numerical += works.inertia - (stored.kinetic - ledger_.kinetic) + replaced_;
+  ledger_.numerical += works.inertia - (stored.kinetic - ledger_.kinetic);
   ledger_.numerical += works.weighting;
+  ledger_.law_changes += replaced_;
   replaced_ = 0;
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
@@ -106,10 +108,14 @@ void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
   ledger_.largest = ledger_.scale();
 }
 
-void EnergyAudit::geometry_followed(const StoredEnergy& stored) {
-  ledger_.numerical += ledger_.kinetic - stored.kinetic + ledger_.strain - stored.strain + ledger_.contact -
-                       stored.contact + ledger_.bolts - stored.bolts + ledger_.linings - stored.linings;
-  replaced_ = 0;  // of a step that is solved again: its loss is in the difference
+void EnergyAudit::geometry_followed(const StoredEnergy& stored, bool other_laws) {
+  const double of_rock = ledger_.strain - stored.strain + ledger_.contact - stored.contact;
+  const double of_all =
+      of_rock + ledger_.kinetic - stored.kinetic + ledger_.bolts - stored.bolts + ledger_.linings - stored.linings;
+  const double of_laws = other_laws ? of_rock : replaced_;  // of a step that is solved again it is in the difference
+  ledger_.law_changes += of_laws;
+  ledger_.numerical += of_all - of_laws;
+  replaced_ = 0;
   ledger_.kinetic = stored.kinetic;
   ledger_.strain = stored.strain;
   ledger_.contact = stored.contact;
@@ -139,9 +145,17 @@ void EnergyAudit::velocities_damped(double factor) {
   ledger_.kinetic = left;
 }
 
+void EnergyAudit::has_taken_velocities() {
+  const double taken = std::max(0.0, ledger_.damping - damping_before_);
+  const double given = std::clamp(numerical_before_ - ledger_.numerical, 0.0, taken);
+  ledger_.damping -= given;
+  ledger_.numerical += given;
+}
+
 void EnergyAudit::has_settled() {
-  ledger_.damping += ledger_.numerical - numerical_before_;
+  ledger_.damping += ledger_.numerical - numerical_before_ + ledger_.law_changes - law_changes_before_;
   ledger_.numerical = numerical_before_;
+  ledger_.law_changes = law_changes_before_;
 }
 
 }  // namespace dda

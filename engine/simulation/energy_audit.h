@@ -23,10 +23,6 @@
 
 namespace dda {
 
-struct StoredEnergy {
-  double kinetic = 0, strain = 0, contact = 0, bolts = 0, linings = 0;  // J per m of thickness
-};
-
 double kinetic_energy(const BlockTerms& terms, const State& state);
 double strain_energy(const BlockTerms& terms, const State& state);
 StoredEnergy stored_energy(const BlockTerms& terms, const State& state, const ContactSet& contacts,
@@ -106,13 +102,14 @@ class EnergyAudit {
   // An interface went over to another law with this loss of stored energy (J per m of thickness).
   void interface_replaced(double loss) { replaced_ += loss; }
 
-  // Areas, inertia and gaps were measured anew in the geometry reached: what that changed counts as numerical.
-  void geometry_followed(const StoredEnergy& stored);
+  // Areas, inertia and gaps were measured anew in the geometry reached: what that changed counts as numerical. Where
+  // stretches also went over to springs (`other_laws`), what strains and contacts store now and did not is of these.
+  void geometry_followed(const StoredEnergy& stored, bool other_laws = false);
 
   // From here on the kinetic energy is counted in another way, which gives this much: so is what there was at the
   // start, and no step has gained or lost the difference.
   void kinetic_counted_as(double kinetic) {
-    ledger_.initial_kinetic += kinetic - ledger_.kinetic;
+    ledger_.initial.kinetic += kinetic - ledger_.kinetic;
     ledger_.kinetic = kinetic;
   }
 
@@ -165,11 +162,16 @@ class EnergyAudit {
   // balance to the next and keep no velocity, so what contacts store on the way stays in the stage, whatever its dt.
   void begin_stage(bool settles) {
     numerical_before_ = ledger_.numerical;
+    law_changes_before_ = ledger_.law_changes;
+    damping_before_ = ledger_.damping;
     lost_before_ = settles ? -std::numeric_limits<double>::infinity() : lost();
   }
-  // What a stage lost to time integration was settling, as the velocities that static steps take out are. (Counted as
-  // numerical it would hide what later stages gain.)
+  // What a stage lost to time integration and to other laws was settling, as the velocities that static steps take out
+  // are. (Counted as numerical it would hide what later stages gain.)
   void has_settled();
+  // A stage is over whose steps took most of every velocity. They left the accelerations, and what these do in the next
+  // step seems to come from the integrator: it is off what the steps took, as far as that goes.
+  void has_taken_velocities();
 
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
@@ -180,23 +182,27 @@ class EnergyAudit {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [ledger, replaced, numerical_before, lost_before, most_gained, free_step] = self;
-    archive(ledger, replaced, numerical_before, lost_before, most_gained, free_step);
+    auto& [ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained,
+           free_step] = self;
+    archive(ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained,
+            free_step);
   }
 
  private:
   // All that went elsewhere, whatever took it.
   [[nodiscard]] double lost() const {
-    return ledger_.friction + ledger_.plastic + ledger_.radiated + ledger_.dashpot + ledger_.damping +
-           ledger_.numerical + ledger_.removed;
+    return ledger_.friction + ledger_.plastic + ledger_.radiated + ledger_.dashpot + ledger_.damping + ledger_.removed -
+           ledger_.gained();
   }
 
   EnergyLedger ledger_;
-  double replaced_ = 0;          // losses by interface_replaced in the step under way
-  double numerical_before_ = 0;  // losses of the stages before, by time integration
-  double lost_before_ = 0;       // and all of them; -infinity in a stage in which nothing counts as gained
-  double most_gained_ = 0;       // up to the start of the step under way
-  double free_step_ = 0;         // what the accelerations of the stage's start would give in a step
+  double replaced_ = 0;            // losses by interface_replaced in the step under way
+  double numerical_before_ = 0;    // losses of the stages before, by time integration
+  double law_changes_before_ = 0;  // the same, where joints went over to springs
+  double damping_before_ = 0;      // and by damping
+  double lost_before_ = 0;         // and all of them; -infinity in a stage in which nothing counts as gained
+  double most_gained_ = 0;         // up to the start of the step under way
+  double free_step_ = 0;           // what the accelerations of the stage's start would give in a step
 };
 
 }  // namespace dda

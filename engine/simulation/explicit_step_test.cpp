@@ -144,7 +144,7 @@ TEST(ExplicitStep, EndsWithTheKineticEnergyOfItsVelocities) {
     const double kinetic = kinetic_energy(before.system().terms, before.state());
     const double scale = before.energy().scale();
     ASSERT_GT(kinetic, 0.01 * scale);
-    EXPECT_NEAR(simulation.energy().initial_kinetic, kinetic - before.energy().kinetic, 1e-11 * scale);
+    EXPECT_NEAR(simulation.energy().initial.kinetic, kinetic - before.energy().kinetic, 1e-11 * scale);
     EXPECT_GE(simulation.energy().damping, (1 - 1e-11) * kinetic);  // and what it finds on its way
   }
 }

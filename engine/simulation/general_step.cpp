@@ -187,7 +187,7 @@ void GeneralStep::place_geometry(double coming) {
   foresee(s.state, moves ? s.coefficients.dt : 0, s.coefficients.acts_at, most, acting_);
   follow_blocks(s.model, acting_, s.plan.is_static, s.state, s.terms);
   if (feels_spin(s.plan)) set_centrifugal_forces(s.model, s.state, s.terms);
-  follow_contacts();
+  const bool stretches_ended = follow_contacts();
   if (moves && moving_ && s.coefficients.acts_at != 0.5)
     foresee_gaps(acting_.velocity, s.coefficients.dt, s.coefficients.acts_at, s.contacts);
   update_geometry(s.model, acting_, s.supports);
@@ -204,24 +204,27 @@ void GeneralStep::place_geometry(double coming) {
   }
   refresh_tractions(s.state, s.contacts);
   s.sum_internal_forces(s.forces.internal_old);
-  s.audit.geometry_followed(s.stored_energy_now());
+  s.audit.geometry_followed(s.stored_energy_now(), stretches_ended);
   base_is_current_ = false;
 }
 
-void GeneralStep::follow_contacts() {
+// Whether some stretches went over to springs of vertices.
+bool GeneralStep::follow_contacts() {
   BlockSystem& s = system_;
   if (!moving_) {
     update_geometry(s.model, s.state, acting_, s.contacts);
-    return;
+    return false;
   }
   ++s.costs.counters.contact_searches;
   const PhaseScope scope(Phase::search);
+  const std::size_t stretches = moving_->stretches();
   moving_->let_part(s.model, s.state, s.contacts);
   if (moving_->follow(s.model, s.state, acting_, s.plan.is_static ? 0 : s.coefficients.dt, s.contacts)) {
     base_ = pattern();
     solver_.set_pattern(base_);
   }
   list_contacts();
+  return moving_->stretches() != stretches;
 }
 
 void GeneralStep::assemble_base() {

@@ -84,7 +84,7 @@ class GeneralStep : public Step {
   [[nodiscard]] Status solve_far_enough();
   [[nodiscard]] bool moves_further_than_seen();
   void follow_geometry();
-  void follow_contacts();
+  [[nodiscard]] bool follow_contacts();
   void assemble_base();
   [[nodiscard]] StepProblem problem() const;
 

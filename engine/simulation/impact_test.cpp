@@ -84,7 +84,7 @@ TEST(DampedBounce, RestitutionIsThatOfASpringWithADashpot) {
     run(simulation, static_cast<int>(0.04 / dt));
     const double error = simulation.state().velocity[1](1) / restitution(z) - 1;
     EXPECT_LT(std::abs(error), 0.02) << dt;
-    EXPECT_GT(simulation.energy().dashpot, 0.5 * simulation.energy().initial_kinetic * (1 - restitution(z)));
+    EXPECT_GT(simulation.energy().dashpot, 0.5 * simulation.energy().initial.kinetic * (1 - restitution(z)));
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
   }
 }

@@ -23,7 +23,7 @@ TEST(InitialAcceleration, StressThatIsLetGoBringsNoMoreThanItStored) {
       model.blocks[1].initial_stress = {-1e6, 2e6, 5e5};
       model.stages = {stage_of(generalized_alpha_integrator(rho), 1e-3, 20, Kinematics::finite)};
       Simulation simulation = simulation_of(std::move(model));
-      const double stored = simulation.energy().initial_strain;
+      const double stored = simulation.energy().initial.strain;
       for (int step = 0; step < 20; ++step) {
         ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
         EXPECT_LT(simulation.energy().kinetic + simulation.energy().strain, stored * (1 + 1e-9))

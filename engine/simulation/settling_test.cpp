@@ -81,7 +81,7 @@ TEST(Settling, FastStoneIsStoppedByWhatItWouldPassInOneStep) {
       run(simulation, 100);
       EXPECT_GT(simulation.state().displacement[1](1), -height - 0.1 * size) << size;
       const EnergyLedger& energy = simulation.energy();
-      EXPECT_LE(energy.kinetic, energy.initial_kinetic + energy.gravity_work) << size;
+      EXPECT_LE(energy.kinetic, energy.initial.kinetic + energy.gravity_work) << size;
       EXPECT_LT(std::abs(energy.relative_residual()), 2e-15 / std::pow(size, 3)) << size << ", " << height;
     }
 }

@@ -214,7 +214,7 @@ Status Simulation::end_stage() {
   const std::string problem = problem_at_end_of(s.clock.stage, s.model, results_);
   let_go_of_loose_blocks(s);
   s.audit.small_motion.end_stage(in_motion(s));
-  if (s.plan.is_static) s.audit.has_settled();
+  close_books_of_stage(s);
   if (watch_.at_end) watch_.at_end();
   if (unlimited_strength) give_up_unlimited_strength(s);
   let_go_of_supports(s);

@@ -18,6 +18,9 @@ void release_shear_of_contacts(BlockSystem& system);
 // equilibrium, and what is left of it is not.
 void give_up_unlimited_strength(BlockSystem& system);
 
+// Books what a stage that is over took of its energies by other means than damping as what it is.
+void close_books_of_stage(BlockSystem& system);
+
 // What nothing held is free again.
 void let_go_of_loose_blocks(BlockSystem& system);
 

@@ -18,7 +18,7 @@ TEST(StaticStage, StartsFromRestWhateverCameBefore) {
     Simulation simulation = simulation_of(std::move(model));
     run(simulation, 10);
     const double moved = simulation.state().displacement[0](0);
-    const double kinetic = simulation.energy().initial_kinetic;
+    const double kinetic = simulation.energy().initial.kinetic;
     EXPECT_NEAR(moved, 0.05, 1e-12);
     run(simulation, 10);
     EXPECT_DOUBLE_EQ(simulation.state().displacement[0](0), moved);  // gaps are measured to round-off

@@ -82,7 +82,7 @@ Passed pass_on(const exact::BlockRow& row, int steps, const exact::BlockRowState
     momentum += passed.velocity[i];
   }
   passed.momentum = momentum / speed - 1;
-  passed.lost = run.simulation().energy().numerical / run.simulation().energy().initial_kinetic;
+  passed.lost = run.simulation().energy().numerical / run.simulation().energy().initial.kinetic;
   passed.residual = run.energy_residual();
   outcome.counters += run.simulation().counters();
   return passed;
@@ -186,7 +186,7 @@ Collided collide(dda::Model model, const dda::Integrator& integrator, double dt,
   const std::vector<double> all = velocities(run.state());
   const dda::EnergyLedger& energy = run.simulation().energy();
   outcome.counters += run.simulation().counters();
-  return {{all[all.size() - 2], all.back()}, energy.initial_kinetic - energy.kinetic, run.energy_residual()};
+  return {{all[all.size() - 2], all.back()}, energy.initial.kinetic - energy.kinetic, run.energy_residual()};
 }
 
 void judge_momentum(const Collided& collided, double m1, double v1, double m2, double tolerance,

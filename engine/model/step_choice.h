@@ -12,10 +12,11 @@
 //   fall      where blocks can part: 1 % of the time sqrt(size/g) in which a block topples or falls by its size
 //   flight    where blocks can part: 1 % of the time in which the fastest block flies its size; blocks start with their
 //             initial velocity, or are set moving by the pressure at hand, at p/(rho c)
-//   release   where rock is removed at once, or joints get their own strength after a stage of unlimited strength: half
-//             the time of a wave through a block. Rock around an opening of 2 m got 14 % of its energy from nowhere in
-//             steps of five such times, which is what falling blocks ask for, and 1 % in these
-//   transit   where none of these says anything: the same
+//   release   where rock is removed or supports let go at once, stress begins to act, or joints get their own strength
+//             after a stage of unlimited strength: an eighth of the time of a wave through a block. Rock around an
+//             opening of 2 m got 14 % of its energy from nowhere in steps of five such times, which is what falling
+//             blocks ask for, and steps of half of one took up to a half of the energy of blocks that are thrown
+//   transit   where none of these says anything: half the time of a wave through a block
 //
 // at least a twentieth of the time of a wave through a block, and at least 100 steps a stage. `size` is the side of the
 // square of a block's area; blocks smaller than it make up 5 % of the rock, so that a sliver slows no scene down.

@@ -110,7 +110,7 @@ TEST(StepChoice, OfRockRemovedAtOnceIsThatOfTheBlocksBesideIt) {
   model.stages[1].removal.blocks = {3};
   finish_model(model);
   EXPECT_EQ(model.stages[0].dt, 2e-3);  // 0.01 sqrt(1/9.81) = 3.2 ms, of blocks that fall
-  EXPECT_EQ(model.stages[1].dt, 2e-4);  // half of 1 m / (2000 m/s) = 250 us
+  EXPECT_EQ(model.stages[1].dt, 5e-5);  // an eighth of 1 m / (2000 m/s) = 62.5 us
 
   Model slow = row_of_squares(false);
   slow.gravity = {0, -9.81};
@@ -130,7 +130,7 @@ TEST(StepChoice, OfJointsThatGetTheirOwnStrengthAtOnceIsThatOfTheBlocks) {
   model.stages[0].unlimited_strength = true;
   finish_model(model);
   EXPECT_EQ(model.stages[0].dt, 2e-3);
-  EXPECT_EQ(model.stages[1].dt, 2e-4);  // half of 1 m / (2000 m/s) = 250 us
+  EXPECT_EQ(model.stages[1].dt, 5e-5);  // an eighth of 1 m / (2000 m/s) = 62.5 us
 }
 
 TEST(StepChoice, OfSupportsThatLetGoAtOnceIsThatOfTheBlocks) {

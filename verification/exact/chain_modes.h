@@ -11,8 +11,9 @@ namespace exact {
 
 using ComplexVector3 = Eigen::Matrix<Complex, 3, 1>;
 
-// One wave that decays to the right (|lambda| <= 1); its mirror image decays to the left. Amplitudes of block 0 and of
-// the interface between blocks 0 and 1, in the units of the chain scaled by block length and e11 (see ScaledChain).
+// One wave that decays to the right (|lambda| <= 1); its mirror image decays to the left. Where a wave neither decays
+// nor grows, |lambda| = 1, it is left open which of the two this is. Amplitudes of block 0 and of the interface between
+// blocks 0 and 1, in the units of the chain scaled by block length and e11 (see ScaledChain).
 struct ChainMode {
   Complex sin2;  // sin^2(kappa/2), lambda = exp(-i kappa)
   Complex lambda;

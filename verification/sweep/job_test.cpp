@@ -1,6 +1,7 @@
 // One job: what it measures, and what the closed forms say.
 #include "verification/sweep/job.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,6 +53,16 @@ TEST(Job, TheToneIsPredicted) {
   EXPECT_TRUE(agree(springs.measured.errors.velocity, springs.predicted->velocity));
   EXPECT_TRUE(agree(springs.measured.errors.amplitude, springs.predicted->amplitude));
   EXPECT_GT(springs.counters.steps, 0);
+}
+
+TEST(Job, ASteadyWaveThatNothingDampsIsAsFastAsOneOfLittleDamping) {
+  const auto steady = [](const char* integrator) {
+    const char* bar = R"({{"block_length": [5], "dt": [1e-4], "law": ["consistent"], "integrator": [{}]}})";
+    return run_job(parameters(fmt::format(fmt::runtime(bar), integrator)), false).steady;
+  };
+  const WaveErrors undamped = steady(R"("trapezoidal")"), damped = steady(R"({"generalized_alpha": 0.999})");
+  EXPECT_NEAR(undamped.velocity, damped.velocity, 1e-3);
+  EXPECT_NEAR(undamped.amplitude, damped.amplitude, 1e-3);
 }
 
 TEST(Job, TooFewStepsInAPeriodAreNotMeasurable) {

@@ -143,16 +143,6 @@ std::vector<FreeRing> free_rings(const Model& model) {
   return rings;
 }
 
-double outline_length(const std::vector<int>& blocks, const Model& model) {
-  Model alone;
-  alone.length_tolerance = model.length_tolerance;
-  for (const int block : blocks) alone.blocks.push_back(model.blocks[static_cast<std::size_t>(block)]);
-  double length = 0;
-  for (const Stretch& stretch : free_stretches(alone, point_tolerance(model)))
-    length += (stretch.to - stretch.from).norm();
-  return length;
-}
-
 FreeRing ring_around(const std::vector<FreeRing>& rings, const Vec2& point) {
   const FreeRing* tightest = nullptr;
   double least_area = std::numeric_limits<double>::infinity();

@@ -15,9 +15,6 @@ using FreeRing = std::vector<Stretch>;
 // meet in a point, a ring stays at the empty space it is along.
 std::vector<FreeRing> free_rings(const Model& model);
 
-// Length of the outline around `blocks` taken together, m: that of the wall they leave when they are removed.
-double outline_length(const std::vector<int>& blocks, const Model& model);
-
 // The ring that surrounds the empty space around `point`, the tightest; empty when `point` is not in an opening. Blocks
 // that lie in the opening without touching its walls have rings of their own.
 FreeRing ring_around(const std::vector<FreeRing>& rings, const Vec2& point);

@@ -14,7 +14,7 @@ struct EjectionRequest {
   double distance = std::numeric_limits<double>::infinity();  // m
   double speed = std::numeric_limits<double>::infinity();     // m/s
   std::string opening;                                        // whose wall the energy is spread over; empty: none
-  double wall = 0;                                            // m, length of that wall as drawn
+  double wall = 0;                                            // m, that rock which stays has there, as drawn
 };
 
 // Speeds against the distance from a source, for v = K (R/sqrt(W))^-n.

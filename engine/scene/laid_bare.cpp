@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/geometry/polygon.h"
 #include "engine/scene/places.h"
 #include "engine/scene/present_blocks.h"
 
@@ -13,7 +14,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-void expect_away(const Field& name, const std::vector<int>& blocks, const StageSpan& stages, const Model& model) {
+void expect_away(const Field& name, const std::vector<int>& blocks, const StageSpan& stages, const char* expected,
+                 const Model& model) {
   for (std::size_t stage = 0; stage < model.stages.size(); ++stage) {
     if (!stages.has(stage)) continue;
     const std::vector<bool> absent = model.absent_in(stage);
@@ -21,7 +23,7 @@ void expect_away(const Field& name, const std::vector<int>& blocks, const StageS
     if (there == blocks.end()) continue;
     name.fail(fmt::format("\"{}\", of which \"{}\" is there in stage \"{}\"", name.text(),
                           model.blocks[at(*there)].name, model.stages[stage].name),
-              "blocks that are away from from_stage to until_stage: a load acts on what they lay bare");
+              expected);
   }
 }
 
@@ -40,9 +42,9 @@ void append_faces(const Ring& ring, const GroundPlan& plan, std::vector<Stretch>
 }  // namespace
 
 std::vector<Stretch> faces_laid_bare(const Field& name, const std::vector<std::string>& groups, const StageSpan& stages,
-                                     const Model& model) {
+                                     const char* expected, const Model& model) {
   const std::vector<int> blocks = blocks_called(name, groups, model);
-  expect_away(name, blocks, stages, model);
+  expect_away(name, blocks, stages, expected, model);
   const PresentBlocks present(model, at(stages.first));
   const GroundPlan plan(present.model);
   std::vector<Stretch> faces;
@@ -52,6 +54,13 @@ std::vector<Stretch> faces_laid_bare(const Field& name, const std::vector<std::s
     for (const Ring& hole : shape.holes) append_faces(hole, plan, faces);
   }
   if (faces.empty()) name.fail("blocks that lay faces of others bare");
+  return present.in_whole(faces);
+}
+
+std::vector<Stretch> faces_around(const Ring& outline, std::size_t stage, const Model& model) {
+  const PresentBlocks present(model, stage);
+  std::vector<Stretch> faces;
+  append_faces(normalized(Polygon{outline, {}}).outer, GroundPlan(present.model), faces);
   return present.in_whole(faces);
 }
 

@@ -64,7 +64,9 @@ std::vector<Stretch> read_loaded_faces(const Field& field, const GroundPlan& pla
   if (!is_wall_laid_bare(field)) return read_edge(field, plan, model);
   const Field edge = field.at("edge");
   refuse(edge, {"from", "to", "cavity"}, "beside opening");
-  std::vector<Stretch> faces = faces_laid_bare(edge.at("opening"), groups, stages, model);
+  std::vector<Stretch> faces =
+      faces_laid_bare(edge.at("opening"), groups, stages,
+                      "blocks that are away from from_stage to until_stage: a load acts on what they lay bare", model);
   keep_named_block(field, plan, faces);
   return faces;
 }

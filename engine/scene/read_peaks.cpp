@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "engine/builder/free_outline.h"
+#include "engine/scene/laid_bare.h"
 #include "engine/scene/places.h"
 #include "engine/scene/sections.h"
 
@@ -25,22 +26,25 @@ int read_stage_of_peaks(const Field& peaks, const Model& model) {
   return stage;
 }
 
-double length_of(const Ring& ring) {
+// Finds the wall of an opening: what blocks that are there in the stage have along the outline drawn where it was cut
+// without blocks, else what its blocks lay bare. Ground surface and what was taken out beside it are no wall.
+std::vector<Stretch> read_wall(const Field& name, int stage, const std::vector<std::string>& groups,
+                               const std::vector<PlanOpening>& openings, const Model& model) {
+  const auto drawn = std::ranges::find(openings, name.text(), &PlanOpening::name);
+  if (drawn != openings.end() && drawn->left_out)
+    return faces_around(drawn->outline, static_cast<std::size_t>(stage), model);
+  return faces_laid_bare(name, groups, {stage, stage},
+                         "blocks that are away in the stage of peaks: the energy is spread over what they lay bare",
+                         model);
+}
+
+double length_of(const std::vector<Stretch>& faces) {
   double length = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) length += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  for (const Stretch& face : faces) length += (face.to - face.from).norm();
   return length;
 }
 
-// Measures the wall of an opening, m: the outline drawn where it has no blocks, else that around its group.
-double read_wall(const Field& name, const std::vector<std::string>& groups, const std::vector<PlanOpening>& openings,
-                 const Model& model) {
-  const std::string opening = name.text();
-  const auto drawn = std::ranges::find(openings, opening, &PlanOpening::name);
-  if (drawn != openings.end() && drawn->left_out) return length_of(drawn->outline);
-  return outline_length(blocks_called(name, groups, model), model);
-}
-
-EjectionRequest read_ejection(const Field& field, const std::vector<std::string>& groups,
+EjectionRequest read_ejection(const Field& field, int stage, const std::vector<std::string>& groups,
                               const std::vector<PlanOpening>& openings, const Model& model) {
   EjectionRequest ejection;
   if (!field.has("distance") && !field.has("velocity")) field.fail("an object with distance, velocity or both");
@@ -50,7 +54,7 @@ EjectionRequest read_ejection(const Field& field, const std::vector<std::string>
       value_or(field, "velocity", ejection.speed, [](const Field& f) { return f.positive(Dimension::velocity); });
   if (const auto opening = field.find("opening")) {
     ejection.opening = opening->text();
-    ejection.wall = read_wall(*opening, groups, openings, model);
+    ejection.wall = length_of(read_wall(*opening, stage, groups, openings, model));
   }
   return ejection;
 }
@@ -77,7 +81,8 @@ void read_peaks(const Field& scene, const std::vector<std::string>& groups, cons
   if (!field) return;
   PeakRequest peaks;
   peaks.stage = read_stage_of_peaks(*field, model);
-  if (const auto ejected = field->find("ejected")) peaks.ejection = read_ejection(*ejected, groups, openings, model);
+  if (const auto ejected = field->find("ejected"))
+    peaks.ejection = read_ejection(*ejected, peaks.stage, groups, openings, model);
   if (const auto attenuation = field->find("attenuation")) peaks.attenuation = read_attenuation(*attenuation);
   model.peaks = std::move(peaks);
 }

@@ -1,7 +1,11 @@
 #include "engine/advice/spin_remarks.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "engine/advice/remarks.h"
 #include "engine/contact/make_contacts.h"
 
 namespace dda {
@@ -48,6 +52,25 @@ TEST(SpinRemarks, AreSilentWhereItIsLittleOrThere) {
   Model small = spinning(200, trapezoidal_integrator());
   small.stages[0].kinematics = Kinematics::small;
   EXPECT_TRUE(remarks(small).empty());
+}
+
+// They lost it without a word.
+TEST(SpinRemarks, TellWhatAStaticStageTakes) {
+  const auto says_lost = [](const Model& model, const char* blocks) {
+    const std::string sentence = fmt::format("the motion with which {} should start is lost", blocks);
+    return std::ranges::count_if(remarks_on(model, make_contacts(model)), [&](const std::string& text) {
+      return says(text, sentence.c_str()) && says(text, "stage \"settle\" is the first and static");
+    });
+  };
+  Model model = spinning(200, static_integrator());
+  model.stages[0].name = "settle";
+  EXPECT_EQ(says_lost(model, "block \"wheel\""), 1);
+  model.blocks.resize(3, model.blocks[0]);
+  model.blocks[1].initial_spin = model.blocks[2].initial_spin = 0;
+  model.blocks[1].initial_strain_rate = {1e-3, 0, 0};
+  EXPECT_EQ(says_lost(model, "block \"wheel\" and 1 more"), 1);
+  model.stages[0].integrator = trapezoidal_integrator();
+  EXPECT_EQ(says_lost(model, "block \"wheel\" and 1 more"), 0);
 }
 
 }  // namespace

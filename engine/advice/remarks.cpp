@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/advice/at_odds.h"
 #include "engine/advice/changed_rock_remarks.h"
 #include "engine/advice/fading_remarks.h"
 #include "engine/advice/far_coordinates.h"
@@ -328,6 +329,10 @@ void remark_on_spins(const Model& model, const ContactSet& contacts, Remarks& re
   for (std::string& sentence : spin_remarks(model, contacts)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_odds(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  for (std::string& sentence : remarks_on_odds(model, contacts)) remarks.push_back(std::move(sentence));
+}
+
 // What keeps no velocity takes the one that blocks begin with.
 void remark_on_lost_motion(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   const Blocks moving = blocks_with(model, [](const Block& block) { return !block.starts_at_rest(); });
@@ -339,13 +344,13 @@ void remark_on_lost_motion(const Model& model, const ContactSet& /*contacts*/, R
                   stage.name, named(model, moving)));
 }
 
-constexpr auto all_remarks = {remark_on_holding,     remark_on_gravity,      remark_on_tension,
-                              remark_on_materials,   remark_on_sizes,        remark_on_gaps,
-                              remark_on_steps,       remark_on_coarse_steps, remark_on_loads,
-                              remark_on_joints,      remark_on_chatter,      remark_on_chatter_on_slopes,
-                              remark_on_linings,     remark_on_held_blocks,  remark_on_damping_rate,
-                              remark_on_coordinates, remark_on_springs,      remark_on_changed_rock,
-                              remark_on_fading,      remark_on_spins,        remark_on_lost_motion};
+constexpr auto all_remarks = {
+    remark_on_holding,     remark_on_gravity,      remark_on_tension,      remark_on_materials,
+    remark_on_sizes,       remark_on_gaps,         remark_on_steps,        remark_on_coarse_steps,
+    remark_on_loads,       remark_on_joints,       remark_on_chatter,      remark_on_chatter_on_slopes,
+    remark_on_linings,     remark_on_held_blocks,  remark_on_damping_rate, remark_on_coordinates,
+    remark_on_springs,     remark_on_changed_rock, remark_on_fading,       remark_on_spins,
+    remark_on_lost_motion, remark_on_odds};
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// What `dda check` says of scenes whose stages change the blocks and the rock.
+// What `dda check` says of scenes whose stages change the blocks and the rock, and of what acts where it is at odds
+// with something else.
 #include <gtest/gtest.h>
 
 #include "engine/app/command_line_test_support.h"
@@ -24,6 +25,52 @@ TEST_F(CommandLine, ChecksDynamicStagesThatAddBlocks) {
   const Outcome outcome = call({"check", path("scene.json")});
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_TRUE(contains(outcome.out, "other density of materials: \"fill\"")) << outcome.out;
+}
+
+// Three squares in a row, the last of which may go before the second stage.
+std::string row(const std::string& acts, const std::string& stages) {
+  return R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": "20 GPa", "poisson": 0.2}},
+    "joints": {"default": {"friction_angle": "30 deg"}},
+    "blocks": [{"polygon": {"name": "a", "vertices": [[0, 0], [1, 0], [1, 1], [0, 1]]}},
+               {"polygon": {"name": "b", "vertices": [[1, 0], [2, 0], [2, 1], [1, 1]]}},
+               {"polygon": {"name": "c", "vertices": [[2, 0], [3, 0], [3, 1], [2, 1]]}}],
+    "fixed": ["a"], )" +
+         acts + R"(, "steps": [{"name": "one", "dt": "1 ms", "duration": "5 ms"}, {"name": "two", "dt": "1 ms", )" +
+         stages + R"("duration": "5 ms"}]})";
+}
+
+TEST_F(CommandLine, RemarksOnSupportsThatMoveAPointInTwoWays) {
+  const auto says_so = [&](const std::string& supports, const char* place = "") {
+    write("scene.json", row("\"supports\": [" + supports + "]", ""));
+    const Outcome outcome = call({"check", path("scene.json")});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return contains(outcome.out, "move it differently") && contains(outcome.out, place);
+  };
+  const std::string at = R"({"point": [3, 1], )";
+  EXPECT_TRUE(says_so(at + R"("velocity": [1, 0]}, )" + at + R"("velocity": [2, 0]})",
+                      "two supports hold block \"c\" at (3, 1) m and move"));
+  EXPECT_TRUE(says_so(at + R"("displacement": [0, 0.01], "history": {"sine": {"frequency": 200}}}, )" + at +
+                      R"("hold": "y"})"));
+  EXPECT_TRUE(says_so(R"({"edge": "right", "velocity": [1, 0]}, {"edge": "right"})", "m and 1 more and move"));
+  // The same motion, said in two ways; other directions; and the corner of two sides that are clamped.
+  EXPECT_FALSE(says_so(at + R"("velocity": [1, 0]}, )" + at +
+                       R"("displacement": [1, 0], "history": {"table": [[0, 0], [1, 1]]}})"));
+  EXPECT_FALSE(says_so(at + R"("hold": "x", "velocity": [1, 0]}, )" + at + R"("hold": "y", "velocity": [0, 2]})"));
+  EXPECT_FALSE(says_so(R"({"edge": "right", "velocity": [1, 0]}, {"edge": "bottom", "block": "c"})"));
+}
+
+TEST_F(CommandLine, RemarksOnViscousBoundariesOnJoints) {
+  const auto says_so = [&](const std::string& boundary, const std::string& stages) {
+    write("scene.json", row(R"("viscous_boundaries": [{)" + boundary + "}]", stages));
+    const Outcome outcome = call({"check", path("scene.json")});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return contains(outcome.out, "of block \"b\" at (2, 0.5) m on its joint with block \"c\"");
+  };
+  const std::string joint = R"("edge": {"from": [2, 0], "to": [2, 1]}, "block": "b")";
+  EXPECT_TRUE(says_so(joint, ""));
+  EXPECT_TRUE(says_so(joint, R"("remove": ["c"], )")) << "it is there in the first stage";
+  EXPECT_FALSE(says_so(joint + R"(, "from_stage": "two")", R"("remove": ["c"], )"));
+  EXPECT_FALSE(says_so(R"("edge": "right")", ""));
 }
 
 }  // namespace

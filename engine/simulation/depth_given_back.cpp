@@ -17,9 +17,7 @@ namespace {
 // This share of the smaller block's size is given back at once: contacts then press as in a step that goes as far.
 constexpr double share_at_once = 5e-3;
 
-// What is less than this share of the smaller block's size is left, as many contacts have it from round-off. What
-// blocks share beyond it where no contact was forgiven is the strain of neighbours across a corner, which nothing can
-// push.
+// What is less than this share of the smaller block's size is left, as many contacts have it from round-off.
 constexpr double least_share = 1e-4;
 
 double smaller_size(const Model& model, const InterfaceElement& element) {
@@ -50,7 +48,7 @@ bool give_back_depths(BlockSystem& s) {
   const std::vector<std::size_t> forgiven = forgiven_contacts(s);
   if (forgiven.empty()) return false;  // outlines need not be compared
   std::set<std::pair<int, int>> pairs;
-  for (const SharedGround& each : shared_ground(s, least_share)) pairs.insert(std::minmax(each.block_a, each.block_b));
+  for (const SharedGround& each : shared_ground(s)) pairs.insert(std::minmax(each.block_a, each.block_b));
   bool any = false;
   for (const std::size_t i : forgiven) {
     const InterfaceElement& element = s.contacts.elements.own()[i];

@@ -69,9 +69,7 @@ inline int ends_of(const InterfaceSprings& springs) { return is_lone_vertex(spri
 // lone vertex that rides up as it slides.
 inline Eigen::Index coupled_row(const InterfaceSprings& springs) { return is_lone_vertex(springs) ? 1 : 2; }
 
-inline bool has_stress_rows(const InterfaceSprings& springs) {
-  return springs.law == InterfaceLaw::consistent || springs.law == InterfaceLaw::cubic;
-}
+inline bool has_stress_rows(const InterfaceSprings& springs) { return passes_stress(springs.law); }
 
 // Those that carry their blocks' stresses are linear until they break, and then are no longer what they were.
 inline bool can_open_or_slide(const InterfaceSprings& springs) { return !has_stress_rows(springs); }

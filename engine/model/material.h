@@ -34,6 +34,9 @@ enum class InterfaceLaw {
   projected,   // as consistent while a joint is closed and sticks, and it can slide, open, and open in part
 };
 
+// Whether closed joints of a law pass the stress of their blocks on, at no gap, and are linear until they break.
+constexpr bool passes_stress(InterfaceLaw law) { return law == InterfaceLaw::consistent || law == InterfaceLaw::cubic; }
+
 // Strength and stiffness of a joint. Stresses positive in tension; strengths are positive numbers.
 struct JointMaterial {
   std::string name;

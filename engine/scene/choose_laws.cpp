@@ -49,15 +49,19 @@ bool springs_suit(const JointMaterial& before, const JointMaterial& now) {
   return have_same_springs(before, now) || (both_have_their_own && now.contact_damping == before.contact_damping);
 }
 
+bool stages_keep_springs(const Model& model, std::size_t joint,
+                         bool (*suit)(const JointMaterial& before, const JointMaterial& now)) {
+  return std::ranges::all_of(model.stages, [&](const Stage& stage) {
+    return stage.rock.joints.empty() || suit(model.joints[joint], stage.rock.joints[joint]);
+  });
+}
+
 // What a projected joint takes off its blocks goes by their moduli at the start.
 bool allow_the_law(const Model& model, std::size_t joint) {
   const auto keeps_moduli = [&](const Stage& stage) {
     return stage.rock.materials.empty() || std::ranges::equal(stage.rock.materials, model.materials, have_same_moduli);
   };
-  const auto keeps_springs = [&](const Stage& stage) {
-    return stage.rock.joints.empty() || springs_suit(model.joints[joint], stage.rock.joints[joint]);
-  };
-  return std::ranges::all_of(model.stages, keeps_moduli) && std::ranges::all_of(model.stages, keeps_springs);
+  return std::ranges::all_of(model.stages, keeps_moduli) && stages_keep_springs(model, joint, springs_suit);
 }
 
 // At once, or once they have broken. Joints of a thesis scene have its springs throughout.
@@ -79,13 +83,15 @@ void everywhere(Model& model, std::size_t joint, void (*make)(JointMaterial&)) {
 }
 
 // A dry joint that passes the stress of its blocks on gets springs as it slips, with the whole of its force, and what
-// these store of it nothing has brought: 5 % of what its blocks store with springs of ten times Young's modulus.
-bool gets_springs_as_it_slips(const Field& scene, const Model& model, const JointMaterial& joint) {
-  const bool passes_stress = joint.law == InterfaceLaw::consistent || joint.law == InterfaceLaw::cubic;
-  if (has_finite_kinematics(model) || joint.bonded || !passes_stress) return false;
+// these store of it nothing has brought: 5 % of what its blocks store with springs of ten times Young's modulus. (One
+// with strength has them when it is read; whether dry ones have springs from the start the stages tell.)
+bool gets_springs_as_it_slips(const Field& scene, const Model& model, std::size_t index) {
+  const JointMaterial& joint = model.joints[index];
+  if (has_finite_kinematics(model) || joint.bonded || !passes_stress(joint.law)) return false;
+  if (!stages_keep_springs(model, index, have_same_springs)) return false;
   const auto joints = scene.find("joints");
   return !joints || !joints->has(joint.name) ||
-         !has_any(joints->at(joint.name), {"normal_spring", "spring_over_young", "normal_stiffness"});
+         !has_any(joints->at(joint.name), {"normal_spring", "spring_over_young"});
 }
 
 }  // namespace
@@ -95,7 +101,7 @@ void choose_laws(const Field& scene, const Scheme& scheme, Model& model) {
     const JointMaterial& joint = model.joints[i];
     if (would_be_springs(joint, scheme) && is_left_open(scene, model, joint) && allow_the_law(model, i))
       everywhere(model, i, make_projected);
-    if (gets_springs_as_it_slips(scene, model, joint))
+    if (gets_springs_as_it_slips(scene, model, i))
       everywhere(model, i, [](JointMaterial& each) { each.automatic_stiffness = true; });
   }
 }

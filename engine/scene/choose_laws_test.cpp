@@ -81,6 +81,9 @@ TEST(ChooseLaws, DryJointsThatPassStressOnGetStiffSpringsAsTheySlip) {
   EXPECT_FALSE(are_chosen(R"("law": "consistent")", moving));  // springs from the start, as documented
   EXPECT_FALSE(are_chosen(R"("law": "classical")", as_drawn));
   EXPECT_FALSE(are_chosen(R"("bonded": true)", as_drawn));
+  // Springs that a stage names would not act beside chosen ones.
+  EXPECT_FALSE(are_chosen(R"("law": "consistent")", as_drawn + R"(, {"dt": 1e-3, "duration": 1, "kinematics": "small",
+                                         "joints": {"default": {"spring_over_young": 20}}})"));
 }
 
 // It is what the joint gives way by, and no choice of springs; the law has it in series with that of the blocks.

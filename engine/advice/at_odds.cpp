@@ -5,20 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <unordered_map>
 
+#include "engine/advice/block_named.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/motion.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {
-
-std::string block_named(const Model& model, int block) {
-  return fmt::format("block \"{}\"", model.blocks[static_cast<std::size_t>(block)].name);
-}
-
-std::string and_more(std::size_t others) { return others > 0 ? fmt::format(" and {} more", others) : ""; }
 
 // Supports.
 
@@ -95,33 +90,47 @@ bool is_there_beside(const ViscousEdge& edge, int block, const Model& model) {
   return false;
 }
 
-// Finds the block behind the joint along which the edge runs, as long as it is there while the edge absorbs.
-std::optional<int> block_behind(const ViscousEdge& edge, const ContactSet& contacts, const Model& model) {
+bool lies_along(const ViscousEdge& edge, const Interface& face, const Model& model) {
   constexpr double negligible = 1e-3;  // of the edge: ends are often written in few digits
+  if (face.length == 0) return false;
+  const auto common = collinear_overlap({edge.from, edge.to}, {face.from, face.to}, point_tolerance(model));
+  return common && (common->second - common->first).norm() > negligible * (edge.to - edge.from).norm();
+}
+
+// Finds for each edge the block behind the joint along which it runs, as long as that is there while the edge absorbs;
+// -1: none. Large scenes have many faces, of which few are beside an edge.
+std::vector<int> blocks_behind(const ContactSet& contacts, const Model& model) {
+  std::unordered_multimap<int, std::size_t> edges_on;
+  for (std::size_t i = 0; i < model.viscous_edges.size(); ++i) edges_on.emplace(model.viscous_edges[i].block, i);
+  std::vector<int> behind(model.viscous_edges.size(), -1);
+  const auto look_at = [&](const Interface& face, int own, int other) {
+    const auto [first, last] = edges_on.equal_range(own);
+    for (auto edge = first; edge != last; ++edge) {
+      const ViscousEdge& viscous = model.viscous_edges[edge->second];
+      if (behind[edge->second] < 0 && lies_along(viscous, face, model) && is_there_beside(viscous, other, model))
+        behind[edge->second] = other;
+    }
+  };
   for (const Interface& face : contacts.interfaces) {
-    if (face.length == 0 || (face.block_a != edge.block && face.block_b != edge.block)) continue;
-    const auto common = collinear_overlap({edge.from, edge.to}, {face.from, face.to}, point_tolerance(model));
-    if (!common || (common->second - common->first).norm() <= negligible * (edge.to - edge.from).norm()) continue;
-    const int behind = face.block_a == edge.block ? face.block_b : face.block_a;
-    if (is_there_beside(edge, behind, model)) return behind;
+    look_at(face, face.block_a, face.block_b);
+    look_at(face, face.block_b, face.block_a);
   }
-  return std::nullopt;
+  return behind;
 }
 
 void remark_on_viscous_edges(const Model& model, const ContactSet& contacts, std::vector<std::string>& remarks) {
-  std::string first;
-  std::size_t found = 0;
-  for (const ViscousEdge& edge : model.viscous_edges) {
-    const auto behind = block_behind(edge, contacts, model);
-    if (!behind || ++found > 1) continue;
-    first = fmt::format("of {} at ({:.6g}, {:.6g}) m on its joint with {}", block_named(model, edge.block),
-                        (edge.from + edge.to).x() / 2, (edge.from + edge.to).y() / 2, block_named(model, *behind));
-  }
-  if (found == 0) return;
+  if (model.viscous_edges.empty()) return;
+  const std::vector<int> behind = blocks_behind(contacts, model);
+  const auto first = std::ranges::find_if(behind, [](int block) { return block >= 0; });
+  if (first == behind.end()) return;
+  const auto others = std::count_if(first + 1, behind.end(), [](int block) { return block >= 0; });
+  const ViscousEdge& edge = model.viscous_edges[static_cast<std::size_t>(first - behind.begin())];
   remarks.push_back(fmt::format(
-      "a viscous boundary lies on the face {}{}: dashpots between the rock and a ground that stands still take from "
-      "waves that cross the joint; a boundary belongs on the outside or on the wall of an opening",
-      first, and_more(found - 1)));
+      "a viscous boundary lies on the face of {} at ({:.6g}, {:.6g}) m on its joint with {}{}: dashpots between the "
+      "rock and a ground that stands still take from waves that cross the joint; a boundary belongs on the outside or "
+      "on the wall of an opening",
+      block_named(model, edge.block), (edge.from + edge.to).x() / 2, (edge.from + edge.to).y() / 2,
+      block_named(model, *first), and_more(static_cast<std::size_t>(others))));
 }
 
 }  // namespace

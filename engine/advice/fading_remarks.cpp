@@ -8,6 +8,7 @@
 #include <optional>
 #include <variant>
 
+#include "engine/advice/block_named.h"
 namespace dda {
 namespace {
 
@@ -64,7 +65,7 @@ void remark_on_withdrawals(const std::vector<Item>& items, const char* kind, con
     const std::optional<CutFade> fade = cut_fade(item->withdrawal.relaxation, next, model);
     if (!fade) continue;
     const auto more = std::count_if(item + 1, items.end(), is_like_it);
-    const std::string others = more > 0 ? fmt::format(" and {} more", more) : "";
+    const std::string others = and_more(static_cast<std::size_t>(more));
     remarks.push_back(sentence(fmt::format("stage \"{}\": what {} \"{}\"{}, taken out when it begins, exerted",
                                            model.stages[next].name, kind, item->name, others),
                                *fade));

@@ -6,16 +6,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/advice/block_named.h"
 #include "engine/model/held_flags.h"
 
 namespace dda {
 namespace {
 
 constexpr std::size_t most_sentences = 4;  // on loads: a field of tractions may have a load for every block
-
-std::string block_named(const Model& model, int block) {
-  return fmt::format("block \"{}\"", model.blocks[static_cast<std::size_t>(block)].name);
-}
 
 bool are_one_load(const EdgeLoad& a, const EdgeLoad& b) {
   constexpr double round_off = 1e-9;

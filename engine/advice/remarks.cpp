@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "engine/advice/at_odds.h"
+#include "engine/advice/block_named.h"
 #include "engine/advice/changed_rock_remarks.h"
 #include "engine/advice/fading_remarks.h"
 #include "engine/advice/far_coordinates.h"
@@ -49,9 +50,7 @@ constexpr double most_crossings = 100;  // of the whole scene by a P wave in one
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::string named(const Model& model, const Blocks& blocks) {
-  std::string first = fmt::format("block \"{}\"", model.blocks[at(blocks[0])].name);
-  if (blocks.size() == 1) return first;
-  return fmt::format("{} and {} more", first, blocks.size() - 1);
+  return block_named(model, blocks[0]) + and_more(blocks.size() - 1);
 }
 
 template <typename Condition>

@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/advice/block_named.h"
 #include "engine/advice/load_history.h"
 
 namespace dda {
@@ -183,12 +184,11 @@ class Search {
   }
 
   [[nodiscard]] std::string sentence_of(const Group& group) const {
-    const std::string& block = model_.blocks[static_cast<std::size_t>(group.first.place.block)].name;
     return fmt::format(
-        "stage \"{}\": {} on block \"{}\"{}, {}, jumps at {:g} s: a jump holds all frequencies, which no mesh and dt "
+        "stage \"{}\": {} on {}{}, {}, jumps at {:g} s: a jump holds all frequencies, which no mesh and dt "
         "carry without overshoot and ringing; let it rise while the wave crosses several blocks",
-        model_.stages[static_cast<std::size_t>(group.stage)].name, group.first.what, block,
-        group.places.size() > 1 ? fmt::format(" and {} more", group.places.size() - 1) : "",
+        model_.stages[static_cast<std::size_t>(group.stage)].name, group.first.what,
+        block_named(model_, group.first.place.block), and_more(group.places.size() - 1),
         words_for(*group.first.history), group.time);
   }
 

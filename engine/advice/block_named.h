@@ -1,0 +1,20 @@
+// Blocks as sentences name them.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+
+#include "engine/model/model.h"
+
+namespace dda {
+
+inline std::string block_named(const Model& model, int block) {
+  return fmt::format("block \"{}\"", model.blocks[static_cast<std::size_t>(block)].name);
+}
+
+// Nothing where there are none.
+inline std::string and_more(std::size_t others) { return others > 0 ? fmt::format(" and {} more", others) : ""; }
+
+}  // namespace dda

@@ -51,6 +51,14 @@ struct EnergyLedger {
             damping, numerical, law_changes, removed, initial, largest);
   }
 
+  void store(const StoredEnergy& now) {
+    kinetic = now.kinetic;
+    strain = now.strain;
+    contact = now.contact;
+    bolts = now.bolts;
+    linings = now.linings;
+  }
+
   // What the balance does not explain: zero but for round-off when every term is right.
   [[nodiscard]] double residual() const {
     const double stored = (kinetic - initial.kinetic) + (strain - initial.strain) + (contact - initial.contact) +

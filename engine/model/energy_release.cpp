@@ -17,11 +17,7 @@ double stored(const EnergyLedger& energy) { return energy.strain + energy.contac
 // The ledger as it was when the run began.
 EnergyLedger start_of(const EnergyLedger& energy) {
   EnergyLedger start;
-  start.kinetic = energy.initial.kinetic;
-  start.strain = energy.initial.strain;
-  start.contact = energy.initial.contact;
-  start.bolts = energy.initial.bolts;
-  start.linings = energy.initial.linings;
+  start.store(energy.initial);
   return start;
 }
 

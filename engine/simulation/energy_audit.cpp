@@ -59,11 +59,7 @@ double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const
 void EnergyAudit::start(const StoredEnergy& stored) {
   ledger_ = {};
   ledger_.initial = stored;
-  ledger_.kinetic = stored.kinetic;
-  ledger_.strain = stored.strain;
-  ledger_.contact = stored.contact;
-  ledger_.bolts = stored.bolts;
-  ledger_.linings = stored.linings;
+  ledger_.store(stored);
 }
 
 void EnergyAudit::dashpots_worked(const StepCoefficients& step, const BlockDamping& damping, const State& state,
@@ -100,11 +96,7 @@ void EnergyAudit::record(const StepWorks& works, const StoredEnergy& stored) {
   ledger_.numerical += works.weighting;
   ledger_.law_changes += replaced_;
   replaced_ = 0;
-  ledger_.kinetic = stored.kinetic;
-  ledger_.strain = stored.strain;
-  ledger_.contact = stored.contact;
-  ledger_.bolts = stored.bolts;
-  ledger_.linings = stored.linings;
+  ledger_.store(stored);
   ledger_.largest = ledger_.scale();
 }
 
@@ -116,11 +108,7 @@ void EnergyAudit::geometry_followed(const StoredEnergy& stored, bool other_laws)
   ledger_.law_changes += of_laws;
   ledger_.numerical += of_all - of_laws;
   replaced_ = 0;
-  ledger_.kinetic = stored.kinetic;
-  ledger_.strain = stored.strain;
-  ledger_.contact = stored.contact;
-  ledger_.bolts = stored.bolts;
-  ledger_.linings = stored.linings;
+  ledger_.store(stored);
 }
 
 void EnergyAudit::blocks_removed(const StoredEnergy& before, const StoredEnergy& after) {

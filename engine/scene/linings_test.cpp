@@ -128,7 +128,7 @@ const std::vector<Spoiled> spoilt = {
      R"("quantity": "lining_thrust", "lining": "lining 1", "point": [2, 99]}], "linings": [{)" + concrete + deck +
          "}],",
      {"measurements[0].point is (2, 99) m, 98 m away from lining \"lining 1\"",
-      "no further off than its longest element, 2 m"}},
+      "no further off than its longest piece, 2 m"}},
     spoiled("through air", concrete + R"("along": [[0, 1], [5, 1]])", {"linings[0].along", "past no block at [4, 1]"}),
     spoiled("in a joint", concrete + R"("along": [[2, 0], [2, 1]])", {"linings[0].along", "along a joint"}),
     spoiled("one face", concrete + R"("along": [[0, 1], [2, 1]])", {"linings[0]", "along 1 face of blocks"}),

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/model/lining_chord.h"
 #include "engine/model/quantity_names.h"
 #include "engine/scene/places.h"
 
@@ -74,6 +73,24 @@ bool runs_along(const std::vector<Stretch>& stretches, const std::vector<int>& b
   });
 }
 
+// A point within the length of the longest piece is beside what these make up, wherever it is between two faces and
+// however coarse they are; one further off means something else.
+int nearest_piece(const Field& field, const Vec2& point, const std::vector<Segment>& pieces, const std::string& whole) {
+  double least = std::numeric_limits<double>::infinity(), longest = 0;
+  int nearest = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    longest = std::max(longest, (pieces[i].end - pieces[i].start).norm());
+    const double away = distance(pieces[i], point);
+    if (away >= least) continue;
+    least = away;
+    nearest = static_cast<int>(i);
+  }
+  if (least > longest)
+    field.fail(fmt::format("{}, {:.3g} m away from {}", written(point), least, whole),
+               fmt::format("a point on it, or no further off than its longest piece, {:.3g} m", longest));
+  return nearest;
+}
+
 }  // namespace
 
 MeasuredPlaces::MeasuredPlaces(const GroundPlan& plan, const BlockSets& sets, const Model& model)
@@ -129,24 +146,22 @@ void MeasuredPlaces::place_on_joint(const Field& field, Measurement& measurement
   measurement.other_block = blocks[1];
 }
 
-// The link nearest to the point, where one is given.
+// The link nearest to the point, where one is given. A link stands for a piece of a grouted bolt, up to half-way to the
+// next; of an anchored one there is one, from end to end.
 void MeasuredPlaces::place_on_bolt(const Field& field, Measurement& measurement) const {
   if (model_.bolts.empty()) field.at("bolt").fail("the name of a bolt, of which there is none");
   measurement.bolt = field.at("bolt").choice(bolts_);
   const auto point = field.find("point");
   if (!point) return;
   measurement.point = point->vector(Dimension::length);
-  const std::vector<BoltLink>& links = model_.bolts[static_cast<std::size_t>(measurement.bolt)].links;
-  const auto away = [&](const BoltLink& link) {
-    return distance(Segment{link.point_a, link.point_b}, measurement.point);
-  };
-  const auto nearest = std::min_element(links.begin(), links.end(),
-                                        [&](const BoltLink& a, const BoltLink& b) { return away(a) < away(b); });
-  measurement.link = static_cast<int>(nearest - links.begin());
+  const Bolt& bolt = model_.bolts[static_cast<std::size_t>(measurement.bolt)];
+  std::vector<Segment> pieces;
+  for (const BoltLink& link : bolt.links)
+    pieces.push_back({link.point_a - link.reach_a * bolt.direction, link.point_b + link.reach_b * bolt.direction});
+  measurement.link = nearest_piece(*point, measurement.point, pieces, fmt::format("bolt \"{}\"", bolt.name));
 }
 
-// The element nearest to the point, where one is given. A point within the length of the longest element is beside the
-// lining, wherever it is between two faces and however coarse these are; one further off means something else.
+// The element nearest to the point, where one is given.
 void MeasuredPlaces::place_on_lining(const Field& field, Measurement& measurement) const {
   if (model_.linings.empty()) field.at("lining").fail("the name of a lining, of which there is none");
   measurement.lining = field.at("lining").choice(linings_);
@@ -154,17 +169,10 @@ void MeasuredPlaces::place_on_lining(const Field& field, Measurement& measuremen
   if (!point) return;
   measurement.point = point->vector(Dimension::length);
   const Lining& lining = model_.linings[static_cast<std::size_t>(measurement.lining)];
-  double least = std::numeric_limits<double>::infinity(), longest = 0;
-  for (std::size_t i = 0; i < lining.elements(); ++i) {
-    longest = std::max(longest, chord_of(lining, i).norm());
-    const double away = distance(Segment{lining.start_of(i).point, lining.end_of(i).point}, measurement.point);
-    if (away >= least) continue;
-    least = away;
-    measurement.element = static_cast<int>(i);
-  }
-  if (least > longest)
-    point->fail(fmt::format("{}, {:.3g} m away from lining \"{}\"", written(measurement.point), least, lining.name),
-                fmt::format("a point on it, or no further off than its longest element, {:.3g} m", longest));
+  std::vector<Segment> elements;
+  for (std::size_t i = 0; i < lining.elements(); ++i)
+    elements.push_back({lining.start_of(i).point, lining.end_of(i).point});
+  measurement.element = nearest_piece(*point, measurement.point, elements, fmt::format("lining \"{}\"", lining.name));
 }
 
 // Measures the reaction of named supports, of blocks that are held as a whole, or of all that is held.

@@ -45,8 +45,8 @@ struct WaveAdvice {
 
 struct StageAdvice {
   std::string name, integrator;
-  std::string why_integrator;  // a phrase, where the engine chose between implicit and explicit steps
-  double dt = 0;               // s
+  std::string why_integrator;   // a phrase, where the engine chose between implicit and explicit steps
+  double first_dt = 0, dt = 0;  // s, of the first steps and of the last: shorter where steps grow
   double chi = 0;
   std::string solver;
   StageCost cost;

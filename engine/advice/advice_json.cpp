@@ -75,6 +75,7 @@ Json to_json(const StageAdvice& stage) {
   return {{"name", stage.name},
           {"integrator", stage.integrator},
           {"why_integrator", stage.why_integrator},
+          {"first_dt_s", stage.first_dt},
           {"dt_s", stage.dt},
           {"chi", stage.chi},
           {"solver", stage.solver},

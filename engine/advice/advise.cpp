@@ -115,6 +115,7 @@ class Adviser {
     advice.name = stage.name;
     advice.integrator = stage.integrator.name;
     advice.why_integrator = stage.chosen.integrator.reason;
+    advice.first_dt = stage.shortest_dt();
     advice.dt = stage.dt;
     advice.chi = plan.chi;
     advice.solver = plan.explicit_steps ? "explicit" : to_string(plan.solver);

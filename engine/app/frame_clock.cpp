@@ -20,8 +20,8 @@ std::vector<StageTimes> stage_spans(const Model& model) {
   std::vector<StageTimes> spans;
   double begin = 0;
   for (const Stage& stage : model.stages) {
-    spans.push_back({stage.name, begin, begin + stage.duration, stands_still(model, stage), stage.dt,
-                     stage.chosen.dt.reason, stage.integrator.name, stage.chosen.integrator.reason});
+    spans.push_back({stage.name, begin, begin + stage.duration, stands_still(model, stage), stage.shortest_dt(),
+                     stage.dt, stage.chosen.dt.reason, stage.integrator.name, stage.chosen.integrator.reason});
     begin = spans.back().end_s;
   }
   return spans;

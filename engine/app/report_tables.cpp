@@ -69,10 +69,13 @@ std::string balance_of(const Json& summary, const Json& stage) {
 std::vector<TableRow> stages(const Json& summary) {
   std::vector<TableRow> rows;
   for (const Json& stage : summary.value("stages", Json::array())) {
-    const bool finds_its_own = stage.value("dt_s", 0.0) == 0;
+    const double dt = stage.value("dt_s", 0.0);
+    const double first = stage.value("first_dt_s", dt);
     rows.push_back({shown(stage["name"]), shown(stage["begin_s"]), shown(stage["end_s"]),
-                    finds_its_own ? "its own" : shown(stage["dt_s"]), shown(stage["dt_reason"]),
-                    balance_of(summary, stage)});
+                    dt == 0      ? "its own"
+                    : first < dt ? shown(first) + " to " + shown(dt)
+                                 : shown(dt),
+                    shown(stage["dt_reason"]), balance_of(summary, stage)});
   }
   return rows;
 }

@@ -80,7 +80,7 @@ bool stands_between_stages(const Simulation& simulation) {
   const std::vector<StageTimes> spans = stage_spans(simulation.model());
   const std::size_t done = stages_done(simulation);
   if (simulation.is_settling() || done >= spans.size()) return done >= spans.size();
-  return std::abs(simulation.state().time - spans[done].begin_s) < 0.25 * simulation.model().stages[done].dt;
+  return std::abs(simulation.state().time - spans[done].begin_s) < 0.25 * simulation.model().stages[done].shortest_dt();
 }
 
 }  // namespace

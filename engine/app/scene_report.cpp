@@ -26,6 +26,7 @@
 #include "engine/model/free_field_side.h"
 #include "engine/model/law_name.h"
 #include "engine/model/rock_change.h"
+#include "engine/model/step_choice.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/probes.h"
 #include "engine/simulation/run_so_far.h"
@@ -199,7 +200,7 @@ void add_free_field(const Model& model, const Simulation& columns, Text& text) {
 std::string steps_of(const Stage& stage) {
   if (stage.paces_itself())
     return fmt::format("finds its own steps to equilibrium within {:.2g} of the largest force", stage.equilibrium);
-  return fmt::format("{} steps of {:.6g} s{}, {:.6g} s in all", stage.steps(), stage.dt,
+  return fmt::format("{} steps of {}{}, {:.6g} s in all", stage.steps(), in_words(stage.shortest_dt(), stage.dt),
                      stage.chosen.dt.automatic ? fmt::format(" (chosen: {})", stage.chosen.dt.reason) : "",
                      stage.duration);
 }

@@ -20,11 +20,12 @@ double thickness(const Block& block) {
   return block.moments.area / (2 * radius);
 }
 
-// Static steps may be as long as they like: nothing swings in them, and what they find is for stages that move.
+// Static steps may be as long as they like: nothing swings in them, and what they find is for stages that move. Where
+// steps grow, the first ones say how fast what swings is.
 double longest_step(const Model& model) {
   double dt = 0;
   for (const Stage& stage : model.stages)
-    if (!stage.integrator.is_static) dt = std::max(dt, stage.dt);
+    if (!stage.integrator.is_static) dt = std::max(dt, stage.shortest_dt());
   return dt;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/model/first_steps.h"
 #include "engine/model/rock_of_stage.h"
 #include "engine/model/time_function.h"
 
@@ -102,8 +103,9 @@ struct StepEffort {
 
 struct Stage {
   std::string name = "run";
-  double dt = 0;        // s; 0: a static stage that finds its own steps, see paces_itself()
-  double duration = 0;  // s; may be 0 where the stage paces itself
+  double dt = 0;           // s; 0: a static stage that finds its own steps, see paces_itself()
+  FirstSteps first_steps;  // where they are shorter than dt
+  double duration = 0;     // s; may be 0 where the stage paces itself
   Integrator integrator;
   ChosenByEngine chosen;
   Kinematics kinematics = Kinematics::finite;
@@ -149,6 +151,11 @@ struct Stage {
   [[nodiscard]] bool paces_itself() const { return dt == 0; }
   // How many steps there are; 0 where that is not known before.
   [[nodiscard]] std::int64_t steps() const;
+  // Of a step, counted from 0, of a stage that does not pace itself: its length, and how long after the start of the
+  // stage it begins, in s.
+  [[nodiscard]] double dt_of(std::int64_t step) const;
+  [[nodiscard]] double time_of(std::int64_t step) const;
+  [[nodiscard]] double shortest_dt() const { return first_steps.grow() ? first_steps.dt : dt; }
 };
 
 }  // namespace dda

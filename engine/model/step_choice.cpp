@@ -25,6 +25,7 @@ constexpr double transit_share = 0.5;  // of the time of a wave through a block,
 // throws steps of half of it took up to a half, a quarter a fifth, an eighth a twentieth and a sixteenth nothing.
 constexpr double release_share = 0.125;
 constexpr double least_transits = 0.05;  // through a block in a step
+constexpr double last_steps = 10;        // that a stage whose steps grow takes at least when they are as long as can be
 constexpr double fewest_steps = 100;     // in a stage
 constexpr double small_rock = 0.05;      // share of the rock whose blocks are not asked
 
@@ -205,6 +206,27 @@ void limit_by_release(const Model& model, std::size_t index, double transit, Lim
   if (before == nullptr && begins_under_stress(model)) release("stress begins to act at once");
 }
 
+// No part of what steps are multiplied with, or waves are corrected by, goes by the dt of the stage.
+bool steps_may_grow(const Model& model, const Stage& stage) {
+  return !model.stays_linear() && model.free_field_sides.empty() && !stage.integrator.is_explicit() &&
+         stage.velocity_factor == 1;
+}
+
+// The steps of a stage begin with its dt and grow while `longest` (s) and its duration allow it.
+void let_grow(double longest, Stage& stage) {
+  FirstSteps first{stage.dt, 0};
+  const auto leaves_enough = [&](FirstSteps next) {
+    ++next.doublings;
+    const double dt = std::ldexp(next.dt, next.doublings);
+    return dt <= longest && next.duration() + last_steps * dt <= stage.duration;
+  };
+  while (leaves_enough(first)) ++first.doublings;
+  if (!first.grow()) return;
+  const double left = stage.duration - first.duration();
+  stage.dt = left / std::ceil(left / std::ldexp(first.dt, first.doublings));
+  stage.first_steps = first;
+}
+
 bool blocks_can_part(const Model& model) {
   return model.joints.empty() ||
          !std::ranges::all_of(model.joints, [](const JointMaterial& joint) { return joint.bonded; });
@@ -217,20 +239,26 @@ double rounded_down(double dt) {
   return power;
 }
 
-void choose(const Model& model, std::size_t index, Stage& stage) {
-  const std::vector<const Block*> blocks = moving_blocks(model);
-  const double transit =
-      typical(blocks, [&](const Block& block) { return side_of(block) / bar_speed(rock_of(model, block)); });
-  Limit limit;
-  limit_by_waves(model, stage, limit);
-  if (blocks_can_part(model)) limit_by_motion(model, blocks, limit);
-  if (blocks_can_part(model)) limit_by_release(model, index, transit, limit);
+void limit_at_all(const Stage& stage, double transit, Limit& limit) {
   if (!std::isfinite(limit.dt)) tighten(limit, transit_share * transit, "half the time of a wave through a block");
   if (limit.dt < least_transits * transit)
     limit = {least_transits * transit, "a twentieth of the time of a wave through a block, the least"};
   tighten(limit, stage.duration / fewest_steps, fmt::format("{} steps in the stage, the fewest", fewest_steps));
-  stage.dt = rounded_down(limit.dt);
-  stage.chosen.dt.reason = limit.reason;
+}
+
+void choose(const Model& model, std::size_t index, Stage& stage) {
+  const std::vector<const Block*> blocks = moving_blocks(model);
+  const double transit =
+      typical(blocks, [&](const Block& block) { return side_of(block) / bar_speed(rock_of(model, block)); });
+  Limit all_along;
+  limit_by_waves(model, stage, all_along);
+  if (blocks_can_part(model)) limit_by_motion(model, blocks, all_along);
+  Limit at_first = all_along;
+  if (blocks_can_part(model)) limit_by_release(model, index, transit, at_first);
+  for (Limit* limit : {&all_along, &at_first}) limit_at_all(stage, transit, *limit);
+  stage.dt = rounded_down(at_first.dt);
+  stage.chosen.dt.reason = at_first.reason;
+  if (at_first.dt < all_along.dt && steps_may_grow(model, stage)) let_grow(all_along.dt, stage);
 }
 
 }  // namespace
@@ -264,6 +292,10 @@ std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, 
   const double frequency = fastest_change(model);
   if (frequency <= 0) return std::nullopt;
   return FastestWave{frequency, step_errors(stage.integrator, 2 * std::numbers::pi * frequency * dt)};
+}
+
+std::string in_words(double first_dt, double dt) {
+  return first_dt < dt ? fmt::format("{:.6g} to {:.6g} s", first_dt, dt) : fmt::format("{:.6g} s", dt);
 }
 
 void choose_time_steps(Model& model) {

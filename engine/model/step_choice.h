@@ -15,7 +15,9 @@
 //   release   where rock is removed or supports let go at once, stress begins to act, or joints get their own strength
 //             after a stage of unlimited strength: an eighth of the time of a wave through a block. Rock around an
 //             opening of 2 m got 14 % of its energy from nowhere in steps of five such times, which is what falling
-//             blocks ask for, and steps of half of one took up to a half of the energy of blocks that are thrown
+//             blocks ask for, and steps of half of one took up to a half of the energy of blocks that are thrown. That
+//             limits the first steps only: they grow with the time since then (first_steps.h) up to what the others
+//             ask for
 //   transit   where none of these says anything: half the time of a wave through a block
 //
 // at least a twentieth of the time of a wave through a block, and at least 100 steps a stage. `size` is the side of the
@@ -23,6 +25,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "engine/model/model.h"
 
@@ -43,7 +46,10 @@ struct FastestWave {
 };
 std::optional<FastestWave> fastest_wave(const Model& model, const Stage& stage, double dt);
 
-// Sets dt and its reason in stages whose dt is chosen (chosen.dt.automatic).
+// Sets dt, its first steps and its reason in stages whose dt is chosen (chosen.dt.automatic).
 void choose_time_steps(Model& model);
+
+// "2e-05 s", or "2e-05 to 0.0004 s" where steps grow from `first_dt` to `dt` (s).
+std::string in_words(double first_dt, double dt);
 
 }  // namespace dda

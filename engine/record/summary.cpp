@@ -92,6 +92,7 @@ Json to_json(const RunSummary& summary) {
                               {"begin_s", stage.begin_s},
                               {"end_s", stage.end_s},
                               {"settles", stage.settles},
+                              {"first_dt_s", stage.first_dt_s},
                               {"dt_s", stage.dt_s},
                               {"dt_reason", stage.dt_reason},
                               {"stable_dt_s", stage.stable_dt_s > 0 ? Json(stage.stable_dt_s) : Json(nullptr)},

@@ -37,6 +37,7 @@ struct StageTimes {
   double begin_s = 0;
   double end_s = 0;
   bool settles = false;
+  double first_dt_s = 0;  // less than dt_s where steps grow
   double dt_s = 0;        // 0: steps of no time, which the stage finds itself
   std::string dt_reason;  // why the engine chose dt; empty where the scene gives it
   std::string integrator;

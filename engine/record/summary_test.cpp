@@ -83,8 +83,8 @@ TEST(Summary, HoldsEverything) {
   summary.cpu_s = 1.5;
   summary.wall_s = 2.5;
   summary.phases = {{"solve", 1.25}, {"assembly", 0.25}};
-  summary.stages = {{"gravity", 0, 100, true, 0, "", "static", ""},
-                    {"quake", 100, 102.5, false, 1e-3, "blocks of 1 m that fall", "generalized_alpha",
+  summary.stages = {{"gravity", 0, 100, true, 0, 0, "", "static", ""},
+                    {"quake", 100, 102.5, false, 1e-5, 1e-3, "blocks of 1 m that fall", "generalized_alpha",
                      "implicit steps, as explicit ones would save too little"}};
   summary.out_of_balance = {{"gravity", 3e-7}};
   summary.loose_blocks.push_back({{"stage", "gravity"}, {"block", "sliver"}});
@@ -102,9 +102,9 @@ TEST(Summary, HoldsEverything) {
     "status": "stopped", "message": "stopped by the user", "title": "bar", "from": "settled:gravity", "time_s": 0.1, "steps": 12,
     "blocks": 200, "contacts": 199, "solver": "cholesky", "cpu_s": 1.5, "wall_s": 2.5,
     "phases": {"solve": 1.25, "assembly": 0.25},
-    "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true, "dt_s": 0, "dt_reason": "", "stable_dt_s": null,
+    "stages": [{"name": "gravity", "begin_s": 0, "end_s": 100, "settles": true, "first_dt_s": 0, "dt_s": 0, "dt_reason": "", "stable_dt_s": null,
                 "integrator": "static", "integrator_reason": ""},
-               {"name": "quake", "begin_s": 100, "end_s": 102.5, "settles": false, "dt_s": 1e-3,
+               {"name": "quake", "begin_s": 100, "end_s": 102.5, "settles": false, "first_dt_s": 1e-5, "dt_s": 1e-3,
                 "dt_reason": "blocks of 1 m that fall", "stable_dt_s": null,
                 "integrator": "generalized_alpha", "integrator_reason": "implicit steps, as explicit ones would save too little"}],
     "static_stages": [{"name": "gravity", "out_of_balance": 3e-7}],

@@ -75,14 +75,20 @@ void AccelerationMemory::join(const ContactSet& contacts) {
   }
 }
 
+// Where a contact has opened, an impact that was under way before the step may have ended: there all counts that has
+// been given since the start of the step.
 void AccelerationMemory::note_hits() {
-  is_hit_.assign(closed_.size(), 0);
-  for (std::size_t i = 0; i < closed_.size(); ++i)
-    if (closed_[i] != was_closed_[i]) is_hit_[body_of(i)] = 1;
+  hits_.assign(closed_.size(), Hit::none);
   for (std::size_t i = 0; i < closed_.size(); ++i) {
-    if (is_hit_[body_of(i)] == 0 || was_hit_[i] != 0) continue;
+    if (closed_[i] == was_closed_[i]) continue;
+    Hit& hit = hits_[body_of(i)];
+    if (hit != Hit::ended) hit = closed_[i] < was_closed_[i] ? Hit::ended : Hit::begun;
+  }
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    const Hit hit = hits_[body_of(i)];
+    if (hit == Hit::none || was_hit_[i] != 0) continue;
     was_hit_[i] = 1;
-    start_[i] = before_[i];
+    if (hit == Hit::begun) start_[i] = before_[i];
   }
 }
 

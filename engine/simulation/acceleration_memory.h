@@ -58,6 +58,8 @@ class AccelerationMemory {
   [[nodiscard]] std::size_t body_of(std::size_t block);
   void note_hits();
 
+  enum class Hit : char { none, begun, ended };
+
   // What hangs together, as far as it was hit.
   struct Body {
     double mass = 0;            // kg per m of thickness
@@ -70,13 +72,13 @@ class AccelerationMemory {
   std::vector<int> closed_;          // ends of contacts of each block, after the last part
   std::vector<int> was_closed_;      // after the one before it
   std::vector<std::size_t> bodies_;  // of each block another one that it has touched in this step, or itself
-  std::vector<char> is_hit_;         // in the last part, of each body
+  std::vector<Hit> hits_;            // in the last part, of each body
   std::vector<char> was_hit_;        // in this step, of each block
   std::vector<char> touched_held_;   // in this step, of each block
   std::vector<Body> sums_;           // of each body
-  std::vector<Vec6> start_;          // of blocks that were hit, before the part in which they were hit first
-  std::vector<Vec6> before_;         // the part that is tried
-  double last_dt_ = 0;               // s, of the last part done; 0 before there was one
+  std::vector<Vec6> start_;   // of blocks that were hit, before the part in which they were hit first, or the step
+  std::vector<Vec6> before_;  // the part that is tried
+  double last_dt_ = 0;        // s, of the last part done; 0 before there was one
 };
 
 }  // namespace dda

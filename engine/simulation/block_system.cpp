@@ -48,7 +48,7 @@ const Stage& BlockSystem::stage_in_force() const { return model.stages[clock.in_
 
 double BlockSystem::end_of_stage() const {
   const Stage& now = stage();
-  return clock.start + (now.paces_itself() ? now.duration : static_cast<double>(now.steps()) * now.dt);
+  return clock.start + (now.paces_itself() ? now.duration : now.time_of(now.steps()));
 }
 
 double BlockSystem::end_of_step(double dt) const {

@@ -16,6 +16,8 @@
 namespace dda {
 namespace {
 
+constexpr double harmless_at_start = 1e-4;
+
 // What projected stretches take off their blocks has the directions in which stresses were held last, and their gaps
 // are those of the kinematics of the stage before.
 void change_kinematics(BlockSystem& s, GeneralStep& step) {
@@ -72,7 +74,13 @@ void GeneralStep::begin() {
   for (Vec3& force : system_.terms.centrifugal) force.setZero();
   if (system_.plan.is_static) return;
   if (feels_spin(system_.plan)) set_centrifugal_forces(system_.model, system_.state, system_.terms);
-  set_initial_acceleration(changing_, system_);
+  set_initial_acceleration(changing_, harmless_at_start, system_);
+}
+
+// An impact may be under way, of which nothing is harmless.
+void GeneralStep::lengthen(double dt) {
+  set_step_size(dt);
+  set_initial_acceleration(changing_, 0, system_);
 }
 
 }  // namespace dda

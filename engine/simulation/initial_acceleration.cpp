@@ -21,9 +21,6 @@ namespace {
 // do not.
 constexpr double pressing = 1e-9;
 
-// Motion in a step, in the block's own size, that an acceleration must stand for before it can do harm.
-constexpr double harmful = 1e-4;
-
 // Stiffness of a block's contacts times dt^2 over its mass, or of its strains over their inertia, from which on a step
 // does not resolve how it lets go.
 constexpr double unresolved_from = 1;
@@ -176,7 +173,7 @@ class UnresolvedBlocks {
 
 }  // namespace
 
-void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& system) {
+void set_initial_acceleration(const std::vector<int>& changing, double harmless, BlockSystem& system) {
   const Eigen::VectorXd unbalanced = accelerating_forces(system);
   const Pressed pressed =
       stiffness_of_pressed_contacts(changing, system, pressing * largest_of_free_blocks(unbalanced, system));
@@ -192,7 +189,7 @@ void set_initial_acceleration(const std::vector<int>& changing, BlockSystem& sys
     acceleration = mass.llt().solve(unbalanced.segment<6>(static_cast<Eigen::Index>(6 * i)));
     unresolved[i] = (stiffness_number(pressed.own[i], mass, dt) > unresolved_from ||
                      (are_free[i] && stiffness_number_of_strains(elasticity, mass, dt) > unresolved_from)) &&
-                    motion_share(dt * dt * acceleration, system.terms.area[i]) > harmful;
+                    motion_share(dt * dt * acceleration, system.terms.area[i]) > harmless;
   }
   if (std::ranges::find(unresolved, true) != unresolved.end())
     UnresolvedBlocks(pressed, unresolved, system).accelerate(unbalanced, system.state.acceleration);

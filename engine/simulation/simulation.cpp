@@ -33,8 +33,8 @@ namespace {
 // The columns go first: what they do at the end of the step is then known.
 Status step_free_field(BlockSystem& s, std::string& message) {
   if (!s.free_field) return Status::ok;
-  const double dt = s.stage().dt;
-  const Status status = s.free_field->advance_to(s.clock.start + static_cast<double>(s.clock.step + 1) * dt, dt);
+  const double dt = s.stage().dt_of(s.clock.step);
+  const Status status = s.free_field->advance_to(s.clock.start + s.stage().time_of(s.clock.step + 1), dt);
   if (status != Status::ok) message = "columns of the free field: " + s.free_field->message();
   return status;
 }
@@ -135,8 +135,7 @@ void Simulation::begin_stage() {
   if (s.plan.is_static) {
     note_exchanged_forces(s);
   } else {
-    set_held_rates(s.model, s.state);
-    s.audit.accelerations_begin(energy_of_a_free_step(s));
+    begin_accelerations();
   }
   s.audit.small_motion.begin_stage(in_motion(s));
 }
@@ -154,7 +153,7 @@ Status Simulation::step() {
   const auto advance_by = [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); };
   const auto is_sure = [this] { return stage_step().is_provisional(); };
   const Status status = is_settling() ? pace_.step(s.costs.counters, advance_by, is_sure)
-                                      : advance(s.stage().dt, s.stage().limits.step_reductions);
+                                      : advance(s.stage().dt_of(s.clock.step), s.stage().limits.step_reductions);
   if (status != Status::ok) {
     message_ = stage_step().message();
     return status;
@@ -162,12 +161,28 @@ Status Simulation::step() {
   ++s.clock.step;
   if (is_settling()) go_on_with_loads(in_situ_force_, s);
   ++s.state.step;
-  s.state.time = s.clock.start + static_cast<double>(s.clock.step) * s.stage().dt;
+  s.state.time = s.clock.start + s.stage().time_of(s.clock.step);
+  if (s.clock.step <= s.stage().first_steps.number()) lengthen_steps();
   s.audit.small_motion.follow(in_motion(s));
   const bool in_range = general_->is_in_contact_range();
   if (!in_range) message_ = general_->message();
   const Status end = is_over() ? end_stage() : Status::ok;
   return in_range ? end : Status::left_contact_range;
+}
+
+// What accelerations still owe of the last steps, longer ones would give several times over: they begin anew, as those
+// of a stage do.
+void Simulation::lengthen_steps() {
+  BlockSystem& s = *system_;
+  const double dt = s.stage().dt_of(s.clock.step);
+  if (dt <= s.stage().dt_of(s.clock.step - 1)) return;
+  stage_step().lengthen(dt);
+  begin_accelerations();
+}
+
+void Simulation::begin_accelerations() {
+  set_held_rates(system_->model, system_->state);
+  system_->audit.accelerations_begin(energy_of_a_free_step(*system_));
 }
 
 Status Simulation::advance(double dt, int reductions_left) {

@@ -22,6 +22,8 @@ class Step {
   virtual void set_up(BlockMatrix pattern) = 0;
   // The first moment of that stage: what follows from the state there.
   virtual void begin() = 0;
+  // Steps are of length `dt` (s) from now on, longer than those before.
+  virtual void lengthen(double /*dt*/) {}
   // Advances the system by dt; anything but ok leaves it as it was, and message() says why.
   [[nodiscard]] virtual Status advance(double dt, bool can_be_cut) = 0;
   // Its stage is over and another begins: the ledger is left as all kinds of step count it.

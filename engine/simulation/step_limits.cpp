@@ -52,7 +52,7 @@ std::string_view remedy_of_unsettled(const Stage& stage) {
 
 bool is_shortest_part(const BlockSystem& system) {
   const Stage& stage = system.stage();
-  return system.coefficients.dt <= std::ldexp(stage.dt, -stage.limits.step_reductions);
+  return system.coefficients.dt <= std::ldexp(stage.dt_of(system.clock.step), -stage.limits.step_reductions);
 }
 
 int most_passes(const Stage& stage) {

@@ -41,6 +41,16 @@ void remark_on_shear(const JointMaterial& joint, Remarks& remarks) {
                   joint.name));
 }
 
+// Where a joint has a strength to lose, springs are meant for when it is lost.
+void remark_on_springs_to_come(const JointMaterial& joint, Remarks& remarks) {
+  const bool names_springs = joint.normal_spring > 0 || joint.spring_over_young != JointMaterial{}.spring_over_young;
+  if (joint.bonded || !is_dry(joint) || !names_springs) return;
+  remarks.push_back(fmt::format(
+      "joint \"{}\": its springs act where it has slipped or opened, and not before: until then it passes on "
+      "the stress of its blocks; with \"law\": \"classical\" they act from the start",
+      joint.name));
+}
+
 struct Joints {
   std::set<std::size_t> all, with_springs;
 };
@@ -65,6 +75,7 @@ std::vector<std::string> joint_remarks(const Model& model, const ContactSet& con
   Remarks remarks;
   for (const std::size_t joint : in_use.with_springs) remark_on_shear(model.joints[joint], remarks);
   for (const std::size_t joint : in_use.all) {
+    if (!in_use.with_springs.contains(joint)) remark_on_springs_to_come(model.joints[joint], remarks);
     if (model.joints[joint].bonded) continue;
     remark_on_brittleness(model.joints[joint], remarks);
     remark_on_apex(model.joints[joint], remarks);

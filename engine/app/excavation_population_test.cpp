@@ -275,8 +275,8 @@ Model loose_rock(int seed, bool growing) {
   Model model = parse_scene(scene_with_opening(seed, loose, false, steps).dump(), fmt::format("seed {}", seed));
   if (growing) return model;
   Stage& stage = model.stages[1];
-  stage.dt = stage.first_steps.dt;
-  stage.first_steps = {};
+  stage.dt = stage.chosen.dt.first_steps.dt;
+  stage.chosen.dt.first_steps = {};
   return model;
 }
 

@@ -85,9 +85,11 @@ Springs springs_of(const Model& model, const Interface& interface) {
                                             : joint.shear_to_normal * normal};
 }
 
+// Blocks that cannot give way sideways have the modulus of plane strain in a layer, and joints between them have more
+// of the whole compliance than between others.
 StiffnessErrors stiffness_errors(const Model& model, const Interface& interface) {
   const auto half_block = [&](int block) {
-    return width_across(model, block, interface.normal) / (2 * model.material_at_start(block).young);
+    return width_across(model, block, interface.normal) / (2 * plane_modulus(model.material_at_start(block)));
   };
   const double per_area = 2 * springs_of(model, interface).normal / interface.length;
   const double smaller =

@@ -376,7 +376,7 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
       state.status[e] = ContactStatus::open;
       state.force.segment<2>(n).setZero();
       // While it was still closed.
-      if (trial.rule.conserves_energy && trial.dilation[e] != 0) state.slip[e] += slip_in_step(springs, trial, end);
+      if (trial.dilation[e] != 0) state.slip[e] += slip_in_step(springs, trial, end);
       state.gap(n + 1) = 0;  // a joint that closes again starts without shear
       continue;
     }

@@ -50,7 +50,8 @@ struct SeenFromStretch {
   std::array<bool, 2> goes_on_along = {false, false};  // or comes back to it, past either end
 };
 
-SeenFromStretch see(const Polygon& shape, const Interface& stretch, const Vec2& outwards) {
+// It is still at the line when it leaves it at no more than an angle of the sine `aside`.
+SeenFromStretch see(const Polygon& shape, const Interface& stretch, const Vec2& outwards, double aside) {
   SeenFromStretch seen;
   const Vec2 along = (stretch.to - stretch.from) / stretch.length;
   for (const Vec2& corner : shape.outer) {
@@ -58,16 +59,17 @@ SeenFromStretch see(const Polygon& shape, const Interface& stretch, const Vec2& 
     const double off = outwards.dot(after);
     const double far = std::max(std::min(before.norm(), after.norm()), straight * stretch.length);
     if (off > straight * far) seen.is_beyond = true;
-    if (off < -straight * far) continue;
+    if (off < -aside * far) continue;
     if (along.dot(before) > straight * stretch.length) seen.goes_on_along[0] = true;
     if (along.dot(after) > straight * stretch.length) seen.goes_on_along[1] = true;
   }
   return seen;
 }
 
-// The line of a stretch parts its blocks, and past its ends no more than one of them is at the line.
-bool is_parted_by(const Interface& stretch, const Polygon& a, const Polygon& b) {
-  const SeenFromStretch of_a = see(a, stretch, stretch.normal), of_b = see(b, stretch, -stretch.normal);
+// The line of a stretch parts its blocks, and past its ends no more than one of them is at the line, or within an angle
+// of the sine `aside` of it.
+bool is_parted_by(const Interface& stretch, const Polygon& a, const Polygon& b, double aside) {
+  const SeenFromStretch of_a = see(a, stretch, stretch.normal, aside), of_b = see(b, stretch, -stretch.normal, aside);
   const auto both_go_on = [&](std::size_t end) { return of_a.goes_on_along[end] && of_b.goes_on_along[end]; };
   return !of_a.is_beyond && !of_b.is_beyond && !both_go_on(0) && !both_go_on(1);
 }
@@ -103,14 +105,19 @@ void press_in_part(const InterfaceElement& element, InterfaceState& own) {
 
 bool has_parted(const Model& model, const State& state, const Interface& interface) {
   const EndsApart ends = ends_apart(model, state, interface);
-  const auto gone = [](const Vec2& end) { return std::max(end.x(), std::abs(end.y())); };
-  return std::max(gone(ends.from), gone(ends.to)) > parting_share * interface.length;
+  const double slid = std::max(std::abs(ends.from.y()), std::abs(ends.to.y()));
+  const auto [nearer, further] = std::minmax(ends.from.x(), ends.to.x());
+  if (std::max(slid, nearer) > parting_share * interface.length) return true;
+  if (further <= parting_share * interface.length) return false;
+  return further > turning_share * interface.length ||
+         !is_parted_by(interface, block_of(model, interface.block_a).shape, block_of(model, interface.block_b).shape,
+                       turning_share);
 }
 
 bool touch_there_alone(const Model& model, const Interface& interface) {
   const Polygon& a = block_of(model, interface.block_a).shape;
   const Polygon& b = block_of(model, interface.block_b).shape;
-  return (points_outwards(a) && points_outwards(b)) || is_parted_by(interface, a, b);
+  return (points_outwards(a) && points_outwards(b)) || is_parted_by(interface, a, b, straight);
 }
 
 void measure_projected(const Model& model, const State& state, const Interface& interface,

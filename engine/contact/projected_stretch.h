@@ -26,12 +26,18 @@ namespace dda {
 // The share of its length that an end may go before the stretch parts. Until then the length is wrong by as much.
 inline constexpr double parting_share = 0.01;
 
+// The same of an end that gapes while the other one has stayed: by that the stretch has turned, and is where it was.
+// Contacts of corners that take its place carry a force up to its edge, however wide the joint presses, and a block
+// that is about to topple over stood up on them again.
+inline constexpr double turning_share = 0.05;
+
 // Whether an end of a stretch of this law gapes.
 inline bool gapes(const InterfaceElement& element, const InterfaceState& state) {
   return element.law == InterfaceLaw::projected && std::ranges::count(state.status, ContactStatus::open) > 0;
 }
 
-// Whether an end has slid or gone away from the other block so far.
+// Whether an end has slid or gone away from the other block so far; to gape wider the blocks must not meet anew past
+// the end that stays.
 bool has_parted(const Model& model, const State& state, const Interface& interface);
 
 // Whether two blocks can touch nowhere else as long as they have the stretch, but for half a degree: neither has a

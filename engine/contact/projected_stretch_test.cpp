@@ -119,6 +119,37 @@ TEST(ProjectedStretch, PartsWhenAnEndHasGoneAHundredthOfItsLength) {
   EXPECT_TRUE(has_parted(model, moved(model, 2.5, {0, 0.017}), interface));
 }
 
+// The upper block turned about a point of the joint, counter-clockwise.
+State tilted(const Model& model, const Vec2& about, double angle) {
+  State state = initial_state(model);
+  const Vec2 arm = model.blocks[1].moments.centroid - about;
+  state.displacement[1].head<2>() = rotation(angle) * arm - arm;
+  state.displacement[1](2) = angle;
+  state.deformation[1] = rotation(angle);
+  return state;
+}
+
+TEST(ProjectedStretch, StaysWhereItHasTurnedAboutOneOfItsEnds) {
+  const Model model = two_bricks({0, -3e6, 0});
+  const Interface interface = make_contacts(model).interfaces.at(0);
+  EXPECT_FALSE(has_parted(model, tilted(model, {0.4, 1}, 0.04), interface));
+  EXPECT_TRUE(has_parted(model, tilted(model, {0.4, 1}, 0.06), interface));
+  EXPECT_FALSE(has_parted(model, tilted(model, {2, 1}, -0.04), interface));
+  EXPECT_TRUE(has_parted(model, tilted(model, {2, 1}, -0.06), interface));
+}
+
+// The face beside the corner that it turns over is above the other block's, and comes down on it.
+TEST(ProjectedStretch, PartsSoonerWhereItsBlocksAreAboutToMeetElsewhere) {
+  Model model = two_bricks({0, -3e6, 0});
+  model.blocks[1].shape.outer = {{0.4, 1}, {2.4, 1}, {2.4, 1.6}, {0.1, 1.6}, {0.1, 1.006}};
+  finish_model(model);
+  const Interface interface = make_contacts(model).interfaces.at(0);
+  ASSERT_NEAR(interface.length, 1.6, 1e-12);
+  EXPECT_FALSE(has_parted(model, tilted(model, {0.4, 1}, 0.009), interface));
+  EXPECT_TRUE(has_parted(model, tilted(model, {0.4, 1}, 0.011), interface));
+  EXPECT_FALSE(has_parted(model, tilted(model, {2, 1}, -0.04), interface));
+}
+
 // The joint carries something else than its blocks' own tractions.
 TEST(ProjectedStretch, LeavesForcesOnStrainsAndBringsNoEnergyWhenItParts) {
   const Model model = two_bricks({-2e6, -3e6, 0.4e6});

@@ -173,6 +173,25 @@ TEST_P(RisingEnds, AreTheFixedPointOverCapacitiesAndDilations) {
   }
 }
 
+// What an end has ridden up by is that of its slip, whether it ends the step closed or open.
+TEST_P(RisingEnds, HaveRiddenUpByWhatTheyHaveSlipped) {
+  int opened = 0;
+  for (int i = 0; i < 2000; ++i) {
+    InterfaceTrial trial = random_trial();
+    update_dilation(element(), strength_, trial);
+    const InterfaceState after = finish_trial(element(), start_, trial);
+    for (int end = 0; end < ends_of(element()); ++end) {
+      const auto e = static_cast<std::size_t>(end);
+      const double risen = strength_.lift(after.slip[e]) - strength_.lift(start_.slip[e]);
+      ASSERT_NEAR(after.dilation[e] - start_.dilation[e], risen, 1e-12);
+      if (after.status[e] == ContactStatus::open && risen != 0) ++opened;
+    }
+  }
+  if (element().dashpot(0) > 0) {
+    EXPECT_GT(opened, 10);
+  }
+}
+
 // Rows in the matrix and what lies beyond them make up the slopes of the answer.
 TEST_P(RisingEnds, SlopesAreThoseOfTheAnswer) {
   constexpr double step = 1e-7;

@@ -26,7 +26,7 @@ struct FirstSteps {
     return grow() ? std::ldexp(static_cast<double>(steps_of_one_length) * dt, doublings) : 0;
   }
 
-  // Of the step `step` of the stage, which is one of them: its length, and how long after the stage it begins, in s.
+  // The length of a step of the stage (counted from 0) that is one of them, and how long after the stage it begins, s.
   [[nodiscard]] double dt_of(std::int64_t step) const { return std::ldexp(dt, doublings_before(step)); }
   [[nodiscard]] double time_of(std::int64_t step) const {
     const int before = doublings_before(step);

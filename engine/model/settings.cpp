@@ -41,14 +41,19 @@ Integrator with_contacts(const Integrator& integrator) {
 Integrator static_integrator() { return {"static", 0.5, 1.0, 0, 0, true}; }
 
 std::int64_t Stage::steps() const {
-  return paces_itself() ? 0 : first_steps.number() + std::llround((duration - first_steps.duration()) / dt);
+  const FirstSteps& first = chosen.dt.first_steps;
+  return paces_itself() ? 0 : first.number() + std::llround((duration - first.duration()) / dt);
 }
 
-double Stage::dt_of(std::int64_t step) const { return step < first_steps.number() ? first_steps.dt_of(step) : dt; }
+double Stage::dt_of(std::int64_t step) const {
+  const FirstSteps& first = chosen.dt.first_steps;
+  return step < first.number() ? first.dt_of(step) : dt;
+}
 
 double Stage::time_of(std::int64_t step) const {
-  const std::int64_t first = first_steps.number();
-  return step < first ? first_steps.time_of(step) : first_steps.duration() + static_cast<double>(step - first) * dt;
+  const FirstSteps& first = chosen.dt.first_steps;
+  if (step < first.number()) return first.time_of(step);
+  return first.duration() + static_cast<double>(step - first.number()) * dt;
 }
 
 double MaterialDamping::ratio_at(double frequency) const {

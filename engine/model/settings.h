@@ -82,6 +82,7 @@ struct MaterialDamping {
 struct ChosenDt {
   bool automatic = false;
   std::string reason;  // why it chose that, one phrase
+  FirstSteps first_steps;
 };
 
 // Whether the engine chooses between the integrator of a stage and explicit steps, see simulation/integrator_choice.h.
@@ -103,9 +104,8 @@ struct StepEffort {
 
 struct Stage {
   std::string name = "run";
-  double dt = 0;           // s; 0: a static stage that finds its own steps, see paces_itself()
-  FirstSteps first_steps;  // where they are shorter than dt
-  double duration = 0;     // s; may be 0 where the stage paces itself
+  double dt = 0;        // s; 0: a static stage that finds its own steps, see paces_itself()
+  double duration = 0;  // s; may be 0 where the stage paces itself
   Integrator integrator;
   ChosenByEngine chosen;
   Kinematics kinematics = Kinematics::finite;
@@ -151,11 +151,11 @@ struct Stage {
   [[nodiscard]] bool paces_itself() const { return dt == 0; }
   // How many steps there are; 0 where that is not known before.
   [[nodiscard]] std::int64_t steps() const;
-  // Of a step, counted from 0, of a stage that does not pace itself: its length, and how long after the start of the
+  // The length of a step (counted from 0) of a stage that does not pace itself, and how long after the start of the
   // stage it begins, in s.
   [[nodiscard]] double dt_of(std::int64_t step) const;
   [[nodiscard]] double time_of(std::int64_t step) const;
-  [[nodiscard]] double shortest_dt() const { return first_steps.grow() ? first_steps.dt : dt; }
+  [[nodiscard]] double shortest_dt() const { return chosen.dt.first_steps.grow() ? chosen.dt.first_steps.dt : dt; }
 };
 
 }  // namespace dda

@@ -224,7 +224,7 @@ void let_grow(double longest, Stage& stage) {
   if (!first.grow()) return;
   const double left = stage.duration - first.duration();
   stage.dt = left / std::ceil(left / std::ldexp(first.dt, first.doublings));
-  stage.first_steps = first;
+  stage.chosen.dt.first_steps = first;
 }
 
 bool blocks_can_part(const Model& model) {

@@ -109,8 +109,8 @@ TEST(StepChoice, OfRockRemovedAtOnceIsThatOfTheBlocksBesideIt) {
   model.stages.push_back(model.stages[0]);
   model.stages[1].removal.blocks = {3};
   finish_model(model);
-  EXPECT_EQ(model.stages[0].dt, 2e-3);              // 0.01 sqrt(1/9.81) = 3.2 ms, of blocks that fall
-  EXPECT_EQ(model.stages[1].first_steps.dt, 5e-5);  // an eighth of 1 m / (2000 m/s) = 62.5 us
+  EXPECT_EQ(model.stages[0].dt, 2e-3);                        // 0.01 sqrt(1/9.81) = 3.2 ms, of blocks that fall
+  EXPECT_EQ(model.stages[1].chosen.dt.first_steps.dt, 5e-5);  // an eighth of 1 m / (2000 m/s) = 62.5 us
 
   Model slow = row_of_squares(false);
   slow.gravity = {0, -9.81};
@@ -130,7 +130,7 @@ TEST(StepChoice, OfJointsThatGetTheirOwnStrengthAtOnceIsThatOfTheBlocks) {
   model.stages[0].unlimited_strength = true;
   finish_model(model);
   EXPECT_EQ(model.stages[0].dt, 2e-3);
-  EXPECT_EQ(model.stages[1].first_steps.dt, 5e-5);  // an eighth of 1 m / (2000 m/s) = 62.5 us
+  EXPECT_EQ(model.stages[1].chosen.dt.first_steps.dt, 5e-5);  // an eighth of 1 m / (2000 m/s) = 62.5 us
 }
 
 // From 50 us by the double up to what falling blocks ask for, to the end of the stage.
@@ -142,7 +142,7 @@ TEST(StepChoice, OfRockRemovedAtOnceGrows) {
   stage.removal.blocks = {3};
   for (const double duration : {0.5, 1.0, 0.777, 0.1, 0.0111, 0.0109}) {
     stage.dt = 0;
-    stage.first_steps = {};
+    stage.chosen.dt.first_steps = {};
     stage.duration = duration;
     finish_model(model);
     double time = 0;
@@ -155,7 +155,8 @@ TEST(StepChoice, OfRockRemovedAtOnceGrows) {
     }
     EXPECT_NEAR(time, duration, 1e-12);
     EXPECT_NEAR(stage.time_of(stage.steps()), duration, 1e-12);
-    EXPECT_EQ(stage.first_steps.grow(), duration > 0.011) << duration;  // 200 steps, and ten of twice the length
+    EXPECT_EQ(stage.chosen.dt.first_steps.grow(), duration > 0.011)
+        << duration;  // 200 steps, and ten of twice the length
   }
   EXPECT_EQ(stage.dt, 5e-5);
 }
@@ -167,8 +168,8 @@ TEST(StepChoice, OfStressedRockRemovedAtOnceGrowsAsFarAsThrownBlocksLet) {
   model.stages[1].removal.blocks = {3};
   for (Block& block : model.blocks) block.initial_stress = {-40e6, -1e6, 0};
   finish_model(model);
-  EXPECT_EQ(model.stages[1].first_steps.dt, 5e-5);
-  EXPECT_EQ(model.stages[1].first_steps.doublings, 4);
+  EXPECT_EQ(model.stages[1].chosen.dt.first_steps.dt, 5e-5);
+  EXPECT_EQ(model.stages[1].chosen.dt.first_steps.doublings, 4);
   EXPECT_NEAR(model.stages[1].dt, 8e-4, 0.1e-4);
 }
 
@@ -179,7 +180,7 @@ TEST(StepChoice, OfRockRemovedAtOnceStaysAsItIsWhereItsNumberOfStepsDamps) {
   model.stages[1].removal.blocks = {3};
   model.stages[1].velocity_factor = 0.99;
   finish_model(model);
-  EXPECT_FALSE(model.stages[1].first_steps.grow());
+  EXPECT_FALSE(model.stages[1].chosen.dt.first_steps.grow());
   EXPECT_EQ(model.stages[1].dt, 5e-5);
 }
 

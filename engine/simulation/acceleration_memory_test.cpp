@@ -31,7 +31,7 @@ struct Pair {
     model.joints[0].friction_angle = 0.5;
     model.blocks[0].initial_velocity = rotation(turn) * Vec2(speed, 0);
     model.stages = {stage_of(generalized_alpha_integrator(0), dt, 60, Kinematics::finite)};
-    model.stages[0].first_steps = first;
+    model.stages[0].chosen.dt.first_steps = first;
     model.stages[0].duration += first.duration();
     return simulation_of(std::move(model));
   }

@@ -119,7 +119,7 @@ Status ExplicitStep::advance(double dt, bool /*can_be_cut*/) {
   const double start = s.state.time;
   const double end = s.end_of_step(dt);
   if (s.plan.loads) s.loads_at(end, s.forces.load_new);
-  aim(s.model, s.state, end, s.held);
+  aim(s.model, s.state, LoadTime::at(end), s.held);
   remember();
   move();
   s.state.time = end;

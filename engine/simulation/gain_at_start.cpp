@@ -20,7 +20,8 @@ double energy_of_a_free_step(const BlockSystem& system) {
 double gain_at_start(const BlockSystem& system) {
   const Integrator& integrator = system.stage_in_force().integrator;
   if (system.clock.step == 0 || integrator.is_static || integrator.is_explicit()) return 0;
-  const std::int64_t first = system.stage_in_force().first_steps.number();  // accelerations begin anew after them
+  const std::int64_t first =
+      system.stage_in_force().chosen.dt.first_steps.number();  // accelerations begin anew after them
   const auto steps = static_cast<double>(system.clock.step > first ? system.clock.step - first : system.clock.step);
   const double kappa = 1 - integrator.gamma / (2 * integrator.beta);
   const double rho = integrator.alpha_f / (1 - integrator.alpha_f);

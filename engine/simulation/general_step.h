@@ -30,7 +30,6 @@ class GeneralStep : public Step {
 
   void set_up(BlockMatrix pattern) override;
   void begin() override;
-  void lengthen(double dt) override;
   [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
   void hand_over() override { solver_.end(); }
   [[nodiscard]] StoredEnergy stored_energy() const override { return system_.stored_energy_now(); }

@@ -66,21 +66,21 @@ void GeneralStep::set_blocks(const std::vector<bool>& absent, const std::vector<
   }
 }
 
+// In longer steps within the stage only accelerations begin anew. An impact may be under way then, of which nothing is
+// harmless.
 void GeneralStep::begin() {
-  cushion_ = {};
-  given_friction_ = {};
-  solver_.begin_bolts_anew();
-  change_kinematics(system_, *this);
-  for (Vec3& force : system_.terms.centrifugal) force.setZero();
+  const bool is_new_stage = system_.clock.step == 0;
+  if (is_new_stage) {
+    cushion_ = {};
+    given_friction_ = {};
+    solver_.begin_bolts_anew();
+    change_kinematics(system_, *this);
+    for (Vec3& force : system_.terms.centrifugal) force.setZero();
+  }
   if (system_.plan.is_static) return;
+  set_step_size(system_.stage().dt_of(system_.clock.step));
   if (feels_spin(system_.plan)) set_centrifugal_forces(system_.model, system_.state, system_.terms);
-  set_initial_acceleration(changing_, harmless_at_start, system_);
-}
-
-// An impact may be under way, of which nothing is harmless.
-void GeneralStep::lengthen(double dt) {
-  set_step_size(dt);
-  set_initial_acceleration(changing_, 0, system_);
+  set_initial_acceleration(changing_, is_new_stage ? harmless_at_start : 0, system_);
 }
 
 }  // namespace dda

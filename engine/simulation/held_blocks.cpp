@@ -36,15 +36,25 @@ void add_turn(const MotionFactors& factors, const HeldBlock& held, const Vec2& d
   motion.acceleration(2) = spin_up;
 }
 
-Motion motion_of(const Model& model, const HeldBlock& held, double time) {
+Motion motion_by(const MotionFactors& factors, const Model& model, const HeldBlock& held) {
   Motion motion;
   if (!moves(held)) return motion;
-  const MotionFactors factors = motion_at(held.kind, held.history, time);
   motion.displacement.head<2>() = factors.displacement * held.amplitude;
   motion.velocity.head<2>() = factors.velocity * held.amplitude;
   motion.acceleration.head<2>() = factors.acceleration * held.amplitude;
   if (held.turn != 0) add_turn(factors, held, model.blocks[at(held.block)].moments.centroid - held.about, motion);
   return motion;
+}
+
+Motion motion_of(const Model& model, const HeldBlock& held, double time) {
+  return moves(held) ? motion_by(motion_at(held.kind, held.history, time), model, held) : Motion{};
+}
+
+// A block that turns goes by the angle in between.
+Vec6 displacement_of(const Model& model, const HeldBlock& held, const LoadTime& time) {
+  if (!moves(held)) return Vec6::Zero();
+  const auto factor = [&](double then) { return motion_at(held.kind, held.history, then).displacement; };
+  return motion_by({.displacement = time.of(factor)}, model, held).displacement;
 }
 
 }  // namespace
@@ -82,7 +92,7 @@ int steps_of_motion(const Model& model, double start, double end, double most) {
                           extent_along(model.blocks[at(held.block)].shape.outer, Vec2::UnitY());
     Vec6 before = motion_of(model, held, start).displacement;
     for (int look = 1; look <= looks; ++look) {
-      const Vec6 then = motion_of(model, held, start + (end - start) * look / looks).displacement;
+      const Vec6 then = displacement_of(model, held, {start, end, static_cast<double>(look) / looks});
       const Vec6 way = then - before;
       before = then;
       steps = std::max(steps, looks * (way.head<2>().norm() + radius * std::abs(way(2))) / (most * smallest));
@@ -95,10 +105,9 @@ Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double t
   return motion_of(model, held, time).displacement;
 }
 
-void aim(const Model& model, const State& state, double time, HeldUnknowns& held) {
+void aim(const Model& model, const State& state, const LoadTime& time, HeldUnknowns& held) {
   for (std::size_t i = 0; i < model.held_blocks.size(); ++i) {
-    held.increments[i] =
-        motion_of(model, model.held_blocks[i], time).displacement - state.displacement[at(held.blocks[i])];
+    held.increments[i] = displacement_of(model, model.held_blocks[i], time) - state.displacement[at(held.blocks[i])];
     held.increments[i].tail<3>().setZero();
   }
 }

@@ -9,6 +9,7 @@
 
 #include "engine/model/model.h"
 #include "engine/model/state.h"
+#include "engine/simulation/load_time.h"
 #include "engine/solve/held_unknowns.h"
 
 namespace dda {
@@ -20,10 +21,11 @@ HeldUnknowns make_held_unknowns(const Model& model, const std::vector<bool>& abs
 void hold_still(int block, std::size_t blocks, HeldUnknowns& held);
 
 // The increments that bring the model's held blocks from `state` to where they are to be at `time`.
-void aim(const Model& model, const State& state, double time, HeldUnknowns& held);
+void aim(const Model& model, const State& state, const LoadTime& time, HeldUnknowns& held);
 
-// In how many steps the held blocks go from `start` to `end`, s, when they turn and move by no more than `most` of the
-// smallest block's size in any of them; never more than a static stage has steps for.
+// In how many steps the held blocks go straight from where they are at `start` to where they are at `end`, s, when they
+// turn and move by no more than `most` of the smallest block's size in any of them; never more than a static stage has
+// steps for.
 int steps_of_motion(const Model& model, double start, double end, double most);
 
 // Displacement of the unknowns of a held block at `time`.

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/simulation/block_system.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
@@ -218,6 +219,39 @@ TEST(HeldBlocks, TiltingTable) {
     } else {
       EXPECT_LT(slid, -3e-4);
     }
+  }
+}
+
+// A static stage that finds its own steps takes no time and has no histories: what moves goes straight to where it is
+// to be. A block that is dragged along a wall of friction has slid by that way, however often its base would have come
+// and gone, and is pulled the way that it goes.
+TEST(HeldBlocks, GoStraightInStagesThatFindTheirSteps) {
+  constexpr double way = 0.02, push = 1e5, friction = 0.5;
+  for (const double between : {0.5, 1.5, 5.0, -2.0}) {
+    Model model;
+    model.materials = {rock()};
+    JointMaterial joint;
+    joint.law = InterfaceLaw::classical;
+    joint.friction_angle = std::atan(friction);
+    model.joints = {joint};
+    model.blocks = {rectangle("base", -1, -1, 3, 1), rectangle("box", 0, 0, 1, 0.2)};
+    HeldBlock base;
+    base.amplitude = {way, 0};
+    base.history = PiecewiseLinear{{0, 1, 1.4, 2}, {0, 0, between, 1}};
+    model.held_blocks = {base};
+    for (const Vec2& corner : {Vec2(1, 0), Vec2(1, 0.2)})
+      model.supports.push_back({1, corner, true, false, 1e11, Vec2::Zero(), Constant{}});
+    model.edge_loads = {{1, {1, 0.2}, {0, 0.2}, {0, -push}, Constant{}}};
+    Stage stage = stage_of(static_integrator(), 0, 1, Kinematics::small);
+    stage.duration = 1;
+    stage.equilibrium = 1e-6;
+    model.stages = {stage, stage};
+    Simulation simulation = simulation_of(std::move(model));
+    while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+    double pull = 0;
+    for (const SupportElement& support : simulation.system().supports) pull -= (support.stiffness * support.gap).x();
+    EXPECT_NEAR(pull, -friction * push, 1e-4 * push) << between;
+    EXPECT_NEAR(simulation.energy().friction, friction * push * way, 0.03 * friction * push * way) << between;
   }
 }
 

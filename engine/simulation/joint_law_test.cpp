@@ -175,6 +175,40 @@ TEST_P(ShearBox, DilationLiftsTheBoxBySlipTimesItsTangent) {
   EXPECT_GT(slip, 3e-3);
 }
 
+// Stages without dt, each of which moves the base: out, back to where the box began, out on the other side and back.
+// The box stays where it is but for the springs that hold it, and rides on the joint.
+TEST_P(ShearBox, DilationComesDownOnTheWayBackInStagesThatFindTheirSteps) {
+  const double way = 0.02;
+  const std::vector<double> path{0, 1, 1.5, 1, 0.5, 0, -0.5, 0};
+  for (const double degrees : {2.0, 10.0, 25.0}) {
+    Model model = shear_box(rising_joint(1), 0, 1, GetParam());
+    model.joints[0].dilation_angle = degrees * degree;
+    model.supports.erase(model.supports.begin(), model.supports.begin() + 4);
+    HeldBlock base;
+    base.amplitude = {way, 0};
+    PiecewiseLinear table;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      table.times.push_back(static_cast<double>(i));
+      table.values.push_back(path[i]);
+    }
+    base.history = table;
+    model.held_blocks = {base};
+    Stage stage = stage_of(static_integrator(), 0, 1, GetParam());
+    stage.duration = 1;
+    stage.equilibrium = 1e-6;
+    model.stages.assign(path.size() - 1, stage);
+    for (std::size_t i = 0; i < model.stages.size(); ++i) model.stages[i].name = std::to_string(i);
+    Simulation simulation = simulation_of(std::move(model));
+    std::vector<double> heights{0};
+    simulation.watch().at_end = [&] { heights.push_back(height(simulation)); };
+    while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+    ASSERT_EQ(heights.size(), path.size());
+    // Springs of corners are compressed by some 1e-4 m, by more where the box leans on one of them.
+    for (std::size_t i = 0; i < path.size(); ++i)
+      EXPECT_NEAR(heights[i], std::abs(path[i]) * way * std::tan(degrees * degree), 2e-4) << degrees << ", stage " << i;
+  }
+}
+
 TEST_P(ShearBox, DilationEndsAtItsSlip) {
   Simulation simulation = simulation_of(shear_box(rising_joint(1e-3), 4e-3, 200, GetParam()));
   step_until_sliding(simulation);

@@ -41,7 +41,7 @@ Status LinearStep::advance(double dt, bool /*can_be_cut*/) {
   const double end = s.end_of_step(dt);
   if (s.plan.loads) s.loads_at(end, s.forces.load_new);
   form_rhs();
-  aim(s.model, s.state, end, s.held);
+  aim(s.model, s.state, LoadTime::at(end), s.held);
   const Status status = solve();
   if (status == Status::ok) {
     accept();

@@ -112,10 +112,4 @@ bool nothing_prescribed_changes_until(double time, BlockSystem& system) {
   return held_blocks_stand_still_until(system.model, system.state, time);
 }
 
-double end_of_motion(const BlockSystem& system) {
-  const double end = system.end_of_step(system.coefficients.dt);
-  if (!system.stage_in_force().paces_itself()) return end;
-  return system.clock.start + (end - system.clock.start) * system.clock.parts.next_share();
-}
-
 }  // namespace dda

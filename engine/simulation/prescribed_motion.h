@@ -26,9 +26,6 @@ void begin_viscous_edges(BlockSystem& system);
 // What moves the held blocks works against all other forces on them.
 void audit_held_blocks(BlockSystem& system);
 
-// Where the step under way takes held blocks, as a time, s.
-double end_of_motion(const BlockSystem& system);
-
 // True when loads, supports and held blocks are at `time` what they are now; writes the loads there to forces.load_new.
 bool nothing_prescribed_changes_until(double time, BlockSystem& system);
 

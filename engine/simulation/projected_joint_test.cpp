@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/simulation/projected_models.h"
@@ -118,6 +122,102 @@ TEST(ProjectedJoint, SlidesWithWhatFrictionLeaves) {
   run(simulation, 200);
   const double after = simulation.state().velocity[1](0) + simulation.state().velocity[2](0);
   EXPECT_NEAR((after - before) / (2 * 0.2), 10 * (0.5 - 0.3), 1e-5 * 10);
+}
+
+// ---- Columns of dry blocks under an eccentric load, against the theory of beams without tension.
+
+struct Column {
+  int blocks;
+  double width, height, young, eccentricity, load;  // m, m of a block, Pa, of the width, N per m of thickness
+
+  [[nodiscard]] Model model() const {
+    Model model;
+    model.materials = {{"rock", 2600, young, 0, PlaneState::stress}};
+    JointMaterial joint;
+    joint.law = InterfaceLaw::projected;
+    joint.friction_angle = std::atan(0.7);
+    model.joints = {joint};
+    model.blocks = {rectangle("ground", -3 * width, -width, 6 * width, width)};
+    for (int i = 0; i < blocks; ++i)
+      model.blocks.push_back(rectangle(std::to_string(i), -width / 2, i * height, width, height));
+    model.held_blocks = {HeldBlock{}};
+    model.point_loads = {{blocks, {eccentricity * width, blocks * height}, {0, -load}, Constant{}}};
+    model.stages = {stage_of(static_integrator(), 0, 1, Kinematics::finite)};
+    model.stages[0].equilibrium = 1e-6;
+    return model;
+  }
+
+  // 1/m, of the axis beside a joint that the load passes at `e` from its middle; none where it is past the edge. A
+  // third of the width presses where e is 1/6 of it, three times the distance to the edge beyond.
+  [[nodiscard]] std::optional<double> curvature(double e, double force) const {
+    const double share = std::abs(e) / width;
+    if (share >= 0.5) return std::nullopt;
+    const double closed = std::min(width, 3 * width * (0.5 - share));
+    const double along =
+        share > 1.0 / 6 ? 2 * force / (young * closed * closed) : 12 * share * force / (young * width * width);
+    return std::copysign(along, e);
+  }
+
+  // Angle of the uppermost block when it stands under this force: each block turns against the one below by what the
+  // halves of both give way by beside their joint, and the load moves with the column.
+  [[nodiscard]] std::optional<double> turn_under(double force) const {
+    std::vector<double> angles(static_cast<std::size_t>(blocks), 0);
+    for (int sweep = 0; sweep < 100000; ++sweep) {
+      std::vector<double> axis{0};
+      for (const double angle : angles) axis.push_back(axis.back() + height * std::sin(angle));
+      const double place = axis.back() + eccentricity * width * std::cos(angles.back());
+      double sum = 0, change = 0;
+      for (std::size_t i = 0; i < angles.size(); ++i) {
+        const std::optional<double> bent = curvature(place - axis[i], force);
+        if (!bent) return std::nullopt;
+        sum += *bent * height * (i == 0 ? 0.5 : 1);  // the ground does not give way
+        change = std::max(change, std::abs(sum - angles[i]));
+        angles[i] = sum;
+      }
+      if (angles.back() > 1) return std::nullopt;
+      if (change < 1e-12) return angles.back();
+    }
+    return std::nullopt;
+  }
+};
+
+Column column_by_lot(std::mt19937& random) {
+  const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  Column column{};
+  column.blocks = std::uniform_int_distribution(2, 6)(random);
+  column.width = number(0.5, 2);
+  column.height = column.width * number(0.5, 2);
+  column.young = std::pow(10, number(8.5, 10.5));
+  column.eccentricity = number(0.02, 0.42);
+  const double length = column.blocks * column.height;
+  const double buckling = std::numbers::pi * std::numbers::pi * column.young * std::pow(column.width, 3) / 48;
+  const double most = 2e-3 * column.young * column.width;
+  column.load = std::min(buckling / (length * length) * std::pow(10, number(-2, 0.1)), most * number(0.3, 1));
+  return column;
+}
+
+// Those that the theory leaves standing with a margin stand at its angle, and those that it lets fall with a margin
+// have no equilibrium. Blocks have constant strains, and small ones are few: 3 % was the most of 44 of 60. When joints
+// went over to contacts of corners once they gaped by 1 %, a seventh of all stood that must fall.
+TEST(ProjectedJoint, ColumnsStandAndFallAsThoseWithoutTensionDo) {
+  std::mt19937 random(5);
+  int stood = 0, fell = 0;
+  for (int scene = 0; scene < 120; ++scene) {
+    const Column column = column_by_lot(random);
+    const std::optional<double> turn = column.turn_under(column.load);
+    const bool must_stand = column.turn_under(1.25 * column.load).has_value();
+    if (must_stand != column.turn_under(0.85 * column.load).has_value()) continue;
+    Simulation simulation = simulation_of(column.model());
+    Status status = Status::ok;
+    while (!simulation.finished() && status == Status::ok) status = simulation.step();
+    EXPECT_EQ(status == Status::ok, must_stand) << scene << ": " << simulation.message();
+    if (must_stand && status == Status::ok) {
+      EXPECT_NEAR(-simulation.state().displacement.back()(2) / *turn, 1, 0.03) << scene;
+    }
+    ++(must_stand ? stood : fell);
+  }
+  EXPECT_GT(stood, 50);
+  EXPECT_GT(fell, 20);
 }
 
 TEST(ProjectedJoint, IsRefusedWhereItIsNotAvailable) {

@@ -226,7 +226,7 @@ inline Model seen(const Model& drawn, const View& view) {
   for (Stage& stage : model.stages) {
     for (int& block : stage.removal.blocks) block = place[static_cast<std::size_t>(block)];
     stage.dt *= std::sqrt(view.scale);
-    stage.first_steps.dt *= std::sqrt(view.scale);
+    stage.chosen.dt.first_steps.dt *= std::sqrt(view.scale);
     stage.duration *= std::sqrt(view.scale);
   }
   return model;

@@ -43,6 +43,20 @@ BlocksInMotion in_motion(const BlockSystem& s) {
   return {s.model, s.state, s.contacts, s.plan, s.clock, s.excavated.absent};
 }
 
+void begin_accelerations(BlockSystem& s) {
+  set_held_rates(s.model, s.state);
+  s.audit.accelerations_begin(energy_of_a_free_step(s));
+}
+
+// What accelerations still owe of the last steps, longer ones would give several times over: they begin anew, as those
+// of a stage do.
+void begin_longer_steps(Step& step, BlockSystem& s) {
+  if (s.clock.step > s.stage().chosen.dt.first_steps.number()) return;
+  if (s.stage().dt_of(s.clock.step) <= s.stage().dt_of(s.clock.step - 1)) return;
+  step.begin();
+  begin_accelerations(s);
+}
+
 }  // namespace
 
 Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
@@ -135,7 +149,7 @@ void Simulation::begin_stage() {
   if (s.plan.is_static) {
     note_exchanged_forces(s);
   } else {
-    begin_accelerations();
+    begin_accelerations(s);
   }
   s.audit.small_motion.begin_stage(in_motion(s));
 }
@@ -162,27 +176,12 @@ Status Simulation::step() {
   if (is_settling()) go_on_with_loads(in_situ_force_, s);
   ++s.state.step;
   s.state.time = s.clock.start + s.stage().time_of(s.clock.step);
-  if (s.clock.step <= s.stage().first_steps.number()) lengthen_steps();
+  begin_longer_steps(stage_step(), s);
   s.audit.small_motion.follow(in_motion(s));
   const bool in_range = general_->is_in_contact_range();
   if (!in_range) message_ = general_->message();
   const Status end = is_over() ? end_stage() : Status::ok;
   return in_range ? end : Status::left_contact_range;
-}
-
-// What accelerations still owe of the last steps, longer ones would give several times over: they begin anew, as those
-// of a stage do.
-void Simulation::lengthen_steps() {
-  BlockSystem& s = *system_;
-  const double dt = s.stage().dt_of(s.clock.step);
-  if (dt <= s.stage().dt_of(s.clock.step - 1)) return;
-  stage_step().lengthen(dt);
-  begin_accelerations();
-}
-
-void Simulation::begin_accelerations() {
-  set_held_rates(system_->model, system_->state);
-  system_->audit.accelerations_begin(energy_of_a_free_step(*system_));
 }
 
 Status Simulation::advance(double dt, int reductions_left) {

@@ -104,8 +104,6 @@ class Simulation {
 
   [[nodiscard]] Step& stage_step();
   void begin_stage();
-  void begin_accelerations();
-  void lengthen_steps();
   [[nodiscard]] Status advance(double dt, int reductions_left);
   [[nodiscard]] bool is_over();
   [[nodiscard]] Status end_stage();

@@ -20,10 +20,8 @@ class Step {
 
   // Makes solver and matrices ready for the stage that system.clock and system.plan tell. `pattern`: of the matrix.
   virtual void set_up(BlockMatrix pattern) = 0;
-  // The first moment of that stage: what follows from the state there.
+  // The first moment of that stage, or of longer steps within it: what follows from the state there.
   virtual void begin() = 0;
-  // Steps are of length `dt` (s) from now on, longer than those before.
-  virtual void lengthen(double /*dt*/) {}
   // Advances the system by dt; anything but ok leaves it as it was, and message() says why.
   [[nodiscard]] virtual Status advance(double dt, bool can_be_cut) = 0;
   // Its stage is over and another begins: the ledger is left as all kinds of step count it.

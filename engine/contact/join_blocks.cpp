@@ -29,11 +29,14 @@ void join_passing_stress(const Model& model, const State& state, const Interface
   element.force_at_start = elastic_force(element, own.gap, stress_a, stress_b);
 }
 
-// Starts what can close and open: gaps are as wide as blocks are apart, and closed springs are free of force.
+// Starts what can close and open: gaps are as wide as blocks are apart, and closed springs are free of force. An end
+// that is open is broken, as a whole one is a spring that pulls across its gap: the balance of the first step would
+// have that force grow from nothing, and what the end keeps of it would be another.
 void leave_open(const std::array<double, 2>& apart, InterfaceState& own) {
   for (const std::size_t end : {0U, 1U}) {
     own.gap(normal_rows[end]) = std::max(apart[end], 0.0);
-    own.status[end] = apart[end] > 0 ? ContactStatus::open : ContactStatus::locked;
+    own.broken[end] = apart[end] > 0;
+    own.status[end] = own.broken[end] ? ContactStatus::open : ContactStatus::locked;
   }
 }
 

@@ -30,7 +30,7 @@ RunVerdict judge_passing(const Simulation& simulation) {
 RunVerdict judge_penetration(const Simulation& simulation) {
   if (!simulation.plan().contacts_can_change) return {};
   Penetration now;
-  note_penetrations(simulation.contacts(), simulation.system().terms, simulation.state(), now);
+  note_penetrations(simulation.model(), simulation.contacts(), simulation.system().terms, simulation.state(), now);
   if (now.share >= ruinous_penetration)
     return {
         Status::inaccurate,

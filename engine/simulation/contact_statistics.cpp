@@ -30,7 +30,8 @@ ContactStatistics count_contacts(const Simulation& simulation) {
     const InterfaceState state = simulation.interface_state(i);
     for (int end = 0; end < ends_of(element); ++end) count(state.status[static_cast<std::size_t>(end)], statistics);
     statistics.penetration =
-        std::max(statistics.penetration, penetration_depth(element, state.gap, system.state.stress));
+        std::max(statistics.penetration,
+                 depth_in_each_other(system.model, system.state, contacts.interfaces[i], element, state));
   }
   return statistics;
 }

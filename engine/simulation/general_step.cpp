@@ -347,7 +347,7 @@ void GeneralStep::weaken(std::size_t i) {
 
 void GeneralStep::note_penetrations() {
   if (system_.plan.contacts_can_change)
-    dda::note_penetrations(system_.contacts, system_.terms, system_.state, deepest_);
+    dda::note_penetrations(system_.model, system_.contacts, system_.terms, system_.state, deepest_);
 }
 
 bool GeneralStep::is_in_contact_range() {

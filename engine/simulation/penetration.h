@@ -28,7 +28,8 @@ struct Penetration {
 // Beyond this share a run is doubtful: joints are too soft for what presses them, or a step too long for an impact.
 inline constexpr double tolerated_penetration = 0.01;
 
-// Takes note of contacts that are pressed in deeper than any before.
-void note_penetrations(const ContactSet& contacts, const BlockTerms& terms, const State& state, Penetration& deepest);
+// Takes note of contacts whose blocks are deeper in each other than any before.
+void note_penetrations(const Model& model, const ContactSet& contacts, const BlockTerms& terms, const State& state,
+                       Penetration& deepest);
 
 }  // namespace dda

@@ -52,7 +52,8 @@ double deepest_when_settled(unsigned seed) {
   dda::Simulation simulation(dda::parse_scene(random_rock(seed).scene, "scene.json"));
   while (dda::stages_done(simulation) == 0) EXPECT_EQ(simulation.step(), dda::Status::ok) << simulation.message();
   dda::Penetration deepest;
-  dda::note_penetrations(simulation.contacts(), simulation.system().terms, simulation.state(), deepest);
+  dda::note_penetrations(simulation.model(), simulation.contacts(), simulation.system().terms, simulation.state(),
+                         deepest);
   return deepest.share;
 }
 

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 #include <variant>
 
@@ -18,6 +16,7 @@
 #include "engine/advice/far_coordinates.h"
 #include "engine/advice/gap_remarks.h"
 #include "engine/advice/held_blocks_acted_on.h"
+#include "engine/advice/holding_remarks.h"
 #include "engine/advice/joint_remarks.h"
 #include "engine/advice/lining_remarks.h"
 #include "engine/advice/spin_remarks.h"
@@ -61,58 +60,8 @@ Blocks blocks_with(const Model& model, const Condition& condition) {
   return found;
 }
 
-// Sets of blocks that touch or are bolted together: a forest of representatives.
-class Groups {
- public:
-  Groups(const Model& model, const ContactSet& contacts) : parent_(model.blocks.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (const Interface& interface : contacts.interfaces) join(interface.block_a, interface.block_b);
-    for (const Bolt& bolt : model.bolts)
-      for (const BoltLink& link : bolt.links)
-        if (bolt.first_stage == 0) join(link.block_a, link.block_b);
-    for (const Lining& lining : model.linings)
-      if (lining.first_stage == 0)
-        for (std::size_t i = 0; i < lining.elements(); ++i) join(lining.start_of(i).block, lining.end_of(i).block);
-  }
-  int of(int block) {
-    while (parent_[at(block)] != block) block = parent_[at(block)] = parent_[at(parent_[at(block)])];
-    return block;
-  }
-
- private:
-  void join(int a, int b) { parent_[at(of(a))] = of(b); }
-  std::vector<int> parent_;
-};
-
-std::set<int> held_blocks_of(const Model& model) {
-  std::set<int> held;
-  for (const PointSupport& support : model.supports)
-    if (!support.partner) held.insert(support.block);
-  for (const HeldBlock& block : model.held_blocks) held.insert(block.block);
-  return held;
-}
-
-// Blocks that touch nothing that touches ... something held.
-Blocks loose_blocks(const Model& model, const ContactSet& contacts) {
-  Groups groups(model, contacts);
-  std::set<int> held_groups;
-  for (const int block : held_blocks_of(model)) held_groups.insert(groups.of(block));
-  Blocks loose;
-  for (int i = 0; i < static_cast<int>(model.blocks.size()); ++i)
-    if (!held_groups.contains(groups.of(i))) loose.push_back(i);
-  return loose;
-}
-
 void remark_on_holding(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  const Blocks loose = loose_blocks(model, contacts);
-  if (loose.empty()) return;
-  if (loose.size() == model.blocks.size() && model.viscous_edges.empty() && !model.gravity.isZero(0))
-    remarks.emplace_back("nothing holds the blocks, and there is gravity: they all fall without end");
-  for (const Stage& stage : model.stages)
-    if (stage.integrator.is_static)
-      remarks.push_back(
-          fmt::format("stage \"{}\" is static, and {} touches nothing that is held: it has no equilibrium", stage.name,
-                      named(model, loose)));
+  for (std::string& sentence : holding_remarks(model, contacts)) remarks.push_back(std::move(sentence));
 }
 
 void remark_on_gravity(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {

@@ -64,6 +64,83 @@ TEST_F(UnbalancedRun, ListsBlocksWithNumberMassAndFaces) {
   EXPECT_TRUE(contains(page, "block &quot;stone&quot; (number 3, 2600 kg/m)")) << page.substr(0, 4000);
 }
 
+// Rock cut by lot under a stress by lot, which its surroundings press on with and nothing else holds, and what is dug
+// in it. `more`: pieces of the scene beside that.
+std::string surrounded_rock(int seed, double stress, const std::string& kinematics, const std::string& more) {
+  return fmt::format(R"({{"dda": 1,
+ "materials": {{"rock": {{"density": 2600, "young": 2e10, "poisson": 0.25}}}},
+ "joints": {{"default": {{"bonded": true}}}},
+ "blocks": {{"rock": {{"boundary": [[-20, -20], [20, -20], [20, 20], [-20, 20]], "seed": {},
+   "joint_sets": [{{"dip": {{"mean": "30 deg", "deviation": "8 deg"}}, "spacing": 4, "joint": "default"}},
+                  {{"dip": {{"mean": "120 deg", "deviation": "8 deg"}}, "spacing": 4, "joint": "default"}}],
+   "openings": [{{"name": "tunnel", "circle": {{"centre": [0, 0], "radius": 3}}}}],
+   "merge": {{"area": 0.08, "angle": "5 deg"}}}}}},
+ "stress_field": {{"xx": {}, "yy": {}, "xy": {}}},
+ {}
+ "steps": [{{"name": "in situ", "integrator": "static", "kinematics": "{}"}},
+           {{"name": "dug", "remove": ["tunnel"], "integrator": "static", "kinematics": "{}"}}]}})",
+                     seed, stress, (1 + 0.1 * seed) * stress, 0.05 * seed * stress, more, kinematics, kinematics);
+}
+
+// All around: traction of one stress has no resultant on a closed outline, whatever the outline, to round-off.
+const std::string all_around = R"("loads": [{"edge": "outside", "traction": "in-situ"}],)";
+
+// It was said to have no equilibrium in all of these.
+TEST_F(UnbalancedRun, IsForetoldOfRockThatNothingHoldsByWhatActsOnIt) {
+  const auto remarks = [&](const std::string& scene) {
+    write("scene.json", scene);
+    return call({"check", path("scene.json")}).out;
+  };
+  for (int seed = 1; seed <= 4; ++seed) {
+    const std::string pressed = remarks(surrounded_rock(seed, -5e6, "finite", all_around));
+    EXPECT_TRUE(contains(pressed, "\"in situ\" is static, and block \"rock 1\" and ")) << pressed;
+    EXPECT_TRUE(contains(pressed, "stage \"dug\" is static, and block \"rock 1\" and ")) << pressed;
+    EXPECT_TRUE(contains(pressed, "in balance, but presses in directions that stay, so that it turns")) << pressed;
+    EXPECT_FALSE(contains(pressed, "no equilibrium")) << pressed;
+    for (const std::string& steady : {remarks(surrounded_rock(seed, -5e6, "small", all_around)),
+                                      remarks(surrounded_rock(seed, 5e6, "finite", all_around))}) {
+      EXPECT_TRUE(contains(steady, "in balance, but nothing keeps it where it is")) << steady;
+      EXPECT_FALSE(contains(steady, "no equilibrium")) << steady;
+    }
+    const std::string pushed =
+        remarks(surrounded_rock(seed, -5e6, "finite", R"("loads": [{"edge": "outside", "traction": "in-situ"},
+                                           {"edge": "top", "traction": [1e3, 0]}],)"));
+    EXPECT_TRUE(contains(pushed, "touches nothing that is held: it has no equilibrium")) << pushed;
+    const std::string turned =
+        remarks(surrounded_rock(seed, -5e6, "finite", R"("loads": [{"edge": "outside", "traction": "in-situ"},
+                                           {"edge": "top", "traction": [1e3, 0]},
+                                           {"edge": "bottom", "traction": [-1e3, 0]}],)"));
+    EXPECT_TRUE(contains(turned, "touches nothing that is held: it has no equilibrium")) << turned;
+    const std::string held = remarks(surrounded_rock(
+        seed, -5e6, "finite", R"("supports": [{"point": [-20, -20]}, {"point": [20, -20], "hold": "y"}],)"));
+    EXPECT_FALSE(contains(held, "touches nothing")) << held;
+  }
+}
+
+// A block that a later stage sets on one that is held touched nothing before it was there, nor when it was.
+TEST_F(UnbalancedRun, IsNotForetoldOfBlocksThatAreNotThereYet) {
+  const std::string built = R"({"dda": 1, "gravity": 9.81,
+ "materials": {"rock": {"density": 2600, "young": 1e10, "poisson": 0.2}},
+ "joints": {"default": {"friction_angle": "20 deg"}},
+ "blocks": [{"grid": {"columns": 1, "rows": 3, "block_width": 1, "block_height": 1}}],
+ "fixed": ["grid 1.1"],
+ "steps": [{"name": "one", "integrator": "static"},
+           {"name": "two", "integrator": "static", "add": ["grid 3.1"]}]})";
+  write("scene.json", built);
+  EXPECT_FALSE(contains(call({"run", path("scene.json"), "--out", path("out")}).out, "touches nothing"));
+  EXPECT_FALSE(contains(call({"check", path("scene.json")}).out, "touches nothing"));
+}
+
+// Dug, it turns as a whole. Two points that hold it are enough.
+TEST_F(UnbalancedRun, OfRockThatNothingHoldsSaysSo) {
+  const Outcome loose = run_scene(surrounded_rock(2, -5e6, "finite", all_around), "out");
+  EXPECT_EQ(loose.code, 3);
+  EXPECT_TRUE(contains(loose.errors, "may drift and turn as a whole")) << loose.errors;
+  const std::string supports = R"("supports": [{"point": [-20, -20]}, {"point": [20, -20], "hold": "y"}],)";
+  const Outcome held = run_scene(surrounded_rock(2, -5e6, "finite", all_around + supports), "out");
+  EXPECT_EQ(held.code, 0) << held.errors;
+}
+
 // It was "ok" with exit code 0 when it was resumed.
 TEST_F(UnbalancedRun, ThatHasEndedHasEndedWhenItIsResumed) {
   for (const std::string& scene : {loose_rock("", ""), loose_rock(stops, moves)}) {

@@ -170,6 +170,19 @@ Eigen::VectorXd unbalanced_shares(const BlockSystem& system, double in_situ_forc
   return unbalanced;
 }
 
+// Dashpots hold nothing at rest.
+bool holds_something(const Model& model, std::size_t stage) {
+  const auto holds = [stage](const PointSupport& support) {
+    return !support.partner && (support.last_stage < 0 || static_cast<std::size_t>(support.last_stage) >= stage);
+  };
+  return !model.held_blocks.empty() || std::ranges::any_of(model.supports, holds);
+}
+
+constexpr const char* nor_the_rock =
+    "; nor is anything held that they could rest on: rock whose loads are in balance may drift and turn as a whole, "
+    "and "
+    "its blocks with it; hold it by supports";
+
 }  // namespace
 
 void note_exchanged_forces(BlockSystem& system) {
@@ -213,8 +226,8 @@ std::string equilibrium_problem(const Model& model, const StageEnd& end) {
         ended.paces_itself() ? "" : "; more steps or a larger dt may help", named_with_places(model, end.unbalanced));
   const bool loose_ones_count = ended.on_unbalanced == OnUnbalanced::stop || end.stage + 1 == model.stages.size();
   if (!loose_ones_count || end.loose.empty()) return "";
-  return fmt::format("static stage \"{}\" has no equilibrium for {}, which nothing holds", ended.name,
-                     named_with_places(model, end.loose));
+  return fmt::format("static stage \"{}\" has no equilibrium for {}, which nothing holds{}", ended.name,
+                     named_with_places(model, end.loose), holds_something(model, end.stage) ? "" : nor_the_rock);
 }
 
 }  // namespace dda

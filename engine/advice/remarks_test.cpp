@@ -257,21 +257,6 @@ const std::vector<OddScene> odd_scenes = {
        model.joints[0].bonded = true;
      },
      ""},
-    {"springs_that_act_when_it_has_slipped",
-     [](Model& model) {
-       model.joints[0].law = InterfaceLaw::consistent;
-       model.joints[0].normal_spring = 1e10;
-       model.stages[0].kinematics = Kinematics::small;
-     },
-     "joint \"default\": its springs act where it has slipped or opened, and not before"},
-    {"springs_that_act_when_it_has_broken",
-     [](Model& model) {
-       model.joints[0].law = InterfaceLaw::consistent;
-       model.joints[0].normal_spring = 1e10;
-       model.joints[0].tensile_strength = 1e5;
-       model.stages[0].kinematics = Kinematics::small;
-     },
-     ""},
     {"shaken_without_damping", shake,
      "stage \"run\": trapezoidal damps nothing, and joint \"default\" has friction without contact_damping: blocks "
      "that "

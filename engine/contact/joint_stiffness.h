@@ -42,7 +42,7 @@ inline bool is_springs(const JointMaterial& joint, Kinematics kinematics) {
 
 // What the springs of a stretch under the classical law do to the result, to first order.
 struct StiffnessErrors {
-  // Of the joint, over that of the two half blocks beside it where these cannot give way sideways, the most: M/(k_n L)
+  // The joint's, over that of the two half blocks beside it where these cannot give way sideways, the most: M/(k_n L)
   // between equal blocks, with M = E (1 - nu)/((1 + nu) (1 - 2 nu)) in plane strain.
   double compliance = 0;
   double penetration = 0;  // under Expected::pressure, over the size of the smaller block

@@ -66,12 +66,17 @@ SeenFromStretch see(const Polygon& shape, const Interface& stretch, const Vec2& 
   return seen;
 }
 
-// The line of a stretch parts its blocks, and past its ends no more than one of them is at the line, or within an angle
-// of the sine `aside` of it.
-bool is_parted_by(const Interface& stretch, const Polygon& a, const Polygon& b, double aside) {
+// How two blocks go on past the ends of a stretch: both at its line, or within an angle of the sine `aside` of it.
+std::array<bool, 2> both_go_on(const Interface& stretch, const Polygon& a, const Polygon& b, double aside) {
   const SeenFromStretch of_a = see(a, stretch, stretch.normal, aside), of_b = see(b, stretch, -stretch.normal, aside);
-  const auto both_go_on = [&](std::size_t end) { return of_a.goes_on_along[end] && of_b.goes_on_along[end]; };
-  return !of_a.is_beyond && !of_b.is_beyond && !both_go_on(0) && !both_go_on(1);
+  return {of_a.goes_on_along[0] && of_b.goes_on_along[0], of_a.goes_on_along[1] && of_b.goes_on_along[1]};
+}
+
+// The line of a stretch parts its blocks, and past its ends no more than one of them is at the line.
+bool is_parted_by(const Interface& stretch, const Polygon& a, const Polygon& b) {
+  const bool is_beyond =
+      see(a, stretch, stretch.normal, straight).is_beyond || see(b, stretch, -stretch.normal, straight).is_beyond;
+  return !is_beyond && both_go_on(stretch, a, b, straight) == std::array{false, false};
 }
 
 bool gapes_throughout(const InterfaceState& own) {
@@ -109,15 +114,16 @@ bool has_parted(const Model& model, const State& state, const Interface& interfa
   const auto [nearer, further] = std::minmax(ends.from.x(), ends.to.x());
   if (std::max(slid, nearer) > parting_share * interface.length) return true;
   if (further <= parting_share * interface.length) return false;
+  const std::size_t stays = ends.from.x() < ends.to.x() ? 0 : 1;
   return further > turning_share * interface.length ||
-         !is_parted_by(interface, block_of(model, interface.block_a).shape, block_of(model, interface.block_b).shape,
-                       turning_share);
+         both_go_on(interface, block_of(model, interface.block_a).shape, block_of(model, interface.block_b).shape,
+                    turning_share)[stays];
 }
 
 bool touch_there_alone(const Model& model, const Interface& interface) {
   const Polygon& a = block_of(model, interface.block_a).shape;
   const Polygon& b = block_of(model, interface.block_b).shape;
-  return (points_outwards(a) && points_outwards(b)) || is_parted_by(interface, a, b, straight);
+  return (points_outwards(a) && points_outwards(b)) || is_parted_by(interface, a, b);
 }
 
 void measure_projected(const Model& model, const State& state, const Interface& interface,

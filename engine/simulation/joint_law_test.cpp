@@ -199,13 +199,17 @@ TEST_P(ShearBox, DilationComesDownOnTheWayBackInStagesThatFindTheirSteps) {
     model.stages.assign(path.size() - 1, stage);
     for (std::size_t i = 0; i < model.stages.size(); ++i) model.stages[i].name = std::to_string(i);
     Simulation simulation = simulation_of(std::move(model));
-    std::vector<double> heights{0};
+    std::vector<double> heights{0};  // at the ends of stages, before the first of which nothing presses
     simulation.watch().at_end = [&] { heights.push_back(height(simulation)); };
     while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
     ASSERT_EQ(heights.size(), path.size());
-    // Springs of corners are compressed by some 1e-4 m, by more where the box leans on one of them.
-    for (std::size_t i = 0; i < path.size(); ++i)
-      EXPECT_NEAR(heights[i], std::abs(path[i]) * way * std::tan(degrees * degree), 2e-4) << degrees << ", stage " << i;
+    // With friction one way and the other the box leans on one corner more, and on the other: within a half of what its
+    // springs are closed by when it is back where it began. (The descents that were lost are up to 50 times as much.)
+    const double closed = -heights[5];
+    EXPECT_LT(closed, 1e-3);
+    for (std::size_t i = 1; i < path.size(); ++i)
+      EXPECT_NEAR(heights[i] + closed, std::abs(path[i]) * way * std::tan(degrees * degree), closed / 2)
+          << degrees << ", stage " << i;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "engine/advice/block_named.h"
+
 namespace dda {
 namespace {
 

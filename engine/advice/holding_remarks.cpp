@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "engine/advice/acting_on_body.h"
 #include "engine/advice/block_named.h"
+#include "engine/core/disjoint_sets.h"
 
 namespace dda {
 namespace {
@@ -18,10 +18,6 @@ using Blocks = std::vector<int>;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-std::string named(const Model& model, const Blocks& blocks) {
-  return block_named(model, std::ranges::min(blocks)) + and_more(blocks.size() - 1);
-}
-
 // What touches where blocks come in is not among the contacts that a run begins with.
 std::vector<Interface> drawn_interfaces(const Model& model, const ContactSet& contacts) {
   return model.adds_blocks() ? find_interfaces(model) : contacts.interfaces;
@@ -29,12 +25,11 @@ std::vector<Interface> drawn_interfaces(const Model& model, const ContactSet& co
 
 bool is_there(const std::vector<bool>& absent, int block) { return absent.empty() || !absent[at(block)]; }
 
-// Sets of blocks that touch or are bolted together in a stage: a forest of representatives.
+// Sets of blocks that touch or are bolted together in a stage.
 class Bodies {
  public:
   Bodies(const Model& model, const std::vector<Interface>& interfaces, std::size_t stage)
-      : absent_(model.absent_in(stage)), parent_(model.blocks.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+      : absent_(model.absent_in(stage)), sets_(model.blocks.size()) {
     for (const Interface& interface : interfaces) join(interface.block_a, interface.block_b);
     for (const Bolt& bolt : model.bolts)
       for (const BoltLink& link : bolt.links)
@@ -45,28 +40,24 @@ class Bodies {
   }
 
   // Those that touch nothing that touches ... something held.
-  std::vector<Blocks> not_held(const std::set<int>& held) {
+  std::vector<Blocks> not_held(const std::set<int>& held, int blocks) {
     std::set<int> held_bodies;
-    for (const int block : held) held_bodies.insert(of(block));
+    for (const int block : held) held_bodies.insert(sets_.root(block));
     std::map<int, Blocks> loose;
-    for (int i = 0; i < static_cast<int>(parent_.size()); ++i)
-      if (is_there(absent_, i) && !held_bodies.contains(of(i))) loose[of(i)].push_back(i);
+    for (int i = 0; i < blocks; ++i)
+      if (is_there(absent_, i) && !held_bodies.contains(sets_.root(i))) loose[sets_.root(i)].push_back(i);
     std::vector<Blocks> bodies;
-    for (auto& [body, blocks] : loose) bodies.push_back(std::move(blocks));
+    for (auto& [body, members] : loose) bodies.push_back(std::move(members));
     return bodies;
   }
 
  private:
-  int of(int block) {
-    while (parent_[at(block)] != block) block = parent_[at(block)] = parent_[at(parent_[at(block)])];
-    return block;
-  }
   void join(int a, int b) {
-    if (is_there(absent_, a) && is_there(absent_, b)) parent_[at(of(a))] = of(b);
+    if (is_there(absent_, a) && is_there(absent_, b)) sets_.join(a, b);
   }
 
   std::vector<bool> absent_;
-  std::vector<int> parent_;
+  DisjointSets sets_;
 };
 
 std::set<int> held_blocks_of(const Model& model) {
@@ -101,7 +92,7 @@ void remark_on_stage(const Model& model, const std::string& stage, const NotHeld
   const auto say = [&](const Blocks& found, const std::string& what) {
     if (found.empty()) return;
     remarks.push_back(fmt::format("stage \"{}\" is static, and {} touches nothing that is held: {}", stage,
-                                  named(model, found), what));
+                                  blocks_named(model, found), what));
   };
   say(all.falling, "it has no equilibrium");
   say(all.turning, fmt::format("what acts on it is in balance, but presses in directions that stay, so that it turns "
@@ -116,12 +107,13 @@ std::vector<std::string> holding_remarks(const Model& model, const ContactSet& c
   std::vector<std::string> remarks;
   const std::vector<Interface> interfaces = drawn_interfaces(model, contacts);
   const std::set<int> held = held_blocks_of(model);
+  const auto blocks = static_cast<int>(model.blocks.size());
   if (held.empty() && model.viscous_edges.empty() && !model.gravity.isZero(0))
     remarks.emplace_back("nothing holds the blocks, and there is gravity: they all fall without end");
   for (std::size_t stage = 0; stage < model.stages.size(); ++stage)
     if (model.stages[stage].integrator.is_static)
       remark_on_stage(model, model.stages[stage].name,
-                      by_fate(model, stage, Bodies(model, interfaces, stage).not_held(held)), remarks);
+                      by_fate(model, stage, Bodies(model, interfaces, stage).not_held(held, blocks)), remarks);
   return remarks;
 }
 

@@ -9,8 +9,8 @@
 
 namespace dda {
 
-// A sentence where nothing at all is held and there is gravity, and up to two for each static stage: on what falls, and
-// on bodies whose loads are in balance, which nothing keeps where they are.
+// A sentence where nothing at all is held and there is gravity, and up to three for each static stage: on what falls,
+// on what turns ever further, and on bodies whose loads are in balance, which nothing keeps where they are.
 std::vector<std::string> holding_remarks(const Model& model, const ContactSet& contacts);
 
 }  // namespace dda

@@ -48,10 +48,6 @@ constexpr double most_crossings = 100;  // of the whole scene by a P wave in one
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-std::string named(const Model& model, const Blocks& blocks) {
-  return block_named(model, blocks[0]) + and_more(blocks.size() - 1);
-}
-
 template <typename Condition>
 Blocks blocks_with(const Model& model, const Condition& condition) {
   Blocks found;
@@ -76,7 +72,7 @@ void remark_on_tension(const Model& model, const ContactSet& /*contacts*/, Remar
   if (pulled.empty()) return;
   remarks.push_back(
       fmt::format("{} starts in tension, {:g} Pa: stresses are positive in tension, in-situ compression is negative",
-                  named(model, pulled), largest_principal(model.blocks[at(pulled[0])].initial_stress)));
+                  blocks_named(model, pulled), largest_principal(model.blocks[at(pulled[0])].initial_stress)));
 }
 
 void remark_on_materials(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
@@ -108,7 +104,7 @@ void remark_on_sizes(const Model& model, const ContactSet& /*contacts*/, Remarks
   remarks.push_back(fmt::format(
       "{} is {:.2g} m in size, {:.2g} of the middle block's: such slivers make steps dear, or fail; leave them out "
       "(where rock is cut, \"merge\": {{\"area\": {:.2g}}} adds them to neighbours)",
-      named(model, tiny), size, size / median, area_above(size_of(tiny.back()))));
+      blocks_named(model, tiny), size, size / median, area_above(size_of(tiny.back()))));
 }
 
 double extent_of(const Model& model) {
@@ -289,7 +285,7 @@ void remark_on_lost_motion(const Model& model, const ContactSet& /*contacts*/, R
   remarks.push_back(
       fmt::format("stage \"{}\" is the first and static, and static stages keep no velocity: the motion with which {} "
                   "should start is lost; blocks start with it where the first stage is not static",
-                  stage.name, named(model, moving)));
+                  stage.name, blocks_named(model, moving)));
 }
 
 constexpr auto all_remarks = {

@@ -56,6 +56,15 @@ void run_to_end(Simulation& simulation) {
   while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
 }
 
+// To the last bit. `resumed` goes on from a snapshot of a run like `whole`.
+void expect_same_end(Simulation& resumed, Simulation& whole) {
+  run_to_end(whole);
+  run_to_end(resumed);
+  EXPECT_EQ(std::memcmp(&resumed.energy(), &whole.energy(), sizeof(EnergyLedger)), 0);
+  for (std::size_t i = 0; i < whole.model().blocks.size(); ++i)
+    EXPECT_EQ(resumed.state().displacement[i], whole.state().displacement[i]);
+}
+
 bool is_present(const Simulation& simulation, std::size_t block) {
   return simulation.absent().empty() || !simulation.absent()[block];
 }
@@ -207,11 +216,7 @@ TEST_P(ExcavatedRock, BalancesItsEnergyAndGoesOnToTheBitWhenItLetsGoSlowly) {
     for (int i = 0; i < stop - 1; ++i) ASSERT_EQ(first.step(), Status::ok);
     Simulation second(model);
     restore(second, first.state(), save(first));
-    run_to_end(whole);
-    run_to_end(second);
-    EXPECT_EQ(std::memcmp(&second.energy(), &whole.energy(), sizeof(EnergyLedger)), 0);
-    for (std::size_t i = 0; i < model.blocks.size(); ++i)
-      EXPECT_EQ(second.state().displacement[i], whole.state().displacement[i]);
+    expect_same_end(second, whole);
     EXPECT_LT(std::abs(whole.energy().relative_residual()), 1e-9);
     EXPECT_LT(whole.energy().external_work, 0);  // what held the rock was drawn back
     expect_both_forms_of_release(whole);
@@ -280,7 +285,7 @@ Model loose_rock(int seed, bool growing) {
   return model;
 }
 
-double kinetic_energy_let_go(const Simulation& simulation) {
+double energy_let_go(const Simulation& simulation) {
   const EnergyLedger& energy = simulation.energy();
   return energy.friction + energy.kinetic + energy.radiated;
 }
@@ -309,8 +314,8 @@ TEST(GrowingSteps, MoveLooseRockAsShortOnesDo) {
     EXPECT_NEAR(growing.state().time, steady.state().time, 1e-12);
     EXPECT_LT(4 * growing.state().step, steady.state().step);
     EXPECT_LT(std::abs(growing.energy().relative_residual()), 1e-9);
-    let_go += kinetic_energy_let_go(growing);
-    let_go_by_short_ones += kinetic_energy_let_go(steady);
+    let_go += energy_let_go(growing);
+    let_go_by_short_ones += energy_let_go(steady);
     EXPECT_LT(largest_difference_of_present(growing, steady), 0.04 * largest_motion(steady));
   }
   EXPECT_NEAR(let_go / let_go_by_short_ones, 1, 0.04);
@@ -325,11 +330,7 @@ TEST(GrowingSteps, GoOnToTheBit) {
       ASSERT_EQ(whole.step(), Status::ok);  // from the last one before they grow
     Simulation resumed(model);
     restore(resumed, whole.state(), save(whole));
-    run_to_end(whole);
-    run_to_end(resumed);
-    EXPECT_EQ(std::memcmp(&resumed.energy(), &whole.energy(), sizeof(EnergyLedger)), 0);
-    for (std::size_t i = 0; i < model.blocks.size(); ++i)
-      EXPECT_EQ(resumed.state().displacement[i], whole.state().displacement[i]);
+    expect_same_end(resumed, whole);
   }
 }
 

@@ -66,15 +66,17 @@ std::string balance_of(const Json& summary, const Json& stage) {
   return "-";
 }
 
+std::string steps_of(const Json& stage) {
+  const double dt = stage.value("dt_s", 0.0);
+  if (dt == 0) return "its own";
+  const double first = stage.value("first_dt_s", dt);
+  return first < dt ? fmt::format("{} to {}", shown(first), shown(dt)) : shown(dt);
+}
+
 std::vector<TableRow> stages(const Json& summary) {
   std::vector<TableRow> rows;
   for (const Json& stage : summary.value("stages", Json::array())) {
-    const double dt = stage.value("dt_s", 0.0);
-    const double first = stage.value("first_dt_s", dt);
-    rows.push_back({shown(stage["name"]), shown(stage["begin_s"]), shown(stage["end_s"]),
-                    dt == 0      ? "its own"
-                    : first < dt ? shown(first) + " to " + shown(dt)
-                                 : shown(dt),
+    rows.push_back({shown(stage["name"]), shown(stage["begin_s"]), shown(stage["end_s"]), steps_of(stage),
                     shown(stage["dt_reason"]), balance_of(summary, stage)});
   }
   return rows;

@@ -66,17 +66,20 @@ SeenFromStretch see(const Polygon& shape, const Interface& stretch, const Vec2& 
   return seen;
 }
 
-// How two blocks go on past the ends of a stretch: both at its line, or within an angle of the sine `aside` of it.
-std::array<bool, 2> both_go_on(const Interface& stretch, const Polygon& a, const Polygon& b, double aside) {
-  const SeenFromStretch of_a = see(a, stretch, stretch.normal, aside), of_b = see(b, stretch, -stretch.normal, aside);
-  return {of_a.goes_on_along[0] && of_b.goes_on_along[0], of_a.goes_on_along[1] && of_b.goes_on_along[1]};
+struct SeenBlocks {
+  SeenFromStretch a, b;
+
+  [[nodiscard]] bool both_go_on(std::size_t end) const { return a.goes_on_along[end] && b.goes_on_along[end]; }
+};
+
+SeenBlocks see_both(const Interface& stretch, const Polygon& a, const Polygon& b, double aside) {
+  return {see(a, stretch, stretch.normal, aside), see(b, stretch, -stretch.normal, aside)};
 }
 
 // The line of a stretch parts its blocks, and past its ends no more than one of them is at the line.
 bool is_parted_by(const Interface& stretch, const Polygon& a, const Polygon& b) {
-  const bool is_beyond =
-      see(a, stretch, stretch.normal, straight).is_beyond || see(b, stretch, -stretch.normal, straight).is_beyond;
-  return !is_beyond && both_go_on(stretch, a, b, straight) == std::array{false, false};
+  const SeenBlocks seen = see_both(stretch, a, b, straight);
+  return !seen.a.is_beyond && !seen.b.is_beyond && !seen.both_go_on(0) && !seen.both_go_on(1);
 }
 
 bool gapes_throughout(const InterfaceState& own) {
@@ -115,9 +118,9 @@ bool has_parted(const Model& model, const State& state, const Interface& interfa
   if (std::max(slid, nearer) > parting_share * interface.length) return true;
   if (further <= parting_share * interface.length) return false;
   const std::size_t stays = ends.from.x() < ends.to.x() ? 0 : 1;
-  return further > turning_share * interface.length ||
-         both_go_on(interface, block_of(model, interface.block_a).shape, block_of(model, interface.block_b).shape,
-                    turning_share)[stays];
+  return further > turning_share * interface.length || see_both(interface, block_of(model, interface.block_a).shape,
+                                                                block_of(model, interface.block_b).shape, turning_share)
+                                                           .both_go_on(stays);
 }
 
 bool touch_there_alone(const Model& model, const Interface& interface) {

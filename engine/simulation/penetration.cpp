@@ -20,10 +20,12 @@ void note(const Model& model, const ContactSet& contacts, const BlockTerms& term
     const double closed = penetration_depth(element, contacts.states[i].gap, state.stress);
     const double area = std::min(terms.area[static_cast<std::size_t>(element.block_a)],
                                  terms.area[static_cast<std::size_t>(element.block_b)]);
-    const double least = deepest.share * std::sqrt(area);
-    if (closed <= least) continue;
+    const auto is_deeper = [&](double depth) {
+      return depth > 0 && depth * depth > deepest.share * deepest.share * area;
+    };
+    if (!is_deeper(closed)) continue;
     const double depth = depth_in_each_other(model, state, contacts.interfaces[i], element, contacts.states[i]);
-    if (depth <= least) continue;
+    if (!is_deeper(depth)) continue;
     deepest.depth = depth;
     deepest.share = depth / std::sqrt(area);
     deepest.block_a = element.block_a;

@@ -147,8 +147,8 @@ struct Column {
     return model;
   }
 
-  // 1/m, of the axis beside a joint that the load passes at `e` from its middle; none where it is past the edge. A
-  // third of the width presses where e is 1/6 of it, three times the distance to the edge beyond.
+  // 1/m, of the axis beside a joint that the load passes at `e` from its middle; none where it is past the edge. The
+  // whole width presses up to an e of 1/6 of it, and beyond that three times what is left to the edge.
   [[nodiscard]] std::optional<double> curvature(double e, double force) const {
     const double share = std::abs(e) / width;
     if (share >= 0.5) return std::nullopt;
@@ -197,8 +197,8 @@ Column column_by_lot(std::mt19937& random) {
 }
 
 // Those that the theory leaves standing with a margin stand at its angle, and those that it lets fall with a margin
-// have no equilibrium. Blocks have constant strains, and small ones are few: 3 % was the most of 44 of 60. When joints
-// went over to contacts of corners once they gaped by 1 %, a seventh of all stood that must fall.
+// have no equilibrium. Tilts were off by up to 3 %, as blocks have constant strains. When joints went over to contacts
+// of corners once they gaped by 1 %, a ninth of all columns stood that must fall.
 TEST(ProjectedJoint, ColumnsStandAndFallAsThoseWithoutTensionDo) {
   std::mt19937 random(5);
   int stood = 0, fell = 0;

@@ -51,7 +51,6 @@ void begin_accelerations(BlockSystem& s) {
 // What accelerations still owe of the last steps, longer ones would give several times over: they begin anew, as those
 // of a stage do.
 void begin_longer_steps(Step& step, BlockSystem& s) {
-  if (s.clock.step > s.stage().chosen.dt.first_steps.number()) return;
   if (s.stage().dt_of(s.clock.step) <= s.stage().dt_of(s.clock.step - 1)) return;
   step.begin();
   begin_accelerations(s);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,9 +18,9 @@ inline std::string block_named(const Model& model, int block) {
 // Nothing where there are none.
 inline std::string and_more(std::size_t others) { return others > 0 ? fmt::format(" and {} more", others) : ""; }
 
-// The first of some by number, and how many more there are.
+// The first of a list, and how many more there are.
 inline std::string blocks_named(const Model& model, const std::vector<int>& blocks) {
-  return block_named(model, std::ranges::min(blocks)) + and_more(blocks.size() - 1);
+  return block_named(model, blocks.front()) + and_more(blocks.size() - 1);
 }
 
 }  // namespace dda

@@ -39,7 +39,7 @@ class Bodies {
         for (std::size_t i = 0; i < lining.elements(); ++i) join(lining.start_of(i).block, lining.end_of(i).block);
   }
 
-  // Those that touch nothing that touches ... something held.
+  // Those that touch nothing that touches ... something held, by their first blocks.
   std::vector<Blocks> not_held(const std::set<int>& held, int blocks) {
     std::set<int> held_bodies;
     for (const int block : held) held_bodies.insert(sets_.root(block));

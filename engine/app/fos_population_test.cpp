@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/app/command_line_test_support.h"
 #include "engine/geometry/cut_pieces.h"
@@ -151,6 +152,74 @@ TEST_F(FosPopulation, IsLimitEquilibriumOfWhatActsInTheEnd) {
     EXPECT_NEAR(report["factor_of_safety"].get<double>() / block.factor(), 1, width) << block.text();
   }
   EXPECT_GE(fit, 20);
+}
+
+// A wedge on a plane that comes out at the toe of a slope, with a tension crack behind it. Water stands in the crack
+// and runs out at the toe: its pressure on the plane falls in a straight line. (Hoek & Bray 1981, plane failure.)
+struct WetWedge {
+  explicit WetWedge(std::uint64_t seed) {
+    SeededNumbers random(seed);
+    const double face = random.number(55, 80) * degree;
+    plane = random.number(25, face / degree - 20) * degree;
+    height = random.magnitude(0.5, 1.8);
+    friction = random.number(20, 40) * degree;
+    const double crest = height / std::tan(face);
+    crack.x() = crest + random.number(0.1, 0.8) * (height / std::tan(plane) - crest);
+    crack.y() = crack.x() * std::tan(plane);
+    water = random.number(0, 0.8) * (height - crack.y());
+    corners = {{0, 0}, crack, {crack.x(), height}, {crest, height}};
+  }
+
+  [[nodiscard]] double factor() const {
+    double twice_area = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      twice_area += a.x() * b.y() - b.x() * a.y();
+    }
+    const double weight = density * standard_gravity * twice_area / 2;
+    const double uplift = water_weight * water * crack.norm() / 2, push = water_weight * water * water / 2;
+    const double pressed = weight * std::cos(plane) - uplift - push * std::sin(plane);
+    return pressed * std::tan(friction) / (weight * std::sin(plane) + push * std::cos(plane));
+  }
+
+  [[nodiscard]] std::string text() const {
+    json wedge = json::array();
+    for (const Vec2& corner : corners) wedge.push_back(pair_of(corner));
+    const double h = height, x = crack.x();
+    const json base = {{0, 0}, {0, -h}, {x + h, -h}, {x + h, h}, {x, h}, pair_of(crack)};
+    const json table = {{0, 0}, {x, crack.y() + water}};
+    const json scene = {
+        {"dda", 1},
+        {"gravity", standard_gravity},
+        {"fixed", {"base"}},
+        {"materials", {{"rock", {{"density", density}, {"young", 5e9}, {"poisson", 0.25}}}}},
+        {"joints", {{"default", {{"friction_angle", friction}}}, {"crack", {{"friction_angle", 0}}}}},
+        {"joint_lines", {{{"joint", "crack"}, {"points", {pair_of(crack), {x, h}}}}}},
+        {"blocks",
+         {{{"polygon", {{"name", "wedge"}, {"vertices", wedge}}}},
+          {{"polygon", {{"name", "base"}, {"vertices", base}}}}}},
+        {"loads", {{{"edge", "joints"}, {"pressure", {{"surface", table}, {"gradient", water_weight}}}}}},
+        {"steps", {{{"integrator", "static"}}}}};
+    return scene.dump();
+  }
+
+  static constexpr double density = 2600, water_weight = 9810;  // kg/m3, N/m3
+  double plane = 0, friction = 0, height = 0, water = 0;        // rad, m; water in the crack
+  Vec2 crack = Vec2::Zero();                                    // its foot
+  std::vector<Vec2> corners;
+};
+
+TEST_F(FosPopulation, IsThatOfHoekAndBrayWithWaterInTheTensionCrack) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const WetWedge wedge(seed);
+    if (wedge.factor() < 0.1) continue;  // all but afloat
+    write("scene.json", wedge.text());
+    const Outcome outcome = call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors << wedge.text();
+    const json report = json::parse(text("out/fos.json"));
+    ASSERT_TRUE(report["factor_of_safety"].is_number()) << outcome.out << wedge.text();
+    EXPECT_NEAR(report["factor_of_safety"].get<double>() / wedge.factor(), 1, width) << wedge.text();
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Pressure on faces as a function of height: the same everywhere, that of a liquid with a surface, or a table.
+// Pressure on faces as a function of place: the same everywhere, that of a liquid below its surface, which may fall
+// and rise along x as a water table does, or a table over heights.
 #pragma once
 
 #include <vector>
@@ -24,15 +25,19 @@ class FacePressure {
   [[nodiscard]] std::vector<PressedPart> on(const Stretch& stretch) const;
 
  private:
+  void read_surface(const Field& surface);
   void read_table(const Field& rows);
-  [[nodiscard]] double at(double height) const;
+  void check_reach(const Stretch& stretch) const;
+  [[nodiscard]] double depth(const Vec2& place) const;
+  [[nodiscard]] double at(const Vec2& place) const;
+  [[nodiscard]] std::vector<double> corners_on(const Stretch& stretch) const;
+  [[nodiscard]] bool presses(const PressedPart& part) const;
 
   Field field_;
-  double uniform_ = 0;         // Pa
-  double surface_ = 0;         // m
-  double gradient_ = 0;        // Pa/m, below the surface
-  PiecewiseLinear table_;      // Pa over m
-  std::vector<double> bends_;  // m, heights at which the straight line has a corner
+  double uniform_ = 0;       // Pa
+  double gradient_ = 0;      // Pa/m, below the surface
+  PiecewiseLinear surface_;  // m, its height over x; none where empty
+  PiecewiseLinear table_;    // Pa over heights, m; none where empty
 };
 
 }  // namespace dda

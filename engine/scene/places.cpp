@@ -184,6 +184,8 @@ std::vector<Stretch> read_cavity(const Field& edge, const GroundPlan& plan, cons
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
   const Field field = owner.at("edge");
   if (!field.is_text()) refuse(field, {"opening"}, "here: loads alone act on what blocks lay bare that are taken out");
+  if (field.is_text() ? field.text() == "joints" : field.has("joints"))
+    field.fail("another edge here, as loads alone act on the faces of joints");
   const bool outside = field.is_text() && field.text() == "outside";
   const bool cavity = !field.is_text() && field.has("cavity");
   if (!outside && !cavity) return read_straight_edge(owner, plan, model);

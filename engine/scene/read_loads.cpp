@@ -13,6 +13,7 @@
 #include "engine/model/tolerance.h"
 #include "engine/scene/face_pressure.h"
 #include "engine/scene/fading_faces.h"
+#include "engine/scene/joint_faces.h"
 #include "engine/scene/laid_bare.h"
 #include "engine/scene/places.h"
 #include "engine/scene/sections.h"
@@ -80,17 +81,30 @@ bool read_follows(const Field& load, const StageSpan& stages, const Model& model
   field->fail("true in stages of small kinematics, in which faces stay as drawn", "a stage of finite kinematics");
 }
 
-void read_pressure(const Field& field, const std::vector<Stretch>& stretches, const TimeFunction& history,
+void read_pressure(const Field& field, const std::vector<LoadedFace>& faces, const TimeFunction& history,
                    const StageSpan& stages, Model& model) {
   const FacePressure pressure(field.at("pressure"));
   const bool follows = read_follows(field, stages, model);
   const std::size_t before = model.edge_loads.size();
-  for (const Stretch& s : stretches)
+  for (const auto& [s, stages_of_face] : faces)
     for (const PressedPart& part : pressure.on(s))
       model.edge_loads.push_back({s.block, part.from, part.to, (part.at_from + part.at_to) / 2 * s.inward, history,
-                                  stages, (part.at_to - part.at_from) / 2 * s.inward, follows});
+                                  stages_of_face, (part.at_to - part.at_from) / 2 * s.inward, follows});
   if (model.edge_loads.size() == before)
     field.at("pressure").fail("nowhere on the edge above 0", "a pressure on some part of it");
+}
+
+// Water in joints pushes both of their blocks, so nothing else makes sense there.
+void read_pressure_in_joints(const Field& field, const GroundPlan& plan, const StageSpan& stages, RecordFiles& records,
+                             Model& model) {
+  refuse(field, {"traction", "force"}, "in joints, which take a pressure");
+  std::vector<LoadedFace> faces = faces_of_joints(field.at("edge"), stages, model);
+  if (const auto name = field.find("block")) {
+    const int block = name->choice(plan.names());
+    std::erase_if(faces, [block](const LoadedFace& face) { return face.stretch.block != block; });
+    if (faces.empty()) name->fail("a block with a face in these joints");
+  }
+  read_pressure(field, faces, read_history(field, Dimension::stress, records), stages, model);
 }
 
 // Stretches of edges along which entries of the scene act. Two that do the same there would add up, in silence.
@@ -165,12 +179,15 @@ void take_in_situ(const Field& load, const Stretch& s, const StageSpan& stages, 
 void read_edge_load(const Field& field, const GroundPlan& plan, const std::vector<std::string>& groups,
                     const StressField& stresses, RecordFiles& records, InSituEdges& taken, Model& model) {
   const StageSpan stages = read_stages_of(field, model);
+  if (is_of_joints(field.at("edge"))) return read_pressure_in_joints(field, plan, stages, records, model);
   const std::vector<Stretch> stretches = read_loaded_faces(field, plan, groups, stages, model);
   const std::string kind = only_edge_intensity(field);
   const Field value = field.at(kind);
   const TimeFunction history = read_history(field, kind == "force" ? Dimension::force : Dimension::stress, records);
   if (kind == "pressure") {
-    read_pressure(field, stretches, history, stages, model);
+    std::vector<LoadedFace> faces;
+    for (const Stretch& stretch : stretches) faces.push_back({stretch, stages});
+    read_pressure(field, faces, history, stages, model);
     return;
   }
   refuse(field, {"follows"}, "beside a traction or force, which keeps its direction");

@@ -22,6 +22,7 @@
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/kinematic_update.h"
+#include "engine/simulation/parts_of_stage.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
@@ -125,6 +126,7 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
   if (status == Status::not_converged &&
       (can_be_cut ? given_friction_.give(system_) : given_friction_.give_to_shortest_part(system_)))
     status = solve_again();
+  if (status == Status::ok && can_be_cut && goes_further_than_the_last_part(system_)) status = Status::not_converged;
   if (status != Status::ok) {
     given_friction_.take_back();
     return status;

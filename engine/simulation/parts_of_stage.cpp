@@ -7,6 +7,7 @@
 #include "engine/simulation/equilibrium.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/step_limits.h"
 
 namespace dda {
 namespace {
@@ -24,17 +25,25 @@ constexpr double at_rest = 1e-3;
 LoadParts parts_of_stage(bool contacts_are_followed, BlockSystem& system) {
   if (!system.stage().paces_itself() || nothing_prescribed_changes_until(system.end_of_stage(), system)) return {};
   const StepPlan& plan = system.plan;
-  LoadParts parts;
-  if (plan.contacts_can_change || plan.reinforcement.linings_yield) parts.all = parts_of_what_yields;
+  int all = 1;
+  if (plan.contacts_can_change || plan.reinforcement.linings_yield) all = parts_of_what_yields;
   if (contacts_are_followed && plan.finite_kinematics)
-    parts.all = std::max(
-        parts.all, steps_of_motion(system.model, system.clock.start, system.end_of_stage(), ContactSearch::reach / 2));
+    all = std::max(all,
+                   steps_of_motion(system.model, system.clock.start, system.end_of_stage(), ContactSearch::reach / 2));
+  LoadParts parts;
+  parts.begin(all);
   return parts;
 }
 
-void go_on_with_loads(double in_situ_force, BlockSystem& system) {
+void go_on_with_loads(double in_situ_force, bool steps_are_long, BlockSystem& system) {
   LoadParts& parts = system.clock.parts;
-  parts.follow(parts.all == 1 || out_of_balance(system, in_situ_force) <= at_rest);
+  const bool is_ready = parts.all == 1 || (steps_are_long && out_of_balance(system, in_situ_force) <= at_rest);
+  parts.follow(is_ready, largest_motion(system));
+}
+
+bool goes_further_than_the_last_part(const BlockSystem& system) {
+  const LoadParts& parts = system.clock.parts;
+  return parts.waits && parts.gone > 0 && largest_motion(system) > parts.moved;
 }
 
 }  // namespace dda

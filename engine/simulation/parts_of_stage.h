@@ -13,7 +13,13 @@ struct BlockSystem;
 // forces.load_new.
 LoadParts parts_of_stage(bool contacts_are_followed, BlockSystem& system);
 
-// A step of the stage has settled. `in_situ_force` (N): as for out_of_balance().
-void go_on_with_loads(double in_situ_force, BlockSystem& system);
+// A step of the stage has settled. `in_situ_force` (N): as for out_of_balance(). `steps_are_long`: so that inertia is
+// next to nothing in the next one.
+void go_on_with_loads(double in_situ_force, bool steps_are_long, BlockSystem& system);
+
+// Whether the step under way only waits, and would move some block further than the last part moved any. Turns of that
+// part have left stiff contacts open or closed by more than they give way; long steps have other answers then than the
+// one nearby, in which blocks fall freely.
+bool goes_further_than_the_last_part(const BlockSystem& system);
 
 }  // namespace dda

@@ -11,6 +11,7 @@ namespace {
 
 // In transit times.
 constexpr double longest = 1e2;
+constexpr double long_enough = 50;  // for inertia to be nothing beside friction
 constexpr double first_with_friction = 1;
 constexpr double shortest = 1e-4;
 
@@ -63,6 +64,8 @@ bool SettlingPace::shorten() {
   dt_ = std::max(dt_ / shrinking, shortest * transit_);
   return true;
 }
+
+bool SettlingPace::is_long() const { return dt_ >= long_enough * transit_; }
 
 bool SettlingPace::is_shortest() const { return dt_ <= shortest * transit_; }
 

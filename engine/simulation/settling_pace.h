@@ -48,6 +48,7 @@ class SettlingPace {
   // One did not; false when there is no shorter one to try.
   [[nodiscard]] bool shorten();
   [[nodiscard]] bool is_shortest() const;
+  [[nodiscard]] bool is_long() const;
   // A step that does not settle quickly is rather to be shortened.
   [[nodiscard]] bool can_be_cut() const { return !is_convex_ && !is_shortest(); }
 

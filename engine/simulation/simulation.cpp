@@ -172,7 +172,7 @@ Status Simulation::step() {
     return status;
   }
   ++s.clock.step;
-  if (is_settling()) go_on_with_loads(in_situ_force_, s);
+  if (is_settling()) go_on_with_loads(in_situ_force_, pace_.is_long(), s);
   ++s.state.step;
   s.state.time = s.clock.start + s.stage().time_of(s.clock.step);
   begin_longer_steps(stage_step(), s);
@@ -206,14 +206,18 @@ bool Simulation::is_settling() const { return !finished() && system_->stage().pa
 
 // At equilibrium only when nothing more is to come: the clock then goes to the end of the stage.
 bool Simulation::is_over() {
-  constexpr std::int64_t most_settling_steps = 500;  // walls take some 5, loose stones that look for the ground 60
+  // Once loads have come to their end: walls take some 5, loose stones that look for the ground 60.
+  constexpr std::int64_t most_settling_steps = 500;
   BlockSystem& s = *system_;
   const double asked = s.stage().equilibrium;
   const bool is_balanced = s.plan.is_static && asked > 0 && !stage_step().is_provisional() &&
                            out_of_balance() <= asked && nothing_prescribed_changes_until(s.end_of_stage(), s);
   // Half of the steps are kept for the balance.
-  if (is_balanced && is_settling() && s.clock.step < most_settling_steps / 2 && give_back_depths(s)) return false;
-  const bool is_over = is_balanced || s.clock.step >= (is_settling() ? most_settling_steps : s.stage().steps());
+  const std::int64_t settling_steps = s.clock.parts.steps_at_end();
+  if (is_balanced && is_settling() && settling_steps < most_settling_steps / 2 && give_back_depths(s)) return false;
+  const bool has_had_its_steps =
+      is_settling() ? settling_steps >= most_settling_steps : s.clock.step >= s.stage().steps();
+  const bool is_over = is_balanced || has_had_its_steps;
   if (is_balanced || (is_settling() && is_over)) s.state.time = s.end_of_stage();
   return is_over;
 }

@@ -15,7 +15,11 @@ constexpr double long_enough = 50;  // for inertia to be nothing beside friction
 constexpr double first_with_friction = 1;
 constexpr double shortest = 1e-4;
 
-constexpr double growth = 8;
+// Until a step was too long, and from then on. (Of steps that settle at any length passes are what counts: these grow
+// fast whatever was.) Walls of 3,500 and 5,000 bricks settle after 412 and 350 passes, with the first throughout after
+// 1,471 and 1,509; 40 random rocks take a tenth less time.
+constexpr double fast_growth = 8;
+constexpr double slow_growth = 2;
 constexpr double shrinking = 8;
 
 // Steps that took more passes than this are long enough; and of those that settle at any length, which take as many
@@ -52,15 +56,18 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
   transit_ = transit_time(model);
   is_convex_ = is_convex(stage, contacts_can_change);
   dt_ = first_step(model, stage, contacts_can_change);
+  growth_ = fast_growth;
 }
 
 void SettlingPace::settled(std::int64_t passes, bool is_sure) {
-  if (passes <= (is_sure ? easy_when_sure : easy)) dt_ = std::min(growth * dt_, longest * transit_);
+  if (passes <= (is_sure ? easy_when_sure : easy))
+    dt_ = std::min((is_sure ? fast_growth : growth_) * dt_, longest * transit_);
   if (passes > hard && !is_convex_ && !is_sure) dt_ = std::max(dt_ / shrinking_after_hard, shortest * transit_);
 }
 
 bool SettlingPace::shorten() {
   if (is_shortest()) return false;
+  growth_ = slow_growth;
   dt_ = std::max(dt_ / shrinking, shortest * transit_);
   return true;
 }

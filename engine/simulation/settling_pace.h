@@ -7,7 +7,8 @@
 // blocks keep their geometry a step is a convex problem (or a linear one), which is solved at any length: steps begin
 // long. With friction they begin short, grow as the open-close iteration settles easily, and shrink where it does not,
 // or only after many passes; so they do where blocks move, as one long step can open many joints at once, after which
-// they close elsewhere.
+// they close elsewhere. They grow fast until one was too long, and from then on slowly: else the next one is as much
+// too long again, and again (a wall of 5,000 bricks tried eight times the length that settles in each of 20 steps).
 #pragma once
 
 #include <cstdint>
@@ -54,13 +55,14 @@ class SettlingPace {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [transit, dt, is_convex] = self;
-    archive(transit, dt, is_convex);
+    auto& [transit, dt, growth, is_convex] = self;
+    archive(transit, dt, growth, is_convex);
   }
 
  private:
   double transit_ = 0;      // s
   double dt_ = 0;           // s
+  double growth_ = 1;       // of dt_ after a step that settled easily
   bool is_convex_ = false;  // steps settle at any length, whatever it takes
 };
 

@@ -111,6 +111,7 @@ void GeneralStep::list_contacts() {
 
 Status GeneralStep::advance(double dt, bool can_be_cut) {
   can_be_cut_ = can_be_cut;
+  given_friction_.begin_step(system_);
   if (dt != system_.coefficients.dt) set_step_size(dt);
   if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
   const auto solve_again = [this] {

@@ -17,6 +17,8 @@ struct BlockSystem;
 
 class GivenFriction {
  public:
+  // A step is to be taken: one that goes on with loads or motions does so with friction that follows the forces.
+  void begin_step(const BlockSystem& system);
   // The step under way takes it as given.
   [[nodiscard]] bool is_given() const { return steps_left_ > 0; }
   // The step under way did not settle otherwise: it and the next ones take it as given. False where they did already,

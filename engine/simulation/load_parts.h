@@ -15,10 +15,11 @@ struct LoadParts {
   bool waits = false;
   double moved = 0;  // by the step that took the last part: of the block that moved most, in its own size
 
-  // Steps since the loads are those of the end, the one that brought them there included.
-  [[nodiscard]] int steps_at_end() const { return gone == all ? waited + 1 : 0; }
   [[nodiscard]] double share() const { return static_cast<double>(gone) / all; }
   [[nodiscard]] double next_share() const { return static_cast<double>(next()) / all; }
+
+  // Steps taken with the loads of the next step: none where that goes on to another part.
+  [[nodiscard]] int steps_of_part() const { return gone == next() ? waited + 1 : 0; }
 
   void begin(int parts) { *this = {.all = parts, .waits = parts > 1}; }
 

@@ -206,18 +206,17 @@ bool Simulation::is_settling() const { return !finished() && system_->stage().pa
 
 // At equilibrium only when nothing more is to come: the clock then goes to the end of the stage.
 bool Simulation::is_over() {
-  // Once loads have come to their end: walls take some 5, loose stones that look for the ground 60.
+  // At the loads of the end: walls take some 5, loose stones that look for the ground 60. Held blocks that turn far get
+  // there in hundreds of parts, each of which takes five steps at most.
   constexpr std::int64_t most_settling_steps = 500;
   BlockSystem& s = *system_;
+  const std::int64_t steps = is_settling() ? s.clock.parts.steps_of_part() : s.clock.step;
   const double asked = s.stage().equilibrium;
   const bool is_balanced = s.plan.is_static && asked > 0 && !stage_step().is_provisional() &&
                            out_of_balance() <= asked && nothing_prescribed_changes_until(s.end_of_stage(), s);
   // Half of the steps are kept for the balance.
-  const std::int64_t settling_steps = s.clock.parts.steps_at_end();
-  if (is_balanced && is_settling() && settling_steps < most_settling_steps / 2 && give_back_depths(s)) return false;
-  const bool has_had_its_steps =
-      is_settling() ? settling_steps >= most_settling_steps : s.clock.step >= s.stage().steps();
-  const bool is_over = is_balanced || has_had_its_steps;
+  if (is_balanced && is_settling() && steps < most_settling_steps / 2 && give_back_depths(s)) return false;
+  const bool is_over = is_balanced || steps >= (is_settling() ? most_settling_steps : s.stage().steps());
   if (is_balanced || (is_settling() && is_over)) s.state.time = s.end_of_stage();
   return is_over;
 }

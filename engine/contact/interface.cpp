@@ -55,8 +55,13 @@ Vec2 outward_normal(const Segment& edge) {
 // Collects the interfaces of one pair of blocks.
 class PairSearch {
  public:
-  PairSearch(const Model& model, int block_a, int block_b, const Edges& edges)
-      : model_(model), a_(block_a), b_(block_b), edges_a_(edges.of(block_a)), edges_b_(edges.of(block_b)) {}
+  PairSearch(const Model& model, int block_a, int block_b, const Edges& edges, const JointLines& lines)
+      : model_(model),
+        lines_(lines),
+        a_(block_a),
+        b_(block_b),
+        edges_a_(edges.of(block_a)),
+        edges_b_(edges.of(block_b)) {}
 
   std::vector<Interface> run() {
     find_stretches();
@@ -68,7 +73,7 @@ class PairSearch {
  private:
   void add(int owner, int other, const Vec2& from, const Vec2& to, const Vec2& normal) {
     const double length = (to - from).norm();
-    found_.push_back({owner, other, from, to, normal, length, joint_of_stretch(model_, a_, b_, {from, to}),
+    found_.push_back({owner, other, from, to, normal, length, lines_.joint_of_stretch(a_, b_, {from, to}),
                       length > 0 ? length / 2 : share_of_point()});
   }
 
@@ -114,6 +119,7 @@ class PairSearch {
   }
 
   const Model& model_;
+  const JointLines& lines_;
   int a_;
   int b_;
   std::span<const Edge> edges_a_;
@@ -125,12 +131,13 @@ class PairSearch {
 
 std::vector<Interface> find_interfaces(const Model& model) {
   const Edges edges(model);
+  const JointLines lines(model);
   std::vector<Box> boxes;
   boxes.reserve(model.blocks.size());
   for (const Block& block : model.blocks) boxes.push_back(expanded(bounding_box(block.shape), model.length_tolerance));
   std::vector<Interface> interfaces;
   for (const auto& [a, b] : overlapping_pairs(boxes)) {
-    const std::vector<Interface> found = PairSearch(model, a, b, edges).run();
+    const std::vector<Interface> found = PairSearch(model, a, b, edges, lines).run();
     interfaces.insert(interfaces.end(), found.begin(), found.end());
   }
   interfaces.shrink_to_fit();

@@ -3,12 +3,22 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/geometry/nearness.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Segment segment_of(const JointLine& line) { return {line.from, line.to}; }
+
+std::vector<Box> boxes_of(const std::vector<JointLine>& lines) {
+  std::vector<Box> boxes;
+  boxes.reserve(lines.size());
+  for (const JointLine& line : lines) boxes.push_back(edge_box(segment_of(line), 0));
+  return boxes;
+}
 
 bool lies_on(const Segment& stretch, const Segment& line, double tolerance) {
   const double length = (stretch.end - stretch.start).norm();
@@ -24,23 +34,31 @@ Segment drawn_edge(const Model& model, const Outlines& outlines, int block, int 
 
 }  // namespace
 
-int joint_of_stretch(const Model& model, int block_a, int block_b, const Segment& stretch) {
-  const double tolerance = point_tolerance(model);
-  const auto line = std::find_if(model.joint_lines.rbegin(), model.joint_lines.rend(), [&](const JointLine& each) {
-    return lies_on(stretch, {each.from, each.to}, tolerance);
+JointLines::JointLines(const Model& model)
+    : model_(model), tolerance_(point_tolerance(model)), boxes_(boxes_of(model.joint_lines)) {}
+
+// What runs along a stretch within the tolerance may end that far beside its box; twice that is not near to round-off.
+std::vector<int> JointLines::near(const Segment& stretch) const {
+  return boxes_.overlapping(edge_box(stretch, 2 * tolerance_));
+}
+
+int JointLines::joint_of_stretch(int block_a, int block_b, const Segment& stretch) const {
+  const std::vector<int> lines = near(stretch);
+  const auto line = std::find_if(lines.rbegin(), lines.rend(), [&](int each) {
+    return lies_on(stretch, segment_of(model_.joint_lines[at(each)]), tolerance_);
   });
-  return line == model.joint_lines.rend() ? model.joint_index(block_a, block_b) : line->joint;
+  return line == lines.rend() ? model_.joint_index(block_a, block_b) : model_.joint_lines[at(*line)].joint;
 }
 
 SurfaceJoints::SurfaceJoints(const Model& model, const Outlines& outlines) {
+  if (model.joint_lines.empty()) return;
   const double tolerance = point_tolerance(model);
+  const BoxIndex blocks(outlines.boxes);
   for (const JointLine& line : model.joint_lines) {
-    const Box box = expanded(expanded(expanded(Box{}, line.from), line.to), tolerance);
-    for (int block = 0; block < outlines.blocks(); ++block) {
-      if (!overlap(box, outlines.boxes[at(block)])) continue;
+    for (const int block : blocks.overlapping(edge_box(segment_of(line), tolerance))) {
       for (int edge = outlines.starts[at(block)]; edge < outlines.starts[at(block) + 1]; ++edge) {
         const Segment drawn = drawn_edge(model, outlines, block, edge);
-        const auto common = collinear_overlap(drawn, {line.from, line.to}, tolerance);
+        const auto common = collinear_overlap(drawn, segment_of(line), tolerance);
         if (!common) continue;
         const double slack = tolerance / (drawn.end - drawn.start).norm();
         parts_.push_back({edge, closest_parameter(drawn, common->first) - slack,

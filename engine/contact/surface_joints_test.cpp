@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,29 @@ TEST(SurfaceJoints, ALoneVertexOnALineHasItsJoint) {
   EXPECT_EQ(joints_of(model), (std::vector{1}));
   give_joints(model, {{{0, 0}, {1.4, 0}, 1}});
   EXPECT_EQ(joints_of(model), (std::vector{0}));
+}
+
+// A line for each face, as rock of cells has: each face looks at the few lines beside it, and not at all 3,120.
+TEST(SurfaceJoints, StretchesLookAtTheLinesBesideThem) {
+  constexpr int side = 40;
+  std::vector<Polygon> blocks;
+  std::vector<JointLine> lines;
+  for (int row = 0; row < side; ++row) {
+    for (int i = 0; i < side; ++i) {
+      blocks.push_back({box_ring(i, row, i + 1, row + 1), {}});
+      const Vec2 corner(i, row);
+      if (i > 0) lines.push_back({corner, corner + Vec2(0, 1), 1 + (i + row) % 2});
+      if (row > 0) lines.push_back({corner, corner + Vec2(1, 0), 1 + (i + row) % 2});
+    }
+  }
+  Model model = model_of(blocks);
+  give_joints(model, lines);
+  const JointLines joints(model);
+  for (const Interface& interface : find_interfaces(model)) {
+    const Vec2 start = interface.from.cwiseMin(interface.to);
+    EXPECT_EQ(interface.joint, 1 + static_cast<int>(std::lround(start.x() + start.y())) % 2);
+    EXPECT_LE(joints.near({interface.from, interface.to}).size(), 7U);
+  }
 }
 
 // Joints of the contacts on the box, of those that carry on the floor, once the box is at `x`.

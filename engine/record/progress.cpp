@@ -54,16 +54,19 @@ void Progress::draw_when_due(double time, std::int64_t step) {
 }
 
 void Progress::draw(double now, double time, std::int64_t step) {
-  const double duration = end_time_ - start_time_;
-  const double done = duration > 0 ? std::clamp((time - start_time_) / duration, 0.0, 1.0) : 1.0;
   const double elapsed = now - began_;
   const double pace = elapsed > 0 ? static_cast<double>(step - first_step_.value_or(step)) / elapsed : 0;
-  const std::string bar(static_cast<std::size_t>(done * bar_width), '#');
-  *output_ << fmt::format("\r[{:<{}}] {:3.0f} %  {:.4g} of {:.4g} s  {:.3g} steps/s  {} left{}", bar, bar_width,
-                          std::floor(100 * done), time, end_time_, pace, clock_text(elapsed * (1 / done - 1)),
-                          clear_to_end)
-           << std::flush;
+  const std::string line = end_time_ > start_time_ ? along_the_time(time, elapsed, pace)
+                                                   : fmt::format("step {}  {:.3g} steps/s", step, pace);
+  *output_ << '\r' << line << clear_to_end << std::flush;
   line_begun_ = true;
+}
+
+std::string Progress::along_the_time(double time, double elapsed, double pace) const {
+  const double done = std::clamp((time - start_time_) / (end_time_ - start_time_), 0.0, 1.0);
+  const std::string bar(static_cast<std::size_t>(done * bar_width), '#');
+  return fmt::format("[{:<{}}] {:3.0f} %  {:.4g} of {:.4g} s  {:.3g} steps/s  {} left", bar, bar_width,
+                     std::floor(100 * done), time, end_time_, pace, clock_text(elapsed * (1 / done - 1)));
 }
 
 void Progress::finish(double time, std::int64_t step) {

@@ -24,8 +24,9 @@ class PassingLine {
   std::ostream* output_;
 };
 
-// One line that is drawn over: a bar, per cent, simulated time, steps per second and the time left at that pace. Drawn
-// at most ten times a second; update() costs one look at the clock, and nothing without an output.
+// One line that is drawn over: a bar, per cent, simulated time, steps per second and the time left at that pace. Runs
+// of stages that take no time have no share and no time left, and show the number of the step. Drawn at most ten times
+// a second; update() costs one look at the clock, and nothing without an output.
 class Progress {
  public:
   using Clock = std::function<double()>;  // s, from any origin
@@ -50,6 +51,7 @@ class Progress {
  private:
   void draw_when_due(double time, std::int64_t step);
   void draw(double now, double time, std::int64_t step);
+  [[nodiscard]] std::string along_the_time(double time, double elapsed, double pace) const;
   void end_line();
 
   std::ostream* output_;

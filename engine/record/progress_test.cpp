@@ -82,12 +82,19 @@ TEST(Progress, StaysOnOneLineOfATerminal) {
   EXPECT_LE(output.str().rfind('\x1b') - second, 80U);
 }
 
-TEST(Progress, EmptyRun) {
+// A static stage that finds its own steps may take minutes, all of them at one time: it was at 100 % with 0:00 left.
+TEST(Progress, RunThatTakesNoTimeShowsSteps) {
   std::ostringstream output;
-  Progress progress(1, 1, &output, [] { return 0.0; });
+  double now = 0;
+  Progress progress(1, 1, &output, [&] { return now; });
+  EXPECT_EQ(output.str(), "\rstep 0  0 steps/s\x1b[K");
+  progress.update(1, 1);
   output.str("");
-  progress.finish(1, 0);
-  EXPECT_EQ(output.str(), "\r[##########] 100 %  1 of 1 s  0 steps/s  0:00 left\x1b[K\n");
+  now += 4;
+  progress.update(1, 2);
+  EXPECT_EQ(output.str(), "\rstep 2  0.5 steps/s\x1b[K");
+  progress.finish(1, 3);
+  EXPECT_EQ(output.str().back(), '\n');
 }
 
 TEST(ClockText, MinutesHoursAndUnknown) {

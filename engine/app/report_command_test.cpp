@@ -2,6 +2,7 @@
 #include <string>
 
 #include "engine/app/command_line_test_support.h"
+#include "engine/app/moving_part.h"
 
 namespace dda {
 namespace {
@@ -45,6 +46,17 @@ TEST_F(Report, DrawsTheSceneOfARunWithoutFrames) {
   ASSERT_EQ(call({"report", path("results"), "--out", path("page.html")}).code, 0);
   EXPECT_TRUE(contains(text("page.html"), "The blocks as drawn"));
   EXPECT_TRUE(contains(text("page.html"), "stress, traction_normal ("));
+}
+
+// Two rows at one time are the beginning and the end of a static stage, and the motion begins with its end.
+TEST(MovingPart, BeginsWhereStaticStagesEnd) {
+  const Histories all{{0, 0, 1, 1, 2}, {{"u", "m", {5, 6, 7, 9, 8}}}};
+  const Histories moving = from(0, all);
+  EXPECT_EQ(moving.times, (std::vector<double>{0, 1, 1, 2}));
+  EXPECT_EQ(moving.columns[0].values, (std::vector<double>{6, 7, 9, 8}));
+  EXPECT_EQ(from(first_moment({}), all).times, all.times);
+  EXPECT_EQ(from(2, all).times, all.times);  // one row shows nothing
+  EXPECT_EQ(without_jumps(all.times, all.columns[0].values), (std::vector<double>{5, 5, 6, 6, 5}));
 }
 
 TEST_F(Report, RefusesWhatIsNoRun) {

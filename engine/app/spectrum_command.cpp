@@ -92,7 +92,9 @@ MotionRecord record_of(const SpectrumRequest& request) {
   const auto is_finite = [](double value) { return std::isfinite(value); };
   if (!std::ranges::all_of(column.values, is_finite) || !std::ranges::all_of(histories.times, is_finite))
     throw InputError(file, "measurement \"" + column.name + "\"", "not finite everywhere", "numbers");
-  return {motion_of(column), histories.times, column.values};
+  const GroundMotion kind = motion_of(column);
+  if (kind != GroundMotion::displacement) return {kind, histories.times, column.values};
+  return {kind, histories.times, without_jumps(histories.times, column.values)};
 }
 
 PeriodRange given_range(const std::vector<std::string>& periods) {

@@ -14,6 +14,7 @@
 #include "engine/geometry/rotation.h"
 #include "engine/simulation/free_field_columns.h"
 #include "engine/simulation/free_field_models.h"
+#include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/terms/load.h"
 
@@ -162,6 +163,21 @@ TEST(FreeField, KeepsStepAfterAStaticStageThatEndsEarly) {
 }
 
 // In-situ stress in equilibrium with its surroundings: nothing moves.
+// Columns end a stage one step before the model, and a run that ends with them says why, as does one that is restored.
+TEST(FreeField, SaysThatItsColumnsAreOutOfBalance) {
+  Model model = heavy_grid(bond(InterfaceLaw::consistent), 0);
+  model.stages[0].dt = 1e-3;  // too short to settle in 60 steps
+  model.stages[0].duration = 0.06;
+  Simulation simulation = simulation_of(model);
+  Status status = Status::ok;
+  while (status == Status::ok && !simulation.finished()) status = simulation.step();
+  EXPECT_EQ(status, Status::not_in_equilibrium);
+  EXPECT_EQ(simulation.state().step, 59);
+  EXPECT_NE(simulation.message().find("columns of the free field: static stage \"settle\" ended"), std::string::npos)
+      << simulation.message();
+  EXPECT_EQ(unbalanced_end(simulation), simulation.message());
+}
+
 TEST(FreeField, CarriesInitialStress) {
   Model model = shaken_grid(bond(InterfaceLaw::consistent));
   for (int i = 0; i < rows * columns; ++i) model.blocks[at(i)].initial_stress = {-3e6, 0, 0};

@@ -20,6 +20,10 @@ std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulat
 }
 
 std::string unbalanced_end(const Simulation& simulation) {
+  // Columns are ahead by a step, so a stage that they end out of balance is not over beside them.
+  if (const Simulation* columns = simulation.free_field_columns())
+    if (const std::string problem = unbalanced_end(*columns); !problem.empty())
+      return "columns of the free field: " + problem;
   const StageClock& clock = simulation.system().clock;
   return clock.begun || clock.stage == 0 ? ""
                                          : problem_at_end_of(clock.stage - 1, simulation.model(), simulation.results());

@@ -19,8 +19,9 @@ const LiningSet& linings_of(const Simulation& simulation);
 // What energy() was at the end of each of them.
 std::span<const EnergyLedger> energy_at_ends_of_stages(const Simulation& simulation);
 
-// Between two stages and after the last one: why a run is to end with the stage that is over, which is no equilibrium;
-// empty where it may go on. A run that ended so and is restored is told once more.
+// Between two stages and after the last one: why a run is to end with the stage that is over, which is no equilibrium,
+// here or in the columns of a free field; empty where it may go on. A run that ended so and is restored is told once
+// more.
 std::string unbalanced_end(const Simulation& simulation);
 
 // In all stages but those that pace themselves.

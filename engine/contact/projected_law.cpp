@@ -35,6 +35,14 @@ double spreading_length(const Model& model, int block, const Interface& interfac
   return spreading_share * width_across(model, block, along);
 }
 
+// m: below a closed part of this length the bed is stiffer than a column. The half of a slender block beside the joint
+// is deeper than its side is long, and gives way under a part of that side by about the side's length, not all its
+// depth.
+double bed_spreading_length(const Model& model, int block, const Interface& interface) {
+  const double depth = width_across(model, block, interface.normal) / 2;
+  return std::max(spreading_length(model, block, interface), spreading_share * depth);
+}
+
 // What presses a small block goes by the size of the one beside it, S, which strains it, of size s, by S/s times as
 // much as that one; and where its joints press unevenly they close by as much of its size. So where blocks differ by
 // more than three times joints are stiffer in proportion, up to 30 times, as springs are there (joint_stiffness.h).
@@ -154,7 +162,7 @@ double projected_spread(const Model& model, const Interface& interface) {
   for (const int block : {interface.block_a, interface.block_b}) {
     const double column = column_compliance(model, block, interface);
     bed += column;
-    spread += column * std::min(1.0, spreading_length(model, block, interface) / interface.length);
+    spread += column * std::min(1.0, bed_spreading_length(model, block, interface) / interface.length);
   }
   return spread / bed;
 }

@@ -23,9 +23,9 @@
 //
 // Blocks of uniform strain do not bend. A closed stretch therefore acts at two points at -lever and +lever of half its
 // length from the middle, where the stiffness of its turn is that of two half columns; opened in part it answers as a
-// column without tension, but for a closed part of less than `spreading_share` of the blocks' sides, as above
-// (no_tension_bed.h). Where the blocks differ that share is the mean by what either adds to the bed's compliance; the
-// joint's own material spreads nothing.
+// column without tension, but for a closed part of less than `spreading_share` of the blocks' sides, as above, or of
+// half of their depth, where that is more (no_tension_bed.h). Where the blocks differ that share is the mean by what
+// either adds to the bed's compliance; the joint's own material spreads nothing.
 #pragma once
 
 #include <algorithm>

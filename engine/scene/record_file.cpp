@@ -156,14 +156,14 @@ class RecordReader {
     fail(here(), "a header of " + names(), "two columns, or \"value\" in the scene to say which one to take");
   }
 
-  // By name in the scene or in the header; both may say it, but not differ.
+  // By name in the scene or in the header; both may say it, but not differ, unless the scene says that there is none.
   [[nodiscard]] Unit unit(const std::string& wanted, Dimension dimension, std::size_t column) const {
     const std::string& written = columns_[column].unit;
-    if (!wanted.empty() && !written.empty() && wanted != written)
+    if (!wanted.empty() && !written.empty() && wanted != written && wanted != no_unit)
       fail(here(column), fmt::format("in \"{}\"", shown(written)),
            fmt::format("\"{}\" as the scene says", shown(wanted)));
     const std::string& symbol = wanted.empty() ? written : wanted;
-    if (symbol.empty() || symbol == "-") return {"", 1, 1};
+    if (symbol.empty() || symbol == no_unit) return {"", 1, 1};
     for (const Unit& unit : units(dimension))
       if (unit.symbol == symbol) return unit;
     fail(here(column), fmt::format("in \"{}\"", shown(symbol)), "a unit of " + std::string(to_string(dimension)));

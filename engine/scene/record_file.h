@@ -18,13 +18,16 @@
 
 namespace dda {
 
+// The unit of plain factors.
+inline constexpr auto no_unit = "-";
+
 // What to take out of a file.
 struct RecordRequest {
   std::filesystem::path file = {};
-  std::string time = {};                           // name of the column; empty: the first
-  std::string value = {};                          // name of the column; empty: the second, where there are just two
-  std::string time_unit = {};                      // empty: as in the header, or else s
-  std::string value_unit = {};                     // empty: as in the header, or else values are plain factors
+  std::string time = {};        // name of the column; empty: the first
+  std::string value = {};       // name of the column; empty: the second, where there are just two
+  std::string time_unit = {};   // empty: as in the header, or else s
+  std::string value_unit = {};  // empty: as in the header, or else values are plain factors, as by "-"
   Dimension dimension = Dimension::dimensionless;  // of the values, where they have a unit
   double scale = 1;
   bool correct_baseline = false;

@@ -68,6 +68,12 @@ TEST(RecordFile, UnitsOfTheScene) {
 
 TEST(RecordFile, WithoutUnitValuesAreFactors) { EXPECT_EQ(read("t,a\n0,0\n1,3\n").values().back(), 3); }
 
+// As where a velocity drives a traction, whose figure is an impedance.
+TEST(RecordFile, ValuesAreFactorsWhereTheSceneSaysSo) {
+  const std::string file = "t,v [m/s]\n0,0\n1,3\n";
+  EXPECT_EQ(read(file, {.file = {}, .value_unit = "-", .dimension = Dimension::stress}).values().back(), 3);
+}
+
 TEST(RecordFile, BaselineOnRequest) {
   const Recording record = read("t,a\n0,1\n1,3\n", {.file = {}, .correct_baseline = true});
   EXPECT_NEAR(record.integral(1), 0, 1e-15);

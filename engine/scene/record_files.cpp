@@ -18,6 +18,12 @@ std::string unit_or_nothing(const Field& field, const char* key, Dimension dimen
   field.at(key).fail(expected_quantity(dimension));
 }
 
+// Or "-", for values that are plain factors whatever the header says: a velocity times an impedance is a traction.
+std::string unit_of_values(const Field& field, Dimension dimension) {
+  if (text_or_nothing(field, "unit") == no_unit) return no_unit;
+  return unit_or_nothing(field, "unit", dimension);
+}
+
 RecordRequest read_request(const Field& field, Dimension dimension, const std::filesystem::path& folder) {
   RecordRequest request;
   request.file = folder / field.at("file").text();
@@ -25,7 +31,7 @@ RecordRequest read_request(const Field& field, Dimension dimension, const std::f
   request.value = text_or_nothing(field, "value");
   request.dimension = dimension;
   if (field.has("time_unit")) request.time_unit = unit_or_nothing(field, "time_unit", Dimension::time);
-  if (field.has("unit")) request.value_unit = unit_or_nothing(field, "unit", dimension);
+  if (field.has("unit")) request.value_unit = unit_of_values(field, dimension);
   request.scale = value_or(field, "scale", 1.0, [](const Field& f) { return f.quantity(Dimension::dimensionless); });
   if (const auto correct = field.find("baseline_correction")) {
     request.correct_baseline = correct->truth();

@@ -118,9 +118,13 @@ class EnergyAudit {
 
   // The motion of held blocks: work (J per m of thickness) of the forces that moved them, by their values at the start
   // and at the end of the step. No integrator acts on these blocks: what record() took for its doing is taken back.
-  void held_blocks_moved(const StepCoefficients& step, double by_old, double by_new) {
-    ledger_.external_work += (by_old + by_new) / 2;
-    ledger_.numerical -= (0.5 - step.load_old) * (by_new - by_old);
+  // `by_measuring`: how much of those at the start came of gaps that were measured anew. The balance has of forces as
+  // much as it has without that, alpha_f of the start and the rest of the end, and their mean is off by what is taken
+  // off here; it counts as numerical, as measuring anew itself does.
+  void held_blocks_moved(const StepCoefficients& step, double by_old, double by_new, double by_measuring) {
+    const double off_centre = 0.5 - step.load_old;  // 1/2 - alpha_f
+    ledger_.external_work += (by_old + by_new) / 2 - off_centre * by_measuring;
+    ledger_.numerical -= off_centre * (by_new - by_old + by_measuring);
   }
   // The same of forces that the balance had but no state keeps.
   void held_blocks_moved_against(double work) { ledger_.external_work += work; }

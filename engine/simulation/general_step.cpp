@@ -219,7 +219,7 @@ void GeneralStep::place_geometry(double coming) {
     s.loads_at(s.load_time(), s.forces.load_old);
   }
   refresh_tractions(s.state, s.contacts);
-  s.sum_internal_forces(s.forces.internal_old);
+  measure_internal_forces(s);
   s.audit.geometry_followed(s.stored_energy_now(), stretches_ended);
   base_is_current_ = false;
 }

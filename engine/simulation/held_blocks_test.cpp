@@ -126,6 +126,38 @@ TEST(HeldBlocks, EnergyBalances) {
     }
 }
 
+// A block rides on a base that turns, and the base takes what the weight brings, 3 m down, less the kinetic energy.
+// Rows of one moment miss 1/2 turn^2 of a step times the distance of the centroids, by which the forces of stiff joints
+// jumped at the start of every step; their work was in that of the base, 0.1 to 1.2 % too much in blocks as soft as
+// these.
+TEST(HeldBlocks, WorkOfOneThatTurnsIsThatOfTheForcesInBalance) {
+  JointMaterial dry;
+  dry.law = InterfaceLaw::projected;
+  dry.friction_angle = 0.6;
+  for (const JointMaterial& joint : {dry, bond(InterfaceLaw::consistent)})
+    for (const Integrator& integrator : {generalized_alpha_integrator(0), generalized_alpha_integrator(0.5)}) {
+      Model model;
+      model.materials = {rock()};
+      model.joints = {joint};
+      model.blocks = {rectangle("base", -20, -1, 40, 1), rectangle("rider", 9, 0, 2, 1)};
+      HeldBlock base;
+      base.turn = -0.2;
+      base.kind = MotionKind::velocity;
+      base.history = PiecewiseLinear{{0, 1, 2, 3}, {0, 1, 1, 1}};
+      model.held_blocks = {base};
+      model.gravity = {0, -9.81};
+      model.stages = {stage_of(static_integrator(), 0, 1, Kinematics::finite),
+                      stage_of(integrator, 2e-3, 1000, Kinematics::finite)};
+      model.stages[0].equilibrium = 1e-9;
+      Simulation simulation = simulation_of(std::move(model));
+      while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+      const EnergyLedger& energy = simulation.energy();
+      EXPECT_NEAR(energy.external_work / (energy.kinetic - energy.gravity_work), 1, 3e-4)
+          << integrator.name << " " << simulation.energy().numerical;
+      EXPECT_LT(std::abs(energy.relative_residual()), 1e-11);
+    }
+}
+
 TEST(HeldBlocks, CountNeitherForKineticEnergyNorForBalance) {
   Model model = shaken_bar(bond(InterfaceLaw::consistent), stage_of(trapezoidal_integrator(), 1e-3, 10));
   model.held_blocks = {shaken(0), shaken(1), shaken(2)};

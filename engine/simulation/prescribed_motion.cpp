@@ -90,15 +90,33 @@ void begin_viscous_edges(BlockSystem& system) {
     system.loads_at(system.state.time, system.forces.load_old);
 }
 
+void measure_internal_forces(BlockSystem& system) {
+  const HeldUnknowns& held = system.held;
+  BlockForces& forces = system.forces;
+  if (!held.move) return system.sum_internal_forces(forces.internal_old);
+  const auto add = [&](double sign) {
+    for (std::size_t i = 0; i < held.blocks.size(); ++i)
+      forces.measured[i] += sign * forces.internal_old.segment<6>(6 * held.blocks[i]);
+  };
+  forces.measured.resize(held.blocks.size(), Vec6::Zero());
+  add(-1);
+  system.sum_internal_forces(forces.internal_old);
+  add(1);
+}
+
 void audit_held_blocks(BlockSystem& system) {
   const HeldUnknowns& held = system.held;
-  const BlockForces& forces = system.forces;
+  BlockForces& forces = system.forces;
   if (held.empty()) return;
   double at_start = held.work(forces.internal_old) - held.work(forces.load_old);
   double at_end = held.work(forces.internal_new) - held.work(forces.load_new);
   if (system.plan.gravity) at_start -= held.work(system.external.weight());
   if (system.plan.gravity) at_end -= held.work(system.external.weight());
-  system.audit.held_blocks_moved(system.coefficients, at_start, at_end);
+  double by_measuring = 0;
+  for (std::size_t i = 0; i < std::min(forces.measured.size(), held.increments.size()); ++i)
+    by_measuring += held.increments[i].dot(forces.measured[i]);
+  forces.measured.clear();
+  system.audit.held_blocks_moved(system.coefficients, at_start, at_end, by_measuring);
 }
 
 bool nothing_prescribed_changes_until(double time, BlockSystem& system) {

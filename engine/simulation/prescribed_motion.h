@@ -23,7 +23,12 @@ void let_go_of_support(std::size_t index, BlockSystem& system);
 // Dashpots that begin to act with this stage.
 void begin_viscous_edges(BlockSystem& system);
 
-// What moves the held blocks works against all other forces on them.
+// Sums up the internal forces that the step begins with where gaps have been measured anew. What blocks that turn miss
+// of a gap in a step, by rows of one moment of it, is put right there, and the forces on held blocks jump.
+void measure_internal_forces(BlockSystem& system);
+
+// What moves the held blocks works against all other forces on them, without such jumps: what stiff contacts make of a
+// gap of second order in a turn is no force that anything has moved against.
 void audit_held_blocks(BlockSystem& system);
 
 // True when loads, supports and held blocks are at `time` what they are now; writes the loads there to forces.load_new.

@@ -54,10 +54,10 @@ bool is_of_joints(const Field& edge) {
   return edge.is_text() ? edge.text() == "joints" : edge.is_object() && edge.has("joints");
 }
 
-std::vector<LoadedFace> faces_of_joints(const Field& edge, const StageSpan& stages, const Model& model) {
+std::vector<PressedFace> faces_of_joints(const Field& edge, const StageSpan& stages, const Model& model) {
   const std::vector<bool> meant = meant_joints(edge, model);
   const Presence presence(model);
-  std::vector<LoadedFace> faces;
+  std::vector<PressedFace> faces;
   for (const Interface& joint : find_interfaces(model)) {
     if (joint.from == joint.to || !meant[at(joint.joint)]) continue;  // a vertex on an edge has no face
     const std::optional<StageSpan> span = presence.of_both(joint.block_a, joint.block_b, stages);

@@ -81,7 +81,7 @@ bool read_follows(const Field& load, const StageSpan& stages, const Model& model
   field->fail("true in stages of small kinematics, in which faces stay as drawn", "a stage of finite kinematics");
 }
 
-void read_pressure(const Field& field, const std::vector<LoadedFace>& faces, const TimeFunction& history,
+void read_pressure(const Field& field, const std::vector<PressedFace>& faces, const TimeFunction& history,
                    const StageSpan& stages, Model& model) {
   const FacePressure pressure(field.at("pressure"));
   const bool follows = read_follows(field, stages, model);
@@ -98,10 +98,10 @@ void read_pressure(const Field& field, const std::vector<LoadedFace>& faces, con
 void read_pressure_in_joints(const Field& field, const GroundPlan& plan, const StageSpan& stages, RecordFiles& records,
                              Model& model) {
   refuse(field, {"traction", "force"}, "in joints, which take a pressure");
-  std::vector<LoadedFace> faces = faces_of_joints(field.at("edge"), stages, model);
+  std::vector<PressedFace> faces = faces_of_joints(field.at("edge"), stages, model);
   if (const auto name = field.find("block")) {
     const int block = name->choice(plan.names());
-    std::erase_if(faces, [block](const LoadedFace& face) { return face.stretch.block != block; });
+    std::erase_if(faces, [block](const PressedFace& face) { return face.stretch.block != block; });
     if (faces.empty()) name->fail("a block with a face in these joints");
   }
   read_pressure(field, faces, read_history(field, Dimension::stress, records), stages, model);
@@ -185,7 +185,7 @@ void read_edge_load(const Field& field, const GroundPlan& plan, const std::vecto
   const Field value = field.at(kind);
   const TimeFunction history = read_history(field, kind == "force" ? Dimension::force : Dimension::stress, records);
   if (kind == "pressure") {
-    std::vector<LoadedFace> faces;
+    std::vector<PressedFace> faces;
     for (const Stretch& stretch : stretches) faces.push_back({stretch, stages});
     read_pressure(field, faces, history, stages, model);
     return;

@@ -217,7 +217,7 @@ struct SpreadArch {
     return model;
   }
 
-  // Of the half on the right, once it has turned about its haunch so far that the crown is in the middle again.
+  // The half on the right has turned about its haunch so far that the crown is in the middle again.
   [[nodiscard]] double thrust() const {
     double most = 0;
     for (int haunch = 0; haunch < voussoirs / 2 - 1; ++haunch) most = std::max(most, thrust_about(haunch));

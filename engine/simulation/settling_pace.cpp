@@ -52,11 +52,12 @@ double first_step(const Model& model, const Stage& stage, bool contacts_can_chan
   return (is_convex(stage, contacts_can_change) ? longest : first_with_friction) * transit_time(model);
 }
 
-void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change) {
+void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change, bool in_parts) {
   transit_ = transit_time(model);
   is_convex_ = is_convex(stage, contacts_can_change);
   dt_ = first_step(model, stage, contacts_can_change);
   growth_ = fast_growth;
+  in_parts_ = in_parts;
 }
 
 void SettlingPace::settled(std::int64_t passes, bool is_sure) {
@@ -67,7 +68,7 @@ void SettlingPace::settled(std::int64_t passes, bool is_sure) {
 
 bool SettlingPace::shorten() {
   if (is_shortest()) return false;
-  growth_ = slow_growth;
+  if (!in_parts_) growth_ = slow_growth;
   dt_ = std::max(dt_ / shrinking, shortest * transit_);
   return true;
 }

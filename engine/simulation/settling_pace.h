@@ -9,6 +9,7 @@
 // or only after many passes; so they do where blocks move, as one long step can open many joints at once, after which
 // they close elsewhere. They grow fast until one was too long, and from then on slowly: else the next one is as much
 // too long again, and again (a wall of 5,000 bricks tried eight times the length that settles in each of 20 steps).
+// Where loads come in parts steps must be long again before the next part, and always grow fast.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,8 @@ double first_step(const Model& model, const Stage& stage, bool contacts_can_chan
 
 class SettlingPace {
  public:
-  // Begins a stage that paces itself.
-  void begin(const Model& model, const Stage& stage, bool contacts_can_change);
+  // Begins a stage that paces itself, with loads in one part or in more.
+  void begin(const Model& model, const Stage& stage, bool contacts_can_change, bool in_parts);
 
   [[nodiscard]] double dt() const { return dt_; }  // s, of the next step
 
@@ -55,8 +56,8 @@ class SettlingPace {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [transit, dt, growth, is_convex] = self;
-    archive(transit, dt, growth, is_convex);
+    auto& [transit, dt, growth, is_convex, in_parts] = self;
+    archive(transit, dt, growth, is_convex, in_parts);
   }
 
  private:
@@ -64,6 +65,7 @@ class SettlingPace {
   double dt_ = 0;           // s
   double growth_ = 1;       // of dt_ after a step that settled easily
   bool is_convex_ = false;  // steps settle at any length, whatever it takes
+  bool in_parts_ = false;   // loads come in parts
 };
 
 }  // namespace dda

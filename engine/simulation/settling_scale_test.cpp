@@ -193,7 +193,7 @@ TEST(SettlingPace, StepsThatAreSureToSettleGrowAfterManyPasses) {
   const auto growth = [](std::int64_t passes, bool is_sure) {
     const Model model = finished_press();
     SettlingPace pace;
-    pace.begin(model, model.stages[0], true);
+    pace.begin(model, model.stages[0], true, false);
     const double before = pace.dt();
     pace.settled(passes, is_sure);
     return pace.dt() / before;

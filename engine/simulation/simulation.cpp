@@ -131,7 +131,6 @@ void Simulation::begin_stage() {
   note_reinforcement_in_air(s, results_.in_air);
   set_strain_inertia(s.stage(), s.terms);
   BlockMatrix pattern = general_->pattern();
-  if (s.stage().paces_itself()) pace_.begin(s.model, s.stage(), s.contacts.can_change);
   const double dt = first_step(s.model, s.stage(), s.contacts.can_change);
   const StepPlan next =
       make_plan(s.model, s.clock.stage, s.contacts, pattern.couplings(), stiffness_number(s.contacts, s.terms, dt));
@@ -140,6 +139,7 @@ void Simulation::begin_stage() {
   s.plan = next;
   if (other_kind) stage_step().take_over();
   s.clock.parts = parts_of_stage(general_->follows_contacts(), s);
+  if (s.stage().paces_itself()) pace_.begin(s.model, s.stage(), s.contacts.can_change, s.clock.parts.all > 1);
   if (s.plan.is_static) damp_velocities(s);
   begin_viscous_edges(s);
   stage_step().set_up(std::move(pattern));

@@ -14,6 +14,7 @@
 
 #include "engine/app/command_line_test_support.h"
 #include "engine/geometry/cut_pieces.h"
+#include "engine/geometry/polygon.h"
 
 namespace dda {
 namespace {
@@ -136,7 +137,17 @@ class BlockOnAPlane {
   json scene_;
 };
 
-class FosPopulation : public CommandLine {};
+class FosPopulation : public CommandLine {
+ protected:
+  void expect_factor(double factor, const std::string& scene) {
+    write("scene.json", scene);
+    const Outcome outcome = call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors << scene;
+    const json report = json::parse(text("out/fos.json"));
+    ASSERT_TRUE(report["factor_of_safety"].is_number()) << outcome.out << scene;
+    EXPECT_NEAR(report["factor_of_safety"].get<double>() / factor, 1, width) << scene;
+  }
+};
 
 TEST_F(FosPopulation, IsLimitEquilibriumOfWhatActsInTheEnd) {
   int fit = 0;
@@ -144,12 +155,7 @@ TEST_F(FosPopulation, IsLimitEquilibriumOfWhatActsInTheEnd) {
     const BlockOnAPlane block(seed);
     if (!block.is_fit()) continue;
     ++fit;
-    write("scene.json", block.text());
-    const Outcome outcome = call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")});
-    ASSERT_EQ(outcome.code, 0) << outcome.errors << block.text();
-    const json report = json::parse(text("out/fos.json"));
-    ASSERT_TRUE(report["factor_of_safety"].is_number()) << outcome.out << block.text();
-    EXPECT_NEAR(report["factor_of_safety"].get<double>() / block.factor(), 1, width) << block.text();
+    ASSERT_NO_FATAL_FAILURE(expect_factor(block.factor(), block.text()));
   }
   EXPECT_GE(fit, 20);
 }
@@ -171,12 +177,7 @@ struct WetWedge {
   }
 
   [[nodiscard]] double factor() const {
-    double twice_area = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-      twice_area += a.x() * b.y() - b.x() * a.y();
-    }
-    const double weight = density * standard_gravity * twice_area / 2;
+    const double weight = density * standard_gravity * area_moments(Polygon{corners, {}}).area;
     const double uplift = water_weight * water * crack.norm() / 2, push = water_weight * water * water / 2;
     const double pressed = weight * std::cos(plane) - uplift - push * std::sin(plane);
     return pressed * std::tan(friction) / (weight * std::sin(plane) + push * std::cos(plane));
@@ -210,16 +211,14 @@ struct WetWedge {
 };
 
 TEST_F(FosPopulation, IsThatOfHoekAndBrayWithWaterInTheTensionCrack) {
+  int fit = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const WetWedge wedge(seed);
     if (wedge.factor() < 0.1) continue;  // all but afloat
-    write("scene.json", wedge.text());
-    const Outcome outcome = call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")});
-    ASSERT_EQ(outcome.code, 0) << outcome.errors << wedge.text();
-    const json report = json::parse(text("out/fos.json"));
-    ASSERT_TRUE(report["factor_of_safety"].is_number()) << outcome.out << wedge.text();
-    EXPECT_NEAR(report["factor_of_safety"].get<double>() / wedge.factor(), 1, width) << wedge.text();
+    ++fit;
+    ASSERT_NO_FATAL_FAILURE(expect_factor(wedge.factor(), wedge.text()));
   }
+  EXPECT_GE(fit, 20);
 }
 
 }  // namespace

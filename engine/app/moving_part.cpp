@@ -7,11 +7,11 @@
 namespace dda {
 
 double first_moment(const nlohmann::ordered_json& summary) {
-  constexpr double never = std::numeric_limits<double>::lowest();
-  if (!summary.is_object()) return never;
+  constexpr double before_all = std::numeric_limits<double>::lowest();
+  if (!summary.is_object()) return before_all;
   for (const auto& stage : summary.value("stages", nlohmann::ordered_json::array()))
     if (!stage.value("settles", false)) return stage.value("begin_s", 0.0);
-  return never;
+  return before_all;
 }
 
 Histories from(double time, Histories histories) {

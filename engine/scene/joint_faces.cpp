@@ -50,10 +50,6 @@ class Presence {
 
 }  // namespace
 
-bool is_of_joints(const Field& edge) {
-  return edge.is_text() ? edge.text() == "joints" : edge.is_object() && edge.has("joints");
-}
-
 std::vector<PressedFace> faces_of_joints(const Field& edge, const StageSpan& stages, const Model& model) {
   const std::vector<bool> meant = meant_joints(edge, model);
   const Presence presence(model);

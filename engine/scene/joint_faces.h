@@ -11,16 +11,12 @@
 namespace dda {
 
 // A face of a block, and the stages in which something acts on it.
-struct PressedFace {
-  Stretch stretch;
+struct PressedFace : Stretch {
   StageSpan stages;
 };
 
 // `edge`: "joints", or an object with the names of some. Faces are of blocks that touch as drawn, always two, in those
 // of `stages` in which both of their blocks are there; at least one pair.
 std::vector<PressedFace> faces_of_joints(const Field& edge, const StageSpan& stages, const Model& model);
-
-// Whether this edge is one of joints.
-bool is_of_joints(const Field& edge);
 
 }  // namespace dda

@@ -49,10 +49,6 @@ std::optional<std::pair<int, int>> doubly_covered(std::vector<Stretch> stretches
   return {};
 }
 
-void keep_only(int block, std::vector<Stretch>& stretches) {
-  std::erase_if(stretches, [block](const Stretch& stretch) { return stretch.block != block; });
-}
-
 double read_start(const Field& field) {
   return value_or(field, "start", 0.0, [](const Field& f) { return f.quantity(Dimension::time); });
 }
@@ -148,11 +144,8 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
   field.fail(written(point) + " where several blocks meet", "a point inside of one of them: " + listed(blocks, model));
 }
 
-void keep_named_block(const Field& owner, const GroundPlan& plan, std::vector<Stretch>& stretches) {
-  const auto name = owner.find("block");
-  if (!name) return;
-  keep_only(name->choice(plan.names()), stretches);
-  if (stretches.empty()) name->fail("a block with a side along this edge");
+bool is_of_joints(const Field& edge) {
+  return edge.is_text() ? edge.text() == "joints" : edge.is_object() && edge.has("joints");
 }
 
 namespace {
@@ -184,8 +177,7 @@ std::vector<Stretch> read_cavity(const Field& edge, const GroundPlan& plan, cons
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model) {
   const Field field = owner.at("edge");
   if (!field.is_text()) refuse(field, {"opening"}, "here: loads alone act on what blocks lay bare that are taken out");
-  if (field.is_text() ? field.text() == "joints" : field.has("joints"))
-    field.fail("another edge here, as loads alone act on the faces of joints");
+  if (is_of_joints(field)) field.fail("another edge here, as loads alone act on the faces of joints");
   const bool outside = field.is_text() && field.text() == "outside";
   const bool cavity = !field.is_text() && field.has("cavity");
   if (!outside && !cavity) return read_straight_edge(owner, plan, model);

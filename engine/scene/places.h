@@ -29,8 +29,19 @@ int read_anchor(const Field& field, const Vec2& other_end, const GroundPlan& pla
 // meant.
 std::vector<Stretch> read_edge(const Field& owner, const GroundPlan& plan, const Model& model);
 
+// Whether this edge is one of joints.
+bool is_of_joints(const Field& edge);
+
 // Those of owner.block, if that is given; at least one.
-void keep_named_block(const Field& owner, const GroundPlan& plan, std::vector<Stretch>& stretches);
+template <typename Face>
+void keep_named_block(const Field& owner, const GroundPlan& plan, std::vector<Face>& faces,
+                      const char* expected = "a block with a side along this edge") {
+  const auto name = owner.find("block");
+  if (!name) return;
+  const int block = name->choice(plan.names());
+  std::erase_if(faces, [block](const Face& face) { return face.block != block; });
+  if (faces.empty()) name->fail(expected);
+}
 
 // The index of the joint that `field` names.
 int read_joint_reference(const Field& field, const Model& model);

@@ -86,10 +86,10 @@ void read_pressure(const Field& field, const std::vector<PressedFace>& faces, co
   const FacePressure pressure(field.at("pressure"));
   const bool follows = read_follows(field, stages, model);
   const std::size_t before = model.edge_loads.size();
-  for (const auto& [s, stages_of_face] : faces)
+  for (const PressedFace& s : faces)
     for (const PressedPart& part : pressure.on(s))
       model.edge_loads.push_back({s.block, part.from, part.to, (part.at_from + part.at_to) / 2 * s.inward, history,
-                                  stages_of_face, (part.at_to - part.at_from) / 2 * s.inward, follows});
+                                  s.stages, (part.at_to - part.at_from) / 2 * s.inward, follows});
   if (model.edge_loads.size() == before)
     field.at("pressure").fail("nowhere on the edge above 0", "a pressure on some part of it");
 }
@@ -99,11 +99,7 @@ void read_pressure_in_joints(const Field& field, const GroundPlan& plan, const S
                              Model& model) {
   refuse(field, {"traction", "force"}, "in joints, which take a pressure");
   std::vector<PressedFace> faces = faces_of_joints(field.at("edge"), stages, model);
-  if (const auto name = field.find("block")) {
-    const int block = name->choice(plan.names());
-    std::erase_if(faces, [block](const PressedFace& face) { return face.stretch.block != block; });
-    if (faces.empty()) name->fail("a block with a face in these joints");
-  }
+  keep_named_block(field, plan, faces, "a block with a face in these joints");
   read_pressure(field, faces, read_history(field, Dimension::stress, records), stages, model);
 }
 

@@ -162,7 +162,6 @@ TEST(FreeField, KeepsStepAfterAStaticStageThatEndsEarly) {
   EXPECT_LT(difference_from_columns(simulation, 200), 1e-7);  // round-off, as without weight, of clocks at 600 s
 }
 
-// In-situ stress in equilibrium with its surroundings: nothing moves.
 // Columns end a stage one step before the model, and a run that ends with them says why, as does one that is restored.
 TEST(FreeField, SaysThatItsColumnsAreOutOfBalance) {
   Model model = heavy_grid(bond(InterfaceLaw::consistent), 0);
@@ -178,6 +177,7 @@ TEST(FreeField, SaysThatItsColumnsAreOutOfBalance) {
   EXPECT_EQ(unbalanced_end(simulation), simulation.message());
 }
 
+// In-situ stress in equilibrium with its surroundings: nothing moves.
 TEST(FreeField, CarriesInitialStress) {
   Model model = shaken_grid(bond(InterfaceLaw::consistent));
   for (int i = 0; i < rows * columns; ++i) model.blocks[at(i)].initial_stress = {-3e6, 0, 0};

@@ -37,8 +37,8 @@ LoadParts parts_of_stage(bool contacts_are_followed, BlockSystem& system) {
 
 void go_on_with_loads(double in_situ_force, bool steps_are_long, BlockSystem& system) {
   LoadParts& parts = system.clock.parts;
-  const bool is_ready = parts.all == 1 || (steps_are_long && out_of_balance(system, in_situ_force) <= at_rest);
-  parts.follow(is_ready, largest_motion(system));
+  if (parts.all == 1) return parts.follow(true, 0);
+  parts.follow(steps_are_long && out_of_balance(system, in_situ_force) <= at_rest, largest_motion(system));
 }
 
 bool goes_further_than_the_last_part(const BlockSystem& system) {

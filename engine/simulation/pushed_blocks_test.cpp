@@ -135,8 +135,8 @@ TEST(PushedBlocks, WorkOfAForceThatGrowsIsThatOfASlowPush) {
 }
 
 // A stage of rest and one in which a held block moves in a straight line, however far.
-void rest_and_move(const TimeFunction& history, Model& model) {
-  model.held_blocks[0].history = history;
+void rest_and_move(Model& model) {
+  model.held_blocks[0].history = ramp;
   model.gravity = {0, -9.81};
   Stage stage;
   stage.integrator = static_integrator();
@@ -160,7 +160,7 @@ TEST(PushedBlocks, RideAlongOnAFloorThatTurns) {
     floor.block = 0;
     floor.turn = turn;
     floor.about = {between(-2, 2, random), 0};
-    rest_and_move(ramp, model);
+    rest_and_move(model);
     Simulation simulation = simulation_of(model);
     while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << i << ": " << simulation.message();
     for (const std::size_t block : {1U, 2U}) {
@@ -201,15 +201,14 @@ struct SpreadArch {
     Model model;
     model.materials = {{"stone", density, young, 0.2, PlaneState::stress}};
     model.joints = {{.name = "dry", .law = InterfaceLaw::projected, .friction_angle = 0.8}};
-    const double half = depth;
-    model.blocks = {rectangle("right", radius - half, -depth, 2 * half, depth),
-                    rectangle("left", -radius - half, -depth, 2 * half, depth)};
+    model.blocks = {rectangle("right", radius - depth, -depth, 2 * depth, depth),
+                    rectangle("left", -radius - depth, -depth, 2 * depth, depth)};
     for (const Ring& ring : rings) model.blocks.emplace_back().shape.outer = ring;
     for (std::size_t i = 2; i < model.blocks.size(); ++i) model.blocks[i].name = fmt::format("voussoir {}", i);
     model.held_blocks.resize(2);
     model.held_blocks[0].amplitude = {spread, 0};
     model.held_blocks[1].block = 1;
-    rest_and_move(ramp, model);
+    rest_and_move(model);
     Measurement& thrust = model.measurements.emplace_back();
     thrust.name = "thrust";
     thrust.quantity = Quantity::reaction;

@@ -60,8 +60,8 @@ void take_off_blocks(std::size_t blocks, ContactSet& contacts) {
   };
   for (const InterfaceElement& element : contacts.elements.own()) {
     if (element.law != InterfaceLaw::projected) continue;
-    take_off(element.block_a, taken_off(element, element.softness(0), element.by_weight_a));
-    take_off(element.block_b, taken_off(element, element.softness(1), element.by_weight_b));
+    take_off(element.block_a, taken_off(element, element.softness(0), element.beside_stress_a));
+    take_off(element.block_b, taken_off(element, element.softness(1), element.beside_stress_b));
   }
 }
 

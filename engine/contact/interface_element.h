@@ -48,8 +48,10 @@ struct InterfaceElement : InterfaceSprings {
   int block_a = 0;
   int block_b = 0;
   Vec2 softness = Vec2::Zero();  // m/Pa, of a projected stretch: the gap that the traction of a, of b makes
-  // Pa, normal and shear, of a projected stretch: what the weight of a, of b adds to the block's own traction there.
-  Vec2 by_weight_a = Vec2::Zero(), by_weight_b = Vec2::Zero();
+  // Pa, normal and shear, of a projected stretch: what the own traction of a, of b there is beside that of its stress,
+  // by its weight and by loads on its face; and by how much the latter open the gaps of the four rows, m.
+  Vec2 beside_stress_a = Vec2::Zero(), beside_stress_b = Vec2::Zero();
+  Vec4 opened_by_loads = Vec4::Zero();
   Mat46 rows_a, rows_b;
   Mat43 stress_rows_a, stress_rows_b;  // m; not set where there are none
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set where there are none
@@ -85,7 +87,8 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
   struct Members : InterfaceSprings {
     std::array<int, 2> blocks;
     Vec2 softness;
-    std::array<Vec2, 2> by_weight;
+    std::array<Vec2, 2> beside_stress;
+    Vec4 opened_by_loads;
     std::array<Mat46, 2> rows;
     std::array<Mat43, 4> stress_rows;
     std::array<Vec4, 2> at_start;
@@ -94,8 +97,8 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
   using OwnSprings = std::conditional_t<std::is_const_v<Self>, const InterfaceSprings, InterfaceSprings>;
   InterfaceSprings::visit_springs(static_cast<OwnSprings&>(self), archive);
   archive.blocks(self.block_a, self.block_b);
-  archive(self.softness, self.by_weight_a, self.by_weight_b, self.rows_a, self.rows_b, self.gap_at_start,
-          self.force_at_start);
+  archive(self.softness, self.beside_stress_a, self.beside_stress_b, self.opened_by_loads, self.rows_a, self.rows_b,
+          self.gap_at_start, self.force_at_start);
   if (has_stress_rows(self)) archive(self.stress_rows_a, self.stress_rows_b, self.strain_rows_a, self.strain_rows_b);
 }
 

@@ -128,8 +128,8 @@ Vec2 traction_by_weight(const Model& model, int block, const Interface& interfac
 }
 
 void set_weights(const Model& model, const Interface& interface, InterfaceElement& element) {
-  element.by_weight_a = traction_by_weight(model, interface.block_a, interface);
-  element.by_weight_b = traction_by_weight(model, interface.block_b, interface);
+  element.beside_stress_a = traction_by_weight(model, interface.block_a, interface);
+  element.beside_stress_b = traction_by_weight(model, interface.block_b, interface);
 }
 
 Vec2 projected_softness(const Model& model, const Interface& interface) {
@@ -202,11 +202,11 @@ std::array<Vec2, 2> forces_at_ends(const InterfaceSprings& springs, const Vec4& 
   return {(sum - difference) / 2, (sum + difference) / 2};
 }
 
-TakenOff taken_off(const InterfaceElement& element, double softness, const Vec2& by_weight) {
+TakenOff taken_off(const InterfaceElement& element, double softness, const Vec2& beside_stress) {
   const Mat23 rows = traction_rows(normal_of(element));
   const double share = element.length * softness;
-  const Vec2 weight = local_axes(normal_of(element)).transpose() * by_weight;
-  return {share * rows.transpose() * rows, share * (rows.transpose() * weight), share * weight.squaredNorm() / 2};
+  const Vec2 beside = local_axes(normal_of(element)).transpose() * beside_stress;
+  return {share * rows.transpose() * rows, share * (rows.transpose() * beside), share * beside.squaredNorm() / 2};
 }
 
 }  // namespace dda

@@ -11,7 +11,9 @@
 //
 // less -l/(4 gamma) |t|^2 for either block, which is the block's own (ContactSet::outline_compliance). Opening,
 // friction and strength bound T, so they judge the traction that the joint carries. Stresses are total ones, in-situ
-// stress included. A held block knows of no stress: only the other's counts.
+// stress included. A held block knows of no stress: only the other's counts. Where a load acts on the face of a block,
+// as the pressure of water in a joint does, the joint carries what the block's stress has beyond it: t is less by the
+// load (simulation/face_loads.h).
 //
 // gamma = penalty D/w: D the plane modulus, w the width of the block across the joint. The sum is convex when the
 // penalty of each block is above the largest eigenvalue of (sum over its outline of l w/(2 D) R^T R) x = lambda A D x,
@@ -68,7 +70,7 @@ double projected_spread(const Model& model, const Interface& interface);
 // Pa: normal and shear, by the directions of the drawing.
 Vec2 traction_by_weight(const Model& model, int block, const Interface& interface);
 
-// Brings the same of both blocks to an element of this law.
+// Brings the same of both blocks to an element of this law, without what loads on its faces add to it.
 void set_weights(const Model& model, const Interface& interface, InterfaceElement& element);
 
 // Fills all of these, and the weights, of an element of this law.
@@ -120,8 +122,8 @@ struct TakenOff {
   double energy = 0;               // N
 };
 
-// By a stretch that has this softness in the block, and this traction there by the block's weight. The normal is that
-// of now.
-TakenOff taken_off(const InterfaceElement& element, double softness, const Vec2& by_weight);
+// By a stretch that has this softness in the block, and this traction there beside that of the block's stress. The
+// normal is that of now.
+TakenOff taken_off(const InterfaceElement& element, double softness, const Vec2& beside_stress);
 
 }  // namespace dda

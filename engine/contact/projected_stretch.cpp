@@ -136,8 +136,12 @@ void measure_projected(const Model& model, const State& state, const Interface& 
   const Vec2 shift = gap_by_stress(element.softness, normal_of(element), stress_of(state, interface.block_a),
                                    stress_of(state, interface.block_b));
   own.gap << middle - turn + shift, middle + turn + shift;
-  own.gap += drawn_gap(model, interface, element);
+  own.gap += drawn_gap(model, interface, element) + element.opened_by_loads;
   own.gap -= element.gap_at_start + Vec4(own.seat[0], own.slip[0], own.seat[1], own.slip[1]);
+  answer_gaps(element, own);
+}
+
+void answer_gaps(const InterfaceElement& element, InterfaceState& own) {
   if (!press_together(element, own.broken)) {
     own.force = element.stiffness.cwiseProduct(own.gap);
     return;
@@ -165,14 +169,14 @@ void count_free_slip(const InterfaceElement& element, const Vec4& gap, Interface
 StressLetGo stress_let_go(const Model& model, const State& state, const InterfaceElement& element, const Vec4& force) {
   const Vec2 normal = normal_of(element);
   const Vec2 carried = local_axes(normal).transpose() * (force.head<2>() + force.tail<2>()) / element.length;
-  const auto of = [&](int block, double softness, const Vec2& by_weight) -> Vec3 {
-    const Vec2 own = traction_rows(normal) * stress_of(state, block) + local_axes(normal).transpose() * by_weight;
+  const auto of = [&](int block, double softness, const Vec2& beside_stress) -> Vec3 {
+    const Vec2 own = traction_rows(normal) * stress_of(state, block) + local_axes(normal).transpose() * beside_stress;
     const Vec2 beyond = own - carried;
     return -element.length * softness / block_of(model, block).moments.area *
            (elasticity_matrix(model.material_of(block)) * (traction_rows(normal).transpose() * beyond));
   };
-  return {of(element.block_a, element.softness(0), element.by_weight_a),
-          of(element.block_b, element.softness(1), element.by_weight_b)};
+  return {of(element.block_a, element.softness(0), element.beside_stress_a),
+          of(element.block_b, element.softness(1), element.beside_stress_b)};
 }
 
 double gaping_share(const InterfaceElement& element, const InterfaceState& state) {

@@ -52,6 +52,10 @@ bool touch_there_alone(const Model& model, const Interface& interface);
 void measure_projected(const Model& model, const State& state, const Interface& interface,
                        const InterfaceElement& element, const EndsApart& ends, InterfaceState& own);
 
+// The forces of a stretch by its gaps. What is open as a whole goes on along its tangent, and an end that gapes is
+// open.
+void answer_gaps(const InterfaceElement& element, InterfaceState& own);
+
 // Returns what the gaps of a stretch are where its blocks lie, whether anything presses there or not.
 Vec4 gap_as_it_lies(const Model& model, const State& state, const Interface& interface, const InterfaceElement& element,
                     InterfaceState own);

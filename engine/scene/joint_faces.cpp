@@ -56,12 +56,13 @@ std::vector<PressedFace> faces_of_joints(const Field& edge, const StageSpan& sta
   std::vector<PressedFace> faces;
   for (const Interface& joint : find_interfaces(model)) {
     if (joint.from == joint.to || !meant[at(joint.joint)]) continue;  // a vertex on an edge has no face
+    if (model.joints[at(joint.joint)].bonded) continue;               // cannot open: no water in it moves anything
     const std::optional<StageSpan> span = presence.of_both(joint.block_a, joint.block_b, stages);
     if (!span) continue;
     faces.push_back({{joint.block_a, joint.from, joint.to, -joint.normal}, *span});
     faces.push_back({{joint.block_b, joint.to, joint.from, joint.normal}, *span});
   }
-  if (faces.empty()) edge.fail("joints along which blocks touch in these stages");
+  if (faces.empty()) edge.fail("joints along which blocks touch in these stages, and which can open");
   return faces;
 }
 

@@ -16,7 +16,8 @@ struct PressedFace : Stretch {
 };
 
 // `edge`: "joints", or an object with the names of some. Faces are of blocks that touch as drawn, always two, in those
-// of `stages` in which both of their blocks are there; at least one pair.
+// of `stages` in which both of their blocks are there; at least one pair. None of bonded joints, which water cannot
+// open.
 std::vector<PressedFace> faces_of_joints(const Field& edge, const StageSpan& stages, const Model& model);
 
 }  // namespace dda

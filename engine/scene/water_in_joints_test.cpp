@@ -174,6 +174,15 @@ TEST(WaterInJoints, IsOfTheJointsAndBlocksThatAreNamed) {
   EXPECT_GT(all, 10U);
   EXPECT_EQ(wet(cut, loads(R"({"joints": ["set"]})"), settle).edge_loads.size(), all);
   EXPECT_EQ(wet(three_boxes, loads(R"("joints")", R"(, "block": "left")"), settle).edge_loads.size(), 2U);
+  try {
+    (void)parse_scene(R"({"dda": 1, "materials": {"rock": {"density": 2650, "young": 5e10, "poisson": 0.25}},
+      "joints": {"default": {"bonded": true}}, "blocks": )" +
+                          three_boxes + R"(, "loads": )" + loads(R"("joints")") + R"(, "steps": [)" + settle + "]}",
+                      "scene.json");
+    ADD_FAILURE() << "water in bonded joints";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("which can open"), std::string::npos) << error.what();
+  }
   const std::vector<std::pair<std::string, std::string>> refusals = {
       {loads(R"({"joints": ["default"]})"), "joints along which blocks touch in these stages"},
       {loads(R"({"joints": ["sett"]})"), "(perhaps \"set\")"},

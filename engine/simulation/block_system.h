@@ -40,13 +40,15 @@ class FreeField;
 struct BlockForces {
   Eigen::VectorXd load_old, load_new;
   Eigen::VectorXd internal_old, internal_new;
+  Eigen::VectorXd by_faces;           // what loads on faces add to those of the start in the step under way
+                                      // (face_loads.h); empty: nothing
   std::vector<Vec6> measured;         // what measuring gaps anew made of forces on held.blocks since the last step
   double most_exchanged = 0;          // N per m of thickness, in the static stage under way (equilibrium.h)
   std::vector<double> asked_balance;  // the same unit, of each block, in the step under way; empty: not asked
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [load_old, load_new, internal_old, internal_new, measured, most_exchanged, asked_balance] = self;
+    auto& [load_old, load_new, internal_old, internal_new, by_faces, measured, most_exchanged, asked_balance] = self;
     archive.of_blocks(load_old, 6);
     archive.of_blocks(internal_old, 6);
     archive(most_exchanged);  // the others are written before they are read, or zero between steps

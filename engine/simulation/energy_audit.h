@@ -126,8 +126,8 @@ class EnergyAudit {
     ledger_.external_work += (by_old + by_new) / 2 - off_centre * by_measuring;
     ledger_.numerical -= off_centre * (by_new - by_old + by_measuring);
   }
-  // The same of forces that the balance had but no state keeps.
-  void held_blocks_moved_against(double work) { ledger_.external_work += work; }
+  // Work against forces that the balance had but no state keeps.
+  void moved_against(double work) { ledger_.external_work += work; }
 
   // A support was let go that had stored this energy (J per m of thickness): whoever takes it away takes that as well.
   void support_let_go(double energy) {

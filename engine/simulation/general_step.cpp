@@ -66,7 +66,8 @@ bool needs_sure_passes(const BlockSystem& system, const GivenFriction& given) {
 
 }  // namespace
 
-GeneralStep::GeneralStep(BlockSystem& system) : system_(system), solver_(system.costs), base_(0, {}) {
+GeneralStep::GeneralStep(BlockSystem& system)
+    : system_(system), solver_(system.costs), face_loads_(system.model), base_(0, {}) {
   if (has_finite_kinematics(system.model)) {
     range_ = ContactRange(system.model, system.contacts.interfaces);
     acting_ = system.state;
@@ -107,6 +108,7 @@ void GeneralStep::list_contacts() {
     const bool can_change = system_.plan.contacts_judged && can_open_or_slide(system_.contacts.elements.own()[i]);
     (can_change ? changing_ : bonded_).push_back(static_cast<int>(i));
   }
+  face_loads_.list(system_.model, system_.contacts);
 }
 
 Status GeneralStep::advance(double dt, bool can_be_cut) {
@@ -130,6 +132,7 @@ Status GeneralStep::advance(double dt, bool can_be_cut) {
   if (status == Status::ok && can_be_cut && goes_further_than_the_last_part(system_)) status = Status::not_converged;
   if (status != Status::ok) {
     given_friction_.take_back();
+    face_loads_.take_back(system_);
     return status;
   }
   accept();
@@ -160,9 +163,11 @@ Status GeneralStep::solve_far_enough() {
 
 // The problem of the step under way.
 void GeneralStep::pose() {
+  face_loads_.take_back(system_);
   if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(system_.load_time_after(system_.coefficients.dt), system_.forces.load_new);
+  face_loads_.pose(system_.load_time_after(system_.coefficients.dt), system_);
   if (system_.reinforcement.linings.begin_step()) base_is_current_ = false;
   form_rhs(system_, rhs_);
   aim(system_.model, system_.state, system_.load_time_after(system_.coefficients.dt), system_.held);
@@ -325,6 +330,7 @@ bool GeneralStep::replace_broken_joints() {
   }
   if (!replaced) return false;
   system_.sum_internal_forces(system_.forces.internal_old);
+  if (system_.forces.by_faces.size() > 0) system_.forces.internal_old -= system_.forces.by_faces;
   form_rhs(system_, rhs_);
   assemble_base();
   return true;
@@ -383,6 +389,7 @@ void GeneralStep::accept() {
   s.reinforcement.linings.accept(s.increment, s.audit);
   accept_supports(s);
   s.sum_internal_forces(s.forces.internal_new);
+  face_loads_.accept(s);
   finish_step(work, s.stored_energy_now(), s);
   if (geometry_is_late) turn_strains_home(s.state, s.terms);  // what is recorded has the directions of now
   if (more_are_loose) s.drag.hold_loose(s.model.blocks.size(), s.held);

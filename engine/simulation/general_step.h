@@ -15,6 +15,7 @@
 #include "engine/core/status.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/contact_range.h"
+#include "engine/simulation/face_loads.h"
 #include "engine/simulation/given_friction.h"
 #include "engine/simulation/penetration.h"
 #include "engine/simulation/settling_cushion.h"
@@ -61,8 +62,8 @@ class GeneralStep : public Step {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, changing, bonded, base,
-           base_version, base_is_current, rule, rhs, can_be_cut, message] = self;
+    auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, face_loads, changing, bonded,
+           base, base_version, base_is_current, rule, rhs, can_be_cut, message] = self;
     if (moving) {
       archive(*moving);
       archive.expect(moving->known_contacts() == system.contacts.interfaces.size());
@@ -103,6 +104,7 @@ class GeneralStep : public Step {
   Penetration deepest_;
   SettlingCushion cushion_;       // of the stage
   GivenFriction given_friction_;  // of the stage
+  FaceLoads face_loads_;
 
   std::vector<int> changing_, bonded_;  // interfaces that can change in a step, and the others; ascending
   BlockMatrix base_;                    // of the problem: all but the contacts that can change and bolts

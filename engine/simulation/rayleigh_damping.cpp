@@ -130,7 +130,7 @@ void RayleighDamping::book(const LinearOperators& operators, const MotionAtStart
     centre(mean.on_feet, old.on_feet);
   }
   system.audit.damping_worked(mean.on_blocks - mean.on_feet, by_integrator);
-  system.audit.held_blocks_moved_against(mean.on_held_blocks - mean.on_feet);
+  system.audit.moved_against(mean.on_held_blocks - mean.on_feet);
 }
 
 }  // namespace dda

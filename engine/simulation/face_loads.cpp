@@ -1,0 +1,146 @@
+#include "engine/simulation/face_loads.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "engine/contact/projected_law.h"
+#include "engine/contact/projected_stretch.h"
+#include "engine/contact/tied_sides.h"
+#include "engine/geometry/segment.h"
+#include "engine/linear/block_vectors.h"
+
+namespace dda {
+namespace {
+
+// Of a load along a stretch: its mean over the whole, and what it is more at the end than in the middle where it goes
+// in a straight line, with the moment that it has about the middle.
+struct AlongStretch {
+  Vec2 mean, rise;  // Pa
+};
+
+std::optional<AlongStretch> along(const EdgeLoad& load, const Interface& stretch, double tolerance) {
+  const auto both = collinear_overlap({stretch.from, stretch.to}, {load.from, load.to}, tolerance);
+  if (!both) return {};
+  const auto& [first, last] = *both;
+  const Vec2 edge = load.to - load.from;
+  const auto traction_at = [&](const Vec2& point) -> Vec2 {
+    return load.traction + (2 * edge.dot(point - load.from) / edge.squaredNorm() - 1) * load.rise;
+  };
+  const double share = (last - first).norm() / stretch.length;
+  const Vec2 off_middle = (first + last - stretch.from - stretch.to) / 2;
+  const double place = off_middle.dot(stretch.to - stretch.from) / (stretch.length * stretch.length);
+  const Vec2 mean = share * traction_at((first + last) / 2);
+  return AlongStretch{mean, 6 * place * mean + share * share * (traction_at(last) - traction_at(first)) / 2};
+}
+
+// What a face of the block adds to the block's own traction, by the directions of the stretch as it lies.
+Vec2 beside_stress(const EdgeLoad& load, bool of_b, const Vec2& traction, const Interface& stretch,
+                   const InterfaceElement& element) {
+  const Mat2 axes = local_axes(load.follows ? stretch.normal : normal_of(element));
+  return (of_b ? 1 : -1) * (axes * traction);
+}
+
+}  // namespace
+
+FaceLoads::FaceLoads(const Model& model) {
+  if (model.edge_loads.empty()) return;
+  loads_of_block_.resize(model.blocks.size());
+  for (std::size_t i = 0; i < model.edge_loads.size(); ++i)
+    loads_of_block_[static_cast<std::size_t>(model.edge_loads[i].block)].push_back(i);
+}
+
+void FaceLoads::list(const Model& model, const ContactSet& contacts) {
+  faces_.clear();
+  if (loads_of_block_.empty()) return;
+  for (std::size_t k = 0; k < contacts.interfaces.size(); ++k) {
+    if (contacts.elements.but_for_blocks(k).law != InterfaceLaw::projected) continue;
+    const Interface& stretch = contacts.interfaces[k];
+    for (const bool of_b : {false, true})
+      for (const std::size_t i : loads_of_block_[static_cast<std::size_t>(of_b ? stretch.block_b : stretch.block_a)])
+        if (const auto load = along(model.edge_loads[i], stretch, model.length_tolerance))
+          faces_.push_back({k, of_b, i, load->mean, load->rise});
+  }
+}
+
+void FaceLoads::take(const LoadTime& time, BlockSystem& system) {
+  pose(time, system);
+  Eigen::VectorXd& added = system.forces.by_faces;
+  if (added.size() == 0) return;
+  system.forces.internal_old += added;
+  system.audit.rock_changed(0, 0, stored_);
+  added.resize(0);
+}
+
+void FaceLoads::pose(const LoadTime& time, BlockSystem& system) {
+  if (faces_.empty()) return;
+  before_.clear();
+  const double stored = system.stored_energy_now().contact;
+  if (!move(time, system)) return;
+  Eigen::VectorXd& added = system.forces.by_faces;
+  added.resize(system.forces.internal_old.size());
+  system.sum_internal_forces(added);
+  added -= system.forces.internal_old;
+  stored_ = system.stored_energy_now().contact - stored;
+}
+
+void FaceLoads::take_back(BlockSystem& system) {
+  if (system.forces.by_faces.size() == 0) return;
+  for (const Before& before : before_) {
+    InterfaceElement& element = system.contacts.elements.edit()[before.stretch];
+    element.beside_stress_a = before.beside_stress_a;
+    element.beside_stress_b = before.beside_stress_b;
+    element.opened_by_loads = before.opened_by_loads;
+    system.contacts.states[before.stretch] = before.state;
+  }
+  take_off_blocks(system.model, system.contacts);
+  system.forces.by_faces.resize(0);
+}
+
+// The ledger takes the work of internal forces by those of the start and the end of a step, where these were added to
+// the start at once.
+void FaceLoads::accept(BlockSystem& system) {
+  Eigen::VectorXd& added = system.forces.by_faces;
+  if (added.size() == 0) return;
+  system.audit.rock_changed(0, 0, stored_);
+  system.audit.moved_against(dot(system.increment, added) / 2);
+  added.resize(0);
+}
+
+// Brings the stretches to the loads of a moment; returns whether some were others.
+bool FaceLoads::move(const LoadTime& time, BlockSystem& s) {
+  for (auto face = faces_.begin(); face != faces_.end();) {
+    const std::size_t k = face->stretch;
+    const Interface& stretch = s.contacts.interfaces[k];
+    const InterfaceElement& element = s.contacts.elements.own()[k];
+    Vec2 own_a = traction_by_weight(s.model, stretch.block_a, stretch);
+    Vec2 own_b = traction_by_weight(s.model, stretch.block_b, stretch);
+    Vec4 opened = Vec4::Zero();
+    for (; face != faces_.end() && face->stretch == k; ++face) {
+      const EdgeLoad& load = s.model.edge_loads[face->load];
+      if (!load.stages.has(s.clock.in_force())) continue;
+      const double now = time.of([&](double then) { return evaluate(load.history, then); });
+      const auto added = [&](const Vec2& traction) {
+        return beside_stress(load, face->of_b, now * traction, stretch, element);
+      };
+      const Vec2 mean = added(face->mean), rise = added(face->rise) / (3 * element.lever);
+      (face->of_b ? own_b : own_a) += mean;
+      opened += element.softness(face->of_b ? 1 : 0) * (Vec4() << mean - rise, mean + rise).finished();
+    }
+    if (own_a == element.beside_stress_a && own_b == element.beside_stress_b && opened == element.opened_by_loads)
+      continue;
+    InterfaceState& state = s.contacts.states[k];
+    before_.push_back({k, state, element.beside_stress_a, element.beside_stress_b, element.opened_by_loads});
+    InterfaceElement& changed = s.contacts.elements.edit()[k];
+    state.gap += opened - element.opened_by_loads;
+    changed.beside_stress_a = own_a;
+    changed.beside_stress_b = own_b;
+    changed.opened_by_loads = opened;
+    answer_gaps(changed, state);
+  }
+  if (before_.empty()) return false;
+  take_off_blocks(s.model, s.contacts);
+  return true;
+}
+
+}  // namespace dda

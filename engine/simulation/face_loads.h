@@ -1,0 +1,68 @@
+// What loads on the faces of projected stretches make of these, as the water in a joint does.
+//
+// A block whose face bears a load t there has a stress with that traction and the joint's: sigma n = T + t on block a,
+// T - t on block b (n from a into b). The law (projected_law.h) goes by the block's own traction, which is therefore
+// sigma n - t and sigma n + t. What that adds to t_a and t_b shifts the gap, by softness times it, and is taken off the
+// block with the rest. Water of pressure p adds p to both: the joint carries the effective traction, blocks the whole
+// stress, and where a joint is closed and stuck nothing moves, however high the water is.
+//
+// A load that varies along the stretch has a moment, which the law's two points bear by the stiffness of their turn:
+// they are shifted by what makes that moment. Loads are those of the moment at which a step ends, as everywhere: the
+// change acts like a load whose place is the gap, and its work, and what it makes of the energy stored, count as
+// external.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/contact/contact_set.h"
+#include "engine/model/model.h"
+#include "engine/simulation/block_system.h"
+#include "engine/simulation/load_time.h"
+
+namespace dda {
+
+class FaceLoads {
+ public:
+  explicit FaceLoads(const Model& model);
+
+  // Lists the faces anew, when contacts may be others than they were.
+  void list(const Model& model, const ContactSet& contacts);
+
+  // From now on the loads are those of this moment; forces of the start follow at once.
+  void take(const LoadTime& time, BlockSystem& system);
+
+  // A step is posed that ends at that moment: what the loads add to internal forces is in the balance with the weight
+  // of the end's forces (BlockForces::by_faces).
+  void pose(const LoadTime& time, BlockSystem& system);
+  // It is not taken, or posed again: the system is as it was before.
+  void take_back(BlockSystem& system);
+  // It is taken, with the system's increment.
+  void accept(BlockSystem& system);
+
+ private:
+  // A load on the face of a block along a stretch.
+  struct Face {
+    std::size_t stretch;
+    bool of_b;
+    std::size_t load;  // of the model's edge loads
+    Vec2 mean, rise;   // Pa, times its history, in x and y: over the whole stretch, and from its middle to its end
+  };
+
+  // A stretch as it was before a step was posed.
+  struct Before {
+    std::size_t stretch;
+    InterfaceState state;
+    Vec2 beside_stress_a, beside_stress_b;
+    Vec4 opened_by_loads;
+  };
+
+  [[nodiscard]] bool move(const LoadTime& time, BlockSystem& system);
+
+  std::vector<std::vector<std::size_t>> loads_of_block_;
+  std::vector<Face> faces_;  // by stretch
+  std::vector<Before> before_;
+  double stored_ = 0;  // J per m of thickness, by which what is stored grew
+};
+
+}  // namespace dda

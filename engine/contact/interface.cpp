@@ -71,10 +71,14 @@ class PairSearch {
   }
 
  private:
-  void add(int owner, int other, const Vec2& from, const Vec2& to, const Vec2& normal) {
+  void add_stretch(const Vec2& from, const Vec2& to, const Vec2& normal) {
     const double length = (to - from).norm();
-    found_.push_back({owner, other, from, to, normal, length, lines_.joint_of_stretch(a_, b_, {from, to}),
-                      length > 0 ? length / 2 : share_of_point()});
+    found_.push_back({a_, b_, from, to, normal, length, lines_.joint_of_stretch(a_, b_, {from, to}), length / 2});
+  }
+
+  void add_point(int owner, int other, const Vec2& point, const Segment& edge) {
+    found_.push_back({owner, other, point, point, outward_normal(edge), 0, lines_.joint_of_point(a_, b_, point, edge),
+                      share_of_point()});
   }
 
   [[nodiscard]] double share_of_point() const {
@@ -90,7 +94,7 @@ class PairSearch {
         // Facing outlines run against each other, because each has its material on its left.
         if (along_a.dot(edge_b.segment.end - edge_b.segment.start) >= 0) continue;
         const auto common = collinear_overlap(edge_a.segment, edge_b.segment, model_.length_tolerance);
-        if (common) add(a_, b_, common->first, common->second, outward_normal(edge_a.segment));
+        if (common) add_stretch(common->first, common->second, outward_normal(edge_a.segment));
       }
     }
   }
@@ -101,7 +105,7 @@ class PairSearch {
       for (const Edge& start_here : other_edges) {
         const Vec2& vertex = start_here.segment.start;
         if (!overlap(edge.box, expanded(Box{}, vertex)) || !inside(edge.segment, vertex)) continue;
-        if (!on_a_stretch(vertex)) add(owner, other, vertex, vertex, outward_normal(edge.segment));
+        if (!on_a_stretch(vertex)) add_point(owner, other, vertex, edge.segment);
       }
     }
   }

@@ -21,16 +21,21 @@ std::vector<Box> boxes_of(const std::vector<JointLine>& lines) {
 }
 
 bool lies_on(const Segment& stretch, const Segment& line, double tolerance) {
-  const double length = (stretch.end - stretch.start).norm();
-  if (length == 0) return distance(line, stretch.start) <= tolerance;
   const auto common = collinear_overlap(stretch, line, tolerance);
-  return common && (common->second - common->first).norm() > length / 2;
+  return common && (common->second - common->first).norm() > (stretch.end - stretch.start).norm() / 2;
+}
+
+bool runs_along_at(const Vec2& point, const Segment& edge, const Segment& line, double tolerance) {
+  const auto common = collinear_overlap(edge, line, tolerance);
+  return common && distance(Segment{common->first, common->second}, point) <= tolerance;
 }
 
 Segment drawn_edge(const Model& model, const Outlines& outlines, int block, int edge) {
   const Vec2& centroid = model.blocks[at(block)].moments.centroid;
   return {centroid + outlines.reference[at(edge)], centroid + outlines.reference[at(outlines.next[at(edge)])]};
 }
+
+bool is_bonded(const Model& model, int joint) { return joint >= 0 && model.joints[at(joint)].bonded; }
 
 }  // namespace
 
@@ -42,12 +47,21 @@ std::vector<int> JointLines::near(const Segment& stretch) const {
   return boxes_.overlapping(edge_box(stretch, 2 * tolerance_));
 }
 
-int JointLines::joint_of_stretch(int block_a, int block_b, const Segment& stretch) const {
-  const std::vector<int> lines = near(stretch);
-  const auto line = std::find_if(lines.rbegin(), lines.rend(), [&](int each) {
-    return lies_on(stretch, segment_of(model_.joint_lines[at(each)]), tolerance_);
-  });
+template <typename LiesThere>
+int JointLines::joint_at(int block_a, int block_b, const Segment& place, const LiesThere& lies_there) const {
+  const std::vector<int> lines = near(place);
+  const auto line = std::find_if(lines.rbegin(), lines.rend(),
+                                 [&](int each) { return lies_there(segment_of(model_.joint_lines[at(each)])); });
   return line == lines.rend() ? model_.joint_index(block_a, block_b) : model_.joint_lines[at(*line)].joint;
+}
+
+int JointLines::joint_of_stretch(int block_a, int block_b, const Segment& stretch) const {
+  return joint_at(block_a, block_b, stretch, [&](const Segment& line) { return lies_on(stretch, line, tolerance_); });
+}
+
+int JointLines::joint_of_point(int block_a, int block_b, const Vec2& point, const Segment& edge) const {
+  return joint_at(block_a, block_b, {point, point},
+                  [&](const Segment& line) { return runs_along_at(point, edge, line, tolerance_); });
 }
 
 SurfaceJoints::SurfaceJoints(const Model& model, const Outlines& outlines) {
@@ -81,9 +95,13 @@ int SurfaceJoints::joint_of(const Model& model, const Outlines& outlines, const 
   const int of_pair = model.joint_index(contact.edge_block, contact.vertex_block);
   if (parts_.empty()) return of_pair;
   const Segment edge{outlines.current[at(contact.edge)], outlines.current[at(outlines.next[at(contact.edge)])]};
-  const int of_edge = joint_at(contact.edge, closest_parameter(edge, outlines.current[at(contact.vertex)]));
+  int of_edge = joint_at(contact.edge, closest_parameter(edge, outlines.current[at(contact.vertex)]));
   const int facing = facing_edge(outlines, contact);
-  const int of_vertex = joint_at(facing, facing == contact.vertex ? 0 : 1);
+  int of_vertex = joint_at(facing, facing == contact.vertex ? 0 : 1);
+  if (of_edge != of_vertex) {
+    if (is_bonded(model, of_edge)) of_edge = -1;
+    if (is_bonded(model, of_vertex)) of_vertex = -1;
+  }
   if (of_edge < 0 && of_vertex < 0) return of_pair;
   if (of_edge < 0 || of_vertex < 0) return std::max(of_edge, of_vertex);
   return of_edge == of_vertex ? of_edge : of_pair;

@@ -20,9 +20,10 @@ JointMaterial joint_called(const std::string& name) {
   return joint;
 }
 
-// Joints 0 (default), 1 and 2.
+// Joints 0 (default), 1, 2, and 3, which is bonded.
 void give_joints(Model& model, const std::vector<JointLine>& lines) {
-  model.joints = {joint_called("default"), joint_called("one"), joint_called("two")};
+  model.joints = {joint_called("default"), joint_called("one"), joint_called("two"), joint_called("bond")};
+  model.joints.back().bonded = true;
   model.joint_lines = lines;
   finish_model(model);
 }
@@ -67,6 +68,22 @@ TEST(SurfaceJoints, ALoneVertexOnALineHasItsJoint) {
   EXPECT_EQ(joints_of(model), (std::vector{1}));
   give_joints(model, {{{0, 0}, {1.4, 0}, 1}});
   EXPECT_EQ(joints_of(model), (std::vector{0}));
+}
+
+// Two cells beside each other, and one above them whose corner reaches down to the ground between them: the faces
+// between cells are bonded, the ground is another block. A corner that had the joint of these faces glued them to it.
+TEST(SurfaceJoints, ALineThatEndsAtAnEdgeHasNoCornerOnIt) {
+  Model model = model_of({{box_ring(0, -1, 4, 0), {}},
+                          {{{0, 0}, {2, 0}, {0, 2}}, {}},
+                          {{{2, 0}, {4, 0}, {4, 2}}, {}},
+                          {{{2, 0}, {4, 2}, {0, 2}}, {}}});
+  const std::vector<JointLine> between_cells = {{{2, 0}, {0, 2}, 1}, {{4, 2}, {2, 0}, 1}};
+  give_joints(model, between_cells);
+  EXPECT_EQ(joints_of(model), (std::vector{0, 0, 0, 1, 1})) << "ground-left, ground-right, ground-corner, the cells";
+  std::vector<JointLine> under_half = between_cells;
+  under_half.insert(under_half.begin(), {{0, 0}, {2, 0}, 2});
+  give_joints(model, under_half);
+  EXPECT_EQ(joints_of(model), (std::vector{2, 0, 2, 1, 1})) << "a line along the ground that ends at the corner";
 }
 
 // A line for each face, as rock of cells has: each face looks at the few lines beside it, and not at all 3,120.
@@ -122,6 +139,14 @@ TEST_F(OnAFloor, TheFloorKeepsItsOwn) {
   EXPECT_EQ(joints_at(0, right_of_it), (std::vector{2, 2})) << "that of the pair";
   EXPECT_EQ(joints_at(5, right_of_it), (std::vector{1, 1}));
   EXPECT_EQ(joints_at(2.5, right_of_it), (std::vector{2, 1})) << "half on it";
+}
+
+TEST_F(OnAFloor, BondedLinesSayNothingOfOtherSurfaces) {
+  const std::vector<JointLine> under_the_box = {{{0, 0}, {1, 0}, 3}};
+  EXPECT_EQ(joints_at(5, under_the_box), (std::vector{2, 2})) << "rock that was bonded to other rock";
+  const std::vector<JointLine> both = {{{0, 0}, {1, 0}, 3}, {{3, 0}, {9, 0}, 1}};
+  EXPECT_EQ(joints_at(5, both), (std::vector{1, 1})) << "on a joint";
+  EXPECT_EQ(joints_at(0, under_the_box), (std::vector{3, 3})) << "on the rock that it is bonded to";
 }
 
 TEST_F(OnAFloor, WhereSurfacesDifferThePairDecides) {

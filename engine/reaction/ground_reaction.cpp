@@ -6,7 +6,10 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/geometry/segment.h"
+#include "engine/model/tolerance.h"
 #include "engine/reaction/unloading.h"
+#include "engine/simulation/loads_in_joints.h"
 #include "engine/simulation/measured_forces.h"
 #include "engine/simulation/run_so_far.h"
 #include "engine/simulation/simulation.h"
@@ -33,6 +36,23 @@ std::vector<bool> no_longer_there(const Model& model) {
   return away;
 }
 
+// What the water in the joints between the opening and what stays presses on its wall with, N per m of thickness.
+double force_of_water(const Simulation& simulation, const OpeningWall& wall) {
+  const Model& model = simulation.model();
+  const std::vector<bool> goes = loads_that_go_with_blocks(model.stages.size() - 1, model);
+  double force = 0;
+  for (std::size_t i = 0; i < goes.size(); ++i) {
+    const EdgeLoad& load = model.edge_loads[i];
+    if (!goes[i]) continue;
+    const double now = evaluate(load.history, simulation.state().time);
+    for (const WallFace& face : wall.faces)
+      if (face.block == load.block &&
+          distance({face.from, face.to}, (load.from + load.to) / 2) <= point_tolerance(model))
+        force -= now * load.traction.dot(face.inward) * (load.to - load.from).norm();
+  }
+  return force;
+}
+
 // The mean normal stress that the opening exerts on what stays, over its wall, Pa, positive in compression.
 double mean_pressure(const Simulation& simulation, const std::vector<int>& opening, const OpeningWall& wall) {
   const std::vector<bool> away = no_longer_there(simulation.model());
@@ -43,7 +63,8 @@ double mean_pressure(const Simulation& simulation, const std::vector<int>& openi
   for (std::size_t i = 0; i < away.size(); ++i)
     if (!away[i]) force.blocks.push_back(static_cast<int>(i));
   constexpr Eigen::Index normal = 2;
-  return -contact_force(simulation, force, make_cut(simulation, force))(normal) / wall.length;
+  const double carried = -contact_force(simulation, force, make_cut(simulation, force))(normal);
+  return (carried + force_of_water(simulation, wall)) / wall.length;
 }
 
 // Runs all stages but the last.

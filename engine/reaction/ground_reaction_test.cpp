@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/contact/interface.h"
 #include "engine/core/error.h"
 #include "engine/reaction/ring_models.h"
 #include "engine/reaction/unloading.h"
@@ -52,6 +53,31 @@ TEST(GroundReaction, OfElasticRockIsAStraightLine) {
     EXPECT_NEAR(point.motion.mean / whole, 1 - point.share, 1e-9) << point.share;
     for (const double place : point.motion.places)
       EXPECT_NEAR(place / whole, curve.points.back().motion.places[0] / whole * (1 - point.share), 1e-8);
+  }
+}
+
+// Water in the joint around the core is a part of what the core exerts. Where it went at once the wall came in by it at
+// a share of 1, under a pressure that was short of the water's.
+TEST(GroundReaction, OfAnOpeningWithWaterInItsJoints) {
+  Model dry = rings_around_core(16);
+  Model wet = dry;
+  constexpr double water = 0.4 * pressure;
+  for (const Interface& joint : find_interfaces(wet)) {
+    if (joint.block_a != 0) continue;
+    wet.edge_loads.push_back({0, joint.from, joint.to, -water * joint.normal, Constant{}, {0, 0}});
+    wet.edge_loads.push_back({joint.block_b, joint.to, joint.from, water * joint.normal, Constant{}, {0, 0}});
+  }
+  const double whole = ground_reaction(dry, {{0}, {0}}).points.at(0).motion.mean;
+  Model not_taken_out = wet;
+  not_taken_out.stages.pop_back();
+  for (EdgeLoad& load : not_taken_out.edge_loads) load.stages = {};
+  for (const Model& model : {wet, not_taken_out}) {
+    const ReactionCurve curve = ground_reaction(model, {{0}, {1, 0.5, 0}});
+    ASSERT_EQ(curve.points.size(), 3U);
+    EXPECT_NEAR(curve.pressure / pressure, 1, 0.01);  // the bonded joint gives way under the water by a little
+    EXPECT_NEAR(curve.points[0].motion.mean / whole, 0, 1e-9);
+    EXPECT_NEAR(curve.points[1].motion.mean / curve.points[2].motion.mean, 0.5, 1e-9);
+    EXPECT_NEAR(curve.points[2].motion.mean / whole, 1, 0.02);  // the same
   }
 }
 

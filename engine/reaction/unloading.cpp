@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/model/free_field_side.h"
+#include "engine/simulation/loads_in_joints.h"
 
 namespace dda {
 namespace {
@@ -123,6 +124,16 @@ void keep_if_over_later(int kept, std::vector<Load>& loads) {
     if (load.stages.last >= kept) load.stages.last = -1;
 }
 
+// Water in the joints of an opening that no stage of the scene takes out goes with it.
+void end_with_last_stage_in_situ(const std::vector<int>& opening, Model& model) {
+  const std::vector<bool> in_joints = loads_in_joints_of(opening, model);
+  const auto opened = static_cast<std::size_t>(model.stages.size() - 1);
+  for (std::size_t i = 0; i < in_joints.size(); ++i) {
+    StageSpan& stages = model.edge_loads[i].stages;
+    if (in_joints[i] && stages.has(opened)) stages.last = static_cast<int>(opened) - 1;
+  }
+}
+
 }  // namespace
 
 TimeFunction fading_to(double share) { return PiecewiseLinear{{0, fade / 2}, {1, share}}; }
@@ -130,6 +141,7 @@ TimeFunction fading_to(double share) { return PiecewiseLinear{{0, fade / 2}, {1,
 Unloading unloading_of(Model model, const std::vector<int>& opening) {
   refuse_free_field_sides(model);
   Unloading unloading;
+  const bool scene_takes_it_out = stage_of(opening, model) < model.stages.size();
   const int kept = keep_stages_in_situ(opening, model);
   unloading.removed_with_it = removed_with(opening, model.stages.back());
   leave_out_support(kept, model.bolts, unloading.left_out);
@@ -138,6 +150,7 @@ Unloading unloading_of(Model model, const std::vector<int>& opening) {
   leave_out_late_loads(kept, model, model.edge_loads, unloading.left_out);
   keep_if_over_later(kept, model.point_loads);
   keep_if_over_later(kept, model.edge_loads);
+  if (!scene_takes_it_out) end_with_last_stage_in_situ(opening, model);
   keep_if_taken_out_later(kept, model.bolts);
   keep_if_taken_out_later(kept, model.linings);
   for (PointSupport& support : model.supports) keep_if_let_go_later(kept, support);

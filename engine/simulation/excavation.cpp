@@ -9,6 +9,7 @@
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_states.h"
+#include "engine/simulation/loads_in_joints.h"
 
 namespace dda {
 namespace {
@@ -33,9 +34,11 @@ void place_as_drawn(int block, BlockSystem& s) {
   s.terms.centrifugal[i].setZero();
 }
 
-// What the removed blocks exerted on the others is what internal forces lack without them.
+// What the removed blocks exerted on the others is what internal forces lack without them, and the water that was in
+// the joints to them.
 void keep_as_loads(const Eigen::VectorXd& internal_before, BlockSystem& s) {
   Eigen::VectorXd exerted = s.forces.internal_old - internal_before;
+  s.external.add_edge_loads(loads_that_go_with_blocks(s.clock.stage, s.model), s.state.time, exerted);
   s.held.clear(exerted);
   const State geometry = s.geometry_moves() ? s.state : initial_state(s.model);
   s.excavated.released.keep(Released::blocks, s.clock.stage, s.clock.start, exerted, geometry.deformation);

@@ -121,4 +121,12 @@ void ExternalForces::loads_at(double time, Eigen::VectorXd& force) const {
   }
 }
 
+void ExternalForces::add_edge_loads(const std::vector<bool>& chosen, double time, Eigen::VectorXd& force) const {
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (!chosen[i]) continue;
+    const Load& load = loads_[point_loads_ + i];
+    force.segment<6>(6 * load.block) += evaluate(*load.history, time) * load.force;
+  }
+}
+
 }  // namespace dda

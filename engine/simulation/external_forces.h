@@ -40,6 +40,9 @@ class ExternalForces {
   // Writes the loads (without weight) at `time` into `force`, 6 entries a block.
   void loads_at(double time, Eigen::VectorXd& force) const;
 
+  // Adds the edge loads of the model that are `chosen`, one flag each, as they are at `time`, whether they act then.
+  void add_edge_loads(const std::vector<bool>& chosen, double time, Eigen::VectorXd& force) const;
+
   // The weight of all blocks, that of held ones zero, as their inertia is; empty without gravity.
   [[nodiscard]] const Eigen::VectorXd& weight() const { return weight_; }
   // Replaces it where inertia couples blocks: weight is inertia times gravity then too.

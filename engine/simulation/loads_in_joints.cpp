@@ -9,8 +9,9 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Along more than half of the load.
+// Along more than half of the load, or all of it where it is next to nothing, as what a water table cuts off.
 bool lies_along(const EdgeLoad& load, const Segment& stretch, double tolerance) {
+  if ((load.to - load.from).norm() <= tolerance) return distance(stretch, load.from) <= tolerance;
   const auto common = collinear_overlap({load.from, load.to}, stretch, tolerance);
   return common && (common->second - common->first).norm() > (load.to - load.from).norm() / 2;
 }

@@ -90,6 +90,11 @@ TEST(LoadsInJoints, AreThoseOfTheBlocksThatStayAndOfTheJointsToThoseThatGo) {
   EXPECT_EQ(loads_that_go_with_blocks(1, model), goes);
   EXPECT_EQ(loads_in_joints_of({middle}, model), std::vector<bool>(4, true));
   EXPECT_EQ(loads_in_joints_of({0}, model), std::vector<bool>(4, false));
+  EdgeLoad sliver = model.edge_loads.front();  // what is left of a face beside the corner of a water table
+  sliver.to = sliver.from + Vec2(0, 1e-16);
+  model.edge_loads.push_back(sliver);
+  EXPECT_EQ(loads_in_joints_of({middle}, model), std::vector<bool>(5, true));
+  model.edge_loads.pop_back();
   for (EdgeLoad& load : model.edge_loads) load.stages = {};  // lasts
   EXPECT_EQ(loads_that_go_with_blocks(1, model), std::vector<bool>(4, false));
 }

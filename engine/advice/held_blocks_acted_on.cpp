@@ -8,6 +8,7 @@
 
 #include "engine/advice/block_named.h"
 #include "engine/model/held_flags.h"
+#include "engine/model/tolerance.h"
 
 namespace dda {
 namespace {
@@ -20,15 +21,26 @@ bool are_one_load(const EdgeLoad& a, const EdgeLoad& b) {
   return a.history.index() == b.history.index() && std::abs(size - b.traction.norm()) <= round_off * size;
 }
 
+// Whether another load pushes back across the same stretch, as the water in a joint does: it is there for the block
+// across, and that the held one takes its part is as it should be.
+bool pushes_both_ways(const EdgeLoad& load, const Model& model) {
+  constexpr double round_off = 1e-9;
+  return std::ranges::any_of(model.edge_loads, [&](const EdgeLoad& other) {
+    return other.block != load.block &&
+           (other.from + other.to - load.from - load.to).norm() <= 2 * point_tolerance(model) &&
+           (other.traction + load.traction).norm() <= round_off * load.traction.norm();
+  });
+}
+
 // Stretches of one load, by whether held blocks take them; lengths in m.
 struct Stretches {
   double held = 0, all = 0;
   int first_held = -1;
 
-  void add(const std::vector<bool>& held_blocks, const EdgeLoad& load) {
+  void add(const Model& model, const std::vector<bool>& held_blocks, const EdgeLoad& load) {
     const double length = (load.to - load.from).norm();
     all += length;
-    if (!held_blocks[static_cast<std::size_t>(load.block)]) return;
+    if (!held_blocks[static_cast<std::size_t>(load.block)] || pushes_both_ways(load, model)) return;
     held += length;
     if (first_held < 0) first_held = load.block;
   }
@@ -39,7 +51,7 @@ void add_edge_loads(const Model& model, const std::vector<bool>& held, std::vect
   for (std::size_t i = 0; i < loads.size();) {
     const EdgeLoad& first = loads[i];
     Stretches stretches;
-    for (; i < loads.size() && are_one_load(first, loads[i]); ++i) stretches.add(held, loads[i]);
+    for (; i < loads.size() && are_one_load(first, loads[i]); ++i) stretches.add(model, held, loads[i]);
     if (stretches.held == 0 || first.traction.isZero(0)) continue;
     sentences.push_back(fmt::format(
         "the load of {:g} Pa lies with {:.3g} % of its {:.3g} m on {}, which is held: that part moves nothing",

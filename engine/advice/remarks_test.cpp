@@ -335,6 +335,11 @@ const std::vector<OddScene> odd_scenes = {
        model.edge_loads.push_back({1, {0, 2}, {0, 1}, {1e3, 0}, Constant{}});
      },
      ""},
+    {"water_in_the_joint_to_a_held_block",
+     [](Model& model) {
+       model.edge_loads = {{0, {1, 1}, {0, 1}, {0, -1e3}, Constant{}}, {1, {0, 1}, {1, 1}, {0, 1e3}, Constant{}}};
+     },
+     ""},
     {"a_point_load_on_a_held_block",
      [](Model& model) {
        model.point_loads = {{0, {0, 0.5}, {1e3, 0}, Constant{}}, {1, {0, 1.5}, {1e3, 0}, Constant{}}};

@@ -330,14 +330,10 @@ const std::vector<OddScene> odd_scenes = {
          model.edge_loads.push_back({block, {0, block + 1.0}, {0, block + 0.0}, {1e3, 0}, Constant{}});
      },
      "the load of 1000 Pa lies with 50 % of its 2 m on block \"b0\", which is held: that part moves nothing"},
-    {"a_load_beside_a_held_block",
-     [](Model& model) {
-       model.edge_loads.push_back({1, {0, 2}, {0, 1}, {1e3, 0}, Constant{}});
-     },
-     ""},
-    {"water_in_the_joint_to_a_held_block",
+    {"loads_beside_a_held_block_and_in_the_joint_to_it",
      [](Model& model) {
        model.edge_loads = {{0, {1, 1}, {0, 1}, {0, -1e3}, Constant{}}, {1, {0, 1}, {1, 1}, {0, 1e3}, Constant{}}};
+       model.edge_loads.push_back({1, {0, 2}, {0, 1}, {1e3, 0}, Constant{}});
      },
      ""},
     {"a_point_load_on_a_held_block",

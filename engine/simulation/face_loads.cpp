@@ -13,7 +13,7 @@
 namespace dda {
 namespace {
 
-// Of a load along a stretch: its mean over the whole, and what it is more at the end than in the middle where it goes
+// A load along a stretch: its mean over the whole, and what it is more at the end than in the middle where it goes
 // in a straight line, with the moment that it has about the middle.
 struct AlongStretch {
   Vec2 mean, rise;  // Pa

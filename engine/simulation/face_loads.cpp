@@ -9,6 +9,7 @@
 #include "engine/contact/tied_sides.h"
 #include "engine/geometry/segment.h"
 #include "engine/linear/block_vectors.h"
+#include "engine/model/edge_loads_of_blocks.h"
 
 namespace dda {
 namespace {
@@ -44,10 +45,7 @@ Vec2 beside_stress(const EdgeLoad& load, bool of_b, const Vec2& traction, const 
 }  // namespace
 
 FaceLoads::FaceLoads(const Model& model) {
-  if (model.edge_loads.empty()) return;
-  loads_of_block_.resize(model.blocks.size());
-  for (std::size_t i = 0; i < model.edge_loads.size(); ++i)
-    loads_of_block_[static_cast<std::size_t>(model.edge_loads[i].block)].push_back(i);
+  if (!model.edge_loads.empty()) loads_of_block_ = edge_loads_of_blocks(model);
 }
 
 void FaceLoads::list(const Model& model, const ContactSet& contacts) {
@@ -73,10 +71,19 @@ void FaceLoads::take(const LoadTime& time, BlockSystem& system) {
 }
 
 void FaceLoads::pose(const LoadTime& time, BlockSystem& system) {
-  if (faces_.empty()) return;
-  before_.clear();
+  find_changes(time, system);
+  if (changes_.empty()) return;
   const double stored = system.stored_energy_now().contact;
-  if (!move(time, system)) return;
+  before_.clear();
+  for (const auto& [stretch, change] : changes_) {
+    InterfaceElement& element = system.contacts.elements.edit()[stretch];
+    InterfaceState& state = system.contacts.states[stretch];
+    before_.push_back({stretch, part_of(element), state});
+    state.gap += change.opened - element.opened_by_loads;
+    set_part(change, element);
+    answer_gaps(element, state);
+  }
+  take_off_blocks(system.model, system.contacts);
   Eigen::VectorXd& added = system.forces.by_faces;
   added.resize(system.forces.internal_old.size());
   system.sum_internal_forces(added);
@@ -87,10 +94,7 @@ void FaceLoads::pose(const LoadTime& time, BlockSystem& system) {
 void FaceLoads::take_back(BlockSystem& system) {
   if (system.forces.by_faces.size() == 0) return;
   for (const Before& before : before_) {
-    InterfaceElement& element = system.contacts.elements.edit()[before.stretch];
-    element.beside_stress_a = before.beside_stress_a;
-    element.beside_stress_b = before.beside_stress_b;
-    element.opened_by_loads = before.opened_by_loads;
+    set_part(before.part, system.contacts.elements.edit()[before.stretch]);
     system.contacts.states[before.stretch] = before.state;
   }
   take_off_blocks(system.model, system.contacts);
@@ -107,40 +111,40 @@ void FaceLoads::accept(BlockSystem& system) {
   added.resize(0);
 }
 
-// Brings the stretches to the loads of a moment; returns whether some were others.
-bool FaceLoads::move(const LoadTime& time, BlockSystem& s) {
+void FaceLoads::find_changes(const LoadTime& time, const BlockSystem& s) {
+  changes_.clear();
   for (auto face = faces_.begin(); face != faces_.end();) {
     const std::size_t k = face->stretch;
     const Interface& stretch = s.contacts.interfaces[k];
     const InterfaceElement& element = s.contacts.elements.own()[k];
-    Vec2 own_a = traction_by_weight(s.model, stretch.block_a, stretch);
-    Vec2 own_b = traction_by_weight(s.model, stretch.block_b, stretch);
-    Vec4 opened = Vec4::Zero();
-    for (; face != faces_.end() && face->stretch == k; ++face) {
-      const EdgeLoad& load = s.model.edge_loads[face->load];
-      if (!load.stages.has(s.clock.in_force())) continue;
-      const double now = time.of([&](double then) { return evaluate(load.history, then); });
-      const auto added = [&](const Vec2& traction) {
-        return beside_stress(load, face->of_b, now * traction, stretch, element);
-      };
-      const Vec2 mean = added(face->mean), rise = added(face->rise) / (3 * element.lever);
-      (face->of_b ? own_b : own_a) += mean;
-      opened += element.softness(face->of_b ? 1 : 0) * (Vec4() << mean - rise, mean + rise).finished();
-    }
-    if (own_a == element.beside_stress_a && own_b == element.beside_stress_b && opened == element.opened_by_loads)
-      continue;
-    InterfaceState& state = s.contacts.states[k];
-    before_.push_back({k, state, element.beside_stress_a, element.beside_stress_b, element.opened_by_loads});
-    InterfaceElement& changed = s.contacts.elements.edit()[k];
-    state.gap += opened - element.opened_by_loads;
-    changed.beside_stress_a = own_a;
-    changed.beside_stress_b = own_b;
-    changed.opened_by_loads = opened;
-    answer_gaps(changed, state);
+    Part part{traction_by_weight(s.model, stretch.block_a, stretch),
+              traction_by_weight(s.model, stretch.block_b, stretch), Vec4::Zero()};
+    for (; face != faces_.end() && face->stretch == k; ++face) add_load(*face, time, s, part);
+    if (part != part_of(element)) changes_.push_back({k, part});
   }
-  if (before_.empty()) return false;
-  take_off_blocks(s.model, s.contacts);
-  return true;
+}
+
+void FaceLoads::add_load(const Face& face, const LoadTime& time, const BlockSystem& s, Part& part) {
+  const EdgeLoad& load = s.model.edge_loads[face.load];
+  if (!load.stages.has(s.clock.in_force())) return;
+  const InterfaceElement& element = s.contacts.elements.own()[face.stretch];
+  const double now = time.of([&](double then) { return evaluate(load.history, then); });
+  const auto added = [&](const Vec2& traction) {
+    return beside_stress(load, face.of_b, now * traction, s.contacts.interfaces[face.stretch], element);
+  };
+  const Vec2 mean = added(face.mean), rise = added(face.rise) / (3 * element.lever);
+  (face.of_b ? part.beside_stress_b : part.beside_stress_a) += mean;
+  part.opened += element.softness(face.of_b ? 1 : 0) * (Vec4() << mean - rise, mean + rise).finished();
+}
+
+FaceLoads::Part FaceLoads::part_of(const InterfaceElement& element) {
+  return {element.beside_stress_a, element.beside_stress_b, element.opened_by_loads};
+}
+
+void FaceLoads::set_part(const Part& part, InterfaceElement& element) {
+  element.beside_stress_a = part.beside_stress_a;
+  element.beside_stress_b = part.beside_stress_b;
+  element.opened_by_loads = part.opened;
 }
 
 }  // namespace dda

@@ -49,18 +49,34 @@ class FaceLoads {
     Vec2 mean, rise;   // Pa, times its history, in x and y: over the whole stretch, and from its middle to its end
   };
 
+  // What of an element follows the loads.
+  struct Part {
+    Vec2 beside_stress_a, beside_stress_b;
+    Vec4 opened;
+    bool operator==(const Part&) const = default;
+  };
+
+  struct Change {
+    std::size_t stretch;
+    Part part;
+  };
+
   // A stretch as it was before a step was posed.
   struct Before {
     std::size_t stretch;
+    Part part;
     InterfaceState state;
-    Vec2 beside_stress_a, beside_stress_b;
-    Vec4 opened_by_loads;
   };
 
-  [[nodiscard]] bool move(const LoadTime& time, BlockSystem& system);
+  // Lists the stretches whose loads are others at that moment.
+  void find_changes(const LoadTime& time, const BlockSystem& system);
+  static void add_load(const Face& face, const LoadTime& time, const BlockSystem& system, Part& part);
+  static Part part_of(const InterfaceElement& element);
+  static void set_part(const Part& part, InterfaceElement& element);
 
   std::vector<std::vector<std::size_t>> loads_of_block_;
   std::vector<Face> faces_;  // by stretch
+  std::vector<Change> changes_;
   std::vector<Before> before_;
   double stored_ = 0;  // J per m of thickness, by which what is stored grew
 };

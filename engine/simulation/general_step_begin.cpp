@@ -76,8 +76,8 @@ void GeneralStep::begin() {
     solver_.begin_bolts_anew();
     change_kinematics(system_, *this);
     for (Vec3& force : system_.terms.centrifugal) force.setZero();
+    face_loads_.take(system_.load_time(), system_);
   }
-  face_loads_.take(system_.load_time(), system_);
   if (system_.plan.is_static) return;
   set_step_size(system_.stage().dt_of(system_.clock.step));
   if (feels_spin(system_.plan)) set_centrifugal_forces(system_.model, system_.state, system_.terms);

@@ -2,6 +2,7 @@
 
 #include "engine/contact/interface.h"
 #include "engine/geometry/segment.h"
+#include "engine/model/edge_loads_of_blocks.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
@@ -30,10 +31,9 @@ bool is_replaced(const EdgeLoad& load, std::size_t stage, const Model& model) {
 std::vector<bool> loads_in_joints_of(const std::vector<int>& blocks, const Model& model) {
   std::vector<bool> is_meant(model.blocks.size(), false);
   for (const int block : blocks) is_meant[at(block)] = true;
-  std::vector<std::vector<std::size_t>> loads_of_block(model.blocks.size());
-  for (std::size_t i = 0; i < model.edge_loads.size(); ++i) loads_of_block[at(model.edge_loads[i].block)].push_back(i);
   std::vector<bool> found(model.edge_loads.size(), false);
   if (found.empty() || blocks.empty()) return found;
+  const auto loads_of_block = edge_loads_of_blocks(model);
   for (const Interface& joint : find_interfaces(model)) {
     if (joint.length == 0 || (!is_meant[at(joint.block_a)] && !is_meant[at(joint.block_b)])) continue;
     for (const int block : {joint.block_a, joint.block_b})

@@ -6,7 +6,8 @@
 namespace dda {
 namespace {
 
-constexpr double round_off = 1e-6;  // of an interval or a stage: steps end that close to where frames are due
+constexpr double round_off = 1e-6;           // of an interval or a stage: steps end that close to where frames are due
+constexpr double round_off_of_sums = 1e-12;  // of a time: stages may take none
 
 bool settles(const Stage& stage) { return stage.integrator.is_static && stage.equilibrium > 0; }
 
@@ -20,7 +21,7 @@ std::vector<StageTimes> stage_spans(const Model& model) {
   std::vector<StageTimes> spans;
   double begin = 0;
   for (const Stage& stage : model.stages) {
-    spans.push_back({stage.name, begin, begin + stage.duration, stands_still(model, stage), stage.shortest_dt(),
+    spans.push_back({stage.name, begin, begin + stage.length(), stands_still(model, stage), stage.shortest_dt(),
                      stage.dt, stage.chosen.dt.reason, stage.integrator.name, stage.chosen.integrator.reason});
     begin = spans.back().end_s;
   }
@@ -39,7 +40,7 @@ double FrameClock::moving_time(double time) const {
 
 bool FrameClock::has_settled_at(double time) const {
   return std::ranges::any_of(settlings_, [&](const StageTimes& stage) {
-    return std::abs(time - stage.end_s) <= round_off * (stage.end_s - stage.begin_s);
+    return std::abs(time - stage.end_s) <= round_off * (stage.end_s - stage.begin_s) + round_off_of_sums * time;
   });
 }
 
@@ -54,7 +55,7 @@ void FrameClock::taken(double time) {
 double moving_time(const Model& model, std::size_t first) {
   double sum = 0;
   for (std::size_t i = first; i < model.stages.size(); ++i)
-    if (!stands_still(model, model.stages[i])) sum += model.stages[i].duration;
+    if (!stands_still(model, model.stages[i])) sum += model.stages[i].length();
   return sum;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "engine/model/settings.h"
 
 namespace dda {
@@ -64,6 +66,30 @@ TEST(FrameClock, StagesOfNoTimeHaveAFrameOfTheirEnd) {
   model.stages[1].dt = 0.5;
   EXPECT_EQ(moving_time(model), 2);
   EXPECT_EQ(framed(model, 2, {0, 0, 0.5, 1, 1.5, 2}), (std::vector<double>{0, 0, 1, 2}));
+}
+
+// A motion of 1.0004 s in steps of 2 ms is over at 1 s, and 1,900 steps of 1 ms are not quite 1.9 s. The rest that
+// follows must have the frame of its end all the same.
+TEST(FrameClock, StagesThatAreNoWholeNumberOfStepsKeepTheFramesOfTheirEnds) {
+  for (const auto& [duration, dt, steps] : {std::tuple(1.0004, 2e-3, 500), std::tuple(1.9, 1e-3, 1900)}) {
+    Model model;
+    model.stages = {stage_of(thesis_integrator(), duration), stage_of(static_integrator(), 0, 1e-9)};
+    model.stages[0].dt = dt;
+    const double end = steps * dt;
+    EXPECT_EQ(moving_time(model), end);
+    EXPECT_EQ(framed(model, 2, {0, dt, end / 2, end - dt, end, end}), (std::vector<double>{0, end / 2, end, end}));
+    EXPECT_EQ(stage_spans(model)[1].begin_s, end);
+  }
+}
+
+// The clock of a run adds up steps, so that the end of a rest of no time may be off by round-off.
+TEST(FrameClock, RestOfNoTimeAfterManyStages) {
+  Model model;
+  for (int i = 0; i < 10; ++i) model.stages.push_back(stage_of(thesis_integrator(), 0.1));
+  model.stages.push_back(stage_of(static_integrator(), 0, 1e-9));
+  FrameClock clock(model, 0.5);
+  clock.taken(1);
+  EXPECT_TRUE(clock.is_due(1 + 2e-16));
 }
 
 TEST(FrameClock, GoesOnBehindTheLastFrame) {

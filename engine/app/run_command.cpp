@@ -57,7 +57,7 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / static_cast<do
 
 double end_time(const Model& model) {
   double end = 0;
-  for (const Stage& stage : model.stages) end += stage.duration;
+  for (const Stage& stage : model.stages) end += stage.length();
   return end;
 }
 

@@ -152,12 +152,17 @@ void RunFiles::after_step() {
   if (since_checkpoint.count() > options_.checkpoint_interval) write_checkpoint();
 }
 
-// Its row is written whether or not it is one of every K: the end is what a stage is run for.
+// Its row is written whether or not it is one of every K, and so is the frame of the last one: the end is what a stage
+// is run for.
 void RunFiles::at_end_of_stage() {
   ended_step_ = simulation_.state().step;
   sample();
   sample_energies();
-  write_frame_when_due();
+  const bool is_last = stages_done(simulation_) + 1 == simulation_.model().stages.size();
+  if (frames_ && is_last)
+    write_frame();
+  else
+    write_frame_when_due();
 }
 
 void RunFiles::write_what_is_due() {

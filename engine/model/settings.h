@@ -155,6 +155,8 @@ struct Stage {
   // stage it begins, in s.
   [[nodiscard]] double dt_of(std::int64_t step) const;
   [[nodiscard]] double time_of(std::int64_t step) const;
+  // By how much the clock goes on in the stage, s: its duration, rounded to whole steps.
+  [[nodiscard]] double length() const { return paces_itself() ? duration : time_of(steps()); }
   [[nodiscard]] double shortest_dt() const { return chosen.dt.first_steps.grow() ? chosen.dt.first_steps.dt : dt; }
 };
 

@@ -124,6 +124,7 @@ class RecordReader {
         break;
       }
     for (const std::string_view cell : cells_of(line_, separator_)) columns_.push_back(column_of(cell));
+    while (columns_.size() > 1 && columns_.back().name.empty()) columns_.pop_back();
     const bool has_numbers = std::any_of(columns_.begin(), columns_.end(),
                                          [](const Column& column) { return !std::isnan(number_in(column.name)); });
     if (has_numbers) fail(here(), fmt::format("\"{}\"", shown(line_)), "a header with the names of the columns");
@@ -173,6 +174,7 @@ class RecordReader {
     if (times_.size() == request_.most_samples)
       fail(here(), "one too many", fmt::format("at most {} samples", request_.most_samples));
     const std::vector<std::string_view> cells = cells_of(line_, separator_);
+    refuse_more_than_header(cells);
     const double time = value_in(cells, time_column_, time_unit_);
     if (!times_.empty() && !(time > times_.back()))
       fail(here(time_column_), fmt::format("\"{}\"", shown(cells[time_column_])), "a later time than the row before");
@@ -180,6 +182,14 @@ class RecordReader {
     if (!std::isfinite(value)) fail(here(value_column_), "too large with its unit and scale", "a finite number");
     times_.push_back(time);
     values_.push_back(value);
+  }
+
+  // Decimal commas between separating ones would be read as other numbers. Separators that end a row say nothing.
+  void refuse_more_than_header(const std::vector<std::string_view>& cells) const {
+    const auto last = std::find_if(cells.rbegin(), cells.rend(), [](std::string_view cell) { return !cell.empty(); });
+    const auto filled = static_cast<std::size_t>(cells.rend() - last);
+    if (filled > columns_.size())
+      fail(here(), fmt::format("of {} columns", filled), fmt::format("{} as in the header", columns_.size()));
   }
 
   [[nodiscard]] double value_in(const std::vector<std::string_view>& cells, std::size_t column,

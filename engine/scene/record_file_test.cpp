@@ -55,6 +55,8 @@ TEST(RecordFile, OtherSeparators) {
   expect_three(read("t\ta\n0\t0\n0.5\t-1.5\n2\t20\n"));
 }
 
+TEST(RecordFile, SeparatorsAtTheEndsOfRows) { expect_three(read("t,a,\n0,0,\n0.5,-1.5,,\n2,2e1\n")); }
+
 TEST(RecordFile, UnitsOfTheHeader) {
   expect_three(read("t [ms],a (cm/s2)\n0,0\n500,-150\n2000,2000\n"));
   expect_three(read("t,a [-]\n0,0\n0.5,-1.5\n2,20\n"));
@@ -118,6 +120,7 @@ const std::vector<Bad> bad_records = {
     {"number and more", "t,a\n0,0\n1,1 g\n", {"line 3, column \"a\"", "\"1 g\""}},
     {"two signs", "t,a\n0,0\n1,+-1\n", {"line 3, column \"a\"", "\"+-1\""}},
     {"decimal comma", "t;a\n0;0\n1;1,5\n", {"line 3, column \"a\"", "\"1,5\""}},
+    {"decimal commas between commas", "t,a\n0,0\n0,1,1,5\n0,2,2\n", {"line 3", "of 4 columns", "2 as in the header"}},
     {"NaN", "t,a\n0,0\n1,nan\n", {"line 3, column \"a\"", "\"nan\"", "a finite number"}},
     {"infinite time", "t,a\n0,0\ninf,1\n", {"line 3, column \"t\"", "\"inf\""}},
     {"too large", "t,a\n0,0\n1,1e999\n", {"line 3, column \"a\"", "1e999"}},

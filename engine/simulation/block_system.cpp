@@ -46,10 +46,7 @@ BlockSystem::~BlockSystem() = default;
 
 const Stage& BlockSystem::stage_in_force() const { return model.stages[clock.in_force()]; }
 
-double BlockSystem::end_of_stage() const {
-  const Stage& now = stage();
-  return clock.start + (now.paces_itself() ? now.duration : now.time_of(now.steps()));
-}
+double BlockSystem::end_of_stage() const { return clock.start + stage().length(); }
 
 double BlockSystem::end_of_step(double dt) const {
   return stage_in_force().paces_itself() ? end_of_stage() : state.time + dt;

@@ -9,7 +9,7 @@
 //   projected:  as classical, at two points nearer the middle, and each gap with what the stresses of both blocks
 //               make of it                                                                    (see projected_law.h)
 // and four conjugate forces (N per m of thickness, tension positive)
-//   f = stiffness * g + stress_rows_a sigma_a + stress_rows_b sigma_b - force_at_start
+//   f = stiffness * g + stress_rows_a sigma_a + stress_rows_b sigma_b + by_loads - force_at_start
 // where stress rows are none in the classical and projected law, and give length * {sigma} n, the mean of tractions,
 // on rows 0 and 1 of the others. All follow from the potential 1/2 g K g + g . (stress rows), which makes them
 // symmetric: the blocks' strains carry the extra forces strain_rows^T g, strain_rows = stress_rows * elasticity.
@@ -49,9 +49,11 @@ struct InterfaceElement : InterfaceSprings {
   int block_b = 0;
   Vec2 softness = Vec2::Zero();  // m/Pa, of a projected stretch: the gap that the traction of a, of b makes
   // Pa, normal and shear, of a projected stretch: what the own traction of a, of b there is beside that of its stress,
-  // by its weight and by loads on its face; and by how much the latter open the gaps of the four rows, m.
+  // by its weight and by loads on its face.
   Vec2 beside_stress_a = Vec2::Zero(), beside_stress_b = Vec2::Zero();
-  Vec4 opened_by_loads = Vec4::Zero();
+  // By how much loads on its faces open the gaps of a projected stretch, m, or what they are in the force of a
+  // consistent joint, N per m of thickness (simulation/face_loads.h).
+  Vec4 by_loads = Vec4::Zero();
   Mat46 rows_a, rows_b;
   Mat43 stress_rows_a, stress_rows_b;  // m; not set where there are none
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set where there are none
@@ -88,7 +90,7 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
     std::array<int, 2> blocks;
     Vec2 softness;
     std::array<Vec2, 2> beside_stress;
-    Vec4 opened_by_loads;
+    Vec4 by_loads;
     std::array<Mat46, 2> rows;
     std::array<Mat43, 4> stress_rows;
     std::array<Vec4, 2> at_start;
@@ -97,7 +99,7 @@ void InterfaceElement::visit(Self& self, Archive& archive) {
   using OwnSprings = std::conditional_t<std::is_const_v<Self>, const InterfaceSprings, InterfaceSprings>;
   InterfaceSprings::visit_springs(static_cast<OwnSprings&>(self), archive);
   archive.blocks(self.block_a, self.block_b);
-  archive(self.softness, self.beside_stress_a, self.beside_stress_b, self.opened_by_loads, self.rows_a, self.rows_b,
+  archive(self.softness, self.beside_stress_a, self.beside_stress_b, self.by_loads, self.rows_a, self.rows_b,
           self.gap_at_start, self.force_at_start);
   if (has_stress_rows(self)) archive(self.stress_rows_a, self.stress_rows_b, self.strain_rows_a, self.strain_rows_b);
 }

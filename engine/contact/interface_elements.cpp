@@ -25,7 +25,7 @@ bool are_alike(const InterfaceElement& a, const InterfaceElement& b) {
          have_same_bits(a.stiffness, b.stiffness) && have_same_bits(a.dashpot, b.dashpot) &&
          have_same_bits(a.length, b.length) && have_same_bits(a.lever, b.lever) && have_same_bits(a.spread, b.spread) &&
          have_same_bits(a.softness, b.softness) && have_same_bits(a.beside_stress_a, b.beside_stress_a) &&
-         have_same_bits(a.beside_stress_b, b.beside_stress_b) && have_same_bits(a.opened_by_loads, b.opened_by_loads) &&
+         have_same_bits(a.beside_stress_b, b.beside_stress_b) && have_same_bits(a.by_loads, b.by_loads) &&
          have_same_bits(a.gap_at_start, b.gap_at_start) && have_same_bits(a.force_at_start, b.force_at_start) &&
          (!has_stress_rows(a) || have_same_stress_rows(a, b));
 }

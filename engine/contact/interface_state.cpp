@@ -36,7 +36,8 @@ std::array<bool, 2> ends_beyond_strength(const EndStrength& strength, const Vec4
 Vec4 elastic_force(const InterfaceElement& element, const Vec4& gap, const Vec3& stress_a, const Vec3& stress_b) {
   Vec4 force = element.stiffness.cwiseProduct(gap);
   if (has_stress_rows(element))
-    force += element.stress_rows_a * stress_a + element.stress_rows_b * stress_b - element.force_at_start;
+    force +=
+        element.stress_rows_a * stress_a + element.stress_rows_b * stress_b + element.by_loads - element.force_at_start;
   return force;
 }
 

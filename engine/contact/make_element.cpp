@@ -17,13 +17,6 @@ Vec4 classical_stiffness(const Model& model, const Interface& interface) {
   return {springs.normal, springs.shear, second_point * springs.normal, second_point * springs.shear};
 }
 
-// The weight of a block's stress in the mean of both. A held block is rigid and knows of no stress: the other's counts.
-double stress_share(const Model& model, int block, int other) {
-  const bool own = model.is_held(block);
-  if (own == model.is_held(other)) return 0.5;
-  return own ? 0 : 1;
-}
-
 // The stiffer of both blocks' moduli, Pa.
 double stiffer(const Model& model, const Interface& interface, double (*modulus)(const Material&)) {
   return std::max(modulus(model.material_at_start(interface.block_a)),
@@ -103,6 +96,12 @@ Vec4 interface_stiffness(const Model& model, const Interface& interface, Interfa
 }
 
 }  // namespace
+
+double stress_share(const Model& model, int block, int other) {
+  const bool own = model.is_held(block);
+  if (own == model.is_held(other)) return 0.5;
+  return own ? 0 : 1;
+}
 
 InterfaceElement make_element(const Model& model, const Interface& interface, InterfaceLaw law) {
   InterfaceElement element;

@@ -8,6 +8,10 @@
 
 namespace dda {
 
+// The weight of a block's stress in a consistent joint's mean of both. A held block is rigid and knows of no stress:
+// the other's counts.
+double stress_share(const Model& model, int block, int other);
+
 // An element with everything but the geometry, which set_geometry fills.
 InterfaceElement make_element(const Model& model, const Interface& interface, InterfaceLaw law);
 void set_geometry(const Model& model, const InterfaceFrame& frame, InterfaceElement& element);

@@ -136,7 +136,7 @@ void measure_projected(const Model& model, const State& state, const Interface& 
   const Vec2 shift = gap_by_stress(element.softness, normal_of(element), stress_of(state, interface.block_a),
                                    stress_of(state, interface.block_b));
   own.gap << middle - turn + shift, middle + turn + shift;
-  own.gap += drawn_gap(model, interface, element) + element.opened_by_loads;
+  own.gap += drawn_gap(model, interface, element) + element.by_loads;
   own.gap -= element.gap_at_start + Vec4(own.seat[0], own.slip[0], own.seat[1], own.slip[1]);
   answer_gaps(element, own);
 }

@@ -98,7 +98,8 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     const bool both_held = is_held(interface.block_a) && is_held(interface.block_b);
     if (both_held || !is_in_row(interface.block_a) || !is_in_row(interface.block_b)) continue;
     elements[i].stiffness(2) = bending_stiffness(model, interface, held);
-    contacts.states[i].force(2) = elements[i].stiffness(2) * contacts.states[i].gap(2) - elements[i].force_at_start(2);
+    contacts.states[i].force(2) =
+        elements[i].stiffness(2) * contacts.states[i].gap(2) + elements[i].by_loads(2) - elements[i].force_at_start(2);
   }
 }
 

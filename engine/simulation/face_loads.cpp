@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/contact/make_element.h"
 #include "engine/contact/projected_law.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/contact/tied_sides.h"
@@ -42,6 +43,18 @@ Vec2 beside_stress(const EdgeLoad& load, bool of_b, const Vec2& traction, const 
   return (of_b ? 1 : -1) * (axes * traction);
 }
 
+// Joints whose forces follow the stresses of their blocks, and which can open.
+bool goes_by_stress(const Model& model, const Interface& stretch, const InterfaceElement& element) {
+  const bool bonded = model.joints[static_cast<std::size_t>(stretch.joint)].bonded;
+  return element.law == InterfaceLaw::projected || (element.law == InterfaceLaw::consistent && !bonded);
+}
+
+// The share of a face's block in the traction of a consistent joint.
+double share_of(const Model& model, bool of_b, const InterfaceElement& element) {
+  return of_b ? stress_share(model, element.block_b, element.block_a)
+              : stress_share(model, element.block_a, element.block_b);
+}
+
 }  // namespace
 
 FaceLoads::FaceLoads(const Model& model) {
@@ -52,8 +65,8 @@ void FaceLoads::list(const Model& model, const ContactSet& contacts) {
   faces_.clear();
   if (loads_of_block_.empty()) return;
   for (std::size_t k = 0; k < contacts.interfaces.size(); ++k) {
-    if (contacts.elements.but_for_blocks(k).law != InterfaceLaw::projected) continue;
     const Interface& stretch = contacts.interfaces[k];
+    if (!goes_by_stress(model, stretch, contacts.elements.but_for_blocks(k))) continue;
     for (const bool of_b : {false, true})
       for (const std::size_t i : loads_of_block_[static_cast<std::size_t>(of_b ? stretch.block_b : stretch.block_a)])
         if (const auto load = along(model.edge_loads[i], stretch, model.length_tolerance))
@@ -79,9 +92,7 @@ void FaceLoads::pose(const LoadTime& time, BlockSystem& system) {
     InterfaceElement& element = system.contacts.elements.edit()[stretch];
     InterfaceState& state = system.contacts.states[stretch];
     before_.push_back({stretch, part_of(element), state});
-    state.gap += change.opened - element.opened_by_loads;
-    set_part(change, element);
-    answer_gaps(element, state);
+    follow(change, element, state);
   }
   take_off_blocks(system.model, system.contacts);
   Eigen::VectorXd& added = system.forces.by_faces;
@@ -117,8 +128,11 @@ void FaceLoads::find_changes(const LoadTime& time, const BlockSystem& s) {
     const std::size_t k = face->stretch;
     const Interface& stretch = s.contacts.interfaces[k];
     const InterfaceElement& element = s.contacts.elements.own()[k];
-    Part part{traction_by_weight(s.model, stretch.block_a, stretch),
-              traction_by_weight(s.model, stretch.block_b, stretch), Vec4::Zero()};
+    Part part{Vec2::Zero(), Vec2::Zero(), Vec4::Zero()};
+    if (element.law == InterfaceLaw::projected) {
+      part.beside_stress_a = traction_by_weight(s.model, stretch.block_a, stretch);
+      part.beside_stress_b = traction_by_weight(s.model, stretch.block_b, stretch);
+    }
     for (; face != faces_.end() && face->stretch == k; ++face) add_load(*face, time, s, part);
     if (part != part_of(element)) changes_.push_back({k, part});
   }
@@ -132,19 +146,35 @@ void FaceLoads::add_load(const Face& face, const LoadTime& time, const BlockSyst
   const auto added = [&](const Vec2& traction) {
     return beside_stress(load, face.of_b, now * traction, s.contacts.interfaces[face.stretch], element);
   };
-  const Vec2 mean = added(face.mean), rise = added(face.rise) / (3 * element.lever);
+  const Vec2 mean = added(face.mean), rise = added(face.rise) / 3;
+  if (element.law == InterfaceLaw::consistent) {
+    part.by_loads += share_of(s.model, face.of_b, element) * element.length * (Vec4() << mean, rise).finished();
+    return;
+  }
   (face.of_b ? part.beside_stress_b : part.beside_stress_a) += mean;
-  part.opened += element.softness(face.of_b ? 1 : 0) * (Vec4() << mean - rise, mean + rise).finished();
+  const Vec2 at_points = rise / element.lever;
+  part.by_loads += element.softness(face.of_b ? 1 : 0) * (Vec4() << mean - at_points, mean + at_points).finished();
+}
+
+void FaceLoads::follow(const Part& part, InterfaceElement& element, InterfaceState& state) {
+  const Vec4 change = part.by_loads - element.by_loads;
+  set_part(part, element);
+  if (element.law == InterfaceLaw::consistent) {
+    state.force += change;
+    return;
+  }
+  state.gap += change;
+  answer_gaps(element, state);
 }
 
 FaceLoads::Part FaceLoads::part_of(const InterfaceElement& element) {
-  return {element.beside_stress_a, element.beside_stress_b, element.opened_by_loads};
+  return {element.beside_stress_a, element.beside_stress_b, element.by_loads};
 }
 
 void FaceLoads::set_part(const Part& part, InterfaceElement& element) {
   element.beside_stress_a = part.beside_stress_a;
   element.beside_stress_b = part.beside_stress_b;
-  element.opened_by_loads = part.opened;
+  element.by_loads = part.by_loads;
 }
 
 }  // namespace dda

@@ -1,4 +1,4 @@
-// What loads on the faces of projected stretches make of these, as the water in a joint does.
+// What loads on the faces of joints that go by the stresses of their blocks make of these, as the water in one does.
 //
 // A block whose face bears a load t there has a stress with that traction and the joint's: sigma n = T + t on block a,
 // T - t on block b (n from a into b). The law (projected_law.h) goes by the block's own traction, which is therefore
@@ -6,9 +6,13 @@
 // block with the rest. Water of pressure p adds p to both: the joint carries the effective traction, blocks the whole
 // stress, and where a joint is closed and stuck nothing moves, however high the water is.
 //
-// A load that varies along the stretch has a moment, which the law's two points bear by the stiffness of their turn:
-// they are shifted by what makes that moment. Loads are those of the moment at which a step ends, as everywhere: the
-// change acts like a load whose place is the gap, and its work, and what it makes of the energy stored, count as
+// A consistent joint that can break carries the mean of both own tractions, and what its gaps add. There loads are in
+// the force alone, with the share that the block's stress has, and of one that varies with the moment that its ends
+// bear.
+//
+// A load that varies along a projected stretch has a moment, which the law's two points bear by the stiffness of their
+// turn: they are shifted by what makes that moment. Loads are those of the moment at which a step ends, as everywhere:
+// the change acts like a load whose place is the gap, and its work, and what it makes of the energy stored, count as
 // external.
 #pragma once
 
@@ -52,7 +56,7 @@ class FaceLoads {
   // What of an element follows the loads.
   struct Part {
     Vec2 beside_stress_a, beside_stress_b;
-    Vec4 opened;
+    Vec4 by_loads;
     bool operator==(const Part&) const = default;
   };
 
@@ -71,6 +75,7 @@ class FaceLoads {
   // Lists the stretches whose loads are others at that moment.
   void find_changes(const LoadTime& time, const BlockSystem& system);
   static void add_load(const Face& face, const LoadTime& time, const BlockSystem& system, Part& part);
+  static void follow(const Part& part, InterfaceElement& element, InterfaceState& state);
   static Part part_of(const InterfaceElement& element);
   static void set_part(const Part& part, InterfaceElement& element);
 

@@ -13,6 +13,12 @@ Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, s
   return elastic_force(element, gap, stress(element.block_a), stress(element.block_b));
 }
 
+std::array<bool, 2> ends_that_break(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i) {
+  const ContactSet& contacts = system.contacts;
+  const Vec4 gap = contacts.states[i].gap + gap_increment(contacts.elements.own()[i], increment);
+  return ends_beyond_strength(contacts.strengths[i], bonded_force(system, increment, i, gap));
+}
+
 void accept_bonded(const std::vector<int>& bonded, BlockSystem& system) {
   for (const int index : bonded) {
     const auto i = static_cast<std::size_t>(index);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace dda {
 
 // Returns the force of interface `i` at the end of a step by `increment`, its gap being `gap`; the state has not moved.
 Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i, const Vec4& gap);
+
+// Which ends of interface `i` are beyond their strength there.
+std::array<bool, 2> ends_that_break(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i);
 
 // Gaps and forces of the interfaces at these places follow system.increment, before the blocks' stresses do.
 void accept_bonded(const std::vector<int>& bonded, BlockSystem& system);

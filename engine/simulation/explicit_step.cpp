@@ -113,7 +113,7 @@ StoredEnergy ExplicitStep::stored_energy() const {
   return stored;
 }
 
-Status ExplicitStep::advance(double dt, bool /*can_be_cut*/) {
+Status ExplicitStep::advance(double dt, Taken /*taken*/) {
   if (!message_.empty()) return Status::singular;
   BlockSystem& s = system_;
   const double start = s.state.time;

@@ -46,7 +46,7 @@ class ExplicitStep : public Step {
 
   void set_up(BlockMatrix pattern) override;
   void begin() override;
-  [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
+  [[nodiscard]] Status advance(double dt, Taken taken) override;
   void end() override;
   void hand_over() override;
   void take_over() override { keep_gaps_at_rest(system_); }

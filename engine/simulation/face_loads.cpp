@@ -105,7 +105,9 @@ void FaceLoads::pose(const LoadTime& time, BlockSystem& system) {
 void FaceLoads::take_back(BlockSystem& system) {
   if (system.forces.by_faces.size() == 0) return;
   for (const Before& before : before_) {
-    set_part(before.part, system.contacts.elements.edit()[before.stretch]);
+    InterfaceElement& element = system.contacts.elements.edit()[before.stretch];
+    if (!goes_by_stress(system.model, system.contacts.interfaces[before.stretch], element)) continue;  // it broke
+    set_part(before.part, element);
     system.contacts.states[before.stretch] = before.state;
   }
   take_off_blocks(system.model, system.contacts);

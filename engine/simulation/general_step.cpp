@@ -24,6 +24,7 @@
 #include "engine/simulation/kinematic_update.h"
 #include "engine/simulation/parts_of_stage.h"
 #include "engine/simulation/prescribed_motion.h"
+#include "engine/simulation/slip_free.h"
 #include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
 
@@ -111,26 +112,28 @@ void GeneralStep::list_contacts() {
   face_loads_.list(system_.model, system_.contacts);
 }
 
-Status GeneralStep::advance(double dt, bool can_be_cut) {
-  can_be_cut_ = can_be_cut;
+Status GeneralStep::advance(double dt, Taken taken) {
+  taken_ = taken;
   given_friction_.begin_step(system_);
   if (dt != system_.coefficients.dt) set_step_size(dt);
-  if (system_.plan.is_static && system_.drag.ease()) base_is_current_ = false;
+  const bool tries = taken == Taken::if_nothing_slips, can_be_cut = taken != Taken::to_the_end;
+  if (system_.plan.is_static && !tries && system_.drag.ease()) base_is_current_ = false;
   const auto solve_again = [this] {
     system_.increment.setZero();  // what did not settle is no place to begin
     return solve_far_enough();
   };
   Status status = solve_far_enough();
-  if (status == Status::not_converged && cushion_.put_in(system_)) status = solve_far_enough();
-  if (status == Status::not_converged && can_be_cut && needs_sure_passes(system_, given_friction_)) {
-    can_be_cut_ = false;
+  const auto failed = [&] { return status == Status::not_converged && !tries; };
+  if (failed() && cushion_.put_in(system_)) status = solve_far_enough();
+  if (failed() && can_be_cut && needs_sure_passes(system_, given_friction_)) {
+    taken_ = Taken::to_the_end;
     status = solve_again();
   }
-  if (status == Status::not_converged &&
-      (can_be_cut ? given_friction_.give(system_) : given_friction_.give_to_shortest_part(system_)))
+  if (failed() && (can_be_cut ? given_friction_.give(system_) : given_friction_.give_to_shortest_part(system_)))
     status = solve_again();
   if (status == Status::ok && can_be_cut && goes_further_than_the_last_part(system_)) status = Status::not_converged;
   if (status != Status::ok) {
+    if (tries) system_.increment.setZero();  // no place to begin either
     given_friction_.take_back();
     face_loads_.take_back(system_);
     return status;
@@ -274,7 +277,7 @@ StepProblem GeneralStep::problem() const {
           .held = s.held,
           .dilates = s.plan.dilation && !rule_.capacity_is_given,
           .max_passes = most_passes(s.stage()),
-          .to_the_end = !can_be_cut_,
+          .to_the_end = taken_ == Taken::to_the_end,
           .goes_from_inside = !s.stage().paces_itself()};
 }
 
@@ -282,11 +285,14 @@ Status GeneralStep::solve() {
   assemble_base();
   const StepSolution& solution = solver_.solve(problem());
   int rounds_of_linings = 0;
-  const int most_rounds_of_linings = can_be_cut_ ? LiningSet::most_rounds_before_a_cut : LiningSet::most_rounds;
+  const int most_rounds_of_linings =
+      taken_ == Taken::to_the_end ? LiningSet::most_rounds : LiningSet::most_rounds_before_a_cut;
   while (solution.status == Status::ok && rounds_of_linings < most_rounds_of_linings) {
+    if (taken_ == Taken::if_nothing_slips && !is_slip_free(system_, solver_, solution, bonded_))
+      return Status::not_converged;
     if (solution.settled_from_inside) note_unsettled(solution, system_);
     const bool broke = replace_broken_joints() || solution.something_broke();
-    if (broke) can_be_cut_ = false;  // it did so in this step, and a shorter one would not know of it
+    if (broke) taken_ = Taken::to_the_end;  // it did so in this step, and a shorter one would not know of it
     // Linings that yield lie outside of the problem as well: Newton's method around it.
     LiningRound yield;
     if (system_.plan.reinforcement.linings_yield)
@@ -311,14 +317,11 @@ Status GeneralStep::solve() {
 // Bonded joints lie outside of the problem, and break here: see weaken().
 bool GeneralStep::replace_broken_joints() {
   if (!system_.plan.contacts_judged || rule_.sticks) return false;
-  const ContactSet& contacts = system_.contacts;
   bool replaced = false;
   for (std::size_t b = 0; b < bonded_.size();) {
     const int index = bonded_[b];
     const auto i = static_cast<std::size_t>(index);
-    const Vec4 gap = contacts.states[i].gap + gap_increment(contacts.elements.own()[i], solver_.increment());
-    const std::array<bool, 2> broken =
-        ends_beyond_strength(contacts.strengths[i], bonded_force(system_, solver_.increment(), i, gap));
+    const std::array<bool, 2> broken = ends_that_break(system_, solver_.increment(), i);
     if (!broken[0] && !broken[1]) {
       ++b;
       continue;

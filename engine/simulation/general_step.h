@@ -31,7 +31,7 @@ class GeneralStep : public Step {
 
   void set_up(BlockMatrix pattern) override;
   void begin() override;
-  [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
+  [[nodiscard]] Status advance(double dt, Taken taken) override;
   void hand_over() override { solver_.end(); }
   [[nodiscard]] StoredEnergy stored_energy() const override { return system_.stored_energy_now(); }
   [[nodiscard]] bool is_provisional() const override { return given_friction_.was_given(); }
@@ -63,7 +63,7 @@ class GeneralStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, face_loads, changing, bonded,
-           base, base_version, base_is_current, rule, rhs, can_be_cut, message] = self;
+           base, base_version, base_is_current, rule, rhs, taken, message] = self;
     if (moving) {
       archive(*moving);
       archive.expect(moving->known_contacts() == system.contacts.interfaces.size());
@@ -112,7 +112,7 @@ class GeneralStep : public Step {
   bool base_is_current_ = false;
   ContactRule rule_;
   Eigen::VectorXd rhs_;
-  bool can_be_cut_ = false;  // the step under way, should its contacts not settle quickly
+  Taken taken_ = Taken::to_the_end;  // the step under way
   std::string message_;
 };
 

@@ -35,7 +35,7 @@ void LinearStep::hand_over() {
   matrix_.end();
 }
 
-Status LinearStep::advance(double dt, bool /*can_be_cut*/) {
+Status LinearStep::advance(double dt, Taken /*taken*/) {
   BlockSystem& s = system_;
   if (dt != s.coefficients.dt) set_step_size(dt);
   const double end = s.end_of_step(dt);

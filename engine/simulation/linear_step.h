@@ -22,7 +22,7 @@ class LinearStep : public Step {
 
   void set_up(BlockMatrix pattern) override;
   void begin() override { linear_.begin(); }
-  [[nodiscard]] Status advance(double dt, bool can_be_cut) override;
+  [[nodiscard]] Status advance(double dt, Taken taken) override;
   void hand_over() override;
   void take_over() override { keep_gaps_at_rest(system_); }
   [[nodiscard]] StoredEnergy stored_energy() const override { return linear_.stored_energy(); }

@@ -55,15 +55,26 @@ double first_step(const Model& model, const Stage& stage, bool contacts_can_chan
 void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change, bool in_parts) {
   transit_ = transit_time(model);
   is_convex_ = is_convex(stage, contacts_can_change);
-  dt_ = first_step(model, stage, contacts_can_change);
   growth_ = fast_growth;
   in_parts_ = in_parts;
+  tries_ = !is_convex_ && !in_parts;
+  dt_ = tries_ ? longest * transit_ : first_step(model, stage, contacts_can_change);
 }
 
 void SettlingPace::settled(std::int64_t passes, bool is_sure) {
   if (passes <= (is_sure ? easy_when_sure : easy))
     dt_ = std::min((is_sure ? fast_growth : growth_) * dt_, longest * transit_);
   if (passes > hard && !is_convex_ && !is_sure) dt_ = std::max(dt_ / shrinking_after_hard, shortest * transit_);
+}
+
+Taken SettlingPace::taken() const {
+  if (tries_) return Taken::if_nothing_slips;
+  return is_convex_ || is_shortest() ? Taken::to_the_end : Taken::unless_cut;
+}
+
+void SettlingPace::tried(bool was_taken) {
+  tries_ = false;
+  if (!was_taken) dt_ = first_with_friction * transit_;
 }
 
 bool SettlingPace::shorten() {

@@ -10,6 +10,8 @@
 // they close elsewhere. They grow fast until one was too long, and from then on slowly: else the next one is as much
 // too long again, and again (a wall of 5,000 bricks tried eight times the length that settles in each of 20 steps).
 // Where loads come in parts steps must be long again before the next part, and always grow fast.
+// Where they come at once one long step is tried before the first short one, and taken if nothing slips in it
+// (slip_free.h): what inertia holds back in the short ones makes contacts slip that the whole load presses together.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +19,7 @@
 #include "engine/core/counters.h"
 #include "engine/core/status.h"
 #include "engine/model/model.h"
+#include "engine/simulation/step.h"
 
 namespace dda {
 
@@ -31,15 +34,19 @@ class SettlingPace {
 
   [[nodiscard]] double dt() const { return dt_; }  // s, of the next step
 
-  // Takes a step as long as it can be, by `advance(dt)`.
+  // Takes a step as long as it can be, by `advance(dt, taken)`.
   template <typename Advance, typename IsSure>
   [[nodiscard]] Status step(const Counters& counters, const Advance& advance, const IsSure& is_sure) {
     while (true) {
       const std::int64_t passes_before = counters.open_close_iterations;
-      const Status status = advance(dt_);
-      if (status == Status::ok) settled(counters.open_close_iterations - passes_before, is_sure());
+      const Status status = advance(dt_, taken());
       // In long steps what touches nothing for a moment has so little inertia that the matrix is singular by round-off.
       const bool is_too_long = status == Status::not_converged || status == Status::singular;
+      if (tries_) {
+        tried(status == Status::ok);
+        if (is_too_long) continue;
+      }
+      if (status == Status::ok) settled(counters.open_close_iterations - passes_before, is_sure());
       if (!is_too_long || !shorten()) return status;
     }
   }
@@ -51,21 +58,25 @@ class SettlingPace {
   [[nodiscard]] bool shorten();
   [[nodiscard]] bool is_shortest() const;
   [[nodiscard]] bool is_long() const;
-  // A step that does not settle quickly is rather to be shortened.
-  [[nodiscard]] bool can_be_cut() const { return !is_convex_ && !is_shortest(); }
+  // What the next step is taken for.
+  [[nodiscard]] Taken taken() const;
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [transit, dt, growth, is_convex, in_parts] = self;
-    archive(transit, dt, growth, is_convex, in_parts);
+    auto& [transit, dt, growth, is_convex, in_parts, tries] = self;
+    archive(transit, dt, growth, is_convex, in_parts, tries);
   }
 
  private:
+  // The long step that is tried first was taken, or not.
+  void tried(bool was_taken);
+
   double transit_ = 0;      // s
   double dt_ = 0;           // s
   double growth_ = 1;       // of dt_ after a step that settled easily
   bool is_convex_ = false;  // steps settle at any length, whatever it takes
   bool in_parts_ = false;   // loads come in parts
+  bool tries_ = false;      // the next step is a long one that is taken only if nothing slips
 };
 
 }  // namespace dda

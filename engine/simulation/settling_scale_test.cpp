@@ -188,12 +188,45 @@ TEST(SettlingCushion, LetsGoWithAStepThatHasNextToNothingToChange) {
   EXPECT_FALSE(cushion.put_in(system)) << "once a stage";
 }
 
+// A pace that has tried its long step in vain, and taken a short one in so many passes that the next is as long.
+SettlingPace after_the_try() {
+  const Model model = finished_press();
+  SettlingPace pace;
+  pace.begin(model, model.stages[0], true, false);
+  Counters counters;
+  const auto fails_if_long = [&](double, Taken taken) {
+    counters.open_close_iterations += 40;
+    return taken == Taken::if_nothing_slips ? Status::not_converged : Status::ok;
+  };
+  EXPECT_EQ(pace.step(counters, fails_if_long, [] { return false; }), Status::ok);
+  return pace;
+}
+
+// One long step comes first, and only if nothing slips in it; then a short one.
+TEST(SettlingPace, TriesALongStepFirst) {
+  const Model model = finished_press();
+  SettlingPace pace;
+  pace.begin(model, model.stages[0], true, false);
+  std::vector<std::pair<double, Taken>> asked;
+  const auto fails_if_long = [&](double dt, Taken taken) {
+    asked.emplace_back(dt, taken);
+    return taken == Taken::if_nothing_slips ? Status::not_converged : Status::ok;
+  };
+  EXPECT_EQ(pace.step({}, fails_if_long, [] { return false; }), Status::ok);
+  ASSERT_EQ(asked.size(), 2U);
+  EXPECT_EQ(asked[0].second, Taken::if_nothing_slips);
+  EXPECT_EQ(asked[1].second, Taken::unless_cut);
+  EXPECT_NEAR(asked[0].first / asked[1].first, 100, 1e-9);
+  pace.begin(model, model.stages[0], true, true);
+  EXPECT_EQ(pace.taken(), Taken::unless_cut) << "loads in parts wait for long steps";
+  pace.begin(model, model.stages[0], false, false);
+  EXPECT_EQ(pace.taken(), Taken::to_the_end) << "nothing can slip";
+}
+
 // With friction given by its start a step of any length settles, and takes as many passes when it is longer.
 TEST(SettlingPace, StepsThatAreSureToSettleGrowAfterManyPasses) {
   const auto growth = [](std::int64_t passes, bool is_sure) {
-    const Model model = finished_press();
-    SettlingPace pace;
-    pace.begin(model, model.stages[0], true, false);
+    SettlingPace pace = after_the_try();
     const double before = pace.dt();
     pace.settled(passes, is_sure);
     return pace.dt() / before;

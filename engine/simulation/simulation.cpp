@@ -163,7 +163,7 @@ Status Simulation::step() {
   s.clock.passes_before_step = s.costs.counters.open_close_iterations;
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
   note_asked_balance(s, in_situ_force_);
-  const auto advance_by = [this](double dt) { return stage_step().advance(dt, pace_.can_be_cut()); };
+  const auto advance_by = [this](double dt, Taken taken) { return stage_step().advance(dt, taken); };
   const auto is_sure = [this] { return stage_step().is_provisional(); };
   const Status status = is_settling() ? pace_.step(s.costs.counters, advance_by, is_sure)
                                       : advance(s.stage().dt_of(s.clock.step), s.stage().limits.step_reductions);
@@ -190,7 +190,7 @@ Status Simulation::advance(double dt, int reductions_left) {
   const Stage& stage = system_->stage();
   const int cuts = stage.limits.step_reductions - reductions_left;
   const bool can_be_cut = !stage.integrator.is_static && reductions_left > 0 && cuts < cuts_before_sure_passes;
-  const auto take = [&] { return stage_step().advance(dt, can_be_cut); };
+  const auto take = [&] { return stage_step().advance(dt, can_be_cut ? Taken::unless_cut : Taken::to_the_end); };
   const Status status = cuts == 0 ? take() : memory_.part(dt, system_->contacts, system_->state.acceleration, take);
   if (status != Status::not_converged || reductions_left == 0) return status;
   if (cuts == 0) memory_.begin(system_->terms.inertia, system_->contacts, system_->state.acceleration);

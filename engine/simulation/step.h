@@ -11,6 +11,13 @@
 
 namespace dda {
 
+// What a step is taken for.
+enum class Taken {
+  to_the_end,        // whatever it takes
+  unless_cut,        // where it does not settle quickly shorter ones are rather taken
+  if_nothing_slips,  // the same, and where a contact slides or a joint breaks: see slip_free.h
+};
+
 class Step {
  public:
   Step() = default;
@@ -23,7 +30,7 @@ class Step {
   // The first moment of that stage, or of longer steps within it: what follows from the state there.
   virtual void begin() = 0;
   // Advances the system by dt; anything but ok leaves it as it was, and message() says why.
-  [[nodiscard]] virtual Status advance(double dt, bool can_be_cut) = 0;
+  [[nodiscard]] virtual Status advance(double dt, Taken taken) = 0;
   // Its stage is over and another begins: the ledger is left as all kinds of step count it.
   virtual void end() {}
   // Between stages: a step of the other kind goes on, or has gone before.

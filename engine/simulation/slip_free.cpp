@@ -1,0 +1,51 @@
+#include "engine/simulation/slip_free.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/simulation/bonded_joints.h"
+
+namespace dda {
+namespace {
+
+// rad, where geometry is followed. A slender column that must fall, drawn by lot, leans by more in the step, and stays
+// in an equilibrium that does not last: without inertia nothing tells it from others. What strain turns is below that.
+constexpr double most_turn_at_once = 2e-3;
+
+bool some_block_turns_far(const Eigen::VectorXd& increment) {
+  for (Eigen::Index turn = 2; turn < increment.size(); turn += 6)
+    if (std::abs(increment(turn)) > most_turn_at_once) return true;
+  return false;
+}
+
+// An end without friction slides, but its force is the same whichever way it went.
+bool slips(const InterfaceSprings& springs, const InterfaceTrial& trial) {
+  for (int end = 0; end < ends_of(springs); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    if (trial.broken[e] && trial.capacity[e] > 0 && trial.active(2 * end + 1) == 0) return true;
+  }
+  return false;
+}
+
+bool some_contact_slips(const InterfaceTrials& contacts) {
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (slips(contacts.element(k), contacts[k])) return true;
+  return false;
+}
+
+}  // namespace
+
+bool is_slip_free(const BlockSystem& system, const ContactSolver& solved, const StepSolution& solution,
+                  std::span<const int> bonded) {
+  const auto breaks = [&](int joint) {
+    const std::array<bool, 2> broken = ends_that_break(system, solved.increment(), static_cast<std::size_t>(joint));
+    return broken[0] || broken[1];
+  };
+  if (system.plan.finite_kinematics && some_block_turns_far(solved.increment())) return false;
+  if (solution.something_broke() || some_contact_slips(solved.contacts())) return false;
+  return !system.plan.contacts_judged || std::ranges::none_of(bonded, breaks);
+}
+
+}  // namespace dda

@@ -182,8 +182,9 @@ class Adviser {
         });
       }
     }
-    check_joints(course, question.kind, question.direction, unit_of_load(model_, *load_, question.kind, into, row),
-                 advice);
+    // The direction may stand for that of the load, which other joints than those of the mesh lie across.
+    const Vec2 along = is_from_face(question.lattice, question.direction) ? load_->face : question.direction;
+    check_joints(course, question.kind, along, unit_of_load(model_, *load_, question.kind, into, row), advice);
   }
 
   static void cannot_foretell(const std::string& why, WaveAdvice& advice) {

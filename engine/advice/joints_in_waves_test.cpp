@@ -94,5 +94,31 @@ TEST(JointsInWaves, PressureKeepsThemClosed) {
   EXPECT_EQ(why_not({.joint = dry, .stress = "-5e6", .motion = shear}), "");
 }
 
+// In squares one direction across the joints stands for both: a single joint across the way of the load lay along that
+// direction, and was looked at by none. A run lost 95 % of a wave of which 0.07 % was foretold.
+TEST(JointsInWaves, ASingleJointAcrossTheWayIsSeen) {
+  const auto why_not_along_x = [](const std::string& joint) {
+    const Model model =
+        parse_scene(fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0}}}},
+          "joints": {{"default": {{"bonded": true}}, "line": {{{}}}}},
+          "joint_lines": [{{"points": [[8, -1], [8, 5]], "joint": "line"}}],
+          "blocks": {{"grid": {{"columns": 50, "rows": 4, "block_width": 1, "block_height": 1}}}},
+          "loads": [{{"edge": "left", "traction": [1e6, 0], "history": {{"sine": {{"frequency": "100 Hz", "cycles": 1}}}}}}],
+          "supports": [{{"edge": "bottom", "hold": "y"}}, {{"edge": "top", "hold": "y"}}],
+          "measurements": [{{"quantity": "traction_normal", "point": [15, 1.2]}}],
+          "steps": [{{"dt": "1e-4 s", "duration": "20 ms", "kinematics": "small"}}]}})",
+                                joint),
+                    "scene");
+    AdviceQuestion question;
+    question.limits = false;
+    const Advice advice = advise(Simulation(model), question);
+    const WaveAdvice& wave = advice.stages.back().waves.front();
+    return wave.history ? "" : wave.not_foretold;
+  };
+  const std::string strong = R"("friction_angle": "35 deg", "cohesion": "5 MPa", "tensile_strength": )";
+  EXPECT_NE(why_not_along_x(strong + R"("0.5 MPa")").find("opens joints \"line\""), std::string::npos);
+  EXPECT_EQ(why_not_along_x(strong + R"("2 MPa")"), "");
+}
+
 }  // namespace
 }  // namespace dda

@@ -1,5 +1,7 @@
 #include "engine/advice/plane_wave_conditions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,13 +11,15 @@
 #include "engine/advice/acting_place.h"
 #include "engine/advice/chain_path.h"
 #include "engine/advice/closed_joints.h"
+#include "engine/advice/ties.h"
 #include "engine/model/held_motion.h"
 #include "engine/model/rock_change.h"
 
 namespace dda {
 namespace {
 
-constexpr double tolerance = 1e-6;  // of lengths, over the size of a block; of directions and values
+constexpr double tolerance = 1e-6;    // of lengths, over the size of a block; of directions and values
+constexpr double hardly_ties = 1e-3;  // of the rock's stiffness along the way: half of that of speed
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -92,6 +96,7 @@ class Conditions {
       return "something else jumps, and is seen there as well";
     if (std::ranges::any_of(sudden_, [&](const LoadFinding& finding) { return comes_or_goes_on_the_way(finding); }))
       return "it jumps as another stage begins, and that is seen as well";
+    if (const std::string name = tied_by(); !name.empty()) return fmt::format("{} ties blocks that it passes", name);
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
     if (meets_its_echo())
@@ -117,11 +122,49 @@ class Conditions {
 
   // Whether anything that begins there by `start` (s in the run) is in time to be seen where the wave is looked at.
   [[nodiscard]] bool is_seen(const ActingPlace& place, double start) const {
-    double fastest = 0;
-    for (const Material& material : model_.materials) fastest = std::max(fastest, p_wave_speed(material));
     const bool is_measured = (load_.looked_at - load_.place).norm() > slack_;
     const Vec2 seen = is_measured ? load_.looked_at : Vec2(load_.place + wave_.distance * wave_.direction);
-    return distance(model_, place, seen) < fastest * (load_.history.start + wave_.timing.window - start);
+    return distance(model_, place, seen) < fastest() * (load_.history.start + wave_.timing.window - start);
+  }
+
+  [[nodiscard]] double fastest() const {
+    double fastest = 0;
+    for (const Material& material : model_.materials) fastest = std::max(fastest, p_wave_speed(material));
+    return fastest;
+  }
+
+  // The stiffest bolt or lining that the wave meets in time to be seen, where all of these together, spread along the
+  // way, are felt beside the rock's own stiffness; else empty.
+  [[nodiscard]] std::string tied_by() const {
+    double all = 0, most = 0;
+    std::string name;
+    for (const Tie& tie : ties_in(model_, at(stage_))) {
+      const double reached = std::max(0.0, std::min(along(tie.place.face.start), along(tie.place.face.end)) - front());
+      if (!is_seen(tie.place, load_.history.start + reached / fastest())) continue;
+      all += tie.stiffness * tie.length;
+      if (tie.stiffness <= most) continue;
+      most = tie.stiffness;
+      name = tie.name;
+    }
+    return all > hardly_ties * softest() * width() * wave_.distance ? name : "";
+  }
+
+  [[nodiscard]] double softest() const {
+    double young = std::numeric_limits<double>::infinity();
+    for (const Material& material : model_.materials) young = std::min(young, material.young);
+    return young;
+  }
+
+  // m, of the scene across the way.
+  [[nodiscard]] double width() const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Block& block : model_.blocks)
+      for (const Vec2& vertex : block.shape.outer) {
+        const double across = cross(wave_.direction, vertex);
+        low = std::min(low, across);
+        high = std::max(high, across);
+      }
+    return high - low;
   }
 
   // In a stage before, too, which nothing has calmed since, or in one after.

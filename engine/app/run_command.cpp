@@ -28,6 +28,7 @@
 #include "engine/app/run_verdict.h"
 #include "engine/app/run_warnings.h"
 #include "engine/app/stage_end_report.h"
+#include "engine/app/static_drag_remark.h"
 #include "engine/app/stop_signal.h"
 #include "engine/app/unsettled_report.h"
 #include "engine/core/error.h"
@@ -302,7 +303,8 @@ class Run {
   }
 
   [[nodiscard]] std::vector<std::string> remarks_at_end() const {
-    std::vector<std::string> remarks{unasked_balance_remark(simulation_), unsettled_remark(simulation_)};
+    std::vector<std::string> remarks{unasked_balance_remark(simulation_), static_drag_remark(simulation_),
+                                     unsettled_remark(simulation_)};
     std::erase(remarks, "");
     return remarks;
   }

@@ -201,6 +201,32 @@ TEST_F(UnbalancedRun, RemarksOnAStageThatWasTooShortToSettle) {
   EXPECT_FALSE(contains(run("[" + short_one + R"(, "equilibrium": 1}])"), "was not asked for"));
 }
 
+// A block pushed over its floor by friction of 7.08 kN: in steps of 20 ms at 0.1 m/s the push was 19.6 kN, and as it
+// had come to rest by the end of the stage nothing was said.
+TEST_F(UnbalancedRun, RemarksOnStaticStepsThatHoldBackWhatMoves) {
+  const auto said = [&](double dt, double time, double duration, const std::string& more = "") {
+    const Outcome outcome = run_scene(
+        fmt::format(
+            R"({{"dda": 1, "gravity": 9.81, "materials": {{"r": {{"density": 2500, "young": 2e10, "poisson": 0.2}}}},
+          "joints": {{"default": {{"friction_angle": "30 deg"}}}},
+          "blocks": [{{"polygon": {{"name": "floor", "vertices": [[-2, -1], [4, -1], [4, 0], [-2, 0]]}}}},
+                     {{"polygon": {{"name": "block", "vertices": [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]}}}}],
+          "fixed": ["floor"],
+          "supports": [{{"point": [0, 0.05], "block": "block", "hold": "x", "displacement": [0.1, 0],
+                         "history": {{"table": [[0, 0], [{0}, 1]]}}}}],
+          "steps": {{"name": "push", "integrator": "static", "dt": {1}, "duration": {2}{3}}}}})",
+            time, dt, duration, more),
+        "out");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return summary()["remarks"].dump();
+  };
+  const std::string sentence = "inertia took 64 % of the work of what moved or changed in it";
+  EXPECT_TRUE(contains(said(0.02, 1, 1.5), sentence));
+  EXPECT_TRUE(contains(said(0.02, 1, 1.5, R"(, "equilibrium": 1e-9)"), sentence)) << "asked for equilibrium at its end";
+  EXPECT_FALSE(contains(said(1, 50, 75), "inertia took"));
+  EXPECT_FALSE(contains(said(1e9, 1, 2e9), "inertia took")) << "moved at once";
+}
+
 TEST_F(UnbalancedRun, RefusesTheKeyWhereNothingAsksForEquilibrium) {
   for (const char* steps : {R"({"dt": 1e-3, "duration": 1, "on_unbalanced": "stop"})",
                             R"({"integrator": "static", "dt": 1e-3, "duration": 1, "on_unbalanced": "stop"})"}) {

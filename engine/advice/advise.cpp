@@ -71,7 +71,7 @@ class Adviser {
         contacts_(simulation.contacts()),
         drawn_(make_contacts(model_)),
         question_(question),
-        no_figures_(model_) {
+        no_figures_(model_, simulation.out_of_balance()) {
     if (!question.frequency) load_ = scene_load(model_);
     frequency_ = question.frequency ? question.frequency : default_frequency();
     for (std::size_t i = 0; frequency_ && i < model_.materials.size(); ++i)

@@ -28,17 +28,18 @@ struct Courses {
 std::string why_not(const Courses& courses) {
   const std::string stress =
       courses.stress.empty() ? "" : fmt::format(R"("stress_field": {{"xx": {0}, "yy": {0}}},)", courses.stress);
+  const char* balance = courses.stress.empty() ? "" : R"(, {"edge": "outside", "traction": "in-situ"})";
   const char* held = courses.motion == push ? "x" : "y";
-  const Model model =
-      parse_scene(fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0.2}}}},
+  const Model model = parse_scene(
+      fmt::format(R"({{"dda": 1, "materials": {{"r": {{"density": 2500, "young": 25e9, "poisson": 0.2}}}},
         "joints": {{"default": {{{}}}}},
         "blocks": {{"grid": {{"columns": 4, "rows": 50, "block_width": 1, "block_height": 1, "pattern": "{}"}}}}, {}
-        "loads": [{{"edge": "bottom", "traction": {}, "history": {}}}],
+        "loads": [{{"edge": "bottom", "traction": {}, "history": {}}}{}],
         "supports": [{{"edge": "left", "hold": "{}"}}, {{"edge": "right", "hold": "{}"}}],
         "measurements": [{{"quantity": "traction_normal", "point": [1.2, 15]}}],
         "steps": [{{"dt": "1e-4 s", "duration": "20 ms", "kinematics": "small"}}]}})",
-                              courses.joint, courses.pattern, stress, courses.motion, courses.history, held, held),
-                  "scene");
+                  courses.joint, courses.pattern, stress, courses.motion, courses.history, balance, held, held),
+      "scene");
   AdviceQuestion question;
   question.limits = false;
   const Advice advice = advise(Simulation(model), question);

@@ -14,7 +14,8 @@ namespace dda {
 
 class NoFigures {
  public:
-  explicit NoFigures(const Model& model);
+  // `out_of_balance`: what is so when the run begins, as a share of the forces that act.
+  NoFigures(const Model& model, double out_of_balance);
 
   // `wavelength` (m) is that of the load's main frequency, `block_size` (m) along the wave.
   [[nodiscard]] std::string why(const SceneLoad& load, std::size_t stage, double wavelength, double block_size) const;
@@ -24,6 +25,7 @@ class NoFigures {
 
  private:
   const Model& model_;
+  double out_of_balance_;
   std::vector<LoadFinding> unseen_, sudden_;
 };
 

@@ -212,6 +212,21 @@ TEST(PlaneWaveConditions, StepsThatChangeOnTheWayAreSaid) {
   EXPECT_EQ(why_not(two("\"2e-4 s\"", "\"4 ms\"")), "");
 }
 
+// Ends that stress of 1 MPa lets go at once sent a wave of that size through a bar whose own was foretold alone.
+TEST(PlaneWaveConditions, StressThatNothingBalancesIsSaid) {
+  const std::string stress = R"("stress_field": {"xx": "-1 MPa"},)";
+  const std::string right = R"(, {"edge": "right", "traction": "in-situ"})";
+  const std::string both = R"(, {"edge": "left", "traction": "in-situ"})" + right;
+  const char* const said = "stress that nothing balances acts from the first moment";
+  for (const char* blocks : {bar, mesh}) {
+    expect_said({.blocks = blocks, .loads = left, .others = stress}, said);
+    expect_said({.blocks = blocks, .loads = left + right, .others = stress}, said);
+    EXPECT_EQ(why_not({.blocks = blocks, .loads = left + both, .others = stress}), "");
+  }
+  const std::string settles = R"([{"name": "settle", "integrator": "static", "kinematics": "small"}, )";
+  EXPECT_EQ(why_not({.loads = left, .others = stress, .steps = settles + steps + "]"}), "");
+}
+
 // A run with a lining of half a metre along a mesh missed figures by 8 % of speed and 19 % of amplitude, one with a
 // stiff bolt along a bar by a third of amplitude.
 TEST(PlaneWaveConditions, BoltsAndLiningsOnTheWayAreSaid) {

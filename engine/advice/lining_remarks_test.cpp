@@ -12,6 +12,7 @@ namespace {
 Model ring(int faces, double thickness) {
   Model model;
   Lining lining;
+  lining.young = 15e9;
   lining.name = "shotcrete";
   lining.closed = true;
   lining.thickness = thickness;
@@ -42,6 +43,33 @@ TEST(LiningRemarks, FacesShorterThanItIsThick) {
   const auto remarks = lining_remarks(ring(100, 0.25));
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_NE(remarks[0].find("faces of blocks are 0.188 m long"), std::string::npos) << remarks[0];
+}
+
+// Random cuts leave a wall of faces of all lengths, on which moments are noise: the first face of 32 lies next to the
+// second, where only a third of the usual length is between their middles.
+TEST(LiningRemarks, UnevenFaces) {
+  Model model = ring(32, 0.2);
+  LiningNode& first = model.linings[0].nodes[0];
+  const double at = -2 * std::numbers::pi / 32 * 0.67;
+  first.point = {3 * std::cos(at), 3 * std::sin(at)};
+  first.tangent = {std::sin(at), -std::cos(at)};
+  const auto remarks = lining_remarks(model);
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_NE(remarks[0].find("\"shotcrete\": faces of blocks are of uneven lengths, 0.194 m"), std::string::npos)
+      << remarks[0];
+}
+
+TEST(LiningRemarks, ConcreteInPascals) {
+  Model model = ring(32, 0.2);
+  model.linings[0].young = 15;
+  model.linings[0].compressive_strength = 20;
+  model.linings[0].tensile_strength = 1.5e6;
+  const auto remarks = lining_remarks(model);
+  ASSERT_EQ(remarks.size(), 3U);
+  EXPECT_NE(remarks[0].find("a young of 15 Pa"), std::string::npos) << remarks[0];
+  EXPECT_NE(remarks[1].find("a compressive_strength of 20 Pa"), std::string::npos) << remarks[1];
+  EXPECT_NE(remarks[2].find("stronger in tension, 1.5e+06 Pa, than in compression, 20 Pa"), std::string::npos)
+      << remarks[2];
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST_F(UnbalancedRun, EndsOrGoesOnAsItIsTold) {
   EXPECT_EQ(run_scene(loose_rock("", moves), "out").code, 0);
   const Outcome stopped = run_scene(loose_rock(stops, moves), "out");
   EXPECT_EQ(stopped.code, 3);
-  EXPECT_TRUE(contains(stopped.errors, "\"settle\" has no equilibrium for block \"stone\" at (4.5, 19.99"))
+  EXPECT_TRUE(contains(stopped.errors, "\"settle\" has no equilibrium for block \"stone\" at (4.5, 20) m"))
       << stopped.errors;
   EXPECT_EQ(summary()["status"], "not_in_equilibrium");
   EXPECT_EQ(summary()["loose_blocks"].at(0)["block"], "stone");
@@ -50,7 +50,7 @@ TEST_F(UnbalancedRun, ListsBlocksWithNumberMassAndFaces) {
   write("scene.json", loose_rock(goes_on, moves));
   const Outcome outcome = call({"run", path("scene.json"), "--out", path("out")});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_TRUE(contains(outcome.out, "loose in stage \"settle\": block \"stone\" (number 3) at (4.5, 19.99"))
+  EXPECT_TRUE(contains(outcome.out, "loose in stage \"settle\": block \"stone\" (number 3) at (4.5, 20) m"))
       << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "2600 kg/m, held by no face")) << outcome.out;
   const nlohmann::json listed = summary()["loose_blocks"].at(0);

@@ -20,11 +20,11 @@
 #include "engine/simulation/bonded_joints.h"
 #include "engine/simulation/force_balance.h"
 #include "engine/simulation/free_field.h"
+#include "engine/simulation/hardly_slips.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/kinematic_update.h"
 #include "engine/simulation/parts_of_stage.h"
 #include "engine/simulation/prescribed_motion.h"
-#include "engine/simulation/slip_free.h"
 #include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
 
@@ -116,7 +116,7 @@ Status GeneralStep::advance(double dt, Taken taken) {
   taken_ = taken;
   given_friction_.begin_step(system_);
   if (dt != system_.coefficients.dt) set_step_size(dt);
-  const bool tries = taken == Taken::if_nothing_slips, can_be_cut = taken != Taken::to_the_end;
+  const bool tries = taken == Taken::if_hardly_slips, can_be_cut = taken != Taken::to_the_end;
   if (system_.plan.is_static && !tries && system_.drag.ease()) base_is_current_ = false;
   const auto solve_again = [this] {
     system_.increment.setZero();  // what did not settle is no place to begin
@@ -285,10 +285,9 @@ Status GeneralStep::solve() {
   assemble_base();
   const StepSolution& solution = solver_.solve(problem());
   int rounds_of_linings = 0;
-  const int most_rounds_of_linings =
-      taken_ == Taken::to_the_end ? LiningSet::most_rounds : LiningSet::most_rounds_before_a_cut;
-  while (solution.status == Status::ok && rounds_of_linings < most_rounds_of_linings) {
-    if (taken_ == Taken::if_nothing_slips && !is_slip_free(system_, solver_, solution, bonded_))
+  const int most_yields = taken_ == Taken::to_the_end ? LiningSet::most_rounds : LiningSet::most_rounds_before_a_cut;
+  while (solution.status == Status::ok && rounds_of_linings < most_yields) {
+    if (taken_ == Taken::if_hardly_slips && !hardly_slips(system_, solver_, solution, bonded_))
       return Status::not_converged;
     if (solution.settled_from_inside) note_unsettled(solution, system_);
     const bool broke = replace_broken_joints() || solution.something_broke();

@@ -68,7 +68,7 @@ void SettlingPace::settled(std::int64_t passes, bool is_sure) {
 }
 
 Taken SettlingPace::taken() const {
-  if (tries_) return Taken::if_nothing_slips;
+  if (tries_) return Taken::if_hardly_slips;
   return is_convex_ || is_shortest() ? Taken::to_the_end : Taken::unless_cut;
 }
 

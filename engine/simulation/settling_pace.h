@@ -10,8 +10,8 @@
 // they close elsewhere. They grow fast until one was too long, and from then on slowly: else the next one is as much
 // too long again, and again (a wall of 5,000 bricks tried eight times the length that settles in each of 20 steps).
 // Where loads come in parts steps must be long again before the next part, and always grow fast.
-// Where they come at once one long step is tried before the first short one, and taken if nothing slips in it
-// (slip_free.h): what inertia holds back in the short ones makes contacts slip that the whole load presses together.
+// Where they come at once one long step is tried before the first short one, and taken if next to nothing slips in it
+// (hardly_slips.h): what inertia holds back in the short ones makes contacts slip that the whole load presses together.
 #pragma once
 
 #include <cstdint>
@@ -76,7 +76,7 @@ class SettlingPace {
   double growth_ = 1;       // of dt_ after a step that settled easily
   bool is_convex_ = false;  // steps settle at any length, whatever it takes
   bool in_parts_ = false;   // loads come in parts
-  bool tries_ = false;      // the next step is a long one that is taken only if nothing slips
+  bool tries_ = false;      // the next step is a long one that is taken only if next to nothing slips
 };
 
 }  // namespace dda

@@ -13,9 +13,9 @@ namespace dda {
 
 // What a step is taken for.
 enum class Taken {
-  to_the_end,        // whatever it takes
-  unless_cut,        // where it does not settle quickly shorter ones are rather taken
-  if_nothing_slips,  // the same, and where a contact slides or a joint breaks: see slip_free.h
+  to_the_end,       // whatever it takes
+  unless_cut,       // where it does not settle quickly shorter ones are rather taken
+  if_hardly_slips,  // the same, and where a contact slides or a joint breaks: see hardly_slips.h
 };
 
 class Step {

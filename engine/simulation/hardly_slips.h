@@ -3,7 +3,7 @@
 // Where contacts only close, open and carry, what a step comes to is the least of a convex energy: one answer, however
 // loads came to be what they are. Friction that gives way, and joints that break, remember the way, and blocks that
 // turn far meet other forces on it. A static stage whose loads come at once therefore tries one long step first, and
-// believes it where nothing slips: in a short one inertia holds back what lies behind the blocks that loads and
+// believes it where next to nothing slips: in a short one inertia holds back what lies behind the blocks that loads and
 // supports touch, these slip against each other before anything presses them together, and that slip stays (ADR 95).
 #pragma once
 
@@ -14,8 +14,9 @@
 
 namespace dda {
 
-// Of a step that was solved, before it is accepted. `bonded`: joints outside of the problem, some of which may break.
-bool is_slip_free(const BlockSystem& system, const ContactSolver& solved, const StepSolution& solution,
+// Asked of a step that was solved, before it is accepted. `bonded`: joints outside of the problem, some of which may
+// break.
+bool hardly_slips(const BlockSystem& system, const ContactSolver& solved, const StepSolution& solution,
                   std::span<const int> bonded);
 
 }  // namespace dda

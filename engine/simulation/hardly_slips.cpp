@@ -1,4 +1,4 @@
-#include "engine/simulation/slip_free.h"
+#include "engine/simulation/hardly_slips.h"
 
 #include <algorithm>
 #include <array>
@@ -29,22 +29,27 @@ bool slips(const InterfaceSprings& springs, const InterfaceTrial& trial) {
   return false;
 }
 
-bool some_contact_slips(const InterfaceTrials& contacts) {
+// A few slip wherever a load ends or next to nothing presses them together, as beside an opening, and what that leaves
+// is there alone. Of 32 random rocks under their weight all have more than a tenth that slip.
+constexpr double few = 1.0 / 20;
+
+bool many_contacts_slip(const InterfaceTrials& contacts) {
+  std::size_t slipping = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (slips(contacts.element(k), contacts[k])) return true;
-  return false;
+    if (slips(contacts.element(k), contacts[k])) ++slipping;
+  return static_cast<double>(slipping) > few * static_cast<double>(contacts.size());
 }
 
 }  // namespace
 
-bool is_slip_free(const BlockSystem& system, const ContactSolver& solved, const StepSolution& solution,
+bool hardly_slips(const BlockSystem& system, const ContactSolver& solved, const StepSolution& solution,
                   std::span<const int> bonded) {
   const auto breaks = [&](int joint) {
     const std::array<bool, 2> broken = ends_that_break(system, solved.increment(), static_cast<std::size_t>(joint));
     return broken[0] || broken[1];
   };
   if (system.plan.finite_kinematics && some_block_turns_far(solved.increment())) return false;
-  if (solution.something_broke() || some_contact_slips(solved.contacts())) return false;
+  if (solution.something_broke() || many_contacts_slip(solved.contacts())) return false;
   return !system.plan.contacts_judged || std::ranges::none_of(bonded, breaks);
 }
 

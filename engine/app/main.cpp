@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "engine/app/command_line.h"
+#include "engine/core/printed.h"
 #ifdef DDA_PETSC
 #include "engine/distributed/processes.h"
 #endif
@@ -10,5 +11,6 @@ int main(int argc, char** argv) {
   const dda::Processes processes;
   if (!dda::Processes::is_first()) return dda::Processes::follow();
 #endif
-  return dda::run_command_line(argc, argv, std::cout, std::cerr);
+  const int code = dda::run_command_line(argc, argv, std::cout, std::cerr);
+  return dda::exit_code_once_printed(code, "dda", std::cout, std::cerr);
 }

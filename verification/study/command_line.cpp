@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/option_values.h"
+#include "engine/core/printed.h"
 
 namespace verify {
 namespace {
@@ -71,10 +72,8 @@ const StudyCommand& chosen(const CLI::App& app, const std::vector<StudyCommand>&
   return commands.front();
 }
 
-}  // namespace
-
-int run_command_line(const std::string& name, const std::string& description, const std::vector<StudyCommand>& commands,
-                     int argc, const char* const* argv, std::ostream& out, std::ostream& errors) {
+int obey(const std::string& name, const std::string& description, const std::vector<StudyCommand>& commands, int argc,
+         const char* const* argv, std::ostream& out, std::ostream& errors) {
   CLI::App app(description, name);
   const auto say = [&](const std::string& why) { errors << name << ": " << why << "\n"; };
   add_commands(app, commands);
@@ -98,6 +97,14 @@ int run_command_line(const std::string& name, const std::string& description, co
     say(error.what());
     return failed;
   }
+}
+
+}  // namespace
+
+int run_command_line(const std::string& name, const std::string& description, const std::vector<StudyCommand>& commands,
+                     int argc, const char* const* argv, std::ostream& out, std::ostream& errors) {
+  const int code = obey(name, description, commands, argc, argv, out, errors);
+  return dda::exit_code_once_printed(code, name, out, errors);
 }
 
 }  // namespace verify

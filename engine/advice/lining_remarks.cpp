@@ -70,8 +70,8 @@ void remark_on_evenness(const Lining& lining, const Course& course, std::vector<
   remarks.push_back(fmt::format(
       "lining \"{}\": faces of blocks are of uneven lengths, {:.3g} m from middle to middle at least and {:.3g} m on "
       "average: its moments and utilisation in single elements are then many times too large where rock strains "
-      "without "
-      "slipping; take means of moments over ten elements and more, or a wall of even faces (\"rings\" of the opening)",
+      "without slipping; take means of moments over ten elements and more, or a wall of even faces (\"rings\" of the "
+      "opening)",
       lining.name, course.shortest, mean));
 }
 

@@ -56,12 +56,6 @@ double wall_seconds() {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC); }
 
-double end_time(const Model& model) {
-  double end = 0;
-  for (const Stage& stage : model.stages) end += stage.length();
-  return end;
-}
-
 class Run {
  public:
   explicit Run(const RunOptions& options)
@@ -220,7 +214,8 @@ class Run {
   }
 
   Status step_to_the_end(RunFiles& files) {
-    Progress progress(simulation_.state().time, end_time(simulation_.model()), options_.quiet ? nullptr : terminal());
+    Progress progress(simulation_.state().time, stage_spans(simulation_.model()).back().end_s,
+                      options_.quiet ? nullptr : terminal());
     const double begin = wall_seconds();
     double writing = 0;
     Status status = status_at_start();

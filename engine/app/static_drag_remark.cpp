@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/app/frame_clock.h"
 #include "engine/model/held_motion.h"
 #include "engine/simulation/run_so_far.h"
 
@@ -21,17 +22,18 @@ constexpr double felt = 0.05;
 
 struct Span {
   std::size_t stage = 0;
-  double from = 0, to = 0;  // s
+  StageTimes times;
 };
 
 // At times that no period of a history falls in with.
 bool changes(const TimeFunction& history, const Span& span) {
   if (std::holds_alternative<Constant>(history)) return false;
   constexpr int times = 32;
-  const double first = evaluate(history, span.from);
+  const auto at = [&](double share) {
+    return evaluate(history, std::lerp(span.times.begin_s, span.times.end_s, share));
+  };
   for (int i = 1; i <= times; ++i)
-    if (evaluate(history, span.from + (span.to - span.from) * std::fmod(0.6180339887498949 * i, 1.0)) != first)
-      return true;
+    if (at(std::fmod(0.6180339887498949 * i, 1.0)) != at(0)) return true;
   return false;
 }
 
@@ -62,7 +64,7 @@ template <typename Load>
 bool one_comes(const std::vector<Load>& loads, const Span& span) {
   return std::ranges::any_of(loads, [&](const Load& load) {
     if (!load.stages.has(span.stage)) return false;
-    return (span.stage == 0 || !load.stages.has(span.stage - 1)) && evaluate(load.history, span.from) != 0;
+    return (span.stage == 0 || !load.stages.has(span.stage - 1)) && evaluate(load.history, span.times.begin_s) != 0;
   });
 }
 
@@ -90,18 +92,17 @@ double share_of_drag(const EnergyLedger& before, const EnergyLedger& after) {
 std::string static_drag_remark(const Simulation& simulation) {
   const Model& model = simulation.model();
   const std::span<const EnergyLedger> energies = energy_at_ends_of_stages(simulation);
-  double worst = felt, begin = 0;
+  const std::vector<StageTimes> times = stage_spans(model);
+  double worst = felt;
   std::size_t named = 0;
   EnergyLedger before;
   if (!energies.empty()) before.store(energies.front().initial);
   for (std::size_t i = 0; i < energies.size(); ++i) {
-    const Span span{i, begin, begin + model.stages[i].length()};
-    const double share = is_judged(model, span) ? share_of_drag(before, energies[i]) : 0;
+    const double share = is_judged(model, {i, times[i]}) ? share_of_drag(before, energies[i]) : 0;
     if (share > worst) {
       worst = share;
       named = i + 1;
     }
-    begin = span.to;
     before = energies[i];
   }
   if (named == 0) return "";

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,8 +19,26 @@ namespace {
 
 constexpr double pressure = 1e6;  // Pa
 
-// The directions of a square's sides, counter-clockwise from the lower one.
-constexpr std::array<std::pair<int, int>, 5> corners_of_square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+// Counter-clockwise from the lower left one.
+constexpr std::array<std::pair<int, int>, 4> corners_of_square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+void press(int block, const Vec2& from, const Vec2& to, Model& model) {
+  const Vec2 inwards((from - to).y(), (to - from).x());
+  model.edge_loads.push_back({block, from, to, pressure * inwards, Constant{}, {}, {0, 0}});
+}
+
+// Holds the first block at a point, and another one along `direction` alone.
+void hold(const Vec2& point, int other_block, const Vec2& other_point, const Vec2& direction, double stiffness,
+          Model& model) {
+  PointSupport pin;
+  pin.point = point;
+  pin.stiffness = stiffness;
+  PointSupport roller = pin;
+  roller.block = other_block;
+  roller.point = other_point;
+  roller.direction = direction;
+  model.supports = {pin, roller};
+}
 
 // Dry squares of 1 m, turned as a whole, under pressure from all sides on two points that take no force: their stress
 // is that pressure everywhere, whatever the friction.
@@ -34,25 +51,15 @@ Model pressed_squares(int columns, int rows, double friction, double turned, See
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       Ring ring;
-      for (const auto& [x, y] : std::span(corners_of_square).first(4)) ring.push_back(at(column + x, row + y));
+      for (const auto& [x, y] : corners_of_square) ring.push_back(at(column + x, row + y));
       const std::array<bool, 4> is_outside{row == 0, column + 1 == columns, row + 1 == rows, column == 0};
-      for (std::size_t side = 0; side < 4; ++side) {
-        const Vec2 from = ring[side], to = ring[(side + 1) % 4];
-        const Vec2 inwards((from - to).y(), (to - from).x());
-        if (!is_outside[side]) continue;
-        model.edge_loads.push_back({row * columns + column, from, to, pressure * inwards, Constant{}, {}, {0, 0}});
-      }
+      for (std::size_t side = 0; side < 4; ++side)
+        if (is_outside[side]) press(row * columns + column, ring[side], ring[(side + 1) % 4], model);
       model.blocks.emplace_back().shape.outer = std::move(ring);
     }
   const double stiffness = rock().young * random.number(1, 30);
-  PointSupport& pin = model.supports.emplace_back();
-  pin.point = at(random.number(0.1, 0.9), 0);
-  pin.stiffness = stiffness;
-  PointSupport roller = pin;
-  roller.block = columns - 1;
-  roller.point = at(columns - random.number(0.1, 0.9), 0);
-  roller.direction = at(0, 1);
-  model.supports.push_back(roller);
+  const Vec2 left = at(random.number(0.1, 0.9), 0), right = at(columns - random.number(0.1, 0.9), 0);
+  hold(left, columns - 1, right, at(0, 1), stiffness, model);
   return model;
 }
 
@@ -69,20 +76,11 @@ Model pressed_rings(int sectors, double friction) {
   for (std::size_t ring = 0; ring + 1 < radii.size(); ++ring)
     for (int k = 0; k < sectors; ++k) {
       const Vec2 from = at(ring + 1, k), to = at(ring + 1, k + 1);
-      const Vec2 inwards((from - to).y(), (to - from).x());
-      const auto block = static_cast<int>(model.blocks.size());
-      if (ring + 2 == radii.size())
-        model.edge_loads.push_back({block, from, to, pressure * inwards, Constant{}, {}, {0, 0}});
+      if (ring + 2 == radii.size()) press(static_cast<int>(model.blocks.size()), from, to, model);
       model.blocks.emplace_back().shape.outer = {at(ring, k), from, to, at(ring, k + 1)};
     }
-  PointSupport& pin = model.supports.emplace_back();
-  pin.point = (at(0, 0) + at(0, 1)) / 2;
-  pin.stiffness = 10 * rock().young;
-  PointSupport roller = pin;
-  roller.block = sectors / 2;
-  roller.point = -pin.point;
-  roller.direction = {0, 1};
-  model.supports.push_back(roller);
+  const Vec2 middle = (at(0, 0) + at(0, 1)) / 2;
+  hold(middle, sectors / 2, -middle, {0, 1}, 10 * rock().young, model);
   return model;
 }
 

@@ -40,13 +40,13 @@ class SettlingPace {
     while (true) {
       const std::int64_t passes_before = counters.open_close_iterations;
       const Status status = advance(dt_, taken());
-      // In long steps what touches nothing for a moment has so little inertia that the matrix is singular by round-off.
-      const bool is_too_long = status == Status::not_converged || status == Status::singular;
       if (tries_) {
         tried(status == Status::ok);
-        if (is_too_long) continue;
+        if (status != Status::ok) continue;  // a try never ends a run
       }
       if (status == Status::ok) settled(counters.open_close_iterations - passes_before, is_sure());
+      // In long steps what touches nothing for a moment has so little inertia that the matrix is singular by round-off.
+      const bool is_too_long = status == Status::not_converged || status == Status::singular;
       if (!is_too_long || !shorten()) return status;
     }
   }

@@ -15,7 +15,7 @@ namespace dda {
 enum class Taken {
   to_the_end,       // whatever it takes
   unless_cut,       // where it does not settle quickly shorter ones are rather taken
-  if_hardly_slips,  // the same, and where a contact slides or a joint breaks: see hardly_slips.h
+  if_hardly_slips,  // the same where more than a few contacts slide or a joint breaks: see hardly_slips.h
 };
 
 class Step {

@@ -16,6 +16,11 @@ void shift_normal_gap(double by, InterfaceState& state) {
   gap = gap >= 0 ? std::max(0.0, gap + by) : std::min(0.0, gap + by);
 }
 
+// An end that closes in the step begins without shear, so what an open one is off by means nothing.
+void shift_shear_gap(double by, InterfaceState& state) {
+  if (state.status[0] != ContactStatus::open) state.gap(1) += by;
+}
+
 }  // namespace
 
 void foresee_gaps(const std::vector<Vec6>& velocity, double dt, double acts_at, ContactSet& contacts) {
@@ -24,8 +29,9 @@ void foresee_gaps(const std::vector<Vec6>& velocity, double dt, double acts_at, 
     if (!is_lone_vertex(element)) continue;
     const Vec6 of_a = dt * velocity[static_cast<std::size_t>(element.block_a)];
     const Vec6 of_b = dt * velocity[static_cast<std::size_t>(element.block_b)];
-    const double change = PointKinematics(element).normal_gap_change(of_a, of_b);
-    shift_normal_gap((0.5 - acts_at) * change, contacts.states[i]);
+    const Vec2 by = (0.5 - acts_at) * PointKinematics(element).gap_change(of_a, of_b);
+    shift_normal_gap(by(0), contacts.states[i]);
+    shift_shear_gap(by(1), contacts.states[i]);
   }
 }
 

@@ -40,17 +40,18 @@ class PointKinematics {
     return gap;
   }
 
-  // By how much the normal gap's increment at a vertex grows while the blocks go once through these increments as rigid
-  // bodies: n . w of the relative motion w = w_b - w_a at the vertex, where n turns with block a, the vertex goes with
-  // b.
+  // By how much the increments of the normal and the shear gap at a vertex grow while the blocks go once through these
+  // increments as rigid bodies: n . w and t . w of the relative motion w = w_b - w_a at the vertex, where n and t turn
+  // with block a and the vertex goes with b.
   template <typename Six>
-  [[nodiscard]] double normal_gap_change(const Six& of_a, const Six& of_b) const {
+  [[nodiscard]] Vec2 gap_change(const Six& of_a, const Six& of_b) const {
     const double turn_a = of_a(2);
     const double turn_b = of_b(2);
     const auto rigid = [](const Vec2& arm, const Six& d) { return Vec2(d(0) - arm.y() * d(2), d(1) + arm.x() * d(2)); };
     const Vec2 apart = rigid(arm_b_[0], of_b) - rigid(arm_a_[0], of_a);
     const Vec2 across(-apart.y(), apart.x());
-    return normal_.dot(turn_a * turn_a * arm_a_[0] - turn_b * turn_b * arm_b_[0] - 2 * turn_a * across);
+    const Vec2 change = turn_a * turn_a * arm_a_[0] - turn_b * turn_b * arm_b_[0] - 2 * turn_a * across;
+    return {normal_.dot(change), normal_.x() * change.y() - normal_.y() * change.x()};
   }
 
   // Adds what interface forces do to either block, as add_interface_force.

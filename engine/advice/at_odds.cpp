@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "engine/advice/block_named.h"
+#include "engine/core/place_in_words.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/motion.h"
 #include "engine/model/tolerance.h"
@@ -75,9 +76,9 @@ void remark_on_supports(const Model& model, std::vector<std::string>& remarks) {
   if (found.empty()) return;
   const PointSupport& first = *found.front();
   remarks.push_back(
-      fmt::format("two supports hold {} at ({:.6g}, {:.6g}) m{} and move it differently: it goes where neither of them "
+      fmt::format("two supports hold {} at {}{} and move it differently: it goes where neither of them "
                   "says, and their springs pull at each other",
-                  block_named(model, first.block), first.point.x(), first.point.y(), and_more(found.size() - 1)));
+                  block_named(model, first.block), place_in_words(first.point), and_more(found.size() - 1)));
 }
 
 // Viscous boundaries.
@@ -126,11 +127,11 @@ void remark_on_viscous_edges(const Model& model, const ContactSet& contacts, std
   const auto others = std::count_if(first + 1, behind.end(), [](int block) { return block >= 0; });
   const ViscousEdge& edge = model.viscous_edges[static_cast<std::size_t>(first - behind.begin())];
   remarks.push_back(fmt::format(
-      "a viscous boundary lies on the face of {} at ({:.6g}, {:.6g}) m on its joint with {}{}: dashpots between the "
+      "a viscous boundary lies on the face of {} at {} on its joint with {}{}: dashpots between the "
       "rock and a ground that stands still take from waves that cross the joint; a boundary belongs on the outside or "
       "on the wall of an opening",
-      block_named(model, edge.block), (edge.from + edge.to).x() / 2, (edge.from + edge.to).y() / 2,
-      block_named(model, *first), and_more(static_cast<std::size_t>(others))));
+      block_named(model, edge.block), place_in_words((edge.from + edge.to) / 2), block_named(model, *first),
+      and_more(static_cast<std::size_t>(others))));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "engine/advice/block_named.h"
+#include "engine/core/place_in_words.h"
 #include "engine/model/held_flags.h"
 #include "engine/model/tolerance.h"
 
@@ -64,9 +65,9 @@ void add_point_loads(const Model& model, const std::vector<bool>& held, std::vec
   for (const PointLoad& load : model.point_loads)
     if (held[static_cast<std::size_t>(load.block)] && !load.force.isZero(0))
       sentences.push_back(
-          fmt::format("all of the load of [{:g}, {:g}] N at ({:g}, {:g}) m is on {}, which is held: it "
+          fmt::format("all of the load of [{:g}, {:g}] N at {} is on {}, which is held: it "
                       "moves nothing",
-                      load.force.x(), load.force.y(), load.point.x(), load.point.y(), block_named(model, load.block)));
+                      load.force.x(), load.force.y(), place_in_words(load.point), block_named(model, load.block)));
 }
 
 void add_supports(const Model& model, const std::vector<bool>& held, std::vector<std::string>& sentences) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/app/run_verdict.h"
+#include "engine/core/place_in_words.h"
 #include "engine/simulation/block_system.h"
 
 namespace dda {
@@ -12,8 +13,7 @@ namespace {
 
 std::string sentence(const SmallMotionError& each, const Model& model) {
   const auto name = [&](int block) { return model.blocks[static_cast<std::size_t>(block)].name; };
-  const std::string block =
-      fmt::format("block \"{}\" at ({:.4g}, {:.4g})", name(each.block), each.place.x(), each.place.y());
+  const std::string block = fmt::format("block \"{}\" at {}", name(each.block), place_in_words(each.place));
   switch (each.fault) {
     case SmallMotionFault::turned:
       return fmt::format("{} has turned by {:.3g} deg, by which its lengths are wrong by {:.2g} %", block,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/app/run_verdict.h"
+#include "engine/core/place_in_words.h"
 #include "engine/simulation/block_system.h"
 
 namespace dda {
@@ -17,10 +18,10 @@ RunVerdict judge_passing(const Simulation& simulation) {
   const DepthInThickness& deepest = simulation.deepest_penetration().in_thickness;
   if (!(deepest.share > passing_share)) return {};
   return {Status::inaccurate,
-          fmt::format("block \"{}\" was {:.3g} m deep in \"{}\" at ({:.4g}, {:.4g}) and {:.6g} s, {:.3g} % of what is "
+          fmt::format("block \"{}\" was {:.3g} m deep in \"{}\" at {} and {:.6g} s, {:.3g} % of what is "
                       "there of it, and may have gone through; take a smaller dt, stiffer joints, or a thicker block",
                       name_of(simulation, deepest.inner), deepest.depth, name_of(simulation, deepest.thinner),
-                      deepest.place.x(), deepest.place.y(), deepest.time, 100 * deepest.share)};
+                      place_in_words(deepest.place), deepest.time, 100 * deepest.share)};
 }
 
 }  // namespace

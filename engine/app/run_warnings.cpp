@@ -7,6 +7,7 @@
 
 #include "engine/advice/spin_remarks.h"
 #include "engine/advice/unseen_loads.h"
+#include "engine/core/place_in_words.h"
 #include "engine/simulation/shared_ground.h"
 
 namespace dda {
@@ -31,10 +32,10 @@ std::string penetration_warning(const Simulation& simulation) {
 std::string in_words(const Simulation& simulation, const char* verb, const SharedGroundOfStage& left) {
   const SharedGround& worst = left.worst;
   std::string words = fmt::format(
-      "blocks \"{}\" and \"{}\" {} {:.3g} m deep in each other at ({:.4g}, {:.4g}) m, {:.2g} % of the smaller one, by "
+      "blocks \"{}\" and \"{}\" {} {:.3g} m deep in each other at {}, {:.2g} % of the smaller one, by "
       "more than contacts of theirs give way",
-      name_of(simulation, worst.block_a), name_of(simulation, worst.block_b), verb, worst.depth, worst.place.x(),
-      worst.place.y(), 100 * worst.share);
+      name_of(simulation, worst.block_a), name_of(simulation, worst.block_b), verb, worst.depth,
+      place_in_words(worst.place), 100 * worst.share);
   if (left.pairs > 1) words += fmt::format(", and {} other pairs by less", left.pairs - 1);
   return words;
 }

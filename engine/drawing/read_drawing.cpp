@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
+#include "engine/core/text_encoding.h"
 #include "engine/drawing/read_formats.h"
 
 namespace dda {
@@ -66,6 +67,7 @@ LineDrawing read_drawing(const std::filesystem::path& file, const std::string& n
   } catch (const UnreadableFile& error) {
     throw InputError("", readable(name), error.why(), "a drawing");
   }
+  if (is_utf16(text)) throw InputError("", readable(name), utf16_text, save_as_utf8);
   LineDrawing drawing = format->read(text, readable(name), metres);
   if (drawing.lines.empty()) throw InputError("", drawing.name, "without lines", "a boundary and joints");
   if (!format->capitals_count) take_spellings_as_one(drawing);

@@ -1,4 +1,7 @@
 // Spreadsheets that other programs wrote (fixtures/make_tables.py), and what becomes of broken ones.
+#include <fstream>
+
+#include "engine/core/temporary_folder.h"
 #include "engine/drawing/drawing_test_support.h"
 #include "engine/drawing/read_drawing.h"
 #include "engine/drawing/read_formats.h"
@@ -27,6 +30,13 @@ TEST(ReadDrawing, AFileWithoutAnExtensionIsNone) {
     expect_refused([&] { read_drawing(name, name); },
                    "expected a .dxf, .csv, .xlsx, .geojson, .dc, .geo, .blck or .blk file");
   }
+}
+
+TEST(ReadDrawing, TablesAsUnicodeTextAreRefused) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "plan.csv", std::ios::binary) << std::string("\xFE\xFF\0l\0a", 6);
+  expect_refused([&] { read_drawing(folder / "plan.csv", "plan.csv"); },
+                 "plan.csv is text in UTF-16, expected text in UTF-8");
 }
 
 TEST(ReadXlsx, OneTableWithSharedTexts) {

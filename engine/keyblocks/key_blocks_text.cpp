@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "engine/core/place_in_words.h"
 #include "engine/keyblocks/key_blocks.h"
 
 namespace dda {
@@ -48,8 +49,8 @@ std::string bolts_of(const KeyBlock& block) {
 std::string obstacles_of(const KeyBlock& block, const Model& model) {
   std::string text;
   for (const Obstacle& obstacle : block.obstacles)
-    text += fmt::format("    its way out touches {} at ({:.6g}, {:.6g}) m; a run may find it held there\n",
-                        model.blocks[static_cast<std::size_t>(obstacle.block)].name, obstacle.at.x(), obstacle.at.y());
+    text += fmt::format("    its way out touches {} at {}; a run may find it held there\n",
+                        model.blocks[static_cast<std::size_t>(obstacle.block)].name, place_in_words(obstacle.at));
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/core/place_in_words.h"
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
 #include "engine/model/quantity_names.h"
@@ -91,7 +92,7 @@ class ComingAndGoing {
 void refuse_loads_and_supports(const Model& model, const ComingAndGoing& blocks) {
   const auto refuse_load = [&blocks](const auto& load, const Vec2& place) {
     if (!load.stages.is_over_in(blocks.stage_of(load.block)))
-      blocks.refuse_on(load.block, fmt::format("on which a load acts at ({:.4g}, {:.4g}) m", place.x(), place.y()));
+      blocks.refuse_on(load.block, "on which a load acts at " + place_in_words(place));
   };
   for (const PointLoad& load : model.point_loads) refuse_load(load, load.point);
   for (const EdgeLoad& load : model.edge_loads) refuse_load(load, (load.from + load.to) / 2);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "engine/core/place_in_words.h"
 #include "engine/cutting/block_shape.h"
 #include "engine/geometry/polygon.h"
 
@@ -24,10 +25,10 @@ void remark_on_slender_blocks(const Rock& rock, const CutRock& cut, std::vector<
     place = area_moments(block.shape).centroid;
   }
   if (slender == 0) return;
-  remarks.push_back(fmt::format(
-      "cutting \"{}\": {} of {} blocks are more than {:g} times as long as wide, the one at ({:.4g}, {:.4g}) m {:.3g} "
-      "times; \"merge\" with an area or an angle takes them to neighbours",
-      rock.group.name, slender, cut.blocks.size(), slender_aspect, place.x(), place.y(), largest));
+  remarks.push_back(
+      fmt::format("cutting \"{}\": {} of {} blocks are more than {:g} times as long as wide, the one at {} {:.3g} "
+                  "times; \"merge\" with an area or an angle takes them to neighbours",
+                  rock.group.name, slender, cut.blocks.size(), slender_aspect, place_in_words(place), largest));
 }
 
 }  // namespace

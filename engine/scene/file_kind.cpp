@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 
+#include "engine/core/text_encoding.h"
 #include "engine/drawing/read_drawing.h"
 
 namespace dda {
@@ -21,6 +22,7 @@ std::string lower_extension(const std::filesystem::path& file) {
 }
 
 constexpr auto no_command = "no command of this program reads it";
+constexpr auto save_it_as_utf8 = "save it as UTF-8";
 constexpr auto of_a_run = "dda view DIR shows the run in whose folder it is";
 
 struct Mark {
@@ -43,7 +45,9 @@ constexpr std::array marks{
     Mark{"<?xml", "an XML file", no_command},
     Mark{"%PDF", "a PDF document", no_command},
     Mark{"\x89PNG", "a picture", no_command},
-    Mark{"\x1F\x8B", "a compressed file", "unpack it first"}};
+    Mark{"\x1F\x8B", "a compressed file", "unpack it first"},
+    Mark{"\xFF\xFE", utf16_text, save_it_as_utf8},
+    Mark{"\xFE\xFF", utf16_text, save_it_as_utf8}};
 
 std::string drawing_kind(const std::string& extension) {
   if (extension == ".csv") return "a table (CSV)";

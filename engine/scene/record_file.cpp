@@ -14,6 +14,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
+#include "engine/core/text_encoding.h"
 #include "engine/scene/json_path.h"
 
 namespace dda {
@@ -118,6 +119,7 @@ class RecordReader {
 
   void read_header() {
     if (!next_line()) fail(place_, "empty", "a header and rows of time and value");
+    if (is_utf16(line_)) fail(place_, utf16_text, save_as_utf8);
     for (const char candidate : {',', ';', '\t'})
       if (line_.find(candidate) != std::string_view::npos) {
         separator_ = candidate;

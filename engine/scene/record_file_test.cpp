@@ -135,6 +135,7 @@ const std::vector<Bad> bad_records = {
     {"a NUL", std::string("t,a\n0,0\n1,1\0junk\n", 17), {"line 3, column \"a\""}},
     {"too long", "t,a\n0,0\n1,1\n2,0\n", {"line 4", "at most 2 samples"}, {.file = {}, .most_samples = 2}},
     {"endless line", "t,a\n0," + std::string(20000, '1'), {"line 2", "longer than"}},
+    {"text of spreadsheets", std::string("\xFF\xFEt\0,\0a\0\n\0", 12), {"text in UTF-16", "text in UTF-8"}},
     {"binary", std::string(3000, '\x01') + "\n", {"line 1"}},
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/contact/contact_points.h"
+#include "engine/core/place_in_words.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/linear_states.h"
 
@@ -97,22 +98,21 @@ std::vector<UnbalancedBlock> of_stage(std::size_t stage, std::vector<UnbalancedB
 std::string named_with_places(const Model& model, const std::vector<UnbalancedBlock>& blocks) {
   std::string text = blocks.size() == 1 ? "block " : "blocks ";
   for (std::size_t i = 0; i < std::min(most_named, blocks.size()); ++i)
-    text += fmt::format("{}\"{}\" at ({:.4g}, {:.4g}) m", i == 0 ? "" : ", ", model.blocks[at(blocks[i].block)].name,
-                        blocks[i].place.x(), blocks[i].place.y());
+    text += fmt::format("{}\"{}\" at {}", i == 0 ? "" : ", ", model.blocks[at(blocks[i].block)].name,
+                        place_in_words(blocks[i].place));
   if (blocks.size() > most_named) text += fmt::format(" and {} more", blocks.size() - most_named);
   return text;
 }
 
 std::string described(const Model& model, const UnbalancedBlock& block) {
-  std::string text = fmt::format("block \"{}\" (number {}) at ({:.4g}, {:.4g}) m, {:.4g} kg/m, held by ",
-                                 model.blocks[at(block.block)].name, block.block, block.place.x(), block.place.y(),
-                                 model.mass_of(block.block));
+  std::string text =
+      fmt::format("block \"{}\" (number {}) at {}, {:.4g} kg/m, held by ", model.blocks[at(block.block)].name,
+                  block.block, place_in_words(block.place), model.mass_of(block.block));
   if (block.faces.empty()) return text + "no face";
   for (std::size_t i = 0; i < block.faces.size(); ++i) {
     const HoldingFace& face = block.faces[i];
-    text += fmt::format("{}\"{}\" at ({:.4g}, {:.4g}) m with {:.3g} N/m{}", i == 0 ? "" : ", ",
-                        model.blocks[at(face.neighbour)].name, face.place.x(), face.place.y(), face.force.norm(),
-                        face.slides ? " (slides)" : "");
+    text += fmt::format("{}\"{}\" at {} with {:.3g} N/m{}", i == 0 ? "" : ", ", model.blocks[at(face.neighbour)].name,
+                        place_in_words(face.place), face.force.norm(), face.slides ? " (slides)" : "");
   }
   return text;
 }

@@ -148,7 +148,7 @@ Outcome rocking_period() {
                        "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking), 4 x the time to the "
                        "upright position")
               .off_by(got.full_error)
-              .within(1e-4, "measured 4e-6 to 4e-5 at dt = 1 ms; target of the project 0.5 %"));
+              .within(5e-6, "measured up to 2e-6 at dt = 1 ms; up to 4e-5 where the pivot creeps along the floor"));
       if (slenderness < 4) continue;  // linearising alone costs up to 1.3 %
       outcome.assertions.push_back(
           expect("period of rocking against the linearised formula, " + what, "s")
@@ -178,7 +178,8 @@ Outcome rocking_period_order() {
             .is(got.period)
             .against(got.full, "theta'' = -p^2 sin(alpha - theta) integrated (exact/rocking)")
             .off_by(got.full_error)
-            .within(2e-5, "measured up to 1.4e-5; 3e-4 to 5e-4 where forces lag behind the block"));
+            .within(5e-6,
+                    "measured up to 1.8e-6; 1.4e-5 where the pivot creeps, 3e-4 to 5e-4 where forces lag behind"));
     // Others are as exact but for what their start and vibrations of the springs make of it. From the differences
     // between steps, as springs alone are 4e-7 off.
     if (integrator.name != "thesis") continue;

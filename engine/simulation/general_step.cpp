@@ -18,6 +18,7 @@
 #include "engine/model/moving_stages.h"
 #include "engine/simulation/accepted_contacts.h"
 #include "engine/simulation/bonded_joints.h"
+#include "engine/simulation/carried_motion.h"
 #include "engine/simulation/force_balance.h"
 #include "engine/simulation/free_field.h"
 #include "engine/simulation/hardly_slips.h"
@@ -134,6 +135,7 @@ Status GeneralStep::advance(double dt, Taken taken) {
   if (status == Status::ok && can_be_cut && goes_further_than_the_last_part(system_)) status = Status::not_converged;
   if (status != Status::ok) {
     if (tries) system_.increment.setZero();  // no place to begin either
+    if (system_.plan.is_static) put_down(system_);
     given_friction_.take_back();
     face_loads_.take_back(system_);
     return status;
@@ -168,12 +170,13 @@ Status GeneralStep::solve_far_enough() {
 void GeneralStep::pose() {
   face_loads_.take_back(system_);
   if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
+  aim(system_.model, system_.state, system_.load_time_after(system_.coefficients.dt), system_.held);
+  if (system_.plan.is_static && moving_ && held_blocks_move_on(system_)) carry_along(system_);
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(system_.load_time_after(system_.coefficients.dt), system_.forces.load_new);
   face_loads_.pose(system_.load_time_after(system_.coefficients.dt), system_);
   if (system_.reinforcement.linings.begin_step()) base_is_current_ = false;
   form_rhs(system_, rhs_);
-  aim(system_.model, system_.state, system_.load_time_after(system_.coefficients.dt), system_.held);
 }
 
 // True when the step must be solved again, with drag on loose blocks or contacts looked for from further away.

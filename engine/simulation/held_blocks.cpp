@@ -7,6 +7,7 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/model/held_motion.h"
+#include "engine/simulation/step_limits.h"
 
 namespace dda {
 namespace {
@@ -96,6 +97,7 @@ int steps_of_motion(const Model& model, double start, double end, double most) {
       const Vec6 way = then - before;
       before = then;
       steps = std::max(steps, looks * (way.head<2>().norm() + radius * std::abs(way(2))) / (most * smallest));
+      steps = std::max(steps, looks * std::abs(way(2)) / most_turn);
     }
   }
   return static_cast<int>(std::ceil(std::min(steps, static_cast<double>(most_steps))));

@@ -107,14 +107,25 @@ class Carriers {
 
 }  // namespace
 
-bool held_blocks_move_on(const BlockSystem& system) {
+bool takes_blocks_along(const BlockSystem& system) {
+  if (!system.plan.is_static || !system.plan.finite_kinematics) return false;
   return std::ranges::any_of(system.held.increments, [](const Vec6& increments) { return !increments.isZero(0); });
 }
 
 void carry_along(BlockSystem& system) {
   Carriers carriers(system);
+  for (std::size_t i = 0; i < system.state.velocity.size(); ++i) {
+    const Vec6 increments = carriers.increments_of(static_cast<int>(i));
+    system.state.velocity[i] = increments / system.coefficients.dt;
+    system.increment.segment<6>(static_cast<Eigen::Index>(6 * i)) = increments;
+  }
+}
+
+Eigen::VectorXd own_increments(const BlockSystem& system) {
+  Eigen::VectorXd own = system.increment;
   for (std::size_t i = 0; i < system.state.velocity.size(); ++i)
-    system.state.velocity[i] = carriers.increments_of(static_cast<int>(i)) / system.coefficients.dt;
+    own.segment<6>(static_cast<Eigen::Index>(6 * i)) -= system.coefficients.dt * system.state.velocity[i];
+  return own;
 }
 
 void put_down(BlockSystem& system) {

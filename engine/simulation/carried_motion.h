@@ -17,10 +17,13 @@ namespace dda {
 // support holds them.
 void carry_along(BlockSystem& system);
 
+// The increments of the step under way less those of being carried along.
+Eigen::VectorXd own_increments(const BlockSystem& system);
+
 // The velocities are zero again, after a step that did not come about.
 void put_down(BlockSystem& system);
 
-// True where some held block moves in the step under way.
-bool held_blocks_move_on(const BlockSystem& system);
+// True in a step of a static stage that moves held blocks, and follows how blocks turn.
+bool takes_blocks_along(const BlockSystem& system);
 
 }  // namespace dda

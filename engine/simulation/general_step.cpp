@@ -171,7 +171,7 @@ void GeneralStep::pose() {
   face_loads_.take_back(system_);
   if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
   aim(system_.model, system_.state, system_.load_time_after(system_.coefficients.dt), system_.held);
-  if (system_.plan.is_static && moving_ && held_blocks_move_on(system_)) carry_along(system_);
+  if (takes_blocks_along(system_)) carry_along(system_);
   if (system_.plan.finite_kinematics) follow_geometry();
   if (system_.plan.loads) system_.loads_at(system_.load_time_after(system_.coefficients.dt), system_.forces.load_new);
   face_loads_.pose(system_.load_time_after(system_.coefficients.dt), system_);
@@ -183,8 +183,7 @@ void GeneralStep::pose() {
 bool GeneralStep::moves_further_than_seen() {
   // Where contacts stay those of the drawing, a block that nothing holds would go on for ever.
   const bool looks_for_loose = moving_ || system_.stage().equilibrium > 0;
-  const bool is_far = system_.plan.is_static && looks_for_loose && largest_motion(system_) > ContactSearch::reach / 2;
-  if (is_far && system_.drag.raise(system_.terms, system_.held, system_.increment)) {
+  if (system_.plan.is_static && looks_for_loose && hold_back_what_goes_far(system_)) {
     base_is_current_ = false;
     return true;
   }
@@ -272,6 +271,7 @@ StepProblem GeneralStep::problem() const {
           .base_version = base_version_,
           .rhs = rhs_,
           .guess = s.increment,
+          .begins_at_guess = takes_blocks_along(s),
           .factor = s.coefficients.stiffness,
           .areas = s.terms.area,
           .asked_balance = s.forces.asked_balance,
@@ -378,7 +378,8 @@ void GeneralStep::accept() {
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
   given_friction_.settled(s);
   if (given_friction_.was_given()) ++s.costs.counters.steps_of_given_friction;
-  const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, s.increment);
+  const bool more_are_loose =
+      s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, own_increments(s));
   if (cushion_.wears(s.passes_of_step()) || more_are_loose) base_is_current_ = false;
   accept_bonded(bonded_, s);  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/contact/contact_search.h"
+#include "engine/simulation/carried_motion.h"
 #include "engine/simulation/relative_size.h"
 #include "engine/simulation/settling_drag.h"
 #include "engine/simulation/step.h"
@@ -48,6 +50,15 @@ std::string_view remedy_of_unsettled(const Stage& stage) {
   return "take another dt or a static stage first";
 }
 
+double largest_motion(const BlockTerms& terms, const Eigen::VectorXd& increments) {
+  double largest = 0;
+  for (std::size_t i = 0; i < terms.area.size(); ++i) {
+    const Vec6 own = increments.segment<6>(static_cast<Eigen::Index>(6 * i));
+    largest = std::max(largest, motion_share(own, terms.area[i]));
+  }
+  return largest;
+}
+
 }  // namespace
 
 bool is_shortest_part(const BlockSystem& system) {
@@ -61,13 +72,14 @@ int most_passes(const Stage& stage) {
   return stage.paces_itself() ? std::min(most, most_when_paced) : most;
 }
 
-double largest_motion(const BlockSystem& system) {
-  double largest = 0;
-  for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
-    const Vec6 own = system.increment.segment<6>(static_cast<Eigen::Index>(6 * i));
-    largest = std::max(largest, motion_share(own, system.terms.area[i]));
-  }
-  return largest;
+double largest_motion(const BlockSystem& system) { return largest_motion(system.terms, system.increment); }
+
+bool hold_back_what_goes_far(BlockSystem& system) {
+  const auto hold_back = [&system](const Eigen::VectorXd& increments) {
+    return largest_motion(system.terms, increments) > ContactSearch::reach / 2 &&
+           system.drag.raise(system.terms, system.held, increments);
+  };
+  return takes_blocks_along(system) ? hold_back(own_increments(system)) : hold_back(system.increment);
 }
 
 double largest_motion_within(const BlockSystem& system, double time) {

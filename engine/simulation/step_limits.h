@@ -18,7 +18,11 @@ bool is_shortest_part(const BlockSystem& system);
 // The motion of the block that moves most by system.increment, in its own size (see motion_share).
 double largest_motion(const BlockSystem& system);
 
-// The same for what each block would do within `time` (s) if it went on as it moves now.
+// In a static step: drag for what goes too far by system.increment, but for what it is carried along. True when there
+// was any: the step is to be solved anew.
+bool hold_back_what_goes_far(BlockSystem& system);
+
+// The same as largest_motion for what each block would do within `time` (s) if it went on as it moves now.
 double largest_motion_within(const BlockSystem& system, double time);
 
 // Which block would turn or be strained too far for first-order gaps by system.increment; empty when none.

@@ -69,9 +69,11 @@ void ContactSolver::admit(const StepProblem& problem, std::size_t k, const std::
   at_.contacts.admit(k, broken, at_.increment);
 }
 
-// Held blocks go all their way at once; the others start from rest. (The increments of the step before would be no
-// nearer to the answer where contacts change, and of several answers that friction may have favour those that move.)
+// Held blocks go all their way at once; the others start from rest, or from where they are carried along to. (The
+// increments of the step before would be no nearer to the answer where contacts change, and of several answers that
+// friction may have favour those that move.)
 void ContactSolver::move_held_blocks() {
+  if (at_.problem->begins_at_guess) at_.increment = at_.problem->guess;
   at_.problem->held.put(at_.increment);
   InterfaceTrials& contacts = at_.contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k) {

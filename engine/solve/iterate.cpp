@@ -8,11 +8,28 @@
 
 namespace dda {
 
+namespace {
+
+// Of the increments that carry blocks along springs make forces that cancel, but for their last digits.
+double round_off_of_carrying(const StepProblem& problem) {
+  constexpr double share = 1e-15;
+  double largest = 0;
+  for (const int place : problem.contacts.places) {
+    const InterfaceElement& element = problem.contacts.elements[static_cast<std::size_t>(place)];
+    const double way = problem.guess.segment<2>(6 * element.block_a).norm();
+    largest = std::max(largest, element.stiffness.maxCoeff() * way);
+  }
+  return share * largest;
+}
+
+}  // namespace
+
 void Iterate::pose(const StepProblem& posed) {
   problem = &posed;
   constexpr double share =
       1e-13;  // of the largest on the right-hand side, moments as forces at the arm of a block's size
   round_off_of_forces = is_linear() ? 0 : share * largest_of_blocks(problem->rhs, problem->areas);
+  if (problem->begins_at_guess) round_off_of_forces = std::max(round_off_of_forces, round_off_of_carrying(*problem));
 }
 
 Status Iterate::bring_matrix_up_to_date(bool& changed) {

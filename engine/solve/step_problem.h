@@ -28,6 +28,7 @@ struct StepProblem {
   std::uint64_t base_version;  // another one than in the problem before: the values of `base` have changed
   const Eigen::VectorXd& rhs;
   const Eigen::VectorXd& guess;   // of the increments, for iterative linear solvers and where capacities are given
+  bool begins_at_guess = false;   // where held blocks move: the others go along, and passes begin there
   double factor;                  // of the integrator, on forces at the end of the step
   std::span<const double> areas;  // of the blocks, m2: moments count as forces at the arm of a block's size
   // N per m of thickness, of each block: a step that begins with more out of balance takes a pass, however little it is

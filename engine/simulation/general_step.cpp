@@ -52,13 +52,6 @@ ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   return {integrator.conserves_contact_energy, stage.unlimited_strength, model.length_tolerance, rate};
 }
 
-void note_unsettled(const StepSolution& solution, BlockSystem& s) {
-  const int place = solution.restless_contact;
-  const Interface* restless = place < 0 ? nullptr : &s.contacts.interfaces[static_cast<std::size_t>(place)];
-  s.audit.unsettled.note(s.state.step, s.state.time, restless ? restless->block_a : -1,
-                         restless ? restless->block_b : -1);
-}
-
 // Quick passes hardly find the way down of ends that have ridden up, and the others do in some 40. What else a static
 // stage tries leads astray there: in shorter steps blocks come down later than they slide, and what slides by given
 // friction neither rides up nor down. A block that was drawn back on its joint kept 70 to 84 % of its rise so.

@@ -108,6 +108,13 @@ std::string turn_problem(const BlockSystem& system) {
   return "";
 }
 
+void note_unsettled(const StepSolution& solution, BlockSystem& s) {
+  const int place = solution.restless_contact;
+  const Interface* restless = place < 0 ? nullptr : &s.contacts.interfaces[static_cast<std::size_t>(place)];
+  s.audit.unsettled.note(s.state.step, s.state.time, restless ? restless->block_a : -1,
+                         restless ? restless->block_b : -1);
+}
+
 std::string unsettled_message(const StepSolution& solution, const BlockSystem& system) {
   if (solution.restless_contact < 0) return sentence(solution.failure);
   const InterfaceElement& worst = system.contacts.elements[static_cast<std::size_t>(solution.restless_contact)];

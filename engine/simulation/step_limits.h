@@ -32,6 +32,9 @@ std::string turn_problem(const BlockSystem& system);
 // what settles at all mostly does in fewer passes.
 int most_passes(const Stage& stage);
 
+// Takes note of a step that was not settled as a whole, and where it was not.
+void note_unsettled(const StepSolution& solution, BlockSystem& system);
+
 // Says where an open-close iteration that did not settle still changes most.
 std::string unsettled_message(const StepSolution& solution, const BlockSystem& system);
 

@@ -7,7 +7,6 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/model/held_motion.h"
-#include "engine/simulation/step_limits.h"
 
 namespace dda {
 namespace {
@@ -82,7 +81,7 @@ void hold_still(int block, std::size_t blocks, HeldUnknowns& held) {
   held.increments.emplace_back(Vec6::Zero());
 }
 
-int steps_of_motion(const Model& model, double start, double end, double most) {
+int steps_of_motion(const Model& model, double start, double end, double most, double most_turn) {
   constexpr int looks = 64, most_steps = 300;
   double smallest = std::numeric_limits<double>::infinity();
   for (const Block& block : model.blocks) smallest = std::min(smallest, std::sqrt(block.moments.area));

@@ -24,9 +24,9 @@ void hold_still(int block, std::size_t blocks, HeldUnknowns& held);
 void aim(const Model& model, const State& state, const LoadTime& time, HeldUnknowns& held);
 
 // In how many steps the held blocks go straight from where they are at `start` to where they are at `end`, s, when they
-// turn and move by no more than `most` of the smallest block's size in any of them; never more than a static stage has
-// steps for.
-int steps_of_motion(const Model& model, double start, double end, double most);
+// turn and move by no more than `most` of the smallest block's size in any of them, and turn by no more than
+// `most_turn` (rad); never more than a static stage has steps for.
+int steps_of_motion(const Model& model, double start, double end, double most, double most_turn);
 
 // Displacement of the unknowns of a held block at `time`.
 Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double time);

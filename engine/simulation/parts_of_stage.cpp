@@ -17,6 +17,9 @@ namespace {
 // in 32.
 constexpr int parts_of_what_yields = 32;
 
+// Turns that can be foreseen, by more than round-off.
+constexpr double most_turn_of_part = 0.999 * most_turn;
+
 // What may be out of balance when loads go on to their next part, of the largest force: a thirtieth of a part of it.
 constexpr double at_rest = 1e-3;
 
@@ -28,8 +31,8 @@ LoadParts parts_of_stage(bool contacts_are_followed, BlockSystem& system) {
   int all = 1;
   if (plan.contacts_can_change || plan.reinforcement.linings_yield) all = parts_of_what_yields;
   if (contacts_are_followed && plan.finite_kinematics)
-    all = std::max(all,
-                   steps_of_motion(system.model, system.clock.start, system.end_of_stage(), ContactSearch::reach / 2));
+    all = std::max(all, steps_of_motion(system.model, system.clock.start, system.end_of_stage(),
+                                        ContactSearch::reach / 2, most_turn_of_part));
   LoadParts parts;
   parts.begin(all);
   return parts;

@@ -10,7 +10,7 @@ namespace dda {
 
 namespace {
 
-// Of the increments that carry blocks along springs make forces that cancel, but for their last digits.
+// Springs make forces of the increments that carry blocks along, and these cancel but for their last digits.
 double round_off_of_carrying(const StepProblem& problem) {
   constexpr double share = 1e-15;
   double largest = 0;

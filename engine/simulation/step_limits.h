@@ -32,6 +32,9 @@ std::string turn_problem(const BlockSystem& system);
 // what settles at all mostly does in fewer passes.
 int most_passes(const Stage& stage);
 
+// Whether steps that do not settle quickly take interior passes.
+bool goes_from_inside(const BlockSystem& system);
+
 // Takes note of a step that was not settled as a whole, and where it was not.
 void note_unsettled(const StepSolution& solution, BlockSystem& system);
 

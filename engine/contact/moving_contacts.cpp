@@ -134,6 +134,22 @@ void MovingContacts::bring_in(const Model& model, const State& state, const Comi
   stretches_ += joined.interfaces.size();
   search_.bring_in(blocks.absent);
   follow(model, state, blocks.acting, 0, contacts);
+  begin_anew(model, blocks.comes_in, contacts);
+}
+
+// Contacts of blocks that come in go on from none: a wall that is pressed beside them is not pressed by them.
+void MovingContacts::begin_anew(const Model& model, const std::vector<bool>& comes_in, ContactSet& contacts) const {
+  for (std::size_t k = 0; k < known_.size(); ++k) {
+    const VertexContact& contact = known_[k];
+    if (!comes_in[at(contact.edge_block)] && !comes_in[at(contact.vertex_block)]) continue;
+    const std::size_t entry = stretches_ + k;
+    const Interface& interface = contacts.interfaces[entry];
+    const InterfaceElement& element = contacts.elements.own()[entry];
+    InterfaceState& own = contacts.states[entry];
+    own = first_state(joint_of(model, interface), element, contact.gap, nullptr, nullptr);
+    measure(element, contact.gap, own);
+    contacts.strengths[entry] = strength_of_vertex(joint_of(model, interface), interface.share, own);
+  }
 }
 
 // Stretches that vertex contacts take the place of: dry ones and lone vertices at the start, later those broken at both

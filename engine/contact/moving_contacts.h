@@ -92,6 +92,7 @@ class MovingContacts {
   };
 
   void refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts);
+  void begin_anew(const Model& model, const std::vector<bool>& comes_in, ContactSet& contacts) const;
   [[nodiscard]] std::vector<std::pair<int, int>> pairs_of_stretches(const ContactSet& contacts) const;
   std::vector<Carrier> follow_stretches(const Model& model, const State& state, const State& acting,
                                         ContactSet& contacts) const;

@@ -10,6 +10,7 @@
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/linear_states.h"
 #include "engine/simulation/loads_in_joints.h"
+#include "engine/simulation/shared_ground.h"
 
 namespace dda {
 namespace {
@@ -75,6 +76,7 @@ void bring_in(BlockSystem& s, GeneralStep& general) {
   s.held = make_held_unknowns(s.model, absent);
   s.external.leave_out(s.model, absent);
   for (const int block : added) place_as_drawn(block, s);
+  note_came_in_over(added, s);
   general.set_blocks(absent, added, s.plan.linear);
   s.loads_at(s.state.time, s.forces.load_old);
   if (s.plan.linear) return;               // new contacts exert nothing, and the others are as they were

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "engine/contact/closure.h"
 #include "engine/contact/no_tension_bed.h"
@@ -74,11 +76,29 @@ double depth_of(const Polygon& a, const Polygon& b, double least) {
   return low;
 }
 
+double smaller_size(const Model& model, int a, int b) { return std::min(size_of(model, a), size_of(model, b)); }
+
 std::vector<Box> boxes_of(const std::vector<Polygon>& outlines, const std::vector<bool>& absent) {
   std::vector<Box> boxes(outlines.size());
   for (std::size_t i = 0; i < outlines.size(); ++i)
     if (absent.empty() || !absent[i]) boxes[i] = bounding_box(outlines[i]);
   return boxes;
+}
+
+// Pairs, the smaller first, that are deeper in each other than `tolerance` (m) of them, but for those to be left out.
+template <typename IsLeftOut, typename Tolerance>
+std::vector<SharedGround> overlaps(const BlockSystem& s, const IsLeftOut& is_left_out, const Tolerance& tolerance) {
+  std::vector<SharedGround> found;
+  const std::vector<Polygon> outlines = current_outlines(s.model, s.state);
+  for (const auto& [a, b] : overlapping_pairs(boxes_of(outlines, s.excavated.absent))) {
+    if (is_left_out(a, b)) continue;
+    const Polygon &one = outlines[at(a)], &other = outlines[at(b)];
+    const double least = tolerance(a, b);
+    if (!interiors_overlap(one, other, least)) continue;
+    const double depth = depth_of(one, other, least);
+    found.push_back({a, b, depth, depth / smaller_size(s.model, a, b), place_of(one, other)});
+  }
+  return found;
 }
 
 }  // namespace
@@ -87,20 +107,27 @@ std::vector<SharedGround> shared_ground(const BlockSystem& s, double least_share
   std::vector<SharedGround> found;
   if (!s.plan.finite_kinematics || !s.plan.contacts_can_change) return found;
   const Model& model = s.model;
-  const std::vector<Polygon> outlines = current_outlines(model, s.state);
-  const auto give = give_of_pairs(s);
-  for (const auto& [a, b] : overlapping_pairs(boxes_of(outlines, s.excavated.absent))) {
-    if (model.is_held(a) && model.is_held(b)) continue;
-    const double size = std::min(size_of(model, a), size_of(model, b));
-    const auto contacts = give.find({a, b});
-    const double allowed = least_share * size + (contacts == give.end() ? 0 : contacts->second);
-    const Polygon &one = outlines[at(a)], &other = outlines[at(b)];
-    if (!interiors_overlap(one, other, allowed)) continue;
-    const double depth = depth_of(one, other, allowed);
-    found.push_back({a, b, depth, depth / size, place_of(one, other)});
-  }
+  auto allowed = give_of_pairs(s);
+  for (const CameInOver& each : s.excavated.came_in_over) allowed[{each.block_a, each.block_b}] += each.depth;
+  const auto are_held = [&](int a, int b) { return model.is_held(a) && model.is_held(b); };
+  const auto tolerance = [&](int a, int b) {
+    const auto more = allowed.find({a, b});
+    return least_share * smaller_size(model, a, b) + (more == allowed.end() ? 0 : more->second);
+  };
+  found = overlaps(s, are_held, tolerance);
   std::ranges::stable_sort(found, std::ranges::greater{}, &SharedGround::share);
   return found;
+}
+
+void note_came_in_over(const std::vector<int>& added, BlockSystem& s) {
+  constexpr double least_share = tolerated_share / 20;  // less is within what is tolerated with or without it
+  const std::set<int> comes_in(added.begin(), added.end());
+  const auto is_of_others = [&](int a, int b) { return !comes_in.contains(a) && !comes_in.contains(b); };
+  std::vector<CameInOver>& noted = s.excavated.came_in_over;
+  std::erase_if(noted, [&](const CameInOver& each) { return !is_of_others(each.block_a, each.block_b); });
+  const auto tolerance = [&](int a, int b) { return least_share * smaller_size(s.model, a, b); };
+  for (const SharedGround& each : overlaps(s, is_of_others, tolerance))
+    noted.push_back({each.block_a, each.block_b, each.depth});
 }
 
 std::optional<SharedGroundOfStage> shared_ground_of_stage(const BlockSystem& s) {

@@ -49,8 +49,12 @@ struct SharedGroundOfStage {
 inline constexpr double tolerated_share = 2e-3;
 
 // Pairs of blocks, not both held, that are deeper in each other by `least_share` of the smaller one than their contacts
-// give way, the worst first. Empty in small kinematics, where blocks stay where they were drawn.
+// give way, and than they were when one of them came in, the worst first. Empty in small kinematics, where blocks stay
+// where they were drawn.
 std::vector<SharedGround> shared_ground(const BlockSystem& system, double least_share = tolerated_share);
+
+// Notes how deep blocks that come in are in others, which have gone into their place meanwhile (excavated.h).
+void note_came_in_over(const std::vector<int>& added, BlockSystem& system);
 
 // What the stage under way has left of it; nothing where it left none.
 std::optional<SharedGroundOfStage> shared_ground_of_stage(const BlockSystem& system);

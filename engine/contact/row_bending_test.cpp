@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <random>
+#include <vector>
 
 #include "engine/builder/generators.h"
 #include "engine/contact/contact_models.h"
@@ -129,6 +133,73 @@ TEST(RowBending, ALayerBondedToAnotherIsAMesh) {
   for (const double row : upright_rows(layers(bond))) EXPECT_LT(row, 0.5);
   bond.law = InterfaceLaw::classical;
   for (const double row : upright_rows(layers(bond, 0.3))) EXPECT_LT(row, 0.5);
+}
+
+// A row of six blocks of 1 x 0.7 m, and what is glued on top of it: `extra`, whose corners on the row are corners of
+// it.
+std::vector<double> rows_below(const std::vector<Ring>& extra) {
+  Model model = model_of(std::vector<Polygon>{});
+  model.materials = {rock()};
+  for (int i = 0; i < 6; ++i) {
+    Ring ring = box_ring(i, 0, i + 1, 0.7);
+    std::vector<double> cuts;
+    for (const Ring& each : extra)
+      for (const Vec2& corner : each)
+        if (std::abs(corner.y() - 0.7) < 1e-12 && corner.x() > i && corner.x() < i + 1) cuts.push_back(corner.x());
+    std::ranges::sort(cuts, std::greater{});
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    for (std::size_t k = 0; k < cuts.size(); ++k) ring.insert(ring.begin() + 3 + static_cast<int>(k), {cuts[k], 0.7});
+    model.blocks.emplace_back().shape = {ring, {}};
+  }
+  for (const Ring& each : extra) model.blocks.emplace_back().shape = {each, {}};
+  model.joints = {{.name = "bond", .law = InterfaceLaw::consistent, .bonded = true}};
+  finish_model(model);
+  std::vector<double> rows;
+  const ContactSet contacts = make_contacts(model);
+  for (std::size_t i = 0; i < contacts.elements.size(); ++i)
+    if (contacts.interfaces[i].block_b < 6)
+      rows.push_back(contacts.elements[i].stiffness(2) / (1e9 * contacts.interfaces[i].length / 3));
+  return rows;
+}
+
+void expect_a_beam_below(const std::vector<Ring>& extra) {
+  const std::vector<double> rows = rows_below(extra);
+  ASSERT_EQ(rows.size(), 5U);
+  for (const double row : rows) EXPECT_NEAR(row, 1, 1e-9);
+}
+
+TEST(RowBending, WhatHangsAtABlockLeavesItsRowTheStiffness) {
+  expect_a_beam_below({});
+  for (const double width : {1e-3, 0.1, 0.9})  // however large
+    for (const double left : {0.03, 2.05, 4.06})
+      expect_a_beam_below({box_ring(left, 0.7, left + width, 0.7 + 5 * width)});
+  expect_a_beam_below({box_ring(1, 0.7, 2, 1.4), box_ring(2.2, 0.7, 2.5, 0.8), box_ring(4.9, 0.7, 5, 1.4)});
+}
+
+// However small, as blocks of one strain bend in their joints, and there such a tie locks them: a cantilever of blocks
+// of 1 m with ties of 1 mm on all joints but the first bends 0.50 times as far as a beam, and 0.44 times if its joints
+// had the stiffness of a beam besides. Where it hardly bridges the joint, it hangs.
+TEST(RowBending, ABlockThatBridgesAJointTakesItsPlace) {
+  for (const double half : {1e-3, 1e-2, 0.1, 0.6}) {
+    const std::vector<double> rows = rows_below({box_ring(3 - half, 0.7, 3 + half, 0.7 + half)});
+    EXPECT_LT(rows[2], 0.5) << half;
+    EXPECT_NEAR(rows[0], 1, 1e-9) << half;
+  }
+  for (const double beyond : {1e-6, 1e-3})
+    EXPECT_NEAR(rows_below({box_ring(2, 0.7, 3 + beyond, 1.7)})[2], 1, 6 * beyond);
+}
+
+// A layer along the whole row makes a mesh of it by its thickness; composite beams grow stiffer by more.
+TEST(RowBending, AThinLayerLeavesARowNearlyItsStiffness) {
+  for (const double thickness : {1e-3, 0.07, 0.14, 0.35, 0.7}) {
+    std::vector<Ring> layer;
+    for (int i = 0; i < 6; ++i) layer.push_back(box_ring(i, 0.7, i + 1, 0.7 + thickness));
+    const double row = rows_below(layer)[2];
+    const double share = thickness / 0.7;
+    EXPECT_GT(row, 1 - 3 * share) << thickness;
+    EXPECT_GT(row + 3 * share * (1 + share), 1) << thickness;
+    EXPECT_LT(row, thickness < 0.35 ? 1 : 0.5) << thickness;
+  }
 }
 
 TEST(RowBending, ARowIsOneOnceItsNeighboursAreRemoved) {

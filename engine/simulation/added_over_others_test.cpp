@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/simulation/joint_kinds.h"
+#include "engine/simulation/memory_test_support.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/snapshot.h"
 
@@ -97,6 +98,22 @@ TEST(AddedOverOthers, AreSeatedHoweverFarTheseHaveCome) {
     }
     EXPECT_TRUE(simulation.results().shared_ground.empty());
   });
+}
+
+// What came in over others is not asked of outlines again: it is kept.
+TEST(AddedOverOthers, GoOnFromASnapshotToTheBit) {
+  std::mt19937 random(23);
+  for (int lot = 0; lot < 4; ++lot) {
+    Model model = filled_hole(random, 2e-2, lot % 2 == 1, lot > 1);
+    finish_model(model);
+    Simulation whole(model), first(model), second(model);
+    for (int stage = 0; stage < 3; ++stage) finish_stage(whole);
+    finish_stage(first);
+    finish_stage(first);
+    restore(second, first.state(), save(first));
+    finish_stage(second);
+    EXPECT_EQ(memory_of(second), memory_of(whole)) << lot;
+  }
 }
 
 }  // namespace

@@ -100,6 +100,20 @@ TEST(AddedOverOthers, AreSeatedHoweverFarTheseHaveCome) {
   });
 }
 
+// A fifth of the fill lies in the wall: it is seated as well, and told of.
+TEST(AddedOverOthers, AreToldOfWhereTheyComeInFarOverThem) {
+  std::mt19937 random(19);
+  Model model = filled_hole(random, 0.01, false, false);
+  model.held_blocks[2] = coming(2, {-0.2, 0}, 0, 0);
+  Simulation simulation = simulation_of(std::move(model));
+  for (int stage = 0; stage < 3; ++stage) finish_stage(simulation);
+  EXPECT_LT(simulation.state().displacement[fill].norm(), 1e-12);
+  EXPECT_LT(simulation.state().stress[fill].norm(), 1);
+  const std::vector<SharedGroundOfStage>& told = simulation.results().shared_ground;
+  ASSERT_EQ(told.size(), 2U) << "when it comes in, and later";
+  EXPECT_NEAR(told[0].worst.depth, 0.2, 1e-3);
+}
+
 // What came in over others is not asked of outlines again: it is kept.
 TEST(AddedOverOthers, GoOnFromASnapshotToTheBit) {
   std::mt19937 random(23);

@@ -49,6 +49,8 @@ bool give_back_depths(BlockSystem& s) {
   if (forgiven.empty()) return false;  // outlines need not be compared
   std::set<std::pair<int, int>> pairs;
   for (const SharedGround& each : shared_ground(s)) pairs.insert(std::minmax(each.block_a, each.block_b));
+  for (const CameInOver& each : s.excavated.came_in_over)
+    if (each.share > told_share) pairs.erase({each.block_a, each.block_b});
   bool any = false;
   for (const std::size_t i : forgiven) {
     const InterfaceElement& element = s.contacts.elements.own()[i];

@@ -12,12 +12,13 @@ namespace dda {
 struct CameInOver {
   int block_a = -1, block_b = -1;
   double depth = 0;  // m, of the deepest point that both had then
+  double share = 0;  // of the size of the smaller block
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [block_a, block_b, depth] = self;
+    auto& [block_a, block_b, depth, share] = self;
     archive.blocks(block_a, block_b);
-    archive(depth);
+    archive(depth, share);
   }
 };
 

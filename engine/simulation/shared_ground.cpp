@@ -108,7 +108,8 @@ std::vector<SharedGround> shared_ground(const BlockSystem& s, double least_share
   if (!s.plan.finite_kinematics || !s.plan.contacts_can_change) return found;
   const Model& model = s.model;
   auto allowed = give_of_pairs(s);
-  for (const CameInOver& each : s.excavated.came_in_over) allowed[{each.block_a, each.block_b}] += each.depth;
+  for (const CameInOver& each : s.excavated.came_in_over)
+    if (each.share <= told_share) allowed[{each.block_a, each.block_b}] += each.depth;
   const auto are_held = [&](int a, int b) { return model.is_held(a) && model.is_held(b); };
   const auto tolerance = [&](int a, int b) {
     const auto more = allowed.find({a, b});
@@ -127,7 +128,7 @@ void note_came_in_over(const std::vector<int>& added, BlockSystem& s) {
   std::erase_if(noted, [&](const CameInOver& each) { return !is_of_others(each.block_a, each.block_b); });
   const auto tolerance = [&](int a, int b) { return least_share * smaller_size(s.model, a, b); };
   for (const SharedGround& each : overlaps(s, is_of_others, tolerance))
-    noted.push_back({each.block_a, each.block_b, each.depth});
+    noted.push_back({each.block_a, each.block_b, each.depth, each.share});
 }
 
 std::optional<SharedGroundOfStage> shared_ground_of_stage(const BlockSystem& s) {

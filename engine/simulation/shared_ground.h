@@ -48,6 +48,10 @@ struct SharedGroundOfStage {
 // of two blocks can both be in each other by as much.
 inline constexpr double tolerated_share = 2e-3;
 
+// What came in over another deeper than this share of the smaller one, as fill over a stone that lies in its place, is
+// told of, though it stays so.
+inline constexpr double told_share = 0.1;
+
 // Pairs of blocks, not both held, that are deeper in each other by `least_share` of the smaller one than their contacts
 // give way, and than they were when one of them came in, the worst first. Empty in small kinematics, where blocks stay
 // where they were drawn.

@@ -48,13 +48,14 @@ class Acceptance {
             const Vec4& force, ContactWork& work) const {
     const Vec4 dropped = force - after.force;
     const bool drops = force != after.force;
-    if (drops && !held_.empty())  // the rest of their work is in audit_held_blocks
-      work.brought += weight_ * held_.gap_increment(element).dot(dropped);
+    const Vec4 by_held = held_.empty() ? Vec4(Vec4::Zero()) : held_.gap_increment(element);
+    if (drops) work.brought += weight_ * by_held.dot(dropped);  // the rest of their work is in audit_held_blocks
     const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
     // Slip of ends that do not rise in the step is not counted (open_close.h), but takes energy.
     if (before.status != after.status || slides(before, after) || drops || gaps_are_foreseen_ || bends ||
         !before.dashpot.isZero(0))
-      work.changed(element, before, after, gap_increment(element, increment_), weight_ * dropped, dashpot_delay_);
+      work.changed(element, before, after, {gap_increment(element, increment_), by_held}, weight_ * dropped,
+                   dashpot_delay_);
   }
 
   const InterfaceTrials& trials_;

@@ -6,15 +6,29 @@
 #include "engine/contact/contact_set.h"
 
 namespace dda {
+namespace {
 
+bool opens(const InterfaceState& before, const InterfaceState& after) {
+  const auto ends_open = [](const InterfaceState& state) {
+    return std::ranges::count(state.status, ContactStatus::open);
+  };
+  return ends_open(after) > ends_open(before);
+}
+
+double share_of(double part, double all) { return all != 0 ? std::clamp(part / all, 0.0, 1.0) : 0; }
+
+}  // namespace
+
+// A spring that is let go within the step gives what it has stored. Its mean force over the step would do work on all
+// the way that a held block goes, most of it far from what it has left: nothing has gained that.
 void ContactWork::changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-                          const Vec4& gap_change, const Vec4& extra_force, double dashpot_delay) {
+                          const GapChange& gap_change, const Vec4& extra_force, double dashpot_delay) {
   // What the balance of the step had of the contact: springs and dashpots together, and under steps that conserve
   // energy another mean than that of the springs at both ends of the step.
   const Vec4 borne = (before.force + after.force) / 2 + extra_force;
-  const double work = gap_change.dot(borne);
+  const double work = gap_change.all.dot(borne);
   const Vec4 dashpot_force = (1 - dashpot_delay) * after.dashpot + dashpot_delay * before.dashpot;
-  double by_dashpot = gap_change.dot(dashpot_force);
+  double by_dashpot = gap_change.all.dot(dashpot_force);
   double by_friction = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     const auto normal_row = static_cast<Eigen::Index>(2 * end), shear_row = normal_row + 1;
@@ -30,7 +44,10 @@ void ContactWork::changed(const InterfaceElement& element, const InterfaceState&
   const double stored = interface_energy(element, after) - interface_energy(element, before);
   friction += by_friction;
   dashpot += by_dashpot;
-  numerical += work - stored - by_friction - by_dashpot;
+  const double off = work - stored - by_friction - by_dashpot;
+  const double of_held = opens(before, after) && off < 0 ? off * share_of(gap_change.held.dot(borne), work) : 0;
+  brought -= of_held;
+  numerical += off - of_held;
 }
 
 }  // namespace dda

@@ -6,9 +6,16 @@
 
 namespace dda {
 
+// m, of an interface in a step: of all, and how much of it held blocks make, whose motion is prescribed.
+struct GapChange {
+  Vec4 all, held;
+};
+
 // J per m of thickness.
 struct ContactWork {
-  double brought = 0;  // by what moves held blocks against forces that the balance had but no state keeps
+  // By what moves held blocks against forces that the balance had but no state keeps, and off it what the mean of a
+  // step takes for the work of a force that a held block let go early in it.
+  double brought = 0;
   double friction = 0, dashpot = 0, numerical = 0;
 
   // Work of friction and of dashpots on one interface, and what status changes within the step make of it.
@@ -18,7 +25,7 @@ struct ContactWork {
   // this share already in the motion of the step that follows: where blocks meet, its first force is one of full speed
   // on half of the way.
   void changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-               const Vec4& gap_change, const Vec4& extra_force, double dashpot_delay);
+               const GapChange& gap_change, const Vec4& extra_force, double dashpot_delay);
 
   ContactWork& operator+=(const ContactWork& more) {
     brought += more.brought;

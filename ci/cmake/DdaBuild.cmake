@@ -113,6 +113,8 @@ function(dda_module NAME)
   add_library(dda::${NAME} ALIAS dda_${NAME})
   list(TRANSFORM ARG_DEPENDS PREPEND "dda::")
   target_link_libraries(dda_${NAME} ${scope} Eigen3::Eigen ${ARG_DEPENDS} ${ARG_LINK})
+  # Its headers are C++20, which whoever links the installed library is to know: many a compiler's own default is older.
+  target_compile_features(dda_${NAME} ${scope} cxx_std_20)
   target_include_directories(dda_${NAME} ${scope} $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/dda>)
   set_target_properties(dda_${NAME} PROPERTIES EXPORT_NAME ${NAME})

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/error.h"
 #include "engine/core/phase_clock.h"
 #include "engine/simulation/block_system.h"
 #include "engine/simulation/depth_given_back.h"
@@ -56,9 +57,15 @@ void begin_longer_steps(Step& step, BlockSystem& s) {
   begin_accelerations(s);
 }
 
+// GroundPlan and the like ask a model that has none yet, so finish_model lets it pass.
+Model with_stages(Model model) {
+  if (model.stages.empty()) throw InputError("", "stages", "empty", "at least one stage to be run");
+  return model;
+}
+
 }  // namespace
 
-Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(std::move(model))) {
+Simulation::Simulation(Model model) : system_(std::make_unique<BlockSystem>(with_stages(std::move(model)))) {
   BlockSystem& s = *system_;
   stability_limits_ = kept_stability_limits(s.contacts, s.model, choose_integrators(s.contacts, s.model));
   results_ = StageResults(s.model.stages.size());

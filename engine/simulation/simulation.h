@@ -39,8 +39,8 @@ class Step;
 
 class Simulation {
  public:
-  // The model must be finished (finish_model) and have at least one stage. Throws InputError (without a file) where
-  // explicit steps are longer than is stable.
+  // The model must be finished (finish_model). Throws InputError (without a file) where it has no stage, or explicit
+  // steps are longer than is stable.
   explicit Simulation(Model model);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;

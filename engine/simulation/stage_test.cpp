@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/error.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
@@ -52,6 +53,14 @@ TEST(StaticStage, KeepsNothingOfCorrectionsForWaves) {
       EXPECT_LT((simulation.state().stress[i] - reference.state().stress[i]).norm(), 1e-9 * largest) << corrected << i;
     EXPECT_LT(std::abs(simulation.energy().relative_residual()), 1e-11);
   }
+}
+
+// It was read past the end of an empty list.
+TEST(Stages, AModelWithoutOneIsRefused) {
+  Model model = bar_of(2, {.name = "bonded", .bonded = true});
+  model.stages.clear();
+  finish_model(model);
+  EXPECT_THROW(Simulation{model}, InputError);
 }
 
 TEST(Stages, AfterTheLastStepThereIsNone) {

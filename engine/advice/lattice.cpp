@@ -209,7 +209,29 @@ Ring moved(Ring ring, const Vec2& offset) {
   return ring;
 }
 
-// The block and its neighbours as a scene of their own; the block is number 0.
+// Where neighbours of the neighbours that are present have blocks, but for these and the block itself: what hangs at it
+// alone bears no moment past it (row_bending.h), as neighbours in the rock do. Nothing is where `present` leaves out
+// one side of the block.
+std::vector<Vec2> second_ring(const Lattice& lattice, const std::vector<bool>& present) {
+  const auto is_missing = [&](std::size_t i) -> bool { return !present.empty() && !present[i]; };
+  Vec2 missing = Vec2::Zero();
+  for (std::size_t i = 0; i < lattice.offsets.size(); ++i)
+    if (is_missing(i)) missing += lattice.offsets[i];
+  const double near = 1e-6 * lattice.offsets.front().norm();
+  std::vector<Vec2> known = lattice.offsets;
+  known.emplace_back(Vec2::Zero());
+  for (std::size_t i = 0; i < lattice.offsets.size(); ++i)
+    for (const Vec2& further : lattice.offsets) {
+      const Vec2 offset = lattice.offsets[i] + further;
+      const auto is_here = [&](const Vec2& other) { return (offset - other).norm() < near; };
+      if (is_missing(i) || offset.dot(missing) > near || std::ranges::any_of(known, is_here)) continue;
+      known.push_back(offset);
+    }
+  known.erase(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(lattice.offsets.size()) + 1);
+  return known;
+}
+
+// The block, its neighbours and theirs as a scene of their own; the block is number 0.
 Model patch(const Lattice& lattice, const Stage& stage, const std::vector<bool>& present) {
   Model model;
   model.materials = {lattice.material};
@@ -221,6 +243,8 @@ Model patch(const Lattice& lattice, const Stage& stage, const std::vector<bool>&
     model.joints.push_back(lattice.joints[i]);
     model.blocks.emplace_back().shape.outer = moved(lattice.ring, lattice.offsets[i]);
   }
+  for (const Vec2& offset : second_ring(lattice, present))
+    model.blocks.emplace_back().shape.outer = moved(lattice.ring, offset);
   for (std::size_t i = 0; i < model.joints.size(); ++i) model.joints[i].name = fmt::format("joint {}", i);
   for (std::size_t i = 0; i < model.blocks.size(); ++i) model.blocks[i].name = fmt::format("block {}", i);
   model.stages = {stage};

@@ -10,7 +10,7 @@
 namespace dda {
 namespace {
 
-// Of a stage that moves a block of 2 x 0.5 m on the ground, with a cube of 0.5 m on it.
+// For a stage that moves a block of 2 x 0.5 m on the ground, with a cube of 0.5 m on it.
 int parts_of(const Vec2& way) {
   Model model;
   model.materials = {rock()};

@@ -63,8 +63,6 @@ struct EndJoints {
 // a thin layer at its side takes from the stiffness of a row as it grows, by less than it adds itself.
 double share_of_mesh(const Model& model, int block, const Vec2& normal, const HeldSides& sides,
                      const std::vector<bool>& held) {
-  const double around = width_along(model, block, normal) * width_across(model, block, normal);
-  if (block_of(model, block).moments.area <= least_area * around) return 1;
   EndJoints ahead, behind;
   double left = 0, right = 0;
   for (const HeldSide& side : sides[static_cast<std::size_t>(block)]) {
@@ -77,7 +75,10 @@ double share_of_mesh(const Model& model, int block, const Vec2& normal, const He
     const double share =
         share_of_side(model, block, side) * (is_held ? 1 : hold_elsewhere(model, block, side.neighbour, sides));
     (side.outward.dot(normal.unitOrthogonal()) > 0 ? left : right) += share;
+    if (2 * std::max(left, right) >= 1) return 1;  // nearly all blocks of a mesh, at their first neighbour
   }
+  const double around = width_along(model, block, normal) * width_across(model, block, normal);
+  if (block_of(model, block).moments.area <= least_area * around) return 1;
   return std::min(1.0, 2 * std::max({left, right, ahead.split(), behind.split()}));
 }
 
@@ -162,8 +163,9 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     const auto share_of_row = [&](int block) {
       return is_held(block) ? 1 : 1 - share_of_mesh(model, block, interface.normal, sides, held);
     };
-    const double share = share_of_row(interface.block_a) * share_of_row(interface.block_b) *
-                         (1 - tie_across(model, interface.block_a, interface.block_b, sides));
+    double share = share_of_row(interface.block_a);
+    if (share > 0) share *= share_of_row(interface.block_b);
+    if (share > 0) share *= 1 - tie_across(model, interface.block_a, interface.block_b, sides);
     if (share <= 0) continue;
     const double of_mesh = elements[i].stiffness(3);  // both differences have the same there
     elements[i].stiffness(2) = std::lerp(of_mesh, bending_stiffness(model, interface, held), share);

@@ -371,8 +371,7 @@ void GeneralStep::accept() {
   if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
   given_friction_.settled(s);
   if (given_friction_.was_given()) ++s.costs.counters.steps_of_given_friction;
-  const bool more_are_loose =
-      s.plan.is_static && s.stage().equilibrium > 0 && s.drag.follow(s.terms, own_increments(s));
+  const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && finds_loose_blocks(s);
   if (cushion_.wears(s.passes_of_step()) || more_are_loose) base_is_current_ = false;
   accept_bonded(bonded_, s);  // by the stresses of the start
   move_blocks(s.stage().kinematics, s);

@@ -88,6 +88,12 @@ bool hold_back_what_goes_far(BlockSystem& system) {
   return takes_blocks_along(system) ? hold_back(own_increments(system)) : hold_back(system.increment);
 }
 
+bool finds_loose_blocks(BlockSystem& system) {
+  SettlingDrag& drag = system.drag;
+  return takes_blocks_along(system) ? drag.follow(system.terms, own_increments(system))
+                                    : drag.follow(system.terms, system.increment);
+}
+
 double largest_motion_within(const BlockSystem& system, double time) {
   double largest = 0;
   for (std::size_t i = 0; i < system.terms.area.size(); ++i)

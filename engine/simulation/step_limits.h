@@ -22,6 +22,9 @@ double largest_motion(const BlockSystem& system);
 // was any: the step is to be solved anew.
 bool hold_back_what_goes_far(BlockSystem& system);
 
+// In such a step that is accepted: true when more blocks are loose from now on (SettlingDrag::follow).
+bool finds_loose_blocks(BlockSystem& system);
+
 // The same as largest_motion for what each block would do within `time` (s) if it went on as it moves now.
 double largest_motion_within(const BlockSystem& system, double time);
 

@@ -230,10 +230,9 @@ void remark_on_chatter_on_slopes(const Model& model, const ContactSet& contacts,
     else if (!with_contacts(stage.integrator).conserves_contact_energy && damped != nullptr)
       remarks.push_back(fmt::format(
           "stage \"{}\": blocks slide down along joint \"{}\", whose friction is strong: their vibrations feed on it, "
-          "and "
-          "how far they go hangs on dt: short steps let them go too far, long ones hold back what moves; compare with "
-          "a longer and a shorter dt than {:g} s; where they differ take a contact_damping of 0.2, or let go over a "
-          "time",
+          "and how far they go hangs on dt: short steps let them go too far, long ones hold back what moves; compare "
+          "with a longer and a shorter dt than {:g} s; where they differ take a contact_damping of 0.2, or let go over "
+          "a time",
           stage.name, damped->name, stage.dt));
   }
 }

@@ -43,10 +43,7 @@ std::vector<UnbalancedBlock> liveliest_blocks(const Simulation& simulation) {
   std::ranges::stable_sort(blocks, std::ranges::greater(), kinetic);
   blocks.resize(std::min<std::size_t>(3, blocks.size()));
   std::vector<UnbalancedBlock> placed;
-  for (const int block : blocks) {
-    const auto i = static_cast<std::size_t>(block);
-    placed.push_back({0, block, model.blocks[i].moments.centroid + state.displacement[i].head<2>(), {}});
-  }
+  for (const int block : blocks) placed.push_back({0, block, current_centroid(model, state, block), {}});
   return placed;
 }
 

@@ -19,8 +19,8 @@ namespace dda {
 // cross-section that hardly changes. Held blocks are rigid, whatever touches them.
 //
 // Between such a row and a mesh, which has that of `stabilisation`, the stiffness goes over as neighbours at the sides
-// grow: a thin layer glued along a beam leaves it nearly what it is, and what hangs at one
-// block of it alone all of that. A block that holds both blocks of a joint bears moments in place of the joint.
+// grow: a thin layer glued along a beam leaves it nearly what it is, and what hangs at one block of it alone all of
+// that. A block that holds both blocks of a joint bears moments in place of the joint.
 //
 // Joints are here what holds blocks together: bonded or with strength, and not broken. Contacts that press and rub, and
 // those of a corner, do not keep a row from bending by itself. Rows that are left where blocks are removed are asked

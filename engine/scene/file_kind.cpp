@@ -22,7 +22,6 @@ std::string lower_extension(const std::filesystem::path& file) {
 }
 
 constexpr auto no_command = "no command of this program reads it";
-constexpr auto save_it_as_utf8 = "save it as UTF-8";
 constexpr auto of_a_run = "dda view DIR shows the run in whose folder it is";
 
 struct Mark {
@@ -45,9 +44,7 @@ constexpr std::array marks{
     Mark{"<?xml", "an XML file", no_command},
     Mark{"%PDF", "a PDF document", no_command},
     Mark{"\x89PNG", "a picture", no_command},
-    Mark{"\x1F\x8B", "a compressed file", "unpack it first"},
-    Mark{"\xFF\xFE", utf16_text, save_it_as_utf8},
-    Mark{"\xFE\xFF", utf16_text, save_it_as_utf8}};
+    Mark{"\x1F\x8B", "a compressed file", "unpack it first"}};
 
 std::string drawing_kind(const std::string& extension) {
   if (extension == ".csv") return "a table (CSV)";
@@ -80,6 +77,7 @@ std::optional<FileKind> kind_other_than_scene(const std::filesystem::path& file,
   const std::string extension = lower_extension(file);
   const std::string_view text = without_blanks(beginning);
   if (text.empty() || begins_as_scene(text, extension)) return std::nullopt;
+  if (is_utf16(text)) return FileKind{utf16_text, "save it as UTF-8"};
   for (const Mark& mark : marks)
     if (text.starts_with(mark.first_bytes)) return FileKind{mark.what, mark.command};
   const bool is_packed = text.starts_with("PK\x03\x04");

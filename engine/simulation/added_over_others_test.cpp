@@ -20,10 +20,8 @@ constexpr double come_on = 1e-5;  // m, by which one wall presses the fill in th
 constexpr int fill = 4;           // the first block of what comes in
 
 Stage settling(const std::string& name, double duration) {
-  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
+  Stage stage = settling_stage(1e-9, duration);
   stage.name = name;
-  stage.duration = duration;
-  stage.equilibrium = 1e-9;
   return stage;
 }
 

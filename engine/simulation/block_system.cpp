@@ -13,6 +13,13 @@
 
 namespace dda {
 
+std::vector<std::pair<int, int>> Reinforcement::pairs() const {
+  std::vector<std::pair<int, int>> pairs = bolts.pairs();
+  const std::vector<std::pair<int, int>> lined = linings.pairs();
+  pairs.insert(pairs.end(), lined.begin(), lined.end());
+  return pairs;
+}
+
 namespace {
 
 ContactSet contacts_of(const Model& model) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -74,6 +75,9 @@ struct Reinforcement {
 
   BoltSet bolts;
   LiningSet linings;
+
+  // Blocks that bolts and linings couple which have been put in.
+  [[nodiscard]] std::vector<std::pair<int, int>> pairs() const;
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {

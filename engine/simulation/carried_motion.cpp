@@ -41,9 +41,7 @@ bool is_closed(const InterfaceElement& element, const InterfaceState& state) {
 
 // Pairs of blocks that hold on to each other.
 std::vector<std::pair<int, int>> ties_of(const BlockSystem& s) {
-  std::vector<std::pair<int, int>> ties = s.reinforcement.bolts.pairs();
-  const std::vector<std::pair<int, int>> lined = s.reinforcement.linings.pairs();
-  ties.insert(ties.end(), lined.begin(), lined.end());
+  std::vector<std::pair<int, int>> ties = s.reinforcement.pairs();
   for (std::size_t i = 0; i < s.contacts.elements.size(); ++i) {
     const InterfaceElement& element = s.contacts.elements.own()[i];
     if (is_closed(element, s.contacts.states[i])) ties.emplace_back(element.block_a, element.block_b);
@@ -91,9 +89,7 @@ class Carriers {
     bool has_any_ = false, is_one_ = true;
   };
 
-  [[nodiscard]] Vec2 centroid_of(int block) const {
-    return system_.model.blocks[at(block)].moments.centroid + system_.state.displacement[at(block)].head<2>();
-  }
+  [[nodiscard]] Vec2 centroid_of(int block) const { return current_centroid(system_.model, system_.state, block); }
 
   [[nodiscard]] RigidMotion motion_of(int held) const {
     const Vec6& increments = system_.held.increments[at(system_.held.place[at(held)])];

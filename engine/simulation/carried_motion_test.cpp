@@ -46,9 +46,7 @@ Model random_wall(const JointMaterial& joint, SeededNumbers& random) {
     }
   model.held_blocks.emplace_back().block = 0;
   model.gravity = {0, -standard_gravity};
-  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
-  stage.equilibrium = 1e-8;
-  model.stages = {stage};
+  model.stages = {settling_stage(1e-8)};
   return model;
 }
 
@@ -130,9 +128,7 @@ TEST(CarriedTowers, GoWithTheirOwnBases) {
   model.materials = {rock()};
   model.joints = {dry_projected(friction_of_bricks)};
   model.gravity = {0, -standard_gravity};
-  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
-  stage.equilibrium = 1e-8;
-  model.stages = {stage};
+  model.stages = {settling_stage(1e-8, 1)};
   for (const BaseMotion& motion : motions) {
     const double left = 2.0 * static_cast<double>(model.blocks.size());
     HeldBlock& held = model.held_blocks.emplace_back();
@@ -144,7 +140,6 @@ TEST(CarriedTowers, GoWithTheirOwnBases) {
     model.blocks.push_back(rectangle("", left, -1, 3, 1));
     for (const double bottom : {0.0, 0.8}) model.blocks.push_back(rectangle("", left + 1, bottom, 1, 0.8));
   }
-  model.stages[0].duration = 1;
   Simulation simulation = simulation_of(std::move(model));
   const std::vector<Vec2> there = ends(simulation);
   const auto way_on_base = [&](std::size_t i) -> Vec2 {
@@ -166,10 +161,7 @@ TEST(CarriedTowers, WhatLiesOnTwoBasesIsCarriedByNone) {
   model.held_blocks[1].block = 1;
   model.held_blocks[1].amplitude = {0, -0.05};
   model.held_blocks[1].history = PiecewiseLinear{{0, 1}, {0, 1}};
-  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
-  stage.equilibrium = 1e-8;
-  stage.duration = 1;
-  model.stages = {stage};
+  model.stages = {settling_stage(1e-8, 1)};
   Simulation simulation = simulation_of(std::move(model));
   ends(simulation);
   // Its centroid is over the base that stays; its strains make 6e-6 m.

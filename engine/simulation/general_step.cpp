@@ -73,9 +73,7 @@ GeneralStep::GeneralStep(BlockSystem& system)
 }
 
 BlockMatrix GeneralStep::pattern() const {
-  std::vector<std::pair<int, int>> pairs = system_.reinforcement.bolts.pairs();
-  const std::vector<std::pair<int, int>> lined = system_.reinforcement.linings.pairs();
-  pairs.insert(pairs.end(), lined.begin(), lined.end());
+  std::vector<std::pair<int, int>> pairs = system_.reinforcement.pairs();
   if (moving_) pairs.insert(pairs.end(), moving_->pairs().begin(), moving_->pairs().end());
   // What is bonded stays coupled however far it is drawn apart, and may then be no pair of the search.
   return make_system_matrix(static_cast<int>(system_.model.blocks.size()), system_.contacts, std::move(pairs));

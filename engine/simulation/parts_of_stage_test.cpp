@@ -20,10 +20,7 @@ int parts_of(const Vec2& way) {
   model.held_blocks.resize(1);
   model.held_blocks[0].amplitude = way;
   model.held_blocks[0].history = PiecewiseLinear{{0, 1}, {0, 1}};
-  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
-  stage.equilibrium = 1e-6;
-  stage.duration = 1;
-  model.stages = {stage};
+  model.stages = {settling_stage(1e-6, 1)};
   Simulation simulation = simulation_of(std::move(model));
   EXPECT_EQ(simulation.step(), Status::ok) << simulation.message();
   return simulation.system().clock.parts.all;

@@ -127,11 +127,7 @@ void expect_same_motion(const Stage& stage, std::vector<Seen> all) {
 
 Stage motion() { return stage_of(generalized_alpha_integrator(0), 1e-3, 20, Kinematics::finite); }
 
-Stage settling() {
-  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
-  stage.equilibrium = 1e-9;
-  return stage;
-}
+Stage settling() { return settling_stage(1e-9); }
 
 std::vector<Seen> other_numberings() {
   std::vector<Seen> views(3);

@@ -26,6 +26,14 @@ inline Stage stage_of(const Integrator& integrator, double dt, int steps, Kinema
   return stage;
 }
 
+// A static stage in finite kinematics that finds its own steps and ends in balance to `equilibrium`.
+inline Stage settling_stage(double equilibrium, double duration = 0) {
+  Stage stage = stage_of(static_integrator(), 0, 0, Kinematics::finite);
+  stage.equilibrium = equilibrium;
+  stage.duration = duration;
+  return stage;
+}
+
 // A named block, its lower left corner at (left, bottom).
 inline Block rectangle(const std::string& name, double left, double bottom, double width, double height) {
   Block block;

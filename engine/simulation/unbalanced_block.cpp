@@ -83,8 +83,7 @@ std::vector<UnbalancedBlock> placed(const BlockSystem& system, const std::vector
   if (blocks.empty()) return found;
   std::vector<std::vector<ContactPoint>> points = points_of(blocks, system);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const std::size_t block = at(blocks[i]);
-    const Vec2 place = system.model.blocks[block].moments.centroid + system.state.displacement[block].head<2>();
+    const Vec2 place = current_centroid(system.model, system.state, blocks[i]);
     found.push_back({static_cast<int>(system.clock.stage), blocks[i], place, faces_of(std::move(points[i]))});
   }
   return found;

@@ -10,6 +10,8 @@
 namespace dda {
 namespace {
 
+using std::string_literals::operator""s;
+
 TEST(ReadXlsx, TablesOnSeveralSheets) {
   const LineDrawing drawing = read_xlsx(text_of_fixture("tables.xlsx"), "plan.xlsx", 1e-3);
   expect_triangle_with_joint(drawing);
@@ -34,7 +36,7 @@ TEST(ReadDrawing, AFileWithoutAnExtensionIsNone) {
 
 TEST(ReadDrawing, TablesAsUnicodeTextAreRefused) {
   const TemporaryFolder folder;
-  std::ofstream(folder / "plan.csv", std::ios::binary) << std::string("\xFE\xFF\0l\0a", 6);
+  std::ofstream(folder / "plan.csv", std::ios::binary) << "\xFE\xFF\0l\0a"s;
   expect_refused([&] { read_drawing(folder / "plan.csv", "plan.csv"); },
                  "plan.csv is text in UTF-16, expected text in UTF-8");
 }

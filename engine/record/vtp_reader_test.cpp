@@ -11,6 +11,8 @@
 namespace dda {
 namespace {
 
+using std::string_literals::operator""s;
+
 // A line and a triangle over three points, and a vertex.
 PolyData sample() {
   PolyData data;
@@ -81,8 +83,8 @@ TEST_F(VtpFileTest, SaysWhatIsWrongAndWhatToDo) {
   EXPECT_NE(refusal(with("LittleEndian", "BigEndian")).find("another byte order"), std::string::npos);
   EXPECT_NE(refusal(with("Int32", "Int31")).find("type \"Int31\""), std::string::npos);
   EXPECT_NE(refusal(with("offset=\"0\"", "offset=\"x\"")).find("damaged"), std::string::npos);
-  EXPECT_NE(refusal(with(std::string("a b\0", 4), "a bc")).find("(name)"), std::string::npos) << "a text too few";
-  EXPECT_NE(refusal(with(std::string("<\0", 2), "<c")).find("(name)"), std::string::npos) << "a text without end";
+  EXPECT_NE(refusal(with("a b\0"s, "a bc")).find("(name)"), std::string::npos) << "a text too few";
+  EXPECT_NE(refusal(with("<\0"s, "<c")).find("(name)"), std::string::npos) << "a text without end";
   EXPECT_NE(refusal(with("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"")).find("force"), std::string::npos);
 }
 

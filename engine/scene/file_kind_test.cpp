@@ -14,6 +14,8 @@
 namespace dda {
 namespace {
 
+using std::string_literals::operator""s;
+
 std::string complaint(const std::string& name, const std::string& content) {
   const TemporaryFolder folder;
   std::ofstream(folder / name, std::ios::binary) << content;
@@ -50,7 +52,7 @@ TEST(FileKind, FilesOfRunsAndOfOtherPrograms) {
   EXPECT_NE(complaint("histories.csv", "time [s],a [m]\n").find("a table of measurements"), std::string::npos);
   EXPECT_NE(complaint("plan.dwg", "AC1032").find("saved as DXF"), std::string::npos);
   EXPECT_NE(complaint("plan.zip", "PK\x03\x04").find("a packed file (zip)"), std::string::npos);
-  EXPECT_NE(complaint("scene.json", std::string("\xFF\xFE{\0", 4)).find("is text in UTF-16"), std::string::npos);
+  EXPECT_NE(complaint("scene.json", "\xFF\xFE{\0"s).find("is text in UTF-16"), std::string::npos);
   EXPECT_NE(complaint("plan.pdf", "%PDF-1.4").find("a PDF document"), std::string::npos);
 }
 

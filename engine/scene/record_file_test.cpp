@@ -15,6 +15,8 @@
 namespace dda {
 namespace {
 
+using std::string_literals::operator""s;
+
 std::filesystem::path written(const std::string& text) {
   static const TemporaryFolder folder;
   const std::filesystem::path file = folder / "record.csv";
@@ -132,10 +134,10 @@ const std::vector<Bad> bad_records = {
     {"unknown unit in the header", "t,a [gal]\n0,0\n1,1\n", {"line 1, column \"a\"", "\"gal\"", "acceleration"}},
     {"unit of another dimension", "t,a [kN]\n0,0\n1,1\n", {"line 1, column \"a\"", "\"kN\"", "acceleration"}},
     {"two units", "t,a [g]\n0,0\n1,1\n", {"column \"a\"", "\"g\"", "\"m/s2\""}, {.file = {}, .value_unit = "m/s2"}},
-    {"a NUL", std::string("t,a\n0,0\n1,1\0junk\n", 17), {"line 3, column \"a\""}},
+    {"a NUL", "t,a\n0,0\n1,1\0junk\n"s, {"line 3, column \"a\""}},
     {"too long", "t,a\n0,0\n1,1\n2,0\n", {"line 4", "at most 2 samples"}, {.file = {}, .most_samples = 2}},
     {"endless line", "t,a\n0," + std::string(20000, '1'), {"line 2", "longer than"}},
-    {"text of spreadsheets", std::string("\xFF\xFEt\0,\0a\0\n\0", 12), {"text in UTF-16", "text in UTF-8"}},
+    {"text of spreadsheets", "\xFF\xFEt\0,\0a\0\n\0"s, {"text in UTF-16", "text in UTF-8"}},
     {"binary", std::string(3000, '\x01') + "\n", {"line 1"}},
 };
 

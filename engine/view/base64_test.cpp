@@ -5,6 +5,8 @@
 namespace dda {
 namespace {
 
+using std::string_literals::operator""s;
+
 // RFC 4648, section 10.
 TEST(Base64, OfTheStandard) {
   EXPECT_EQ(base64(""), "");
@@ -16,7 +18,7 @@ TEST(Base64, OfTheStandard) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-TEST(Base64, OfAllBytes) { EXPECT_EQ(base64(std::string("\xff\x00\x80\x7f", 4)), "/wCAfw=="); }
+TEST(Base64, OfAllBytes) { EXPECT_EQ(base64("\xff\x00\x80\x7f"s), "/wCAfw=="); }
 
 }  // namespace
 }  // namespace dda

@@ -11,6 +11,7 @@
 
 #include "engine/advice/at_odds.h"
 #include "engine/advice/block_named.h"
+#include "engine/advice/bolt_remarks.h"
 #include "engine/advice/changed_rock_remarks.h"
 #include "engine/advice/fading_remarks.h"
 #include "engine/advice/far_coordinates.h"
@@ -19,11 +20,11 @@
 #include "engine/advice/holding_remarks.h"
 #include "engine/advice/joint_remarks.h"
 #include "engine/advice/lining_remarks.h"
+#include "engine/advice/magnitude_remarks.h"
 #include "engine/advice/spin_remarks.h"
 #include "engine/advice/springs_around_openings.h"
 #include "engine/advice/unseen_loads.h"
 #include "engine/contact/joint_stiffness.h"
-#include "engine/core/principal_stress.h"
 #include "engine/geometry/box.h"
 #include "engine/model/held_motion.h"
 #include "engine/model/step_choice.h"
@@ -36,9 +37,6 @@ using Remarks = std::vector<std::string>;
 using Blocks = std::vector<int>;
 
 // Bounds between what occurs and what is most likely a mistake.
-constexpr double softest = 1e5;           // Pa: a tenth of the softest soils
-constexpr double lightest = 10;           // kg/m3: below foam; 2.65 is a density in t/m3
-constexpr double heaviest = 25'000;       // kg/m3: above all metals
 constexpr double smallest_share = 1e-2;   // of the median size: such a block decides over dt and conditioning
 constexpr double longest_fall = 0.1;      // of the smallest block, in one step; contact detection follows less
 constexpr double spoilt_speed = 0.05;     // by time steps, of a wave that is as fast as the loads
@@ -58,33 +56,6 @@ Blocks blocks_with(const Model& model, const Condition& condition) {
 
 void remark_on_holding(const Model& model, const ContactSet& contacts, Remarks& remarks) {
   for (std::string& sentence : holding_remarks(model, contacts)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_gravity(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  if (model.gravity.y() <= 0) return;
-  remarks.push_back(fmt::format("gravity points upwards, [{:g}, {:g}] m/s2: y is up, so weight has a negative y",
-                                model.gravity.x(), model.gravity.y()));
-}
-
-void remark_on_tension(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  const Blocks pulled =
-      blocks_with(model, [](const Block& block) { return largest_principal(block.initial_stress) > 0; });
-  if (pulled.empty()) return;
-  remarks.push_back(
-      fmt::format("{} starts in tension, {:g} Pa: stresses are positive in tension, in-situ compression is negative",
-                  blocks_named(model, pulled), largest_principal(model.blocks[at(pulled[0])].initial_stress)));
-}
-
-void remark_on_materials(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (const Material& material : model.materials) {
-    if (material.young < softest)
-      remarks.push_back(
-          fmt::format("material \"{}\": young is {:g} Pa, softer than any soil (1 MPa); rock has some GPa",
-                      material.name, material.young));
-    if (material.density < lightest || material.density > heaviest)
-      remarks.push_back(fmt::format("material \"{}\": density is {:g} kg/m3; rock has 2000 to 3000 kg/m3",
-                                    material.name, material.density));
-  }
 }
 
 // m2, of two digits, and above that of a block of this size, m.
@@ -249,6 +220,14 @@ void remark_on_joints(const Model& model, const ContactSet& contacts, Remarks& r
   for (std::string& sentence : joint_remarks(model, contacts)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_magnitudes(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : magnitude_remarks(model)) remarks.push_back(std::move(sentence));
+}
+
+void remark_on_bolts(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : bolt_remarks(model)) remarks.push_back(std::move(sentence));
+}
+
 void remark_on_linings(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   for (std::string& sentence : lining_remarks(model)) remarks.push_back(std::move(sentence));
 }
@@ -292,13 +271,17 @@ void remark_on_lost_motion(const Model& model, const ContactSet& /*contacts*/, R
                   stage.name, blocks_named(model, moving)));
 }
 
-constexpr auto all_remarks = {
-    remark_on_holding,     remark_on_gravity,      remark_on_tension,      remark_on_materials,
-    remark_on_sizes,       remark_on_gaps,         remark_on_steps,        remark_on_coarse_steps,
-    remark_on_loads,       remark_on_joints,       remark_on_chatter,      remark_on_chatter_on_slopes,
-    remark_on_linings,     remark_on_held_blocks,  remark_on_damping_rate, remark_on_coordinates,
-    remark_on_springs,     remark_on_changed_rock, remark_on_fading,       remark_on_spins,
-    remark_on_lost_motion, remark_on_odds};
+constexpr auto all_remarks = {remark_on_holding,      remark_on_magnitudes,
+                              remark_on_sizes,        remark_on_gaps,
+                              remark_on_steps,        remark_on_coarse_steps,
+                              remark_on_loads,        remark_on_joints,
+                              remark_on_chatter,      remark_on_chatter_on_slopes,
+                              remark_on_bolts,        remark_on_linings,
+                              remark_on_held_blocks,  remark_on_damping_rate,
+                              remark_on_coordinates,  remark_on_springs,
+                              remark_on_changed_rock, remark_on_fading,
+                              remark_on_spins,        remark_on_lost_motion,
+                              remark_on_odds};
 
 }  // namespace
 

@@ -210,6 +210,19 @@ TEST(CutRock, RegionsGiveMaterials) {
   ASSERT_EQ(rock.blocks.size(), 2U);
   EXPECT_EQ(rock.blocks[0].material, "clay");
   EXPECT_EQ(rock.blocks[1].material, "granite");
+  EXPECT_TRUE(rock.remarks.empty());
+}
+
+// An inclusion that is smaller than the blocks, or drawn beside them, would be left out without a word.
+TEST(CutRock, RegionsWithoutBlocksAreRemarkedOn) {
+  RockPlan plan = square_plan();
+  plan.regions.push_back({{{1, 1}, {2, 1}, {2, 2}, {1, 2}}, "ore", "regions[0]"});
+  plan.regions.push_back({{{20, 1}, {22, 1}, {22, 2}, {20, 2}}, "clay", "regions[1]"});
+  const std::vector<std::string> remarks = cut_rock(plan).remarks;
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_EQ(remarks[0].find("regions[0] has the middle of no block in it, so it gives \"ore\" to none"), 0U)
+      << remarks[0];
+  EXPECT_EQ(remarks[1].find("regions[1] "), 0U) << remarks[1];
 }
 
 void expect_refusal(const RockPlan& plan, const std::string& sentence, const CutOptions& options = {}) {

@@ -1,12 +1,26 @@
 #include "engine/cutting/materials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 
 #include "engine/geometry/box.h"
 #include "engine/geometry/segment.h"
 #include "engine/geometry/triangulate.h"
 
 namespace dda {
+namespace {
+
+std::string remark_without_blocks(const PlanRegion& region) {
+  return fmt::format(
+      "{} has the middle of no block in it, so it gives \"{}\" to none: it lies beside the rock, or is smaller than "
+      "its "
+      "blocks, which have one material each",
+      region.origin, region.material);
+}
+
+}  // namespace
 
 Vec2 point_inside(const Polygon& polygon) {
   Vec2 centroid = area_moments(polygon).centroid;
@@ -28,15 +42,19 @@ Vec2 point_inside(const Polygon& polygon) {
 void assign_materials(const RockPlan& plan, CutRock& rock) {
   std::vector<Box> boxes;
   for (const PlanRegion& region : plan.regions) boxes.push_back(bounding_box(region.outline));
+  std::vector<bool> holds_blocks(plan.regions.size());
   for (CutBlock& block : rock.blocks) {
     if (block.material.empty()) block.material = plan.material;
     if (plan.regions.empty()) continue;
     const Vec2 inside = point_inside(block.shape);
     for (std::size_t i = 0; i < plan.regions.size(); ++i) {
-      if (overlap(boxes[i], Box{inside, inside}) && contains({plan.regions[i].outline, {}}, inside))
-        block.material = plan.regions[i].material;
+      if (!overlap(boxes[i], Box{inside, inside}) || !contains({plan.regions[i].outline, {}}, inside)) continue;
+      block.material = plan.regions[i].material;
+      holds_blocks[i] = true;
     }
   }
+  for (std::size_t i = 0; i < plan.regions.size(); ++i)
+    if (!holds_blocks[i]) rock.remarks.push_back(remark_without_blocks(plan.regions[i]));
 }
 
 }  // namespace dda

@@ -1,0 +1,108 @@
+#include "engine/advice/magnitude_remarks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/advice/block_named.h"
+#include "engine/core/principal_stress.h"
+
+namespace dda {
+namespace {
+
+using Remarks = std::vector<std::string>;
+
+// Bounds between what occurs and what is most likely a mistake.
+constexpr double softest = 1e5;           // Pa: a tenth of the softest soils
+constexpr double stiffest = 1e14;         // Pa: a hundred times diamond, and what stands for rigid
+constexpr double lightest = 10;           // kg/m3: below foam; 2.65 is a density in t/m3
+constexpr double heaviest = 25'000;       // kg/m3: above all metals
+constexpr double strongest_gravity = 50;  // m/s2: five times the Earth's
+constexpr double largest_strain = 0.05;   // of in-situ stress; rock breaks at a tenth of that
+constexpr double most_unequal = 30;       // in-situ stresses across each other; near the surface some have 5
+
+template <typename Condition>
+std::vector<int> blocks_with(const Model& model, const Condition& condition) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    if (condition(model.blocks[i])) found.push_back(static_cast<int>(i));
+  return found;
+}
+
+void remark_on_gravity(const Model& model, Remarks& remarks) {
+  const double gravity = model.gravity.norm();
+  if (model.gravity.y() > 0)
+    remarks.push_back(fmt::format("gravity points upwards, [{:g}, {:g}] m/s2: y is up, so weight has a negative y",
+                                  model.gravity.x(), model.gravity.y()));
+  if (gravity > strongest_gravity)
+    remarks.push_back(fmt::format("gravity is {:g} m/s2, {:.3g} times the Earth's", gravity, gravity / 9.81));
+}
+
+void remark_on_tension(const Model& model, Remarks& remarks) {
+  const std::vector<int> pulled =
+      blocks_with(model, [](const Block& block) { return largest_principal(block.initial_stress) > 0; });
+  if (pulled.empty()) return;
+  const Block& first = model.blocks[static_cast<std::size_t>(pulled[0])];
+  remarks.push_back(
+      fmt::format("{} starts in tension, {:g} Pa: stresses are positive in tension, in-situ compression is negative",
+                  blocks_named(model, pulled), largest_principal(first.initial_stress)));
+}
+
+double smallest_principal(const Vec3& stress) { return -largest_principal(-stress); }
+
+// Blocks that start with a stress which strains them by more than rock bears.
+void remark_on_strain(const Model& model, Remarks& remarks) {
+  const auto strain = [&](const Block& block) {
+    return -smallest_principal(block.initial_stress) / model.materials[static_cast<std::size_t>(block.material)].young;
+  };
+  const std::vector<int> strained = blocks_with(model, [&](const Block& b) { return strain(b) > largest_strain; });
+  if (strained.empty()) return;
+  const Block& first = model.blocks[static_cast<std::size_t>(strained[0])];
+  remarks.push_back(fmt::format("{} starts under {:g} Pa, {:.2g} of its young: rock breaks at less than 0.01 of it",
+                                blocks_named(model, strained), -smallest_principal(first.initial_stress),
+                                strain(first)));
+}
+
+// A k0 in per cent. Where a block is pressed in one direction alone, as a sample is, nothing is odd.
+void remark_on_unequal_stress(const Model& model, Remarks& remarks) {
+  constexpr double round_off = 1e-9;
+  const auto is_unequal = [](const Block& block) {
+    const double most = -smallest_principal(block.initial_stress), least = -largest_principal(block.initial_stress);
+    return least > round_off * most && most > most_unequal * least;
+  };
+  const std::vector<int> unequal = blocks_with(model, is_unequal);
+  if (unequal.empty()) return;
+  const Block& first = model.blocks[static_cast<std::size_t>(unequal[0])];
+  remarks.push_back(fmt::format(
+      "{} starts under {:.3g} Pa in one direction and {:.3g} Pa across it; in rock they differ by 5 times at most, "
+      "and k0 is a share, not per cent",
+      blocks_named(model, unequal), -smallest_principal(first.initial_stress),
+      -largest_principal(first.initial_stress)));
+}
+
+void remark_on_materials(const Model& model, Remarks& remarks) {
+  for (const Material& material : model.materials) {
+    if (material.young < softest)
+      remarks.push_back(
+          fmt::format("material \"{}\": young is {:g} Pa, softer than any soil (1 MPa); rock has some GPa",
+                      material.name, material.young));
+    if (material.young > stiffest)
+      remarks.push_back(fmt::format("material \"{}\": young is {:g} Pa, stiffer than anything (diamond has 1e12 Pa)",
+                                    material.name, material.young));
+    if (material.density < lightest || material.density > heaviest)
+      remarks.push_back(fmt::format("material \"{}\": density is {:g} kg/m3; rock has 2000 to 3000 kg/m3",
+                                    material.name, material.density));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> magnitude_remarks(const Model& model) {
+  Remarks remarks;
+  for (const auto& remark :
+       {remark_on_gravity, remark_on_tension, remark_on_strain, remark_on_unequal_stress, remark_on_materials})
+    remark(model, remarks);
+  return remarks;
+}
+
+}  // namespace dda

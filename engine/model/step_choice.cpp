@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,15 +74,20 @@ double typical(const std::vector<const Block*>& blocks, const Size& size) {
 
 double side_of(const Block& block) { return std::sqrt(block.moments.area); }
 
-// Where a table turns back by more than a little, and its ends: between two of these it rises or falls.
-std::vector<std::size_t> turns_of(const PiecewiseLinear& table, double little) {
+// Straight lines through points: a table, or a recording.
+struct Points {
+  std::span<const double> times, values;
+};
+
+// Where they turn back by more than a little, and their ends: between two of these they rise or fall.
+std::vector<std::size_t> turns_of(const Points& points, double little) {
   std::vector<std::size_t> turns{0};
   std::size_t low = 0, high = 0;  // since the last turn
-  for (std::size_t i = 1; i < table.values.size(); ++i) {
-    if (table.values[i] > table.values[high]) high = i;
-    if (table.values[i] < table.values[low]) low = i;
-    const bool falls = table.values[high] - table.values[i] > little && high != turns.back();
-    const bool rises = table.values[i] - table.values[low] > little && low != turns.back();
+  for (std::size_t i = 1; i < points.values.size(); ++i) {
+    if (points.values[i] > points.values[high]) high = i;
+    if (points.values[i] < points.values[low]) low = i;
+    const bool falls = points.values[high] - points.values[i] > little && high != turns.back();
+    const bool rises = points.values[i] - points.values[low] > little && low != turns.back();
     if (!falls && !rises) continue;
     turns.push_back(falls ? high : low);
     low = high = turns.back();
@@ -92,27 +98,38 @@ std::vector<std::size_t> turns_of(const PiecewiseLinear& table, double little) {
   return turns;
 }
 
-// Hz, of a table: what it would change by between two of its turns, all at its steepest there, is a quarter of a
-// period. So many points in a smooth table do not make it fast (a sine of f in a table is (pi/2) f), and neither does a
-// preload make slow what follows it. Ripples of a twentieth of the whole change count for nothing.
-std::optional<double> table_frequency(const PiecewiseLinear& table) {
-  constexpr double ripple = 0.05;
+// Hz: what points would change by between two of their turns, all at its steepest there, is a quarter of a period. So
+// many points in a smooth table do not make it fast (a sine of f in a table is (pi/2) f), and neither does a preload
+// make slow what follows it. Changes below `ripple` of the largest count for nothing.
+std::optional<double> frequency_of(const Points& points, double ripple) {
   double largest = 0;
-  for (const double value : table.values) largest = std::max(largest, std::abs(value - table.values.front()));
+  for (const double value : points.values) largest = std::max(largest, std::abs(value - points.values.front()));
   if (largest == 0) return std::nullopt;
   const double little = ripple * largest;
-  const std::vector<std::size_t> turns = turns_of(table, little);
+  const std::vector<std::size_t> turns = turns_of(points, little);
   double highest = 0;
   for (std::size_t turn = 1; turn < turns.size(); ++turn) {
-    const double change = std::abs(table.values[turns[turn]] - table.values[turns[turn - 1]]);
+    const double change = std::abs(points.values[turns[turn]] - points.values[turns[turn - 1]]);
     if (change <= little) continue;
     double steepest = 0;
     for (std::size_t i = turns[turn - 1] + 1; i <= turns[turn]; ++i)
-      steepest =
-          std::max(steepest, std::abs(table.values[i] - table.values[i - 1]) / (table.times[i] - table.times[i - 1]));
+      steepest = std::max(steepest,
+                          std::abs(points.values[i] - points.values[i - 1]) / (points.times[i] - points.times[i - 1]));
     highest = std::max(highest, 0.25 * steepest / change);
   }
   return highest;
+}
+
+std::optional<double> frequency_of(const PiecewiseLinear& table) {
+  constexpr double ripple = 0.05;
+  return frequency_of({table.times, table.values}, ripple);
+}
+
+// What is measured has noise, and small waves of high frequency on the large ones: those count for less, and steps that
+// followed them all would be a small part of the interval of the samples.
+std::optional<double> frequency_of(const Recorded& record) {
+  constexpr double ripple = 0.5;
+  return frequency_of({record.recording->times(), record.recording->values()}, ripple);
 }
 
 // Hz, of the fastest change of a history; none of one that does not change.
@@ -120,8 +137,9 @@ std::optional<double> highest_frequency(const TimeFunction& history) {
   if (const auto* sine = std::get_if<SineCycles>(&history)) return sine->frequency;
   if (const auto* decay = std::get_if<ExponentialDecay>(&history))
     return 0.25 / (decay->rise > 0 ? std::min(decay->rise, decay->decay_time) : decay->decay_time);
-  const auto* table = std::get_if<PiecewiseLinear>(&history);
-  return table == nullptr ? std::nullopt : table_frequency(*table);
+  if (const auto* table = std::get_if<PiecewiseLinear>(&history)) return frequency_of(*table);
+  const auto* record = std::get_if<Recorded>(&history);
+  return record == nullptr ? std::nullopt : frequency_of(*record);
 }
 
 std::vector<const TimeFunction*> histories_of(const Model& model) {
@@ -135,8 +153,7 @@ std::vector<const TimeFunction*> histories_of(const Model& model) {
   return histories;
 }
 
-// Hz, of loads and prescribed motions or as it is given; 0 where nothing changes. Recordings have their samples
-// instead.
+// Hz, of loads and prescribed motions or as it is given; 0 where nothing changes.
 double fastest_change(const Model& model) {
   if (model.expected.frequency) return *model.expected.frequency;
   double highest = 0;

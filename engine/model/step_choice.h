@@ -7,7 +7,7 @@
 //   waves     time steps may change speed and amplitude of a wave of the highest frequency of loads and prescribed
 //             motions (or of `target_frequency`) by 0.2 % on its way across the scene, by the integrator's own
 //             amplification of an oscillator. In a table a rise or fall, as steep all along as it is at its steepest,
-//             is a quarter of a period
+//             is a quarter of a period; so in a recording, where those of less than half of its peak count for nothing
 //   records   no longer than the interval of a recording's samples
 //   fall      where blocks can part: 1 % of the time sqrt(size/g) in which a block topples or falls by its size
 //   flight    where blocks can part: 1 % of the time in which the fastest block flies its size; blocks start with their

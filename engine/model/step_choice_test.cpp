@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <variant>
+#include <vector>
 
 namespace dda {
 namespace {
@@ -257,6 +259,24 @@ TEST(StepChoice, OfTablesDoesNotDependOnTheirPoints) {
   }
   model.edge_loads[0].history = PiecewiseLinear{{0, 0.25 / 157, 1}, {0, 1, 1}};
   EXPECT_EQ(chosen(model), of_sine);  // a ramp is a quarter of a period, as before
+}
+
+// 10 points a period of 100 Hz, as a recorder gives them: the interval of its samples is 1 ms, where steps took 5 % of
+// a wave's amplitude.
+TEST(StepChoice, OfRecordingsIsThatOfTheirLargeSwings) {
+  const PiecewiseLinear signal = sampled_sine(100, 10, 1, 0);
+  std::vector<double> noisy = signal.values;
+  for (std::size_t i = 0; i < noisy.size(); ++i) noisy[i] += i % 2 == 0 ? 0.02 : -0.02;
+  Model model = row_of_squares(true);
+  model.edge_loads = {{0, {0, 0}, {0, 1}, {1e6, 0}, SineCycles{157, 1, 0}}};
+  const double of_sine = chosen(model);
+  const auto record = [](const PiecewiseLinear& table, const std::vector<double>& values) {
+    return Recorded{std::make_shared<const Recording>("record", table.times, values), 0};
+  };
+  model.edge_loads[0].history = record(signal, signal.values);
+  EXPECT_EQ(chosen(model), of_sine);
+  model.edge_loads[0].history = record(signal, noisy);
+  EXPECT_NEAR(chosen(model), of_sine, 0.5 * of_sine) << "noise of 2 % of the peak in every sample";
 }
 
 TEST(StepChoice, OfTablesLeavesRipplesOut) {

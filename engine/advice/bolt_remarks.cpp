@@ -13,6 +13,7 @@ using Remarks = std::vector<std::string>;
 constexpr double softest = 1e4;          // N/m
 constexpr double stiffest_in_rock = 10;  // of Young's modulus of the softer block, per m of thickness
 constexpr double weakest = 1e3;          // N
+constexpr double most_pretension = 2e7;  // N: the largest anchors of dams have 10 MN
 
 double young_of(const Model& model, int block) {
   const Block& in = model.blocks[static_cast<std::size_t>(block)];
@@ -38,7 +39,11 @@ void remark_on_stiffness(const Model& model, const Bolt& bolt, Remarks& remarks)
                     bolt.name, stiff.axial_stiffness * bolt.spacing));
 }
 
-void remark_on_strength(const Bolt& bolt, Remarks& remarks) {
+void remark_on_forces(const Bolt& bolt, Remarks& remarks) {
+  if (bolt.pretension * bolt.spacing > most_pretension)
+    remarks.push_back(fmt::format(
+        "bolt \"{}\" has a pretension of {:.3g} N; bolts have 1e4 to 1e6 N, the largest anchors of dams 1e7 N",
+        bolt.name, bolt.pretension * bolt.spacing));
   if (bolt.yield_force * bolt.spacing >= weakest) return;
   remarks.push_back(
       fmt::format("bolt \"{}\" yields at {:.3g} N, which a hand can pull; bolts of steel bear 5e4 N and more",
@@ -51,7 +56,7 @@ std::vector<std::string> bolt_remarks(const Model& model) {
   Remarks remarks;
   for (const Bolt& bolt : model.bolts) {
     remark_on_stiffness(model, bolt, remarks);
-    remark_on_strength(bolt, remarks);
+    remark_on_forces(bolt, remarks);
   }
   return remarks;
 }

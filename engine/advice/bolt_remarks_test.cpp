@@ -53,5 +53,13 @@ TEST(BoltRemarks, WeakerThanAHand) {
             "bolt \"bar\" yields at 100 N, which a hand can pull; bolts of steel bear 5e4 N and more");
 }
 
+TEST(BoltRemarks, StretchedByMoreThanTheLargestAnchors) {
+  Model model = bolted();
+  model.bolts[0].yield_force = 1e12;
+  model.bolts[0].pretension = 1e9 / model.bolts[0].spacing;
+  EXPECT_EQ(only_remark(model),
+            "bolt \"bar\" has a pretension of 1e+09 N; bolts have 1e4 to 1e6 N, the largest anchors of dams 1e7 N");
+}
+
 }  // namespace
 }  // namespace dda

@@ -31,6 +31,14 @@ void remark_on_apex(const JointMaterial& joint, Remarks& remarks) {
                   joint.name, joint.tensile_strength, joint.cohesion / slope));
 }
 
+// A stiffness in GPa/m or MPa/mm that is read in Pa/m.
+void remark_on_softness(const JointMaterial& joint, Remarks& remarks) {
+  constexpr double softest = 1e5;  // Pa/m: joints filled with clay have 1e8
+  if (joint.normal_stiffness == 0 || joint.normal_stiffness >= softest) return;
+  remarks.push_back(fmt::format("joint \"{}\": normal_stiffness is {:g} Pa/m; joints of rock have 1e8 to 1e12 Pa/m",
+                                joint.name, joint.normal_stiffness));
+}
+
 // Springs without shear stiffness never reach the strength at which a joint would slide or break.
 void remark_on_shear(const JointMaterial& joint, Remarks& remarks) {
   const bool slides_freely = !joint.bonded && joint.friction_angle == 0 && joint.cohesion == 0;
@@ -75,6 +83,7 @@ std::vector<std::string> joint_remarks(const Model& model, const ContactSet& con
   Remarks remarks;
   for (const std::size_t joint : in_use.with_springs) remark_on_shear(model.joints[joint], remarks);
   for (const std::size_t joint : in_use.all) {
+    remark_on_softness(model.joints[joint], remarks);
     if (!in_use.with_springs.contains(joint)) remark_on_springs_to_come(model.joints[joint], remarks);
     if (model.joints[joint].bonded) continue;
     remark_on_brittleness(model.joints[joint], remarks);

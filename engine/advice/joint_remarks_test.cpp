@@ -47,5 +47,16 @@ TEST(JointRemarks, SayNothingOfSpringsOfJointsThatBreak) {
   EXPECT_TRUE(remarks_on(joint).empty());
 }
 
+// 20 GPa/m without its unit.
+TEST(JointRemarks, SayThatAStiffnessIsThatOfNoJoint) {
+  JointMaterial joint;
+  joint.law = InterfaceLaw::classical;
+  joint.normal_stiffness = 20;
+  ASSERT_EQ(remarks_on(joint).size(), 1);
+  EXPECT_EQ(remarks_on(joint)[0], "joint \"j\": normal_stiffness is 20 Pa/m; joints of rock have 1e8 to 1e12 Pa/m");
+  joint.normal_stiffness = 20e9;
+  EXPECT_TRUE(remarks_on(joint).empty());
+}
+
 }  // namespace
 }  // namespace dda

@@ -20,6 +20,8 @@ constexpr double shortest_element = 1;                    // of the thickness, o
 constexpr double most_uneven = 0.5;                       // shortest element over the mean
 constexpr double softest_concrete = 1e8;                  // Pa: sprayed concrete of an hour has more
 constexpr double weakest_concrete = 1e4;                  // Pa
+constexpr double stiffest_steel = 1e12;                   // Pa, with room: steel has 210 GPa
+constexpr double thinnest = 1e-3;                         // m: sheets and membranes
 constexpr double to_degrees = 180 / std::numbers::pi;
 
 struct Course {
@@ -46,12 +48,18 @@ Course course_of(const Lining& lining) {
 }
 
 // A number without its unit is in Pa: "15" for 15 GPa.
-void remark_on_concrete(const Lining& lining, std::vector<std::string>& remarks) {
+void remark_on_numbers(const Lining& lining, std::vector<std::string>& remarks) {
   if (lining.young < softest_concrete)
     remarks.push_back(
         fmt::format("lining \"{}\" has a young of {:g} Pa: concrete has 1 to 40 GPa, and green concrete "
                     "0.1 GPa and more",
                     lining.name, lining.young));
+  if (lining.young > stiffest_steel)
+    remarks.push_back(fmt::format("lining \"{}\" has a young of {:g} Pa: concrete has 1 to 40 GPa, steel 210 GPa",
+                                  lining.name, lining.young));
+  if (lining.thickness < thinnest)
+    remarks.push_back(fmt::format("lining \"{}\" is {:.3g} m thick, thinner than any sheet of concrete or steel",
+                                  lining.name, lining.thickness));
   if (lining.compressive_strength < weakest_concrete)
     remarks.push_back(fmt::format("lining \"{}\" has a compressive_strength of {:g} Pa: concrete has 1 to 100 MPa",
                                   lining.name, lining.compressive_strength));
@@ -77,7 +85,7 @@ void remark_on_evenness(const Lining& lining, const Course& course, std::vector<
 
 void remark_on(const Lining& lining, std::vector<std::string>& remarks) {
   const Course course = course_of(lining);
-  remark_on_concrete(lining, remarks);
+  remark_on_numbers(lining, remarks);
   remark_on_evenness(lining, course, remarks);
   const double radius =
       course.turn == 0 ? std::numeric_limits<double>::infinity() : course.length / std::abs(course.turn);

@@ -72,5 +72,14 @@ TEST(LiningRemarks, ConcreteInPascals) {
       << remarks[2];
 }
 
+TEST(LiningRemarks, ThinnerOrStifferThanAnything) {
+  Model model = ring(32, 1e-9);
+  model.linings[0].young = 15e15;
+  const auto remarks = lining_remarks(model);
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_NE(remarks[0].find("has a young of 1.5e+16 Pa: concrete has 1 to 40 GPa, steel 210 GPa"), std::string::npos);
+  EXPECT_NE(remarks[1].find("is 1e-09 m thick, thinner than any sheet"), std::string::npos) << remarks[1];
+}
+
 }  // namespace
 }  // namespace dda

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/advice/block_named.h"
@@ -18,7 +19,7 @@ constexpr double stiffest = 1e14;         // Pa: a hundred times diamond, and wh
 constexpr double lightest = 10;           // kg/m3: below foam; 2.65 is a density in t/m3
 constexpr double heaviest = 25'000;       // kg/m3: above all metals
 constexpr double strongest_gravity = 50;  // m/s2: five times the Earth's
-constexpr double largest_strain = 0.05;   // of in-situ stress; rock breaks at a tenth of that
+constexpr double largest_strain = 0.05;   // of in-situ stress and loads; rock breaks at a tenth of that
 constexpr double most_unequal = 30;       // in-situ stresses across each other; near the surface some have 5
 
 template <typename Condition>
@@ -58,7 +59,7 @@ void remark_on_strain(const Model& model, Remarks& remarks) {
   const std::vector<int> strained = blocks_with(model, [&](const Block& b) { return strain(b) > largest_strain; });
   if (strained.empty()) return;
   const Block& first = model.blocks[static_cast<std::size_t>(strained[0])];
-  remarks.push_back(fmt::format("{} starts under {:g} Pa, {:.2g} of its young: rock breaks at less than 0.01 of it",
+  remarks.push_back(fmt::format("{} starts under {:g} Pa, {:.3g} of its young: rock breaks at less than 0.01 of it",
                                 blocks_named(model, strained), -smallest_principal(first.initial_stress),
                                 strain(first)));
 }
@@ -80,6 +81,19 @@ void remark_on_unequal_stress(const Model& model, Remarks& remarks) {
       -largest_principal(first.initial_stress)));
 }
 
+// A traction in Pa that was meant in another unit. Histories are factors of about one.
+void remark_on_tractions(const Model& model, Remarks& remarks) {
+  const auto strain = [&](const EdgeLoad& load) {
+    const Block& block = model.blocks[static_cast<std::size_t>(load.block)];
+    return load.traction.norm() / model.materials[static_cast<std::size_t>(block.material)].young;
+  };
+  const auto largest = std::ranges::max_element(model.edge_loads, {}, strain);
+  if (largest == model.edge_loads.end() || strain(*largest) <= largest_strain) return;
+  remarks.push_back(fmt::format(
+      "block \"{}\" is loaded by {:g} Pa, {:.3g} of its young: rock breaks at less than 0.01 of it",
+      model.blocks[static_cast<std::size_t>(largest->block)].name, largest->traction.norm(), strain(*largest)));
+}
+
 void remark_on_materials(const Model& model, Remarks& remarks) {
   for (const Material& material : model.materials) {
     if (material.young < softest)
@@ -99,8 +113,8 @@ void remark_on_materials(const Model& model, Remarks& remarks) {
 
 std::vector<std::string> magnitude_remarks(const Model& model) {
   Remarks remarks;
-  for (const auto& remark :
-       {remark_on_gravity, remark_on_tension, remark_on_strain, remark_on_unequal_stress, remark_on_materials})
+  for (const auto& remark : {remark_on_gravity, remark_on_tension, remark_on_strain, remark_on_unequal_stress,
+                             remark_on_tractions, remark_on_materials})
     remark(model, remarks);
   return remarks;
 }

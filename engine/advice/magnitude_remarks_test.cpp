@@ -44,6 +44,13 @@ TEST(MagnitudeRemarks, StressThatRockDoesNotBear) {
             "block \"b\" starts under 1e+09 Pa, 0.1 of its young: rock breaks at less than 0.01 of it");
 }
 
+TEST(MagnitudeRemarks, LoadsThatRockDoesNotBear) {
+  Model model = ordinary();
+  model.edge_loads = {{0, {0, 0}, {0, 1}, {1e6, 0}, Constant{}}, {1, {0, 0}, {0, 1}, {0, 1e12}, Constant{}}};
+  EXPECT_EQ(only_remark(model),
+            "block \"b\" is loaded by 1e+12 Pa, 100 of its young: rock breaks at less than 0.01 of it");
+}
+
 // A k0 of 100, meant in per cent.
 TEST(MagnitudeRemarks, StressesThatDifferTooMuch) {
   Model model = ordinary();

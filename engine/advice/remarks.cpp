@@ -18,6 +18,7 @@
 #include "engine/advice/gap_remarks.h"
 #include "engine/advice/held_blocks_acted_on.h"
 #include "engine/advice/holding_remarks.h"
+#include "engine/advice/idle_loads.h"
 #include "engine/advice/joint_remarks.h"
 #include "engine/advice/lining_remarks.h"
 #include "engine/advice/magnitude_remarks.h"
@@ -212,6 +213,10 @@ void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks
   for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
 }
 
+void remark_on_idle_loads(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
+  for (std::string& sentence : idle_loads(model)) remarks.push_back(std::move(sentence));
+}
+
 void remark_on_held_blocks(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   for (std::string& sentence : acting_on_held_blocks(model)) remarks.push_back(std::move(sentence));
 }
@@ -271,16 +276,27 @@ void remark_on_lost_motion(const Model& model, const ContactSet& /*contacts*/, R
                   stage.name, blocks_named(model, moving)));
 }
 
-constexpr auto all_remarks = {remark_on_holding,      remark_on_magnitudes,
-                              remark_on_sizes,        remark_on_gaps,
-                              remark_on_steps,        remark_on_coarse_steps,
-                              remark_on_loads,        remark_on_joints,
-                              remark_on_chatter,      remark_on_chatter_on_slopes,
-                              remark_on_bolts,        remark_on_linings,
-                              remark_on_held_blocks,  remark_on_damping_rate,
-                              remark_on_coordinates,  remark_on_springs,
-                              remark_on_changed_rock, remark_on_fading,
-                              remark_on_spins,        remark_on_lost_motion,
+constexpr auto all_remarks = {remark_on_holding,
+                              remark_on_magnitudes,
+                              remark_on_sizes,
+                              remark_on_gaps,
+                              remark_on_steps,
+                              remark_on_coarse_steps,
+                              remark_on_loads,
+                              remark_on_idle_loads,
+                              remark_on_joints,
+                              remark_on_chatter,
+                              remark_on_chatter_on_slopes,
+                              remark_on_bolts,
+                              remark_on_linings,
+                              remark_on_held_blocks,
+                              remark_on_damping_rate,
+                              remark_on_coordinates,
+                              remark_on_springs,
+                              remark_on_changed_rock,
+                              remark_on_fading,
+                              remark_on_spins,
+                              remark_on_lost_motion,
                               remark_on_odds};
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/advice/history_span.h"
 #include "engine/advice/load_history.h"
 
 namespace dda {
@@ -23,24 +24,6 @@ constexpr int points = 8;             // in each, never twice at the same share 
 constexpr int most_points = 1000000;  // in a step
 
 std::string name_of(const Model& model, int block) { return model.blocks[static_cast<std::size_t>(block)].name; }
-
-struct Span {
-  double from = 0, to = 0;  // s
-};
-
-// When the history changes: before and after it is zero, or stays as it is.
-Span changing(const TimeFunction& history) {
-  if (const auto* table = std::get_if<PiecewiseLinear>(&history)) return {table->times.front(), table->times.back()};
-  if (const auto* sine = std::get_if<SineCycles>(&history))
-    return {sine->start, sine->start + sine->cycles / sine->frequency};
-  if (const auto* decay = std::get_if<ExponentialDecay>(&history)) {
-    constexpr double gone = 10;  // decay times: 5e-5 is left
-    return {decay->start, decay->start + decay->rise + gone * decay->decay_time};
-  }
-  if (const auto* record = std::get_if<Recorded>(&history))
-    return {record->start + record->recording->times().front(), record->start + record->recording->times().back()};
-  return {};
-}
 
 class Findings {
  public:
@@ -64,7 +47,7 @@ class Findings {
 
  private:
   template <typename Value>
-  void add(const TimeFunction& history, const std::string& what, const Span& changes, const Value& value) {
+  void add(const TimeFunction& history, const std::string& what, const HistorySpan& changes, const Value& value) {
     double begin = 0;
     for (std::size_t i = 0; i < model_.stages.size(); ++i) {
       const Stage& stage = model_.stages[i];

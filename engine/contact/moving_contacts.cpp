@@ -86,10 +86,15 @@ void MovingContacts::let_part(const Model& model, State& state, ContactSet& cont
   if (contacts.outline_compliance.empty()) return;
   const std::vector<char> ends = ending_stretches(model, state, contacts, false);
   keep_ends(model, state, contacts, false, ends);
+  // Stretches of one block that part at once let go of the stress it had with all of them, in whatever order they are.
+  std::vector<std::pair<std::size_t, StressLetGo>> let_go;
   for (std::size_t i = 0; i < stretches_; ++i) {
     const InterfaceElement& element = contacts.elements.own()[i];
     if (ends[i] == 0 || element.law != InterfaceLaw::projected) continue;
-    const StressLetGo stress = stress_let_go(model, state, element, contacts.states[i].force);
+    let_go.emplace_back(i, stress_let_go(model, state, element, contacts.states[i].force));
+  }
+  for (const auto& [i, stress] : let_go) {
+    const InterfaceElement& element = contacts.elements.own()[i];
     state.stress[at(element.block_a)] += stress.of_a;
     state.stress[at(element.block_b)] += stress.of_b;
   }

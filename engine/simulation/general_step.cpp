@@ -302,7 +302,8 @@ Status GeneralStep::solve() {
     message_ = "linings that yield find no balance";
     return Status::not_converged;
   }
-  if (solution.failure == Failure::unsettled) note_unsettled(solution, system_);
+  // Nothing stays of a step that was only tried, whatever it did not find.
+  if (solution.failure == Failure::unsettled && taken_ != Taken::if_hardly_slips) note_unsettled(solution, system_);
   message_ = solution.failure == Failure::unsettled ? unsettled_message(solution, system_) : sentence(solution.failure);
   return solution.status;
 }

@@ -29,8 +29,9 @@ constexpr double same = 1e-6;
 // 4 km away coordinates are rounded by 5e-13 m, 5e-6 of what springs give way.
 constexpr double same_far_away = 5e-5;
 
-// In rare steps friction has several answers, and round-off finds the other one (ADR 53). Such runs say so.
-constexpr int rocks_with_several_answers = 2;
+// Where friction has several answers all views find the same one, as nothing on the way to it is decided by round-off
+// (ADR 97).
+constexpr int rocks_with_several_answers = 0;
 
 std::vector<int> reversed(std::size_t blocks) {
   std::vector<int> order(blocks);
@@ -185,17 +186,16 @@ TEST(SameMotion, IsAsFarOutOfBalanceTurned) {
   }
 }
 
-// Turned by any angle all coordinates are rounded anew. Where four corners meet in every node gaps of 1e-16 m then
-// begin open that were closed, the first pass changes other contacts, and friction that holds in more than one way does
-// so in another: two rocks of squares and right angles at 0.7 rad, and one of another kind by 2e-4 of its motion; none
-// at 0.35, one at 0.1 (ADR 59).
-constexpr int turned_rocks_with_several_answers = 3;
+// A block that falls out of one rock meets others there that it misses elsewhere. (Before nothing was decided by
+// round-off three rocks came to other answers where they were turned: ADR 59, 97.)
+constexpr int rocks_that_fall_elsewhere = 1;
 
 TEST(SameMotion, SettlesTheSameTurnedMirroredOrLarger) {
   std::vector<Seen> views = other_places();
-  views.push_back({.view = {.name = "turned", .turn = rotation(0.7)}, .allowed = turned_rocks_with_several_answers});
+  views.push_back({.view = {.name = "turned", .turn = rotation(0.7)}});
   views.push_back({.view = {.name = "turned by half of that", .turn = rotation(0.35)}});
-  views.push_back({.view = {.name = "turned by lot"}, .allowed = turned_rocks_with_several_answers});
+  views.push_back({.view = {.name = "turned by lot"}});
+  for (Seen& each : views) each.allowed = rocks_that_fall_elsewhere;
   expect_same_motion(settling(), views);
 }
 
@@ -249,10 +249,10 @@ int expect_same_or_said_open(std::uint64_t first, std::uint64_t rocks) {
 // Among them are the two of the first hundred that went another way while round-off chose the contacts of corners drawn
 // in one point: 155, larger, by 2e-5, and 199, mirrored, by 6e-3.
 TEST(SameMotion, ExcavationsComeToTheSameOrSayThatTheAnswerIsOpen) {
-  EXPECT_LE(expect_same_or_said_open(151, 6) + expect_same_or_said_open(195, 6), 4);
+  EXPECT_LE(expect_same_or_said_open(151, 6) + expect_same_or_said_open(195, 6), 1);
 }
 
-TEST(SameMotion, DISABLED_HundredsOfExcavations) { EXPECT_LE(expect_same_or_said_open(100, 300), 60); }
+TEST(SameMotion, DISABLED_HundredsOfExcavations) { EXPECT_LE(expect_same_or_said_open(100, 300), 55); }
 
 }  // namespace
 }  // namespace dda

@@ -37,7 +37,7 @@ constexpr int full_passes = 3;
 constexpr double near_balance = 1e-3;
 
 // Where that does not help either, and no more contacts than these change, they do so one by one, the one that was
-// pressed deepest at the start of the step first: the others keep their pieces for the pass. That ends circles of
+// pressed deepest when that began first: the others keep their pieces for the pass. That ends circles of
 // contacts that change together (Murty's rule of the least index, 1974, which is sure where the problem has one
 // solution whatever the load, and for any order that stays). Such a pass is allowed as much work as several: it needs
 // as many as there are contacts in the circle.
@@ -72,7 +72,8 @@ double largest_imbalance(const Iterate& at, const Eigen::VectorXd& forces) {
 LiveContact live_contact(const InterfaceTrials& contacts, std::size_t k) {
   const InterfaceElement& element = contacts.element(k);
   const InterfaceSprings& springs = element;
-  return {k, element.block_a, element.block_b, pieces_of(contacts[k]), false, false, springs, PointKinematics(element)};
+  return {k,  element.block_a, element.block_b,         pieces_of(contacts[k]), false, false,
+          {}, springs,         PointKinematics(element)};
 }
 
 // Lists the contacts that are not whole, and where they are.
@@ -99,6 +100,24 @@ PieceRule rule_of(const LiveContact& contact, const PieceRule& rule, const Itera
   if (of_blocks >= largest_asked) return rule;
   return {.strict = rule.strict,
           .negligible_force = std::min(rule.negligible_force, piece_tolerance_of_asked * of_blocks)};
+}
+
+// Those of when contacts first change one by one, which stay for all passes from then on. (At the start of a step
+// blocks may touch everywhere but for round-off, whose order is another where the same scene is turned.)
+void note_depths(const InterfaceTrials& contacts, std::vector<LiveContact>& live) {
+  for (LiveContact& contact : live) {
+    const Vec4& gap = contacts[contact.trial].gap;
+    contact.depth = {gap(0) + gap(2), std::abs(gap(1)) + std::abs(gap(3))};
+  }
+}
+
+// Where nothing has a force yet: what ends would answer that stick and hold tension. Without it round-off would say
+// which way those go that nothing pushes.
+double largest_elastic_force(const std::vector<LiveContact>& live, const Eigen::VectorXd& increment) {
+  double largest = 0;
+  for (const LiveContact& contact : live)
+    largest = larger(largest, contact.springs.stiffness.cwiseProduct(contact.gap(increment)).cwiseAbs().maxCoeff());
+  return largest;
 }
 
 }  // namespace
@@ -133,7 +152,7 @@ bool FrictionPasses::has_something_to_settle(const Iterate& at) {
   list_live(at.contacts, taken_, live_);
   constants_.resize(live_.size());
   between_pieces_ = false;
-  on_beds_ = std::ranges::any_of(live_, [&at](const LiveContact& contact) {
+  live_ones_.some_lie = std::ranges::any_of(live_, [&at](const LiveContact& contact) {
     return press_together(contact.springs, at.contacts[contact.trial].broken);
   });
   take_all();
@@ -149,6 +168,7 @@ bool FrictionPasses::find_balance(Iterate& at, double most_in_vain) {
   const std::span<const double> asked = at.problem->asked_balance;
   largest_asked_ = asked.empty() ? 0 : std::ranges::max(asked);
   nearest_.begin(imbalance_, 0);
+  live_ones_.have_depths = false;
   int for_more = 0;
   for (int pass = 0; !is_balanced(at) || (for_more++ < most_passes_for_more && is_asked_for_more(at)); ++pass) {
     if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || nearest_.work > most_in_vain) break;
@@ -323,17 +343,15 @@ void FrictionPasses::multiply_coupled(const Iterate& at, const Eigen::VectorXd& 
 
 // The order is that of depths in the scene, so that it does not depend on the numbering.
 void FrictionPasses::order_by_depth(const Iterate& at) {
-  const auto depth = [&](std::size_t k) {
-    const Vec4& start = at.contacts[live_[k].trial].start;
-    return std::pair(start(0) + start(2), std::abs(start(1)) + std::abs(start(3)));
-  };
-  std::ranges::sort(taken_, {}, depth);
+  if (!std::exchange(live_ones_.have_depths, true)) note_depths(at.contacts, live_);
+  std::ranges::sort(taken_, {}, [this](std::size_t k) { return live_[k].depth; });
 }
 
 void FrictionPasses::take_whole_step(Iterate& at, const JudgedBy& judged_by) {
   const PhaseScope scope(Phase::judging);
-  const PieceRule rule{.strict = judged_by.strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
   at.increment += step_;
+  if (largest_force_ == 0) largest_force_ = largest_elastic_force(live_, at.increment);
+  const PieceRule rule{.strict = judged_by.strictly, .negligible_force = piece_tolerance * negligible_imbalance(at)};
   if (judged_by.one_by_one) order_by_depth(at);
   if (is_local_) {
     multiply_in_pass(at, step_, image_);

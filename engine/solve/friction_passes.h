@@ -72,6 +72,11 @@ class FrictionPasses {
     void begin(double imbalance_reached, int by_pass) { *this = {imbalance_reached, by_pass}; }
   };
 
+  struct LiveOnes {
+    bool some_lie = false;     // on beds
+    bool have_depths = false;  // all of them
+  };
+
   static constexpr int basis = 40;  // of GMRES
 
   void resize(Eigen::Index unknowns);
@@ -116,7 +121,7 @@ class FrictionPasses {
   BlockPart part_;               // the blocks that a local pass moves
   bool is_local_ = false;        // the pass
   bool between_pieces_ = false;  // some live contact is
-  bool on_beds_ = false;         // some live contact lies
+  LiveOnes live_ones_;
   Nearest nearest_;
   PointLeft left_;
 

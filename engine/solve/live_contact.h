@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "engine/contact/contact_pieces.h"
@@ -16,9 +17,10 @@ namespace dda {
 struct LiveContact {
   std::size_t trial = 0;
   int block_a = 0, block_b = 0;
-  ContactPieces pieces{};  // what the pass takes its ends to be
-  bool between = false;    // its forces are not what it answers: keep_to_bordering_pieces
-  bool changes = false;    // what it answers is on other pieces than the last pass took it to be on
+  ContactPieces pieces{};           // what the pass takes its ends to be
+  bool between = false;             // its forces are not what it answers: keep_to_bordering_pieces
+  bool changes = false;             // what it answers is on other pieces than the last pass took it to be on
+  std::pair<double, double> depth;  // m: gaps of both ends and, where these are alike, how far they slid
   InterfaceSprings springs;
   PointKinematics points;
 

@@ -24,7 +24,7 @@ constexpr int most_halvings = 5;
 }  // namespace
 
 void FrictionPasses::take_step(Iterate& at, const JudgedBy& judged_by) {
-  if (!on_beds_) return take_whole_step(at, judged_by);
+  if (!live_ones_.some_lie) return take_whole_step(at, judged_by);
   const double before = nearest_.is_trust_lost ? imbalance_ : nearest_.imbalance;
   if (nearest_.is_trust_lost || nearest_.steps_away == 0) left_.leave(live_, step_);
   take_whole_step(at, judged_by);

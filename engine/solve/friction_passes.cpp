@@ -15,6 +15,7 @@
 #include "engine/core/parallel_scatter.h"
 #include "engine/core/phase_clock.h"
 #include "engine/solve/largest_entry.h"
+#include "engine/solve/live_contacts.h"
 
 namespace dda {
 namespace {
@@ -69,23 +70,6 @@ double largest_imbalance(const Iterate& at, const Eigen::VectorXd& forces) {
   return largest_of_blocks(forces, at.problem->areas) + 0 * forces.sum();
 }
 
-LiveContact live_contact(const InterfaceTrials& contacts, std::size_t k) {
-  const InterfaceElement& element = contacts.element(k);
-  const InterfaceSprings& springs = element;
-  return {k,  element.block_a, element.block_b,         pieces_of(contacts[k]), false, false,
-          {}, springs,         PointKinematics(element)};
-}
-
-// Lists the contacts that are not whole, and where they are.
-void list_live(const InterfaceTrials& contacts, std::vector<std::size_t>& places, std::vector<LiveContact>& live) {
-  places.clear();
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (!contacts.is_whole(k)) places.push_back(k);
-  live.resize(places.size());
-  parallel_for_each(live.size(), contacts_worth_sharing,
-                    [&](std::size_t i) { live[i] = live_contact(contacts, places[i]); });
-}
-
 // Takes note of what of a contact's force does not depend on the unknowns; returns its largest entry.
 double note_constant(const Iterate& at, const LiveContact& contact, Vec4& constant) {
   constant = at.contacts.constant_force(contact.trial, contact.springs);
@@ -100,24 +84,6 @@ PieceRule rule_of(const LiveContact& contact, const PieceRule& rule, const Itera
   if (of_blocks >= largest_asked) return rule;
   return {.strict = rule.strict,
           .negligible_force = std::min(rule.negligible_force, piece_tolerance_of_asked * of_blocks)};
-}
-
-// Those of when contacts first change one by one, which stay for all passes from then on. (At the start of a step
-// blocks may touch everywhere but for round-off, whose order is another where the same scene is turned.)
-void note_depths(const InterfaceTrials& contacts, std::vector<LiveContact>& live) {
-  for (LiveContact& contact : live) {
-    const Vec4& gap = contacts[contact.trial].gap;
-    contact.depth = {gap(0) + gap(2), std::abs(gap(1)) + std::abs(gap(3))};
-  }
-}
-
-// Where nothing has a force yet: what ends would answer that stick and hold tension. Without it round-off would say
-// which way those go that nothing pushes.
-double largest_elastic_force(const std::vector<LiveContact>& live, const Eigen::VectorXd& increment) {
-  double largest = 0;
-  for (const LiveContact& contact : live)
-    largest = larger(largest, contact.springs.stiffness.cwiseProduct(contact.gap(increment)).cwiseAbs().maxCoeff());
-  return largest;
 }
 
 }  // namespace

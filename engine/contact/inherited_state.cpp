@@ -100,8 +100,8 @@ InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& e
   return state;
 }
 
-EndStrength strength_of_vertex(const JointMaterial& joint, double share, const InterfaceState& state) {
-  EndStrength strength = unbonded_strength(joint, share);
+EndStrength strength_of_vertex(const JointMaterial& joint, double closed, const InterfaceState& state) {
+  EndStrength strength = unbonded_strength(joint, closed);
   strength.residual_cohesion *= 1 - state.torn[0];
   return strength;
 }

@@ -29,8 +29,8 @@ InterfaceState continued_state(const InterfaceState& earlier, const VertexContac
 InterfaceState first_state(const JointMaterial& joint, const InterfaceElement& element, double distance,
                            const InterfaceState* from_stretch, const InterfaceState* beside);
 
-// The strength of a vertex contact that stands for `share` (m) of its joint and has come to this state.
-EndStrength strength_of_vertex(const JointMaterial& joint, double share, const InterfaceState& state);
+// The strength of a vertex contact that has `closed` (m) of its joint and has come to this state.
+EndStrength strength_of_vertex(const JointMaterial& joint, double closed, const InterfaceState& state);
 
 // Gap, status and forces at that distance. A spring that opens has lost what it was seated with, but for a depth that
 // it has not yet come out of.

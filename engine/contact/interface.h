@@ -18,13 +18,14 @@ struct Interface {
   double length = 0;  // m
   int joint = 0;      // index into Model::joints
   double share = 0;   // m, length of the joint for which each of its springs stands: half of a stretch
+  double closed = 0;  // m, what of `share` lies on the other block, if it is one of a vertex: none of a corner's
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [block_a, block_b, from, to, normal, length, joint, share] = self;
+    auto& [block_a, block_b, from, to, normal, length, joint, share, closed] = self;
     archive.blocks(block_a, block_b);
     archive.joints(joint);
-    archive(from, to, normal, length, share);
+    archive(from, to, normal, length, share, closed);
   }
 };
 

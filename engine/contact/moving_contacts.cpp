@@ -153,7 +153,7 @@ void MovingContacts::begin_anew(const Model& model, const std::vector<bool>& com
     InterfaceState& own = contacts.states[entry];
     own = first_state(joint_of(model, interface), element, contact.gap, nullptr, nullptr);
     measure(element, contact.gap, own);
-    contacts.strengths[entry] = strength_of_vertex(joint_of(model, interface), interface.share, own);
+    contacts.strengths[entry] = strength_of_vertex(joint_of(model, interface), interface.closed, own);
   }
 }
 
@@ -225,7 +225,9 @@ Interface MovingContacts::interface_of(const Model& model, const VertexContact& 
       model.blocks[at(contact.vertex_block)].moments.centroid + outlines.reference[at(contact.vertex)];
   interface.normal = contact.normal;
   interface.joint = surfaces_.joint_of(model, outlines, contact);
-  if (depends_on_length(joint_of(model, interface))) interface.share = share;
+  if (!depends_on_length(joint_of(model, interface))) return interface;
+  interface.share = share;
+  interface.closed = edges_lie_on_each_other(outlines, contact) ? share : 0;
   return interface;
 }
 
@@ -365,7 +367,7 @@ std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const St
     elements[entry] = make_element(model, interface, InterfaceLaw::classical);
     set_geometry(model, acting_frame(model, acting, search_.outlines(), contact), elements[entry]);
     states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i], contacts.states);
-    contacts.strengths[entry] = strength_of_vertex(joint_of(model, interface), interface.share, states[entry]);
+    contacts.strengths[entry] = strength_of_vertex(joint_of(model, interface), interface.closed, states[entry]);
   });
   return states;
 }

@@ -131,6 +131,12 @@ void for_each_pair(const Outlines& outlines, const std::vector<double>& size,
 
 }  // namespace
 
+bool edges_lie_on_each_other(const Outlines& outlines, const VertexContact& contact) {
+  constexpr double most_lean = 0.05;  // sine of the angle, by which stretches of the projected law may gape, too
+  const Vec2 along = outlines.along(contact.edge), facing = outlines.along(facing_edge(outlines, contact));
+  return std::abs(cross(along, facing)) <= most_lean * along.norm() * facing.norm() && along.dot(facing) < 0;
+}
+
 void drop_within_faces(const Outlines& outlines, const std::vector<double>& size,
                        const std::function<bool(const VertexContact&)>& concerns, std::vector<VertexContact>& found) {
   const auto is_within = [&](const VertexContact& contact) {

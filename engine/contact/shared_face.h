@@ -24,4 +24,8 @@ void drop_within_faces(const Outlines& outlines, const std::vector<double>& size
 std::vector<double> shares_of_faces(const Outlines& outlines, const std::vector<double>& size,
                                     const std::vector<VertexContact>& contacts);
 
+// False where the two edges of a contact lean against each other by more than a block does that rocks: only its corner
+// touches there, however long the edges are side by side, and what goes by the area that is closed is none.
+bool edges_lie_on_each_other(const Outlines& outlines, const VertexContact& contact);
+
 }  // namespace dda

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "engine/contact/contact_models.h"
@@ -61,6 +63,27 @@ TEST(SharedFace, SharesOfAFaceAddUpToItsLength) {
       for (const EndStrength& strength : contacts.strengths) sum += strength.residual_cohesion;
       EXPECT_NEAR(sum, 2, 1e-12) << places.size() << " vertices, turned by " << angle;
     }
+}
+
+// A wall leans back from the corner of a box on the floor: the corner touches it, and nothing of the box's face does.
+TEST(SharedFace, CornersAtAFaceThatLeansHaveNoCohesion) {
+  for (const double lean : {0.0, 0.02, 0.2, 0.7}) {
+    const Ring notch{{-3, -1}, {6, -1}, {6, 2}, {2 + 2 * std::tan(lean), 2}, {2, 0}, {-3, 0}};
+    Model model = model_of({{notch, {}}, {box_ring(0, 0, 2, 1), {}}});
+    model.joints = {joint_with(0)};
+    model.joints[0].residual_cohesion = 1;
+    ContactSet contacts = make_contacts(model);
+    const MovingContacts moving(model, initial_state(model), contacts);
+    double floor = 0, wall = 0;
+    for (std::size_t i = 0; i < contacts.interfaces.size(); ++i)
+      (contacts.interfaces[i].normal(1) > 0.99 ? floor : wall) += contacts.strengths[i].residual_cohesion;
+    EXPECT_NEAR(floor, 2, 1e-12) << lean;
+    if (lean > 0.1) {
+      EXPECT_EQ(wall, 0) << lean;
+    } else {
+      EXPECT_GT(wall, 0.4) << lean;
+    }
+  }
 }
 
 }  // namespace

@@ -82,6 +82,39 @@ TEST(FactorOfSafety, PlaneFailureWithCohesion) {
   EXPECT_LT(brittle.fails, 0.95 * exact);
 }
 
+// A wedge slides on a steep plane and pushes the block before it down a flat one, by a joint that ends in the knee of
+// the two planes. Its line goes there as well; the lower block's corner touches the steep plane, but has none of the
+// cohesion of the face that leans there.
+Model wedge_behind_a_block() {
+  Model model;
+  model.materials = {{"rock", 2500, 20e9, 0.25, PlaneState::stress}};
+  JointMaterial plane, between;
+  plane.friction_angle = 34 * degree;
+  between.name = "between";
+  between.friction_angle = 23 * degree;
+  between.cohesion = between.residual_cohesion = 190e3;
+  model.joints = {plane, between};
+  const Vec2 toe(0, 0), knee(4.95, 1.92), up(2.58, 11.52), back(6.49, 11.52);
+  const std::vector<Ring> rings{{{0, -8}, {17.5, -8}, knee + back + Vec2(6, 0), knee + back, knee, toe},
+                                {toe, knee, knee + up, {4.66, 13.44}},
+                                {knee + 0.043 * back, knee + back, knee + up, knee + 0.048 * up}};
+  for (const Ring& ring : rings) model.blocks.emplace_back().shape.outer = ring;
+  model.held_blocks.emplace_back().block = 0;
+  model.gravity = {0, -9.81};
+  model.joint_lines = {{knee, knee + up, 1}};
+  return model;
+}
+
+TEST(FactorOfSafety, CohesionOfAFaceDoesNotHoldTheCornerAtItsEnd) {
+  Model model = wedge_behind_a_block();
+  const SafetyReport by_line = factor_of_safety(model, {});
+  model.joint_lines.clear();
+  model.joint_of_block_pair[{1, 2}] = 1;
+  const SafetyReport by_pair = factor_of_safety(model, {});
+  ASSERT_TRUE(by_line.is_bracketed() && by_pair.is_bracketed());
+  EXPECT_NEAR(by_line.factor() / by_pair.factor(), 1, width);
+}
+
 // The upper box leans on the lower one, which has friction to spare: both go when their frictions together do not hold
 // their weights.
 TEST(FactorOfSafety, BoxesThatLeanOnEachOther) {

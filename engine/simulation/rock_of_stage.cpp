@@ -76,7 +76,7 @@ void renew_strengths(bool contacts_move, BlockSystem& s) {
     const Interface& interface = s.contacts.interfaces[i];
     const JointMaterial& joint = s.model.joints[static_cast<std::size_t>(interface.joint)];
     s.contacts.strengths[i] = contacts_move && interface.length == 0
-                                  ? strength_of_vertex(joint, interface.share, s.contacts.states[i])
+                                  ? strength_of_vertex(joint, interface.closed, s.contacts.states[i])
                                   : end_strength(joint, interface.length);
   }
 }

@@ -16,6 +16,7 @@
 #include "engine/advice/no_figures.h"
 #include "engine/advice/plane_wave_conditions.h"
 #include "engine/advice/springs_in_waves.h"
+#include "engine/advice/stages_on_the_way.h"
 #include "engine/contact/make_contacts.h"
 #include "engine/model/quantity_names.h"
 #include "engine/simulation/block_terms.h"
@@ -155,9 +156,9 @@ class Adviser {
     return why.empty() ? why_steps_change(model_, course.index, *load_, wave.timing.window) : why;
   }
 
-  void check_joints(const Course& course, WaveKind kind, const Vec2& direction, double unit, WaveAdvice& advice) const {
+  void check_joints(const Course& course, const WaveWay& wave, double window, WaveAdvice& advice) const {
     if (!advice.history) return;
-    const WaveStress stress = stress_of(*load_, *advice.history, kind, direction, unit);
+    const WaveStress stress = stress_of(*load_, *advice.history, wave, advice.speed * window);
     if (const std::string why = why_joints_give_way(model_, course.index, drawn_, stress); !why.empty())
       cannot_foretell(why, advice);
   }
@@ -184,7 +185,8 @@ class Adviser {
     }
     // The direction may stand for that of the load, which other joints than those of the mesh lie across.
     const Vec2 along = is_from_face(question.lattice, question.direction) ? load_->face : question.direction;
-    check_joints(course, question.kind, along, unit_of_load(model_, *load_, question.kind, into, row), advice);
+    const double unit = unit_of_load(model_, *load_, question.kind, into, row);
+    check_joints(course, {question.kind, along, unit}, timing.window, advice);
   }
 
   static void cannot_foretell(const std::string& why, WaveAdvice& advice) {
@@ -263,7 +265,7 @@ class Adviser {
     } else {
       const MeshPlace place{way_->direction, way_->kind, advice.history->place, unit_of_way()};
       if (!is_row()) count_sides(course, place, other.timing.window, advice, other.read);
-      check_joints(course, way_->kind, way_->direction, unit_of_way(), advice);
+      check_joints(course, {way_->kind, way_->direction, unit_of_way()}, other.timing.window, advice);
     }
     if (question_.limits && has_limits(advice)) advice.limits = limits_of(question, course, advice);
     return advice;

@@ -16,11 +16,6 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 
-Mat2 held_directions(const PointSupport& support) {
-  if (!support.direction.isZero(0)) return support.direction * support.direction.transpose();
-  return Mat2(Vec2(support.holds_x ? 1 : 0, support.holds_y ? 1 : 0).asDiagonal());
-}
-
 // One try: the layers across `direction`.
 class Layering {
  public:
@@ -227,6 +222,11 @@ std::vector<Vec2> directions_from(const Model& model, const ContactSet& contacts
 
 bool is_still(const PointSupport& support) {
   return support.amplitude.isZero(0) || std::holds_alternative<Constant>(support.history);
+}
+
+Mat2 held_directions(const PointSupport& support) {
+  if (!support.direction.isZero(0)) return support.direction * support.direction.transpose();
+  return Mat2(Vec2(support.holds_x ? 1 : 0, support.holds_y ? 1 : 0).asDiagonal());
 }
 
 double ChainPath::distance_of(int joint) const {

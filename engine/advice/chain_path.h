@@ -51,6 +51,9 @@ struct ChainPath {
 // Whether a support stands where it is.
 bool is_still(const PointSupport& support);
 
+// The projection on the directions in which it holds.
+Mat2 held_directions(const PointSupport& support);
+
 struct PathSearch {
   std::optional<ChainPath> path;
   std::string why_not;  // a clause for people, where there is none

@@ -109,8 +109,7 @@ double unit_of_load(const Model& model, const SceneLoad& load, WaveKind kind, co
 }
 
 // What pushes along the way is pressure.
-WaveStress stress_of(const SceneLoad& load, const HistoryErrors& history, WaveKind kind, const Vec2& direction,
-                     double unit) {
+WaveStress stress_of(const SceneLoad& load, const HistoryErrors& history, const WaveWay& wave, double run) {
   constexpr int samples = 2000;
   double low = std::min(0.0, history.arrival.lowest), high = std::max(0.0, history.arrival.highest);
   for (int i = 0; i <= samples; ++i) {
@@ -118,8 +117,13 @@ WaveStress stress_of(const SceneLoad& load, const HistoryErrors& history, WaveKi
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  return {kind,       direction,    std::min(-unit * low, -unit * high), std::max(-unit * low, -unit * high),
-          load.place, history.place};
+  const double there_and_back = std::max(history.place, (history.place + run) / 2);
+  return {wave.kind,
+          wave.direction,
+          std::min(-wave.unit * low, -wave.unit * high),
+          std::max(-wave.unit * low, -wave.unit * high),
+          load.place,
+          there_and_back};
 }
 
 std::string why_joints_give_way(const Model& model, std::size_t stage, const ContactSet& drawn,

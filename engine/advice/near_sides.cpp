@@ -12,15 +12,17 @@
 
 #include "engine/advice/chain_path.h"
 #include "engine/advice/closed_joints.h"
+#include "engine/advice/on_the_way.h"
 #include "engine/contact/joint_stiffness.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {
 
-constexpr double tolerance = 1e-6;  // of lengths, over those of the block; of cosines
-constexpr double most_seconds = 1;  // of CPU time that steps may take
-constexpr double nearly = 0.97;     // as much alike: delays are looked at in a row, of which none is on a summit
+constexpr double tolerance = 1e-6;    // of lengths, over those of the block; of cosines
+constexpr double most_seconds = 1;    // of CPU time that steps may take
+constexpr double hardly_held = 1e-3;  // of the wave, that what holds or absorbs in its way takes
+constexpr double nearly = 0.97;       // as much alike: delays are looked at in a row, of which none is on a summit
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -85,7 +87,8 @@ void keep_waves(std::vector<Load>& loads, std::size_t stage) {
 
 BetweenSides NearSides::count(const HistoryErrors& history, const MeshPlace& place, double window,
                               const ReadTrace& read) const {
-  if (!are_felt(place, window)) return {history, ""};
+  const std::string met = met_inside(place, window);
+  if (!are_felt(place, window) && met.empty()) return {history, ""};
   const double cost = course_.step_cost * (load_.history.start + window) / stage_.dt;
   const auto trace = cost > most_seconds ? std::nullopt : stepped(place, window);
   if (trace) {
@@ -95,6 +98,7 @@ BetweenSides NearSides::count(const HistoryErrors& history, const MeshPlace& pla
       return {history, "its sides are near, and another part of what comes resembles it as much as the first"};
     return {history.with_sides(*readings), ""};
   }
+  if (!met.empty()) return {history, met};
   // What rollers change of a wave is of the order of what blocks do, and of springs across a P wave of Poisson's ratio
   // squared.
   const bool hardly_matter = are_rollers(place) && (place.kind == WaveKind::p || !has_springs());
@@ -102,6 +106,26 @@ BetweenSides NearSides::count(const HistoryErrors& history, const MeshPlace& pla
   return {history, fmt::format("its sides are {:.3g} m from the way, nearer than the {:.3g} m that it runs, and change "
                                "it there",
                                distance(place), place.distance)};
+}
+
+// What a wave meets between the sides in time to be seen: steps count it as well.
+std::string NearSides::met_inside(const MeshPlace& place, double window) const {
+  const Vec2 particles = polarization(place.kind, place.direction), across = left_of(place.direction);
+  const Range sides = range_of(model_, across);
+  const auto is_inside = [&](const ActingPlace& at_place) {
+    const double slack = tolerance * (sides.high - sides.low);
+    const double middle = across.dot(at_place.face.start + at_place.face.end) / 2;
+    return at_place.all_of_it || (middle > sides.low + slack && middle < sides.high - slack);
+  };
+  std::vector<Hindrance> hindrances = free_faces_inside(model_, drawn_, place.direction);
+  for (Hindrance& each : holding_or_absorbing(
+           model_, course_.index, {place.direction, particles, 1 / load_.history.period, sides.high - sides.low}))
+    if (each.share > hardly_held && each.place.block != load_.block && is_inside(each.place))
+      hindrances.push_back(std::move(each));
+  for (const Hindrance& each : hindrances)
+    if (way_over(model_, each.place, place.direction, start_along(place), load_.looked_at) < fastest() * window)
+      return each.clause;
+  return "";
 }
 
 double NearSides::distance(const MeshPlace& place) const {
@@ -112,10 +136,14 @@ double NearSides::distance(const MeshPlace& place) const {
 }
 
 bool NearSides::are_felt(const MeshPlace& place, double window) const {
+  return std::hypot(place.distance, distance(place)) < fastest() * window;
+}
+
+double NearSides::fastest() const {
   double fastest = 0;
   for (const Block& block : model_.blocks)
     fastest = std::max(fastest, p_wave_speed(model_.materials[at(block.material)]));
-  return std::hypot(place.distance, distance(place)) < fastest * window;
+  return fastest;
 }
 
 bool NearSides::has_springs() const { return one_gives_way_closed(model_.joints, stage_.kinematics); }

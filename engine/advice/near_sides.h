@@ -50,7 +50,7 @@ class NearSides {
 
   // `history` is foretold as if there were no sides, and looked at for `window` (s). Steps that take longer than a
   // second are not taken; then sides that are farther away than the wave runs count for nothing, nor rollers beside a
-  // P wave.
+  // P wave, and what lies between the sides and is none of the mesh (a hole, a block that is held) is said.
   [[nodiscard]] BetweenSides count(const HistoryErrors& history, const MeshPlace& place, double window,
                                    const ReadTrace& read) const;
 
@@ -62,6 +62,9 @@ class NearSides {
   // The stress at the place at 0, dt, 2 dt, ... after the load's begin, by steps of the scene's own blocks, whose
   // joints stay closed and stuck. Nothing where the scene has what belongs to several stages.
   [[nodiscard]] std::optional<std::vector<double>> stepped(const MeshPlace& place, double window) const;
+  // A clause on what holds or is free between the sides, and is met in time to be seen; empty where nothing is.
+  [[nodiscard]] std::string met_inside(const MeshPlace& place, double window) const;
+  [[nodiscard]] double fastest() const;  // m/s
   [[nodiscard]] bool has_springs() const;
   [[nodiscard]] bool are_rollers(const MeshPlace& place) const;
   [[nodiscard]] double start_along(const MeshPlace& place) const;

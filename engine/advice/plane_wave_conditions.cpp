@@ -11,15 +11,17 @@
 #include "engine/advice/acting_place.h"
 #include "engine/advice/chain_path.h"
 #include "engine/advice/closed_joints.h"
+#include "engine/advice/on_the_way.h"
+#include "engine/advice/stages_on_the_way.h"
 #include "engine/advice/ties.h"
 #include "engine/model/held_motion.h"
-#include "engine/model/rock_change.h"
 
 namespace dda {
 namespace {
 
 constexpr double tolerance = 1e-6;    // of lengths, over the size of a block; of directions and values
 constexpr double hardly_ties = 1e-3;  // of the rock's stiffness along the way: half of that of speed
+constexpr double hardly_held = 1e-3;  // of the wave, that what holds or absorbs on its way takes
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -54,12 +56,6 @@ std::vector<Drive> drives_of(const Model& model, std::size_t stage) {
       add({held.block, place_of(held), model.blocks[at(held.block)].moments.centroid, held.amplitude, &held.history,
            true});
   return drives;
-}
-
-double end_of_run(const Model& model) {
-  double end = 0;
-  for (const Stage& stage : model.stages) end += stage.duration;
-  return end;
 }
 
 // At times that no period of a history falls in with.
@@ -97,6 +93,8 @@ class Conditions {
     if (std::ranges::any_of(sudden_, [&](const LoadFinding& finding) { return comes_or_goes_on_the_way(finding); }))
       return "it jumps as another stage begins, and that is seen as well";
     if (const std::string name = tied_by(); !name.empty()) return fmt::format("{} ties blocks that it passes", name);
+    if (const std::string clause = met_on_the_way(); !clause.empty()) return clause;
+    if (is_in_motion_before()) return "blocks begin in motion, which is seen there as well";
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
     if (meets_its_echo())
@@ -139,14 +137,57 @@ class Conditions {
     double all = 0, most = 0;
     std::string name;
     for (const Tie& tie : ties_in(model_, at(stage_))) {
-      const double reached = std::max(0.0, std::min(along(tie.place.face.start), along(tie.place.face.end)) - front());
-      if (!is_seen(tie.place, load_.history.start + reached / fastest())) continue;
+      if (!is_seen(tie.place, load_.history.start + reached(tie.place) / fastest())) continue;
       all += tie.stiffness * tie.length;
       if (tie.stiffness <= most) continue;
       most = tie.stiffness;
       name = tie.name;
     }
     return all > hardly_ties * softest() * width() * wave_.distance ? name : "";
+  }
+
+  // What holds or absorbs along a row, and blocks that are not there. What holds or absorbs in meshes is looked at
+  // where their sides are (near_sides.h).
+  [[nodiscard]] std::string met_on_the_way() const {
+    std::vector<Hindrance> hindrances = missing_blocks(model_, at(stage_), wave_.direction);
+    if (wave_.row)
+      for (Hindrance& each : holding_or_absorbing(
+               model_, at(stage_), {wave_.direction, load_.motion.normalized(), 1 / load_.history.period, width()}))
+        if (!is_driven(each.place.block)) hindrances.push_back(std::move(each));
+    double all = 0, most = 0;
+    std::string clause;
+    for (const Hindrance& each : hindrances) {
+      const double start = load_.history.start + reached(each.place) / fastest();
+      if (!is_seen(each.place, start)) continue;
+      all += each.share;
+      if (each.share <= most) continue;
+      most = each.share;
+      clause = each.clause;
+    }
+    return all > hardly_held ? clause : "";
+  }
+
+  // m along the way, to where a place begins.
+  [[nodiscard]] double reached(const ActingPlace& place) const {
+    double low = std::min(along(place.face.start), along(place.face.end));
+    if (place.all_of_it) {
+      low = std::numeric_limits<double>::infinity();
+      for (const Vec2& vertex : model_.blocks[at(place.block)].shape.outer) low = std::min(low, along(vertex));
+    }
+    return std::max(0.0, low - front());
+  }
+
+  // As a whole, all blocks alike, it changes no stress.
+  [[nodiscard]] bool is_in_motion_before() const {
+    if (last_calm_stage() >= 0) return false;
+    const Vec2& common = model_.blocks[at(load_.block)].initial_velocity;
+    for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
+      const Block& block = model_.blocks[i];
+      const bool moves_along = block.initial_velocity == common && block.initial_spin == 0;
+      const ActingPlace place{.block = static_cast<int>(i), .all_of_it = true};
+      if (!(moves_along && block.initial_strain_rate.isZero(0)) && is_seen(place, 0)) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] double softest() const {
@@ -301,48 +342,11 @@ class Conditions {
   std::vector<Drive> own_, others_;
 };
 
-bool have_same_steps(const Model& model, std::size_t a, std::size_t b) {
-  const Stage& one = model.stages[a];
-  const Stage& other = model.stages[b];
-  const auto figures = [](const Stage& stage) {
-    const Integrator& steps = stage.integrator;
-    return std::vector<double>{stage.dt,
-                               steps.beta,
-                               steps.gamma,
-                               steps.alpha_m,
-                               steps.alpha_f,
-                               static_cast<double>(steps.is_static),
-                               static_cast<double>(stage.kinematics),
-                               stage.velocity_factor,
-                               stage.damping_rate,
-                               stage.material_damping.mass,
-                               stage.material_damping.stiffness,
-                               stage.strain_inertia,
-                               static_cast<double>(stage.correct_block_dispersion),
-                               static_cast<double>(stage.correct_time_dispersion),
-                               static_cast<double>(stage.lateral_inertia)};
-  };
-  return figures(one) == figures(other);
-}
-
 }  // namespace
 
 std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave,
                               const std::vector<LoadFinding>& sudden) {
   return Conditions(model, stage, load, wave, sudden).run();
-}
-
-std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window) {
-  const double from = load.history.start, to = std::min(from + window, end_of_run(model));
-  double begin = 0;
-  for (std::size_t i = 0; i < model.stages.size(); ++i) {
-    const double end = begin + model.stages[i].duration;
-    const double overlap = std::min(end, to) - std::max(begin, from);
-    if (i != stage && overlap > model.stages[stage].dt / 2 && !have_same_steps(model, i, stage))
-      return "the wave is on its way in a stage of other steps as well";
-    begin = end;
-  }
-  return "";
 }
 
 }  // namespace dda

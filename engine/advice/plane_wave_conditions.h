@@ -24,7 +24,4 @@ struct DrivenWave {
 std::string why_no_plane_wave(const Model& model, std::size_t stage, const SceneLoad& load, const DrivenWave& wave,
                               const std::vector<LoadFinding>& sudden);
 
-// The wave is foretold with the steps of one stage: it has to pass before steps of another kind come.
-std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window);
-
 }  // namespace dda

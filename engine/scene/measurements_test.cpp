@@ -163,6 +163,17 @@ TEST(InitialFields, ReplaceWhatBlocksSayAndOneAnother) {
   EXPECT_NEAR(model.blocks[15].initial_stress(1), -1e6 * 0.5 / 4, 1e-9);
 }
 
+// Coordinates that a program computes differ from the blocks' centroids in the last digits.
+TEST(InitialFields, MayHaveTheCentroidsThemselvesForAGrid) {
+  const auto first_of = [](const std::string& x) {
+    return parse_scene(scene_with_field(R"({"x": [)" + x + R"(, 7], "y": [0], "spin": [[3, 5]]})"), "scene.json")
+        .blocks[0]
+        .initial_spin;
+  };
+  EXPECT_EQ(first_of("1.0000000000000004"), 3);
+  EXPECT_THROW(first_of("1.001"), InputError);
+}
+
 TEST(InitialFields, ThatCannotBeAreRefusedInASentence) {
   const std::vector<Refused> cases = {
       {R"({"x": [0], "y": [-3, 0], "spin": [[1], [1]]})", {"initial_fields[0] is a grid without block \"grid 1.1\""}},

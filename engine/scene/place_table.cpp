@@ -15,9 +15,10 @@ GridAxis::GridAxis(const Field& field) {
   }
 }
 
-std::optional<GridAxis::Place> GridAxis::find(double coordinate) const {
+std::optional<GridAxis::Place> GridAxis::find(double wanted, double slack) const {
   if (coordinates_.size() == 1) return Place{0, 0};
-  if (coordinate < coordinates_.front() || coordinate > coordinates_.back()) return {};
+  const double coordinate = std::clamp(wanted, coordinates_.front(), coordinates_.back());
+  if (std::abs(wanted - coordinate) > slack) return {};
   const auto above = std::upper_bound(coordinates_.begin() + 1, coordinates_.end() - 1, coordinate);
   const double last = *(above - 1);
   return Place{static_cast<std::size_t>(above - coordinates_.begin()) - 1, (coordinate - last) / (*above - last)};

@@ -20,8 +20,8 @@ class GridAxis {
     double share;       // of the way to the next
   };
 
-  // Returns nothing for a coordinate outside of the axis.
-  [[nodiscard]] std::optional<Place> find(double coordinate) const;
+  // Returns nothing for a coordinate outside of the axis by more than `slack` (m); nearer than that it is the end.
+  [[nodiscard]] std::optional<Place> find(double coordinate, double slack) const;
   [[nodiscard]] std::size_t size() const { return coordinates_.size(); }
 
  private:

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/core/error.h"
+#include "engine/model/tolerance.h"
 #include "engine/scene/block_sets.h"
 #include "engine/scene/place_table.h"
 #include "engine/scene/sections.h"
@@ -40,6 +41,7 @@ constexpr std::array<InitialQuantity, 9> initial_quantities{{
 void read_initial_field(const Field& field, const std::vector<int>& blocks, Model& model) {
   const GridAxis x(field.at("x"));
   const GridAxis y(field.at("y"));
+  const double slack = point_tolerance(model);  // a grid of the centroids themselves is theirs up to rounding
   bool given = false;
   for (const InitialQuantity& quantity : initial_quantities) {
     const auto values = field.find(quantity.key);
@@ -48,8 +50,8 @@ void read_initial_field(const Field& field, const std::vector<int>& blocks, Mode
     const PlaceTable table(*values, x, y, quantity.dimension);
     for (const int index : blocks) {
       Block& block = model.blocks[static_cast<std::size_t>(index)];
-      const auto column = x.find(block.moments.centroid.x());
-      const auto row = y.find(block.moments.centroid.y());
+      const auto column = x.find(block.moments.centroid.x(), slack);
+      const auto row = y.find(block.moments.centroid.y(), slack);
       if (!column || !row) fail_outside(field, block);
       quantity.of(block) = table.at(*column, *row);
     }

@@ -1,8 +1,10 @@
-// Dashpots beside projected joints: they take what a closed form says they do, never give, and never pull.
+// Dashpots beside projected joints, and beside springs where geometry stays as drawn: they take what a closed form says
+// they do, never give, and never pull.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <unsupported/Eigen/MatrixFunctions>
 
@@ -18,6 +20,7 @@ constexpr double pressure = 2e6;  // Pa, far above what the motion makes
 // joint, which stays closed, in its centroid's velocity and its own strain.
 struct Bouncing {
   double width = 0.8, height = 0.5, ratio = 0.2, joint_stiffness = 0, speed = 1e-3;
+  double spring = 0;  // N/m, of either point of a classical joint in place of the projected one
 };
 
 Model model_of(const Bouncing& of, double dt, int steps) {
@@ -27,6 +30,10 @@ Model model_of(const Bouncing& of, double dt, int steps) {
   model.materials[0].poisson = 0;
   model.joints[0].contact_damping = of.ratio;
   model.joints[0].normal_stiffness = model.joints[0].shear_stiffness = of.joint_stiffness;
+  if (of.spring > 0) {
+    model.joints[0].law = InterfaceLaw::classical;
+    model.joints[0].normal_spring = of.spring;
+  }
   for (Block& block : model.blocks) block.initial_stress = {0, -pressure, 0};
   model.edge_loads = {{1, {of.width, of.height}, {0, of.height}, {0, -pressure}, Constant{}}};
   model.blocks[1].initial_velocity = {0, of.speed};
@@ -35,7 +42,7 @@ Model model_of(const Bouncing& of, double dt, int steps) {
 
 // M x'' + C x' + K x = 0 of the velocity of the centroid and the strain along y, in their motion from rest; both points
 // of the joint move alike, and see the gap g = v - h/2 e + s E e, s E = w/(2 penalty) with the width w = h and the
-// penalty 3 (lambda = 1 + nu = 1 in plane stress).
+// penalty 3 (lambda = 1 + nu = 1 in plane stress). Springs see g = v - h/2 e.
 struct ClosedForm {
   Eigen::Matrix4d rates;
   Eigen::Matrix2d mass, stiffness;
@@ -43,9 +50,9 @@ struct ClosedForm {
   explicit ClosedForm(const Bouncing& of) {
     const Material material = rock();
     const double block_mass = material.density * of.width * of.height;
-    const double softness = of.height / (2 * 3 * material.young);
+    const double softness = of.spring > 0 ? 0 : of.height / (2 * 3 * material.young);
     const double compliance = softness + (of.joint_stiffness > 0 ? 1 / of.joint_stiffness : 0);
-    const double joint = of.width / compliance;  // both points
+    const double joint = of.spring > 0 ? 2 * of.spring : of.width / compliance;  // both points
     const Eigen::Vector2d gap(1, -of.height / 2 + softness * material.young);
     mass = Eigen::Vector2d(block_mass, block_mass * of.height * of.height / 12).asDiagonal();
     stiffness = joint * gap * gap.transpose();
@@ -84,6 +91,28 @@ TEST(ProjectedDamping, DecaysAsTheClosedForm) {
   expect_closed_form({});
   expect_closed_form({.joint_stiffness = 2e10});
   expect_closed_form({.width = 2, .height = 0.3, .ratio = 0.02});
+}
+
+// They did nothing there until the joint had slid or opened: dry springs began as bonded ones.
+TEST(SpringDamping, DecaysAsTheClosedFormWhereGeometryStaysAsDrawn) {
+  expect_closed_form({.spring = 2e9});
+  expect_closed_form({.ratio = 0.02, .spring = 1e11});
+}
+
+// A block that bounces undamped comes to rest once its joint has dashpots.
+TEST(SpringDamping, BeginsWithTheStageThatGivesIt) {
+  Bouncing of{.ratio = 0, .spring = 2e9};
+  const double period = 2 * std::numbers::pi / std::sqrt(2 * of.spring / (rock().density * of.width * of.height));
+  Model model = model_of(of, period / 100, 200);
+  model.stages.push_back(model.stages[0]);
+  model.stages[1].rock.joints = model.joints;
+  model.stages[1].rock.joints[0].contact_damping = 0.5;
+  Simulation simulation = simulation_of(std::move(model));
+  run(simulation, 200);
+  EXPECT_EQ(simulation.energy().dashpot, 0);
+  const double kinetic = simulation.energy().initial.kinetic;
+  run(simulation, 200);
+  EXPECT_GT(simulation.energy().dashpot, 0.9 * kinetic);
 }
 
 // Gaps by lot from step to step: the dashpots of a bed take energy, whatever opens or closes, and never pull.

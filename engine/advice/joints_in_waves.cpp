@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numbers>
 #include <variant>
 
 #include "engine/contact/joint_stiffness.h"
+#include "engine/contact/make_element.h"
 #include "engine/geometry/polygon.h"
 #include "engine/model/rock_change.h"
 
 namespace dda {
 namespace {
 
-constexpr double tolerance = 1e-6;  // of lengths
-constexpr double slack = 1e-3;      // of the wave's largest stress: a joint that lacks less hardly opens
+constexpr double tolerance = 1e-6;     // of lengths
+constexpr double hardly_damps = 1e-3;  // of the wave's amplitude, that dashpots of joints take
+constexpr double slack = 1e-3;         // of the wave's largest stress: a joint that lacks less hardly opens
 
 // Tension over shear at an end of a joint of springs: blocks in S waves turn, press on a neighbour at one end of a face
 // and pull at the other. Meshes of squares tear, by runs, below 0.2 to 0.8 of the shear (of three), those of bricks,
@@ -89,6 +93,36 @@ class Joint {
   Mat2 start_ = Mat2::Zero();
 };
 
+bool has_bond(const JointMaterial& joint) { return joint.cohesion > 0 || joint.tensile_strength > 0; }
+
+double width_across(const Model& model, const Vec2& direction) {
+  const Vec2 across(-direction.y(), direction.x());
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Block& block : model.blocks)
+    for (const Vec2& vertex : block.shape.outer) {
+      low = std::min(low, across.dot(vertex));
+      high = std::max(high, across.dot(vertex));
+    }
+  return high - low;
+}
+
+// Share of a wave's amplitude that the dashpots C of a joint across its way take, two of them beside springs k: as gaps
+// of F/(2 k) open and close they take 2 C (omega F/(2 k))^2/2 of the power F^2/(2 Z) that runs through impedance Z.
+double taken_by_dashpots(const Model& model, std::size_t stage, const Interface& interface, const WaveStress& wave) {
+  const JointMaterial& joint = joints_in(model, stage)[static_cast<std::size_t>(interface.joint)];
+  const bool springs = is_springs(joint, model.stages[stage].kinematics);
+  const bool acts = is_dry(joint) && (springs || joint.law == InterfaceLaw::projected);
+  if (joint.contact_damping == 0 || !acts) return 0;
+  const InterfaceElement element =
+      make_element(model, interface, springs ? InterfaceLaw::classical : InterfaceLaw::projected);
+  const Material& rock = model.material_of(interface.block_a);
+  const double omega = 2 * std::numbers::pi * wave.frequency;
+  const double impedance = rock.density * continuum_speed(rock, wave.kind) * interface.length;
+  const Eigen::Index row = wave.kind == WaveKind::s ? 1 : 0;
+  const double across = std::pow(interface.normal.dot(wave.direction), 2);
+  return across * element.dashpot(row) * std::pow(omega / element.stiffness(row), 2) * impedance / 4;
+}
+
 template <typename Load>
 bool is_of(const Load& load, const SceneLoad& wanted) {
   return load.block == wanted.block && !std::holds_alternative<Constant>(load.history);
@@ -123,15 +157,18 @@ WaveStress stress_of(const SceneLoad& load, const HistoryErrors& history, const 
           std::min(-wave.unit * low, -wave.unit * high),
           std::max(-wave.unit * low, -wave.unit * high),
           load.place,
-          there_and_back};
+          there_and_back,
+          1 / load.history.period};
 }
 
 std::string why_joints_give_way(const Model& model, std::size_t stage, const ContactSet& drawn,
                                 const WaveStress& wave) {
-  if (model.stages[stage].unlimited_strength) return "";
+  const bool unlimited = model.stages[stage].unlimited_strength;
   const auto& joints = joints_in(model, stage);
   const double pressure = most_pressure(model, stage);
   const double least = slack * std::max(std::abs(wave.least), std::abs(wave.most));
+  const double width = width_across(model, wave.direction);
+  double taken = 0;
   for (const Interface& interface : drawn.interfaces) {
     const JointMaterial& material = joints[static_cast<std::size_t>(interface.joint)];
     if (interface.length == 0 || material.bonded) continue;
@@ -140,11 +177,13 @@ std::string why_joints_give_way(const Model& model, std::size_t stage, const Con
     const Joint joint(model, interface, material, is_springs(material, model.stages[stage].kinematics));
     const Mat2 unit = unit_stress(model.material_of(interface.block_a), wave);
     for (const double stress : {wave.least, wave.most}) {
-      if (joint.opens(stress * unit, pressure, least))
+      if (!(unlimited && has_bond(material)) && joint.opens(stress * unit, pressure, least))
         return fmt::format("its stress of {:.3g} MPa opens joints \"{}\"", std::abs(stress) / 1e6, material.name);
-      if (joint.slides(stress * unit, pressure, least))
+      if (!unlimited && joint.slides(stress * unit, pressure, least))
         return fmt::format("its stress of {:.3g} MPa makes joints \"{}\" slide", std::abs(stress) / 1e6, material.name);
     }
+    taken += taken_by_dashpots(model, stage, interface, wave) * interface.length / width;
+    if (taken > hardly_damps) return fmt::format("contact_damping of joints \"{}\" takes from it", material.name);
   }
   return "";
 }

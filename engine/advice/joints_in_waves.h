@@ -17,6 +17,7 @@ struct WaveStress {
   double least = 0, most = 0;  // Pa, that the wave has: of P and bar waves along the way, tension positive; of S shear
   Vec2 from = Vec2::Zero();    // m, where it sets out
   double distance = 0;         // m, as far as joints are asked
+  double frequency = 0;        // Hz, its main one
 };
 
 // Pa, that a wave of P (of a bar) or S has along its way at the load's value 1 as it sets out.
@@ -32,7 +33,8 @@ struct WaveWay {
 // as `run` (m) while it is looked at.
 WaveStress stress_of(const SceneLoad& load, const HistoryErrors& history, const WaveWay& wave, double run);
 
-// A clause for people that names a joint which gives way; empty where none does. Joints begin with the stress of their
+// A clause for people that names a joint which gives way, or whose dashpots take from the wave; empty where none does.
+// In a stage of unlimited strength dry joints still open. Joints begin with the stress of their
 // blocks. Weight and constant loads that static stages bring in before may press them: where there are any, the
 // largest pressure that they could bring is taken for granted.
 std::string why_joints_give_way(const Model& model, std::size_t stage, const ContactSet& drawn, const WaveStress& wave);

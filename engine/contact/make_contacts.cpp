@@ -1,6 +1,5 @@
 #include "engine/contact/make_contacts.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -21,19 +20,11 @@ InterfaceLaw usable_law(const Model& model, const Interface& interface, bool can
   return wanted == InterfaceLaw::cubic && !can_be_cubic ? InterfaceLaw::consistent : wanted;
 }
 
-bool is_ever_damped(const Model& model, int joint) {
-  const auto index = static_cast<std::size_t>(joint);
-  return model.joints[index].contact_damping > 0 || std::ranges::any_of(model.stages, [&](const Stage& stage) {
-           return !stage.rock.joints.empty() && stage.rock.joints[index].contact_damping > 0;
-         });
-}
-
-// What is dry has no bond to lose, and dashpots act beside springs that have lost theirs.
-bool answers_as_broken(const Model& model, const InterfaceElement& element, int joint) {
-  const JointMaterial& material = model.joints[static_cast<std::size_t>(joint)];
-  if (material.bonded || !is_dry(material)) return false;
-  return element.law == InterfaceLaw::projected ||
-         (element.law == InterfaceLaw::classical && is_ever_damped(model, joint));
+// What is dry has no bond to lose, so that it opens in stages of unlimited strength, and dashpots act beside its
+// springs.
+bool answers_as_broken(const InterfaceElement& element, const JointMaterial& joint) {
+  const bool by_ends = element.law == InterfaceLaw::projected || element.law == InterfaceLaw::classical;
+  return by_ends && !joint.bonded && is_dry(joint);
 }
 
 }  // namespace
@@ -64,7 +55,7 @@ ContactSet make_contacts(const Model& model) {
       for (Eigen::Index row = 0; row < 4; ++row)
         contacts.states[i].gap(row) = elastic_gap(contacts.states[i].force(row), element.stiffness(row), 0);
     }
-    if (answers_as_broken(model, element, interface.joint)) contacts.states[i].broken = {true, true};
+    if (answers_as_broken(element, joint)) contacts.states[i].broken = {true, true};
     contacts.can_change = contacts.can_change || !joint.bonded;
   }
   fit_to_neighbours(model, contacts);

@@ -1,5 +1,7 @@
 #include "engine/simulation/bonded_joints.h"
 
+#include <limits>
+
 #include "engine/contact/contact_set.h"
 
 namespace dda {
@@ -16,7 +18,12 @@ Vec4 bonded_force(const BlockSystem& system, const Eigen::VectorXd& increment, s
 std::array<bool, 2> ends_that_break(const BlockSystem& system, const Eigen::VectorXd& increment, std::size_t i) {
   const ContactSet& contacts = system.contacts;
   const Vec4 gap = contacts.states[i].gap + gap_increment(contacts.elements.own()[i], increment);
-  return ends_beyond_strength(contacts.strengths[i], bonded_force(system, increment, i, gap));
+  EndStrength strength = contacts.strengths[i];
+  if (system.stage().unlimited_strength) {
+    if (strength.tension > 0 || strength.cohesion > 0) return {false, false};
+    strength.cohesion = std::numeric_limits<double>::infinity();  // closed, it sticks whatever it carries
+  }
+  return ends_beyond_strength(strength, bonded_force(system, increment, i, gap));
 }
 
 void accept_bonded(const std::vector<int>& bonded, BlockSystem& system) {

@@ -310,7 +310,7 @@ Status GeneralStep::solve() {
 
 // Bonded joints lie outside of the problem, and break here: see weaken().
 bool GeneralStep::replace_broken_joints() {
-  if (!system_.plan.contacts_judged || rule_.sticks) return false;
+  if (!system_.plan.contacts_judged) return false;
   bool replaced = false;
   for (std::size_t b = 0; b < bonded_.size();) {
     const int index = bonded_[b];
@@ -346,6 +346,7 @@ void GeneralStep::weaken(std::size_t i) {
       s.plan.finite_kinematics ? current_frame(s.model, s.state, interface) : reference_frame(s.model, interface);
   set_geometry(s.model, frame, element);
   s.contacts.states[i] = as_classical(s.contacts.states[i], element.stiffness);
+  if (s.contacts.strengths[i].is_dry()) s.contacts.states[i].broken = {true, true};  // no end has a bond to keep
   s.audit.interface_replaced(energy_before - interface_energy(element, s.contacts.states[i]));
   list_contacts();
   base_is_current_ = false;

@@ -1,4 +1,4 @@
-// Static stages in which joints stick whatever they carry.
+// Stages in which joints stick whatever they carry, while they are closed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -98,6 +98,48 @@ TEST(UnlimitedStrength, WhatJustTouchesHoldsWhicheverWayTheSceneIsTurned) {
       const double angle = std::uniform_real_distribution(-3.0, 3.0)(random);
       EXPECT_LT((sunk(angle) - upright).norm(), 1e-6 * upright.norm()) << cubes << " cubes turned by " << angle;
     }
+  }
+}
+
+// A block of 1 m below a held roof, with nothing but a dry joint between them.
+Model hung(InterfaceLaw law, Stage stage) {
+  Model model;
+  model.gravity = {0, -standard_gravity};
+  model.materials = {{"rock", 2600, 50e9, 0.2, PlaneState::stress}};
+  JointMaterial joint;
+  joint.law = law;
+  joint.friction_angle = 0.7;
+  model.joints = {joint};
+  model.blocks = {rectangle("roof", -1, 1, 3, 1), rectangle("block", 0, 0, 1, 1)};
+  model.held_blocks = {{.block = 0, .history = Constant{}}};
+  stage.unlimited_strength = true;
+  model.stages = {std::move(stage)};
+  return model;
+}
+
+// Where kinematics are small dry joints of these laws carried it, for as long as their strength was unlimited.
+TEST(UnlimitedStrength, DryJointsDoNotHoldWhatHangs) {
+  constexpr double dt = 1e-3;
+  constexpr int steps = 100;
+  for (const InterfaceLaw law : {InterfaceLaw::classical, InterfaceLaw::consistent, InterfaceLaw::projected})
+    for (const Kinematics kinematics : {Kinematics::small, Kinematics::finite}) {
+      Simulation simulation =
+          simulation_of(hung(law, stage_of(generalized_alpha_integrator(0), dt, steps, kinematics)));
+      while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
+      const double fallen = standard_gravity * std::pow(dt * steps, 2) / 2;
+      EXPECT_NEAR(simulation.state().displacement[1].y(), -fallen, 0.03 * fallen)
+          << static_cast<int>(law) << ' ' << static_cast<int>(kinematics);
+    }
+}
+
+TEST(UnlimitedStrength, NorDoTheyInStaticStages) {
+  for (const InterfaceLaw law : {InterfaceLaw::classical, InterfaceLaw::consistent, InterfaceLaw::projected}) {
+    Stage stage = settling_stage(1e-9);
+    stage.kinematics = Kinematics::small;
+    Simulation simulation = simulation_of(hung(law, stage));
+    Status status = Status::ok;
+    while (status == Status::ok && !simulation.finished()) status = simulation.step();
+    EXPECT_EQ(status, Status::not_in_equilibrium) << static_cast<int>(law);
   }
 }
 

@@ -49,7 +49,7 @@ void InterfaceTrials::restart() {
 void InterfaceTrials::admit(std::size_t k, const std::array<bool, 2>& broken, const Eigen::VectorXd& d) {
   InterfaceTrial trial = started(k);
   trial.gap += gap_increment(element(k), d);
-  trial.broken = broken;
+  for (std::size_t end = 0; end < 2; ++end) trial.broken[end] = trial.broken[end] || broken[end];
   respond(element(k), trial);
   some_can_break_ = true;
   const auto at = static_cast<std::ptrdiff_t>(k);

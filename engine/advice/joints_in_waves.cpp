@@ -26,17 +26,54 @@ constexpr double slack = 1e-3;         // of the wave's largest stress: a joint 
 // whose faces have two neighbours, below 1 to 1.5 (of three).
 constexpr double tension_by_turning = 1, tension_by_turning_bricks = 1.5;
 
+double width_across(const Model& model, const Vec2& direction) {
+  const Vec2 across(-direction.y(), direction.x());
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Block& block : model.blocks)
+    for (const Vec2& vertex : block.shape.outer) {
+      low = std::min(low, across.dot(vertex));
+      high = std::max(high, across.dot(vertex));
+    }
+  return high - low;
+}
+
+Mat2 tensor_of(const Vec3& stress) {
+  Mat2 tensor;
+  tensor << stress[0], stress[2], stress[2], stress[1];
+  return tensor;
+}
+
+// Pa, that weight can press a joint with, where the stress that blocks begin with does not have it.
+double weight_above(const Model& model) {
+  const bool all_begin_with_stress =
+      std::ranges::none_of(model.blocks, [](const Block& block) { return block.initial_stress.isZero(0); });
+  if (model.gravity.isZero(0) || all_begin_with_stress) return 0;
+  double density = 0;
+  for (const Material& material : model.materials) density = std::max(density, material.density);
+  const Vec2 down = model.gravity.normalized();
+  return density * model.gravity.norm() * width_across(model, {-down.y(), down.x()});
+}
+
+// Pa, by which a load differs from what the block's stress at the start has there: what is in situ brings nothing.
+double brought_by(const Model& model, const EdgeLoad& load) {
+  const Block& block = model.blocks[static_cast<std::size_t>(load.block)];
+  const Vec2 along = (load.to - load.from).normalized();
+  Vec2 outwards(along.y(), -along.x());
+  if (outwards.dot((load.from + load.to) / 2 - block.moments.centroid) < 0) outwards = -outwards;
+  return (load.traction - tensor_of(block.initial_stress) * outwards).norm() + load.rise.norm();
+}
+
 // Pa, that weight and constant loads of static stages before can press a joint with.
 double most_pressure(const Model& model, std::size_t stage) {
-  double pressure = 0;
-  if (!model.gravity.isZero(0)) pressure = model.expected.pressure;
+  const double weight = weight_above(model);
   const auto first = model.stages.begin();
   if (std::none_of(first, first + static_cast<std::ptrdiff_t>(stage),
                    [](const Stage& each) { return each.integrator.is_static; }))
-    return pressure;
+    return weight;
+  double most = 0;
   for (const EdgeLoad& load : model.edge_loads)
-    if (std::holds_alternative<Constant>(load.history)) pressure = model.expected.pressure;
-  return pressure;
+    if (std::holds_alternative<Constant>(load.history)) most = std::max(most, brought_by(model, load));
+  return weight + most;
 }
 
 // Stress of a wave of 1 Pa.
@@ -60,11 +97,8 @@ class Joint {
     int longer = 0;  // faces than the joint
     for (const int index : {interface.block_a, interface.block_b}) {
       const Block& block = model.blocks[static_cast<std::size_t>(index)];
-      const Vec3& stress = block.initial_stress;
       if (extent_along(block.shape.outer, tangent_) > (1 + tolerance) * interface.length) ++longer;
-      Mat2 tensor;
-      tensor << stress[0], stress[2], stress[2], stress[1];
-      start_ += tensor / 2;
+      start_ += tensor_of(block.initial_stress) / 2;
     }
     if (springs && longer == 2) turning_ = tension_by_turning_bricks;
   }
@@ -94,17 +128,6 @@ class Joint {
 };
 
 bool has_bond(const JointMaterial& joint) { return joint.cohesion > 0 || joint.tensile_strength > 0; }
-
-double width_across(const Model& model, const Vec2& direction) {
-  const Vec2 across(-direction.y(), direction.x());
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Block& block : model.blocks)
-    for (const Vec2& vertex : block.shape.outer) {
-      low = std::min(low, across.dot(vertex));
-      high = std::max(high, across.dot(vertex));
-    }
-  return high - low;
-}
 
 // Share of a wave's amplitude that the dashpots C of a joint across its way take, two of them beside springs k: as gaps
 // of F/(2 k) open and close they take 2 C (omega F/(2 k))^2/2 of the power F^2/(2 Z) that runs through impedance Z.

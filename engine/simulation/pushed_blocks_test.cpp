@@ -182,8 +182,8 @@ struct SpreadArch {
   int voussoirs;                 // even: with a joint in the crown
   std::vector<Ring> rings;
 
-  explicit SpreadArch(Random& random)
-      : radius(std::pow(10, between(-0.6, 0.7, random))),
+  SpreadArch(double scale, Random& random)
+      : radius(scale * std::pow(10, between(-0.6, 0.7, random))),
         depth(radius * between(0.14, 0.25, random)),
         spread(radius * between(0.002, 0.06, random)),
         voussoirs(2 * std::uniform_int_distribution(4, 10)(random)) {
@@ -239,21 +239,38 @@ struct SpreadArch {
   static constexpr double density = 2400;  // kg/m3
 };
 
+double thrust_of_run(const SpreadArch& arch, double young) {
+  Simulation simulation = simulation_of(arch.model(young));
+  while (!simulation.finished()) EXPECT_EQ(simulation.step(), Status::ok) << simulation.message();
+  return -sampled(simulation).at(0);
+}
+
 // The joint in which a haunch opens may be the neighbour of the one that the closed form has: of 160 arches 147 were
 // within 1 %, 12 within 2.5 %, and one was 6 % off. (With parts of a hundredth of a voussoir half were further off.)
 TEST(PushedBlocks, ArchOnASpringerThatGoesOutHasTheLeastThrust) {
   Random random(19);
   int next_joint = 0;
   for (int i = 0; i < 40; ++i) {
-    const SpreadArch arch(random);
+    const SpreadArch arch(1, random);
     const double young = std::pow(10, between(9.3, 11.3, random));
-    Simulation simulation = simulation_of(arch.model(young));
-    while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << i << ": " << simulation.message();
-    const double thrust = -sampled(simulation).at(0);
-    EXPECT_NEAR(thrust / arch.thrust(), 1, 0.025) << i << ": " << arch.voussoirs << " voussoirs, " << young << " Pa";
-    if (std::abs(thrust / arch.thrust() - 1) > 0.01) ++next_joint;
+    const double share = thrust_of_run(arch, young) / arch.thrust();
+    EXPECT_NEAR(share, 1, 0.025) << i << ": " << arch.voussoirs << " voussoirs, " << young << " Pa";
+    if (std::abs(share - 1) > 0.01) ++next_joint;
   }
   EXPECT_LE(next_joint, 1);
+}
+
+// Models of arches are millimetres to centimetres large. The smaller and stiffer they are, the shorter is the transit
+// of a wave beside the time in which voussoirs fall: steps of a hundred of them left these hanging as the springer
+// went. (Of 49 others 11 stopped or were more than 2.5 % off, now none; of 11 that go out by 6 % four are still.)
+TEST(PushedBlocks, SmallArchesHaveTheLeastThrustToo) {
+  Random random(23);
+  for (int i = 0; i < 20; ++i) {
+    SpreadArch arch(0.01, random);
+    arch.spread /= 2;  // 3 % of the radius at most
+    const double young = std::pow(10, between(10, 11.3, random));
+    EXPECT_NEAR(thrust_of_run(arch, young) / arch.thrust(), 1, 0.025) << i << ": " << arch.radius << " m, " << young;
+  }
 }
 
 }  // namespace

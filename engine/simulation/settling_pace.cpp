@@ -11,9 +11,14 @@ namespace {
 
 // In transit times.
 constexpr double longest = 1e2;
-constexpr double long_enough = 50;  // for inertia to be nothing beside friction
 constexpr double first_with_friction = 1;
 constexpr double shortest = 1e-4;
+
+// Of the time sqrt(D/g) in which weight moves blocks by the diameter of the scene, that a step can be long where this
+// is more than the longest in transit times: what weight alone holds, as a hinged arch, has a period of some sqrt(D/g).
+constexpr double longest_by_weight = 0.3;
+
+constexpr double long_enough = 0.5;  // of the longest, for inertia to be nothing beside friction
 
 // Until a step was too long, and from then on. (Of steps that settle at any length passes are what counts: these grow
 // fast whatever was.) Walls of 3,500 and 5,000 bricks settle after 412 and 350 passes, with the first throughout after
@@ -40,6 +45,12 @@ double transit_time(const Model& model) {
   return diameter(model) / slowest;
 }
 
+double longest_step(const Model& model, double transit) {
+  const double gravity = model.gravity.norm();
+  const double by_weight = gravity > 0 ? longest_by_weight * std::sqrt(diameter(model) / gravity) : 0;
+  return std::max(longest * transit, by_weight);
+}
+
 // Contacts that cannot slide make the step a convex problem, but where blocks move only that of one geometry.
 bool is_convex(const Stage& stage, bool contacts_can_change) {
   return (stage.unlimited_strength && stage.kinematics == Kinematics::small) || !contacts_can_change;
@@ -54,6 +65,7 @@ double first_step(const Model& model, const Stage& stage, bool contacts_can_chan
 
 void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change, bool in_parts) {
   transit_ = transit_time(model);
+  longest_ = longest_step(model, transit_);
   is_convex_ = is_convex(stage, contacts_can_change);
   growth_ = fast_growth;
   in_parts_ = in_parts;
@@ -62,8 +74,7 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
 }
 
 void SettlingPace::settled(std::int64_t passes, bool is_sure) {
-  if (passes <= (is_sure ? easy_when_sure : easy))
-    dt_ = std::min((is_sure ? fast_growth : growth_) * dt_, longest * transit_);
+  if (passes <= (is_sure ? easy_when_sure : easy)) dt_ = std::min((is_sure ? fast_growth : growth_) * dt_, longest_);
   if (passes > hard && !is_convex_ && !is_sure) dt_ = std::max(dt_ / shrinking_after_hard, shortest * transit_);
 }
 
@@ -84,7 +95,7 @@ bool SettlingPace::shorten() {
   return true;
 }
 
-bool SettlingPace::is_long() const { return dt_ >= long_enough * transit_; }
+bool SettlingPace::is_long() const { return dt_ >= long_enough * longest_; }
 
 bool SettlingPace::is_shortest() const { return dt_ <= shortest * transit_; }
 

@@ -10,6 +10,7 @@
 // they close elsewhere. They grow fast until one was too long, and from then on slowly: else the next one is as much
 // too long again, and again (a wall of 5,000 bricks tried eight times the length that settles in each of 20 steps).
 // Where loads come in parts steps must be long again before the next part, and always grow fast.
+// What weight alone holds has a slower mode, with a period of some sqrt(D/g), D the diameter: steps may be longer then.
 // Where they come at once one long step is tried before the first short one, and taken if next to nothing slips in it
 // (hardly_slips.h): what inertia holds back in the short ones makes contacts slip that the whole load presses together.
 #pragma once
@@ -63,8 +64,8 @@ class SettlingPace {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [transit, dt, growth, is_convex, in_parts, tries] = self;
-    archive(transit, dt, growth, is_convex, in_parts, tries);
+    auto& [transit, longest, dt, growth, is_convex, in_parts, tries] = self;
+    archive(transit, longest, dt, growth, is_convex, in_parts, tries);
   }
 
  private:
@@ -72,6 +73,7 @@ class SettlingPace {
   void tried(bool was_taken);
 
   double transit_ = 0;      // s
+  double longest_ = 0;      // s, that a step can be
   double dt_ = 0;           // s
   double growth_ = 1;       // of dt_ after a step that settled easily
   bool is_convex_ = false;  // steps settle at any length, whatever it takes

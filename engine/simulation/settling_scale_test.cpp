@@ -223,6 +223,23 @@ TEST(SettlingPace, TriesALongStepFirst) {
   EXPECT_EQ(pace.taken(), Taken::to_the_end) << "nothing can slip";
 }
 
+// Steps grow to a hundred transit times, or to what weight takes to move rock where that is longer.
+TEST(SettlingPace, StepsAreLongBesideWhatWeightMoves) {
+  const auto longest = [](double gravity) {
+    Model model = finished_press();
+    model.gravity = {0, -gravity};
+    SettlingPace pace;
+    pace.begin(model, model.stages[0], true, true);
+    const double transit = pace.dt();
+    EXPECT_FALSE(pace.is_long());
+    for (int i = 0; i < 60; ++i) pace.settled(1, false);
+    EXPECT_TRUE(pace.is_long());
+    return pace.dt() / transit;
+  };
+  EXPECT_NEAR(longest(0), 100, 1e-9);
+  EXPECT_NEAR(longest(1e-20) / longest(1e-22), 0.1, 1e-9);
+}
+
 // With friction given by its start a step of any length settles, and takes as many passes when it is longer.
 TEST(SettlingPace, StepsThatAreSureToSettleGrowAfterManyPasses) {
   const auto growth = [](std::int64_t passes, bool is_sure) {

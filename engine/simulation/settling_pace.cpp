@@ -14,8 +14,9 @@ constexpr double longest = 1e2;
 constexpr double first_with_friction = 1;
 constexpr double shortest = 1e-4;
 
-// Of the time sqrt(D/g) in which weight moves blocks by the diameter of the scene, that a step can be long where this
-// is more than the longest in transit times: what weight alone holds, as a hinged arch, has a period of some sqrt(D/g).
+// A step can be this share of sqrt(D/g) long, the time in which weight moves blocks by the diameter of the scene, where
+// that is more than the longest in transit times: what weight alone holds, as a hinged arch, has a period of some
+// sqrt(D/g).
 constexpr double longest_by_weight = 0.3;
 
 constexpr double long_enough = 0.5;  // of the longest, for inertia to be nothing beside friction

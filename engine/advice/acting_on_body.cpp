@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/geometry/segment.h"
+#include "engine/model/stage_times.h"
 #include "engine/model/time_function.h"
 
 namespace dda {
@@ -82,8 +83,7 @@ bool ActingOnBody::turns_further() const { return virial < -round_off * sizes_of
 std::vector<ActingOnBody> acting_on_bodies(const Model& model, std::size_t stage,
                                            const std::vector<std::vector<int>>& bodies) {
   if (bodies.empty()) return {};
-  double start = 0;
-  for (std::size_t i = 0; i < stage; ++i) start += model.stages[i].duration;
+  const double start = begin_of_stage(model, stage);
   std::vector<ActingOnBody> acting = Sums(model, bodies).at_time(stage, start);
   const double duration = model.stages[stage].duration;
   if (duration == 0) return acting;

@@ -17,6 +17,9 @@ inline ActingPlace place_of(const PointLoad& load) { return {load.block, {load.p
 inline ActingPlace place_of(const PointSupport& support) { return {support.block, {support.point, support.point}}; }
 inline ActingPlace place_of(const HeldBlock& held) { return {.block = held.block, .all_of_it = true}; }
 
+// Pa, in x and y: what the loaded face of a block bears of the stress that the block begins with.
+Vec2 traction_at_start(const Model& model, const EdgeLoad& load);
+
 // m, from the nearest of it.
 double distance(const Model& model, const ActingPlace& place, const Vec2& point);
 

@@ -1,4 +1,4 @@
-// Blocks as sentences name them.
+// Blocks that have something, and how sentences name them.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,6 +10,15 @@
 #include "engine/model/model.h"
 
 namespace dda {
+
+// Their indices, in order.
+template <typename Condition>
+std::vector<int> blocks_with(const Model& model, const Condition& condition) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i)
+    if (condition(model.blocks[i])) found.push_back(static_cast<int>(i));
+  return found;
+}
 
 inline std::string block_named(const Model& model, int block) {
   return fmt::format("block \"{}\"", model.blocks[static_cast<std::size_t>(block)].name);

@@ -15,13 +15,8 @@ constexpr double stiffest_in_rock = 10;  // of Young's modulus of the softer blo
 constexpr double weakest = 1e3;          // N
 constexpr double most_pretension = 2e7;  // N: the largest anchors of dams have 10 MN
 
-double young_of(const Model& model, int block) {
-  const Block& in = model.blocks[static_cast<std::size_t>(block)];
-  return model.materials[static_cast<std::size_t>(in.material)].young;
-}
-
 bool is_stiffer_than_rock(const Model& model, const BoltLink& link) {
-  const double rock = std::min(young_of(model, link.block_a), young_of(model, link.block_b));
+  const double rock = std::min(model.material_of(link.block_a).young, model.material_of(link.block_b).young);
   return link.axial_stiffness > stiffest_in_rock * rock;
 }
 

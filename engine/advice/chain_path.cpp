@@ -1,4 +1,5 @@
 #include "engine/advice/chain_path.h"
+#include "engine/advice/reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@ namespace {
 constexpr double tolerance = 1e-6;  // of lengths, over those of the block; of cosines
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 
 // One try: the layers across `direction`.
 class Layering {

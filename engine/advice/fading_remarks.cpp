@@ -9,18 +9,12 @@
 #include <variant>
 
 #include "engine/advice/block_named.h"
+#include "engine/model/stage_times.h"
 
 namespace dda {
 namespace {
 
 constexpr double negligible = 1e-6;  // of what was exerted: sums of durations are off by less
-
-// s, between the start of the run and that of the stage; for one past the last, the end of the run.
-double start_of(std::size_t stage, const Model& model) {
-  double start = 0;
-  for (std::size_t i = 0; i < stage; ++i) start += model.stages[i].duration;
-  return start;
-}
 
 // A fade that the run does not see the end of.
 struct CutFade {
@@ -35,7 +29,7 @@ std::optional<CutFade> cut_fade(const std::optional<TimeFunction>& relaxation, s
   if (table == nullptr || stage >= model.stages.size()) return std::nullopt;
   std::size_t last = table->values.size() - 1;
   while (last > 0 && table->values[last - 1] == table->values.back()) --last;
-  const double start = start_of(stage, model), end = start_of(model.stages.size(), model);
+  const double start = begin_of_stage(model, stage), end = end_of_run(model);
   const CutFade fade{end, start + table->times[last], evaluate(*relaxation, end - start), table->values.back()};
   if (fade.fades_to <= end || std::abs(fade.left - fade.at_last) <= negligible) return std::nullopt;
   return fade;

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <variant>
 
+#include "engine/advice/acting_place.h"
+#include "engine/advice/reach.h"
 #include "engine/contact/joint_stiffness.h"
 #include "engine/contact/make_element.h"
 #include "engine/geometry/polygon.h"
@@ -26,17 +27,6 @@ constexpr double slack = 1e-3;         // of the wave's largest stress: a joint 
 // whose faces have two neighbours, below 1 to 1.5 (of three).
 constexpr double tension_by_turning = 1, tension_by_turning_bricks = 1.5;
 
-double width_across(const Model& model, const Vec2& direction) {
-  const Vec2 across(-direction.y(), direction.x());
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Block& block : model.blocks)
-    for (const Vec2& vertex : block.shape.outer) {
-      low = std::min(low, across.dot(vertex));
-      high = std::max(high, across.dot(vertex));
-    }
-  return high - low;
-}
-
 Mat2 tensor_of(const Vec3& stress) {
   Mat2 tensor;
   tensor << stress[0], stress[2], stress[2], stress[1];
@@ -51,16 +41,12 @@ double weight_above(const Model& model) {
   double density = 0;
   for (const Material& material : model.materials) density = std::max(density, material.density);
   const Vec2 down = model.gravity.normalized();
-  return density * model.gravity.norm() * width_across(model, {-down.y(), down.x()});
+  return density * model.gravity.norm() * reach_of(model, down).length();
 }
 
 // Pa, by which a load differs from what the block's stress at the start has there: what is in situ brings nothing.
 double brought_by(const Model& model, const EdgeLoad& load) {
-  const Block& block = model.blocks[static_cast<std::size_t>(load.block)];
-  const Vec2 along = (load.to - load.from).normalized();
-  Vec2 outwards(along.y(), -along.x());
-  if (outwards.dot((load.from + load.to) / 2 - block.moments.centroid) < 0) outwards = -outwards;
-  return (load.traction - tensor_of(block.initial_stress) * outwards).norm() + load.rise.norm();
+  return (load.traction - traction_at_start(model, load)).norm() + load.rise.norm();
 }
 
 // Pa, that weight and constant loads of static stages before can press a joint with.
@@ -190,7 +176,7 @@ std::string why_joints_give_way(const Model& model, std::size_t stage, const Con
   const auto& joints = joints_in(model, stage);
   const double pressure = most_pressure(model, stage);
   const double least = slack * std::max(std::abs(wave.least), std::abs(wave.most));
-  const double width = width_across(model, wave.direction);
+  const double width = reach_of(model, left_of(wave.direction)).length();
   double taken = 0;
   for (const Interface& interface : drawn.interfaces) {
     const JointMaterial& material = joints[static_cast<std::size_t>(interface.joint)];

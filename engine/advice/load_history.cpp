@@ -11,18 +11,13 @@
 
 #include "engine/advice/load_trace.h"
 #include "engine/model/quantity_names.h"
+#include "engine/model/stage_times.h"
 
 namespace dda {
 namespace {
 
 constexpr double most_samples = 20000;
 constexpr double quiet = 1e-3;  // of the largest value
-
-double end_of_run(const Model& model) {
-  double end = 0;
-  for (const Stage& stage : model.stages) end += stage.duration;
-  return end;
-}
 
 double shortest_step(const Model& model) {
   double step = std::numeric_limits<double>::infinity();

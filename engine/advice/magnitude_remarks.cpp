@@ -22,14 +22,6 @@ constexpr double strongest_gravity = 50;  // m/s2: five times the Earth's
 constexpr double largest_strain = 0.05;   // of in-situ stress and loads; rock breaks at a tenth of that
 constexpr double most_unequal = 30;       // in-situ stresses across each other; near the surface some have 5
 
-template <typename Condition>
-std::vector<int> blocks_with(const Model& model, const Condition& condition) {
-  std::vector<int> found;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (condition(model.blocks[i])) found.push_back(static_cast<int>(i));
-  return found;
-}
-
 void remark_on_gravity(const Model& model, Remarks& remarks) {
   const double gravity = model.gravity.norm();
   if (model.gravity.y() > 0)
@@ -48,8 +40,6 @@ void remark_on_tension(const Model& model, Remarks& remarks) {
       fmt::format("{} starts in tension, {:g} Pa: stresses are positive in tension, in-situ compression is negative",
                   blocks_named(model, pulled), largest_principal(first.initial_stress)));
 }
-
-double smallest_principal(const Vec3& stress) { return -largest_principal(-stress); }
 
 // Blocks that start with a stress which strains them by more than rock bears.
 void remark_on_strain(const Model& model, Remarks& remarks) {
@@ -83,10 +73,7 @@ void remark_on_unequal_stress(const Model& model, Remarks& remarks) {
 
 // A traction in Pa that was meant in another unit. Histories are factors of about one.
 void remark_on_tractions(const Model& model, Remarks& remarks) {
-  const auto strain = [&](const EdgeLoad& load) {
-    const Block& block = model.blocks[static_cast<std::size_t>(load.block)];
-    return load.traction.norm() / model.materials[static_cast<std::size_t>(block.material)].young;
-  };
+  const auto strain = [&](const EdgeLoad& load) { return load.traction.norm() / model.material_of(load.block).young; };
   const auto largest = std::ranges::max_element(model.edge_loads, {}, strain);
   if (largest == model.edge_loads.end() || strain(*largest) <= largest_strain) return;
   remarks.push_back(fmt::format(

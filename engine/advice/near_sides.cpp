@@ -13,46 +13,18 @@
 #include "engine/advice/chain_path.h"
 #include "engine/advice/closed_joints.h"
 #include "engine/advice/on_the_way.h"
+#include "engine/advice/reach.h"
 #include "engine/contact/joint_stiffness.h"
 #include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {
 
-constexpr double tolerance = 1e-6;    // of lengths, over those of the block; of cosines
-constexpr double most_seconds = 1;    // of CPU time that steps may take
-constexpr double hardly_held = 1e-3;  // of the wave, that what holds or absorbs in its way takes
-constexpr double nearly = 0.97;       // as much alike: delays are looked at in a row, of which none is on a summit
+constexpr double tolerance = 1e-6;  // of lengths, over those of the block; of cosines
+constexpr double most_seconds = 1;  // of CPU time that steps may take
+constexpr double nearly = 0.97;     // as much alike: delays are looked at in a row, of which none is on a summit
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void include(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
-Range range_of(const Block& block, const Vec2& direction) {
-  Range range;
-  for (const Vec2& vertex : block.shape.outer) range.include(direction.dot(vertex));
-  return range;
-}
-
-Range range_of(const Model& model, const Vec2& direction) {
-  Range range;
-  for (const Block& block : model.blocks) {
-    const Range of_block = range_of(block, direction);
-    range.include(of_block.low);
-    range.include(of_block.high);
-  }
-  return range;
-}
 
 // Rollers hold what is across the wave's motion and leave it its motion.
 bool is_roller(const PointSupport& support, const Vec2& particles) {
@@ -111,15 +83,15 @@ BetweenSides NearSides::count(const HistoryErrors& history, const MeshPlace& pla
 // What a wave meets between the sides in time to be seen: steps count it as well.
 std::string NearSides::met_inside(const MeshPlace& place, double window) const {
   const Vec2 particles = polarization(place.kind, place.direction), across = left_of(place.direction);
-  const Range sides = range_of(model_, across);
+  const Reach sides = reach_of(model_, across);
   const auto is_inside = [&](const ActingPlace& at_place) {
-    const double slack = tolerance * (sides.high - sides.low);
+    const double slack = tolerance * (sides.length());
     const double middle = across.dot(at_place.face.start + at_place.face.end) / 2;
     return at_place.all_of_it || (middle > sides.low + slack && middle < sides.high - slack);
   };
   std::vector<Hindrance> hindrances = free_faces_inside(model_, drawn_, place.direction);
-  for (Hindrance& each : holding_or_absorbing(
-           model_, course_.index, {place.direction, particles, 1 / load_.history.period, sides.high - sides.low}))
+  for (Hindrance& each : holding_or_absorbing(model_, course_.index,
+                                              {place.direction, particles, 1 / load_.history.period, sides.length()}))
     if (each.share > hardly_held && each.place.block != load_.block && is_inside(each.place))
       hindrances.push_back(std::move(each));
   for (const Hindrance& each : hindrances)
@@ -130,7 +102,7 @@ std::string NearSides::met_inside(const MeshPlace& place, double window) const {
 
 double NearSides::distance(const MeshPlace& place) const {
   const Vec2 across = left_of(place.direction);
-  const Range sides = range_of(model_, across);
+  const Reach sides = reach_of(model_, across);
   const double here = across.dot(load_.looked_at);
   return std::max(0.0, std::min(here - sides.low, sides.high - here));
 }
@@ -158,10 +130,10 @@ bool NearSides::are_rollers(const MeshPlace& place) const {
     const double side = across.dot(support.point - model_.blocks[at(support.block)].moments.centroid);
     rolling.emplace(support.block, side > 0);
   }
-  const Range sides = range_of(model_, across);
+  const Reach sides = reach_of(model_, across);
   for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
     if (model_.is_held(static_cast<int>(i))) continue;
-    const Range block = range_of(model_.blocks[i], across);
+    const Reach block = reach_of(model_.blocks[i], across);
     const double slack = tolerance * (block.high - block.low);
     if (block.low < sides.low + slack && !rolling.contains({static_cast<int>(i), false})) return false;
     if (block.high > sides.high - slack && !rolling.contains({static_cast<int>(i), true})) return false;
@@ -171,7 +143,7 @@ bool NearSides::are_rollers(const MeshPlace& place) const {
 
 // Where the way begins: the face of the block that is driven, or behind it where it is driven as a whole.
 double NearSides::start_along(const MeshPlace& place) const {
-  const Range block = range_of(model_.blocks[at(load_.block)], place.direction);
+  const Reach block = reach_of(model_.blocks[at(load_.block)], place.direction);
   return model_.is_held(load_.block) ? block.high : block.low;
 }
 

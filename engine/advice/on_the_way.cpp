@@ -9,6 +9,7 @@
 
 #include "engine/advice/block_named.h"
 #include "engine/advice/chain_path.h"
+#include "engine/advice/reach.h"
 #include "engine/model/held_motion.h"
 
 namespace dda {
@@ -18,30 +19,6 @@ constexpr double tolerance = 1e-6;    // of lengths, over the size of a block; o
 constexpr double hardly_free = 1e-3;  // of a block's outline: what rounding leaves between neighbours
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-struct Reach {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void include(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
-Reach reach_of(const Block& block, const Vec2& direction) {
-  Reach reach;
-  for (const Vec2& vertex : block.shape.outer) reach.include(direction.dot(vertex));
-  return reach;
-}
-
-Reach reach_of(const Model& model, const ActingPlace& place, const Vec2& direction) {
-  if (place.all_of_it) return reach_of(model.blocks[at(place.block)], direction);
-  Reach reach;
-  reach.include(direction.dot(place.face.start));
-  reach.include(direction.dot(place.face.end));
-  return reach;
-}
 
 double slack_of(const Block& block) { return tolerance * std::sqrt(block.moments.area); }
 
@@ -123,24 +100,9 @@ class Search {
   std::vector<Hindrance> hindrances_;
 };
 
-// m, of the outline of a block that lies on one of the sides.
+// m, of the outline of a block that lies on either of the sides.
 double length_on(const Ring& ring, const Vec2& direction, const Reach& sides, double slack) {
-  const auto is_on = [&](const Vec2& a, const Vec2& b, double side) {
-    return std::abs(direction.dot(a) - side) <= slack && std::abs(direction.dot(b) - side) <= slack;
-  };
-  double length = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2& from = ring[i];
-    const Vec2& to = ring[(i + 1) % ring.size()];
-    if (is_on(from, to, sides.low) || is_on(from, to, sides.high)) length += (to - from).norm();
-  }
-  return length;
-}
-
-double perimeter(const Ring& ring) {
-  double length = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) length += (ring[(i + 1) % ring.size()] - ring[i]).norm();
-  return length;
+  return length_at(ring, direction, sides.low, slack) + length_at(ring, direction, sides.high, slack);
 }
 
 }  // namespace
@@ -165,13 +127,8 @@ std::vector<Hindrance> missing_blocks(const Model& model, std::size_t stage, con
 }
 
 std::vector<Hindrance> free_faces_inside(const Model& model, const ContactSet& drawn, const Vec2& direction) {
-  const Vec2 across(-direction.y(), direction.x());
-  Reach ends, sides;
-  for (const Block& block : model.blocks)
-    for (const Vec2& vertex : block.shape.outer) {
-      ends.include(direction.dot(vertex));
-      sides.include(across.dot(vertex));
-    }
+  const Vec2 across = left_of(direction);
+  const Reach ends = reach_of(model, direction), sides = reach_of(model, across);
   std::vector<double> touching(model.blocks.size(), 0.0);  // m
   for (const Interface& interface : drawn.interfaces)
     for (const int block : {interface.block_a, interface.block_b}) touching[at(block)] += interface.length;
@@ -179,8 +136,7 @@ std::vector<Hindrance> free_faces_inside(const Model& model, const ContactSet& d
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
     if (model.is_held(static_cast<int>(i))) continue;
-    double outline = perimeter(block.shape.outer);
-    for (const Ring& hole : block.shape.holes) outline += perimeter(hole);
+    const double outline = perimeter(block.shape);
     const double outside = length_on(block.shape.outer, direction, ends, slack_of(block)) +
                            length_on(block.shape.outer, across, sides, slack_of(block));
     if (outline - outside - touching[i] < hardly_free * outline) continue;

@@ -12,6 +12,9 @@
 
 namespace dda {
 
+// Share of a wave that what holds or absorbs on its way may take without a word.
+inline constexpr double hardly_held = 1e-3;
+
 struct PassingWave {
   Vec2 direction = Vec2::UnitX();  // unit, of its way
   Vec2 particles = Vec2::UnitX();  // unit, of their motion

@@ -12,16 +12,17 @@
 #include "engine/advice/chain_path.h"
 #include "engine/advice/closed_joints.h"
 #include "engine/advice/on_the_way.h"
+#include "engine/advice/reach.h"
 #include "engine/advice/stages_on_the_way.h"
 #include "engine/advice/ties.h"
 #include "engine/model/held_motion.h"
+#include "engine/model/stage_times.h"
 
 namespace dda {
 namespace {
 
 constexpr double tolerance = 1e-6;    // of lengths, over the size of a block; of directions and values
 constexpr double hardly_ties = 1e-3;  // of the rock's stiffness along the way: half of that of speed
-constexpr double hardly_held = 1e-3;  // of the wave, that what holds or absorbs on its way takes
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -93,7 +94,7 @@ class Conditions {
     if (std::ranges::any_of(sudden_, [&](const LoadFinding& finding) { return comes_or_goes_on_the_way(finding); }))
       return "it jumps as another stage begins, and that is seen as well";
     if (const std::string name = tied_by(); !name.empty()) return fmt::format("{} ties blocks that it passes", name);
-    if (const std::string clause = met_on_the_way(); !clause.empty()) return clause;
+    if (std::string clause = met_on_the_way(); !clause.empty()) return clause;
     if (is_in_motion_before()) return "blocks begin in motion, which is seen there as well";
     if (!wave_.row && !moved() && load_.face.isZero(0)) return "a load at a point of a mesh spreads to all sides";
     if (!wave_.row && !is_on_all_of_a_side()) return "what drives it does not act on all of a side";
@@ -169,12 +170,7 @@ class Conditions {
 
   // m along the way, to where a place begins.
   [[nodiscard]] double reached(const ActingPlace& place) const {
-    double low = std::min(along(place.face.start), along(place.face.end));
-    if (place.all_of_it) {
-      low = std::numeric_limits<double>::infinity();
-      for (const Vec2& vertex : model_.blocks[at(place.block)].shape.outer) low = std::min(low, along(vertex));
-    }
-    return std::max(0.0, low - front());
+    return std::max(0.0, reach_of(model_, place, wave_.direction).low - front());
   }
 
   // As a whole, all blocks alike, it changes no stress.
@@ -197,16 +193,7 @@ class Conditions {
   }
 
   // m, of the scene across the way.
-  [[nodiscard]] double width() const {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Block& block : model_.blocks)
-      for (const Vec2& vertex : block.shape.outer) {
-        const double across = cross(wave_.direction, vertex);
-        low = std::min(low, across);
-        high = std::max(high, across);
-      }
-    return high - low;
-  }
+  [[nodiscard]] double width() const { return reach_of(model_, left_of(wave_.direction)).length(); }
 
   // In a stage before, too, which nothing has calmed since, or in one after.
   [[nodiscard]] bool is_seen_to_jump(const LoadFinding& finding) const {
@@ -237,9 +224,7 @@ class Conditions {
   // An end that absorbs should send nothing back, so that what it does is an error that no figure counts: springs at
   // joints make another impedance of the rock's. What other ends send back belongs to the scene.
   [[nodiscard]] bool meets_its_echo() const {
-    double far = -std::numeric_limits<double>::infinity();
-    for (const Block& block : model_.blocks)
-      for (const Vec2& vertex : block.shape.outer) far = std::max(far, along(vertex));
+    const double far = reach_of(model_, wave_.direction).high;
     const double echo = wave_.timing.front * (2 * (far - front()) / wave_.distance - 1);
     return has_springs() && is_absorbed_at(far) && lasts(echo - wave_.timing.front, echo);
   }
@@ -279,11 +264,7 @@ class Conditions {
     return model_.is_held(load_.block) ? front_of(load_.block) : along(load_.place);
   }
   // The same of a block that sends it out as a whole.
-  [[nodiscard]] double front_of(int block) const {
-    double front = -std::numeric_limits<double>::infinity();
-    for (const Vec2& vertex : model_.blocks[at(block)].shape.outer) front = std::max(front, along(vertex));
-    return front;
-  }
+  [[nodiscard]] double front_of(int block) const { return reach_of(model_.blocks[at(block)], wave_.direction).high; }
 
   // No rock lies before it, and all that ends at it is driven.
   [[nodiscard]] bool is_on_all_of_a_side() const {
@@ -292,25 +273,13 @@ class Conditions {
     double there = 0, driven = 0;
     for (const Drive& drive : own_) driven += drive.length;
     for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
-      const double length = length_at(model_.blocks[i], side);
+      const double length = length_at(model_.blocks[i].shape.outer, wave_.direction, side, slack_);
       const bool before = along(model_.blocks[i].moments.centroid) < side;
       if (before && !(whole_blocks && is_driven(static_cast<int>(i)))) return false;
       if (!before && moved() && !whole_blocks && length > 0 && !is_driven(static_cast<int>(i))) return false;
       there += length;
     }
     return moved() || std::abs(driven - there) <= tolerance * there;
-  }
-
-  // m, of the block's outline that lies on the side.
-  [[nodiscard]] double length_at(const Block& block, double side) const {
-    const Ring& ring = block.shape.outer;
-    double length = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& from = ring[i];
-      const Vec2& to = ring[(i + 1) % ring.size()];
-      if (std::abs(along(from) - side) <= slack_ && std::abs(along(to) - side) <= slack_) length += (to - from).norm();
-    }
-    return length;
   }
 
   [[nodiscard]] bool is_held() const {

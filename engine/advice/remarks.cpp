@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
-#include <utility>
+#include <type_traits>
 #include <variant>
 
 #include "engine/advice/at_odds.h"
@@ -46,18 +47,6 @@ constexpr double most_damping_in_a_step = 0.02;
 constexpr double most_crossings = 100;  // of the whole scene by a P wave in one step
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-template <typename Condition>
-Blocks blocks_with(const Model& model, const Condition& condition) {
-  Blocks found;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i)
-    if (condition(model.blocks[i])) found.push_back(static_cast<int>(i));
-  return found;
-}
-
-void remark_on_holding(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  for (std::string& sentence : holding_remarks(model, contacts)) remarks.push_back(std::move(sentence));
-}
 
 // m2, of two digits, and above that of a block of this size, m.
 double area_above(double size) { return 1.06 * size * size; }
@@ -209,62 +198,6 @@ void remark_on_chatter_on_slopes(const Model& model, const ContactSet& contacts,
   }
 }
 
-void remark_on_loads(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : unseen_loads(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_idle_loads(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : idle_loads(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_held_blocks(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : acting_on_held_blocks(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_joints(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  for (std::string& sentence : joint_remarks(model, contacts)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_magnitudes(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : magnitude_remarks(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_bolts(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : bolt_remarks(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_linings(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : lining_remarks(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_coordinates(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  for (std::string& sentence : far_coordinates(model, contacts)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_springs(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : springs_around_openings(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_changed_rock(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : changed_rock_remarks(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_fading(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
-  for (std::string& sentence : fading_remarks(model)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_gaps(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  for (std::string& sentence : gap_remarks(model, contacts)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_spins(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  for (std::string& sentence : spin_remarks(model, contacts)) remarks.push_back(std::move(sentence));
-}
-
-void remark_on_odds(const Model& model, const ContactSet& contacts, Remarks& remarks) {
-  for (std::string& sentence : remarks_on_odds(model, contacts)) remarks.push_back(std::move(sentence));
-}
-
 // What keeps no velocity takes the one that blocks begin with.
 void remark_on_lost_motion(const Model& model, const ContactSet& /*contacts*/, Remarks& remarks) {
   const Blocks moving = blocks_with(model, [](const Block& block) { return !block.starts_at_rest(); });
@@ -276,34 +209,45 @@ void remark_on_lost_motion(const Model& model, const ContactSet& /*contacts*/, R
                   stage.name, blocks_named(model, moving)));
 }
 
-constexpr auto all_remarks = {remark_on_holding,
-                              remark_on_magnitudes,
+// What a header of its own has to say, by the model alone or by its contacts as well.
+template <auto sentences>
+void remark(const Model& model, const ContactSet& contacts, Remarks& remarks) {
+  Remarks said;
+  if constexpr (std::is_invocable_v<decltype(sentences), const Model&>)
+    said = sentences(model);
+  else
+    said = sentences(model, contacts);
+  std::ranges::move(said, std::back_inserter(remarks));
+}
+
+constexpr auto all_remarks = {remark<holding_remarks>,
+                              remark<magnitude_remarks>,
                               remark_on_sizes,
-                              remark_on_gaps,
+                              remark<gap_remarks>,
                               remark_on_steps,
                               remark_on_coarse_steps,
-                              remark_on_loads,
-                              remark_on_idle_loads,
-                              remark_on_joints,
+                              remark<unseen_loads>,
+                              remark<idle_loads>,
+                              remark<joint_remarks>,
                               remark_on_chatter,
                               remark_on_chatter_on_slopes,
-                              remark_on_bolts,
-                              remark_on_linings,
-                              remark_on_held_blocks,
+                              remark<bolt_remarks>,
+                              remark<lining_remarks>,
+                              remark<acting_on_held_blocks>,
                               remark_on_damping_rate,
-                              remark_on_coordinates,
-                              remark_on_springs,
-                              remark_on_changed_rock,
-                              remark_on_fading,
-                              remark_on_spins,
+                              remark<far_coordinates>,
+                              remark<springs_around_openings>,
+                              remark<changed_rock_remarks>,
+                              remark<fading_remarks>,
+                              remark<spin_remarks>,
                               remark_on_lost_motion,
-                              remark_on_odds};
+                              remark<remarks_on_odds>};
 
 }  // namespace
 
 std::vector<std::string> remarks_on(const Model& model, const ContactSet& contacts) {
   Remarks remarks;
-  for (const auto& remark : all_remarks) remark(model, contacts, remarks);
+  for (const auto& add : all_remarks) add(model, contacts, remarks);
   return remarks;
 }
 

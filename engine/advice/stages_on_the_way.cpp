@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/model/rock_change.h"
+#include "engine/model/stage_times.h"
 
 namespace dda {
 namespace {
@@ -42,12 +43,6 @@ bool has_other_rock(const Model& model, std::size_t a, std::size_t b) {
 }
 
 }  // namespace
-
-double end_of_run(const Model& model) {
-  double end = 0;
-  for (const Stage& stage : model.stages) end += stage.duration;
-  return end;
-}
 
 std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window) {
   const double from = load.history.start, to = std::min(from + window, end_of_run(model));

@@ -9,8 +9,6 @@
 
 namespace dda {
 
-double end_of_run(const Model& model);  // s
-
 // The wave is foretold with the steps of one stage, in the rock that the run begins with: it has to pass before steps
 // of another kind, or other rock, come. A clause for people, empty where it does.
 std::string why_steps_change(const Model& model, std::size_t stage, const SceneLoad& load, double window);

@@ -18,6 +18,7 @@
 
 #include "engine/advice/block_named.h"
 #include "engine/advice/load_history.h"
+#include "engine/model/stage_times.h"
 
 namespace dda {
 namespace {
@@ -75,21 +76,14 @@ struct Drive {
 
 // Whether the edge load is what keeps the block's own stress, of before the run, in balance.
 bool balances_stress(const Model& model, const EdgeLoad& load) {
-  const Block& block = model.blocks[static_cast<std::size_t>(load.block)];
-  const Vec3& stress = block.initial_stress;
-  const Vec2 edge = (load.to - load.from).normalized();
-  Vec2 normal(edge.y(), -edge.x());
-  if (normal.dot(block.moments.centroid - load.from) > 0) normal = -normal;
-  const Vec2 needed(stress[0] * normal.x() + stress[2] * normal.y(), stress[2] * normal.x() + stress[1] * normal.y());
+  const Vec2 needed = traction_at_start(model, load);
   return !needed.isZero(0) &&
          (evaluate(load.history, 0) * load.traction - needed).norm() <= jumps[0].change * needed.norm();
 }
 
 class Search {
  public:
-  explicit Search(const Model& model) : model_(model) {
-    for (const Stage& stage : model.stages) end_ += stage.duration;
-  }
+  explicit Search(const Model& model) : model_(model), end_(end_of_run(model)) {}
 
   // Many blocks have one drive, whose samples are looked at once; the others are counted.
   void add(const Drive& drive) {

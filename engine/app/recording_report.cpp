@@ -1,4 +1,5 @@
 #include "engine/app/recording_report.h"
+#include "engine/model/stage_times.h"
 
 #include <fmt/format.h>
 
@@ -63,8 +64,7 @@ std::vector<std::string> describe_recordings(const Model& model) {
 
 std::vector<std::string> warn_of_recordings(const Model& model, std::size_t stage) {
   constexpr double slack = 1 + 1e-6;  // times in files are rounded
-  double begin = 0;
-  for (std::size_t i = 0; i < stage; ++i) begin += model.stages[i].duration;
+  const double begin = begin_of_stage(model, stage);
   const double dt = model.stages[stage].dt;
   std::set<std::string> lines;
   for (const Use& use : uses_of(model)) {

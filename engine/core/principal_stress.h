@@ -15,6 +15,9 @@ inline double largest_shear(const Vec3& stress) { return std::hypot((stress(0) -
 // The larger principal stress: tension is positive.
 inline double largest_principal(const Vec3& stress) { return mean_stress(stress) + largest_shear(stress); }
 
+// The smaller one.
+inline double smallest_principal(const Vec3& stress) { return mean_stress(stress) - largest_shear(stress); }
+
 // The size of the principal stress that is the larger by size.
 inline double largest_stress(const Vec3& stress) { return std::abs(mean_stress(stress)) + largest_shear(stress); }
 

@@ -93,6 +93,17 @@ Polygon normalized(Polygon polygon) {
   return polygon;
 }
 
+double perimeter(const Polygon& polygon) {
+  const auto of_ring = [](const Ring& ring) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+    return sum;
+  };
+  double sum = of_ring(polygon.outer);
+  for (const Ring& hole : polygon.holes) sum += of_ring(hole);
+  return sum;
+}
+
 double extent_along(const Ring& ring, const Vec2& direction) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;

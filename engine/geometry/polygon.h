@@ -39,6 +39,9 @@ Polygon normalized(Polygon polygon);
 // then about the centroid.
 AreaMoments area_moments(const Polygon& polygon);
 
+// Length of all rings, m.
+double perimeter(const Polygon& polygon);
+
 // Extent of the outline along a unit vector, m.
 double extent_along(const Ring& ring, const Vec2& direction);
 

@@ -81,8 +81,8 @@ double block_value(const BlockSystem& system, const Measurement& measurement) {
     case Quantity::stress_xx: return stress()(0);
     case Quantity::stress_yy: return stress()(1);
     case Quantity::stress_xy: return stress()(2);
-    case Quantity::stress_1: return mean_stress(stress()) + largest_shear(stress());
-    case Quantity::stress_2: return mean_stress(stress()) - largest_shear(stress());
+    case Quantity::stress_1: return largest_principal(stress());
+    case Quantity::stress_2: return smallest_principal(stress());
     case Quantity::stress_angle: return principal_angle(stress());
     case Quantity::mean_stress: return mean_stress(stress());
     case Quantity::max_shear: return largest_shear(stress());

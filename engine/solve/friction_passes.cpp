@@ -38,10 +38,10 @@ constexpr int full_passes = 3;
 constexpr double near_balance = 1e-3;
 
 // Where that does not help either, and no more contacts than these change, they do so one by one, the one that was
-// pressed deepest when that began first: the others keep their pieces for the pass. That ends circles of
-// contacts that change together (Murty's rule of the least index, 1974, which is sure where the problem has one
-// solution whatever the load, and for any order that stays). Such a pass is allowed as much work as several: it needs
-// as many as there are contacts in the circle.
+// pressed deepest when that began first: the others keep their pieces for the pass. That ends circles of contacts that
+// change together (Murty's rule of the least index, 1974, which is sure where the problem has one solution whatever the
+// load, and for any order that stays). Such a pass is allowed as much work as several: it needs as many as there are
+// contacts in the circle.
 constexpr int passes_before_one_by_one = 6;
 constexpr int most_one_by_one = 8;
 constexpr double share_of_work_one_by_one = 0.25;

@@ -18,8 +18,7 @@ void list_live(const InterfaceTrials& contacts, std::vector<std::size_t>& places
 void note_depths(const InterfaceTrials& contacts, std::vector<LiveContact>& live);
 
 // The largest force, N per m of thickness, that ends would answer with these increments if they stuck and held tension:
-// for where nothing has a force yet. Without it round-off would say which way those go that
-// nothing pushes.
+// for where nothing has a force yet. Without it round-off would say which way those go that nothing pushes.
 double largest_elastic_force(const std::vector<LiveContact>& live, const Eigen::VectorXd& increment);
 
 }  // namespace dda

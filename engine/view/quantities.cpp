@@ -13,9 +13,9 @@ namespace dda {
 const std::array<DrawnQuantity, drawn_quantity_count> drawn_quantities = {{
     {"mean_stress", "Mean stress", "Pa", [](const Frame& f, std::size_t i) { return mean_stress(f.stress[i]); }},
     {"stress_1", "Largest principal stress", "Pa",
-     [](const Frame& f, std::size_t i) { return mean_stress(f.stress[i]) + largest_shear(f.stress[i]); }},
+     [](const Frame& f, std::size_t i) { return largest_principal(f.stress[i]); }},
     {"stress_2", "Smallest principal stress", "Pa",
-     [](const Frame& f, std::size_t i) { return mean_stress(f.stress[i]) - largest_shear(f.stress[i]); }},
+     [](const Frame& f, std::size_t i) { return smallest_principal(f.stress[i]); }},
     {"max_shear", "Largest shear stress", "Pa",
      [](const Frame& f, std::size_t i) { return largest_shear(f.stress[i]); }},
     {"stress_xx", "Stress \u03c3xx", "Pa", [](const Frame& f, std::size_t i) { return f.stress[i][0]; }},
@@ -36,8 +36,7 @@ std::size_t find_quantity(std::string_view id, const std::string& option) {
 
 PrincipalStress principal_stress(const Vec3& stress) {
   const double angle = principal_angle(stress);
-  return {mean_stress(stress) + largest_shear(stress), mean_stress(stress) - largest_shear(stress),
-          Vec2(std::cos(angle), std::sin(angle))};
+  return {largest_principal(stress), smallest_principal(stress), Vec2(std::cos(angle), std::sin(angle))};
 }
 
 }  // namespace dda

@@ -12,18 +12,8 @@ namespace {
 
 const Block& block_of(const Model& model, int index) { return model.blocks[static_cast<std::size_t>(index)]; }
 
-double perimeter(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
-  return sum;
-}
-
 // A distance that, times the length of each side, sums to twice the area of the block.
-double mean_distance(const Block& block) {
-  double sides = perimeter(block.shape.outer);
-  for (const Ring& hole : block.shape.holes) sides += perimeter(hole);
-  return 2 * block.moments.area / sides;
-}
+double mean_distance(const Block& block) { return 2 * block.moments.area / perimeter(block.shape); }
 
 double distance_of(const Block& block, const Interface& interface) {
   return std::abs(interface.normal.dot(interface.from - block.moments.centroid));

@@ -86,26 +86,28 @@ class Gmres {
 
   void resize(Eigen::Index unknowns);
 
-  // As ConjugateGradients::solve, but from x = 0; for `most` iterations at most, and not more than the basis holds:
-  // not_converged then leaves the best x found. Allocates nothing.
+  // As ConjugateGradients::solve, but from x = 0. Where the basis is full it begins again from what is left, unless
+  // that is hardly less than before. not_converged leaves the best x found. Allocates nothing.
   template <typename Multiply, typename Precondition>
   KrylovResult solve(const Multiply& multiply, const Precondition& precondition, const Eigen::VectorXd& b,
                      double relative, int most, Eigen::VectorXd& x) {
+    constexpr double hardly_less = 0.5;
     x.setZero();
     work_ = b;
-    const double norm = std::sqrt(precondition(work_, v_[0]));
-    if (!std::isfinite(norm)) return {Status::not_finite, 0};
-    if (norm == 0) return {};
-    u_[0] = work_ / norm;
-    v_[0] /= norm;
-    rhs_[0] = norm;
-    KrylovResult result{Status::not_converged, 0};
-    while (result.status == Status::not_converged && result.iterations < std::min(most, basis_)) {
-      const double residual = add_direction(multiply, precondition, result.iterations++);
-      if (!std::isfinite(residual)) return {Status::not_finite, result.iterations};
-      if (residual <= relative * norm) result.status = Status::ok;
+    double left = begin(precondition);
+    const double target = relative * left;
+    KrylovResult result;
+    while (std::isfinite(left) && left > target) {
+      const double begun_with = left;
+      left = use_basis(multiply, precondition, target, most, result.iterations, x);
+      if (!(left > target)) break;
+      if (result.iterations == most || left > hardly_less * begun_with)
+        return {Status::not_converged, result.iterations};
+      multiply(x, work_);
+      work_ = b - work_;
+      left = begin(precondition);
     }
-    combine(result.iterations, x);
+    if (!std::isfinite(left)) result.status = Status::not_finite;
     return result;
   }
 
@@ -115,6 +117,29 @@ class Gmres {
   double& h(int row, int column) {
     const auto height = static_cast<std::size_t>(basis_) + 1;
     return hessenberg_[static_cast<std::size_t>(column) * height + static_cast<std::size_t>(row)];
+  }
+
+  // With work_ as what is to be solved for; returns its norm.
+  template <typename Precondition>
+  double begin(const Precondition& precondition) {
+    const double norm = std::sqrt(precondition(work_, v_[0]));
+    if (norm == 0) return 0;
+    u_[0] = work_ / norm;
+    v_[0] /= norm;
+    rhs_[0] = norm;
+    return norm;
+  }
+
+  // Adds to x what a basis gives, and returns the norm of what is left.
+  template <typename Multiply, typename Precondition>
+  double use_basis(const Multiply& multiply, const Precondition& precondition, double target, int most, int& iterations,
+                   Eigen::VectorXd& x) {
+    double left = rhs_[0];
+    int size = 0;
+    for (; left > target && size < basis_ && iterations < most; ++iterations)
+      left = add_direction(multiply, precondition, size++);
+    if (std::isfinite(left)) combine(size, x);
+    return left;
   }
 
   // One more basis vector; returns the norm of the residual.

@@ -66,16 +66,46 @@ TEST(Gmres, KnowsItsResidual) {
   }
 }
 
-TEST(Gmres, StopsWhereItsBasisEndsWithTheBestFound) {
+TEST(Gmres, StopsWhereItMayGoNoFurtherWithTheBestFound) {
   const RandomSystem system = random_system(20, grid_couplings(5, 4), 2);
   const Preconditioned problem = preconditioned(lopsided(system, 0.8));
   Gmres gmres(5);
   gmres.resize(120);
   Eigen::VectorXd x(120);
-  const KrylovResult result = gmres.solve(problem.multiply(), problem.precondition(), system.rhs, 1e-12, 50, x);
+  const KrylovResult result = gmres.solve(problem.multiply(), problem.precondition(), system.rhs, 1e-12, 5, x);
   EXPECT_EQ(result.status, Status::not_converged);
   EXPECT_EQ(result.iterations, 5);
   EXPECT_LT((system.rhs - problem.matrix * x).norm(), system.rhs.norm());
+}
+
+TEST(Gmres, BeginsAgainWhereItsBasisIsFull) {
+  const RandomSystem system = random_system(20, grid_couplings(5, 4), 2);
+  const Preconditioned problem = preconditioned(lopsided(system, 0.8));
+  Gmres gmres(20);
+  gmres.resize(120);
+  Eigen::VectorXd x(120);
+  const KrylovResult result = gmres.solve(problem.multiply(), problem.precondition(), system.rhs, 1e-12, 400, x);
+  EXPECT_EQ(result.status, Status::ok);
+  EXPECT_GT(result.iterations, 20);
+  const Eigen::VectorXd expected = problem.matrix.partialPivLu().solve(system.rhs);
+  EXPECT_LE((x - expected).norm(), 1e-10 * expected.norm());
+}
+
+// A rotation by a right angle moves every residual of a basis of one across itself: none is less.
+TEST(Gmres, DoesNotBeginAgainWhereThatLeadsNowhere) {
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(6, 6);
+  turn.topLeftCorner<2, 2>() << 0, -1, 1, 0;
+  const auto multiply = [&turn](const Eigen::VectorXd& v, Eigen::VectorXd& w) { w = turn * v; };
+  const auto precondition = [](const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+    z = r;
+    return r.dot(r);
+  };
+  Gmres gmres(1);
+  gmres.resize(6);
+  Eigen::VectorXd x(6);
+  const KrylovResult result = gmres.solve(multiply, precondition, Eigen::VectorXd::Unit(6, 0), 1e-12, 400, x);
+  EXPECT_EQ(result.status, Status::not_converged);
+  EXPECT_EQ(result.iterations, 1);
 }
 
 TEST(Gmres, HasNothingToDoWithoutLoadAndReportsWhatIsNotFinite) {

@@ -272,7 +272,8 @@ StepProblem GeneralStep::problem() const {
           .dilates = s.plan.dilation && !rule_.capacity_is_given,
           .max_passes = most_passes(s.stage()),
           .to_the_end = taken_ == Taken::to_the_end,
-          .goes_from_inside = goes_from_inside(s)};
+          .goes_from_inside = goes_from_inside(s),
+          .goes_one_way = s.plan.is_static};
 }
 
 Status GeneralStep::solve() {

@@ -199,6 +199,28 @@ TEST(SameMotion, SettlesTheSameTurnedMirroredOrLarger) {
   expect_same_motion(settling(), views);
 }
 
+// Newton's steps are solved for to many digits where rock settles (ADR 98), and it is then not the linear solver that
+// chooses among the answers of friction: before, one that factors and one that iterates went apart in 22 of these
+// rocks. Where blocks fall by half a metre in the step that is tried first, these digits are not enough.
+constexpr int rocks_that_settle_otherwise = 3;
+
+TEST(SameMotion, SettlesTheSameWithAnotherSolver) {
+  Seen iterating{.view = {.name = "pcg"}, .allowed = rocks_that_settle_otherwise};
+  for (int kind = 0; kind < cut_kinds; ++kind)
+    for (std::uint64_t seed = 1; seed <= 2 * rocks_of_a_kind; ++seed) {
+      Model rock = dry_rock(static_cast<CutKind>(kind), seed);
+      rock.stages = {settling()};
+      const auto settled_with = [&rock](SolverRequest solver) {
+        rock.stages[0].solver = solver;
+        return outcome_of(rock, {}, most_steps);
+      };
+      const Outcome by_factors = settled_with(SolverRequest::cholesky);
+      compare(by_factors, settled_with(SolverRequest::pcg), fmt::format("kind {}, seed {}", kind, seed), iterating);
+    }
+  EXPECT_LE(iterating.differ, iterating.allowed) << iterating.names;
+  EXPECT_EQ(iterating.unsaid, 0) << iterating.names;
+}
+
 // ---- Rock under stress, in which blocks are taken out, joints slide and break.
 
 constexpr int first_steps = 10;  // of what moves after the excavation

@@ -41,6 +41,7 @@ struct StepProblem {
   int max_passes;          // of the open-close iteration
   bool to_the_end = true;  // where quick passes do not settle take the sure ones; else the step is to be shortened
   bool goes_from_inside = true;  // where quick passes do not settle take interior ones, if friction follows the forces
+  bool goes_one_way = false;     // where friction leaves several answers the linear solver does not choose among them
 };
 
 }  // namespace dda

@@ -191,5 +191,21 @@ TEST_F(Verdict, WhatTheFirstStepsMakeOfTheStartIsNoGain) {
     }
 }
 
+// Nor is it a gain for a while. All that is stored in a block that stands is what its weight presses into it, far less
+// than the fall that did not happen.
+TEST_F(Verdict, ABlockThatStandsGainsNothingForAWhile) {
+  for (const char* dt : {"2 ms", "0.5 ms", "0.1 ms"})
+    for (const double rho : {0.0, 0.25, 0.5}) {
+      nlohmann::json scene = block_on_ground(100, {{"generalized_alpha", rho}});
+      scene["steps"]["dt"] = dt;
+      scene["steps"]["duration"] = "0.1 s";
+      scene["materials"]["stone"]["young"] = "20 GPa";
+      write("block.json", scene.dump());
+      const Outcome outcome = call({"run", path("block.json"), "--out", path("out"), "--quiet"});
+      EXPECT_EQ(outcome.code, 0) << dt << ", " << rho << ": " << outcome.errors;
+      EXPECT_EQ(outcome.errors, "") << dt << ", " << rho;
+    }
+}
+
 }  // namespace
 }  // namespace dda

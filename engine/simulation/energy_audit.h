@@ -158,6 +158,9 @@ class EnergyAudit {
   // A stage begins with accelerations that would give this much kinetic energy in one step (gain_at_start.h).
   void accelerations_begin(double energy) { free_step_ = energy; }
   [[nodiscard]] double energy_of_free_step() const { return free_step_; }
+  // At the end of the last step at most this much is there of what first steps make of such a start and lose again (J
+  // per m of thickness): what is there of it for a while tells nothing of the run.
+  void made_of_start(double at_most) { of_start_ = at_most; }
 
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
@@ -180,16 +183,16 @@ class EnergyAudit {
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
 
   // The most, at the end of any step of a stage in motion, that was stored beyond what the stage began with and what
-  // was brought in it (J per m of thickness). What a run gains for a while it can lose again, and its sums at the end
-  // tell nothing of it.
-  [[nodiscard]] double most_gained() const { return std::max(most_gained_, lost_before_ - lost()); }
+  // was brought in it (J per m of thickness), less what the stage's first steps made of its start. What a run gains for
+  // a while it can lose again, and its sums at the end tell nothing of it.
+  [[nodiscard]] double most_gained() const { return std::max(most_gained_, lost_before_ - lost() - of_start_); }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained,
-           free_step] = self;
-    archive(ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained,
-            free_step);
+    auto& [ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained, free_step,
+           of_start] = self;
+    archive(ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained, free_step,
+            of_start);
   }
 
  private:
@@ -207,6 +210,7 @@ class EnergyAudit {
   double lost_before_ = 0;         // and all of them; -infinity in a stage in which nothing counts as gained
   double most_gained_ = 0;         // up to the start of the step under way
   double free_step_ = 0;           // what the accelerations of the stage's start would give in a step
+  double of_start_ = 0;            // at most there of it at the end of the last step
 };
 
 }  // namespace dda

@@ -7,6 +7,18 @@
 #include "engine/simulation/block_system.h"
 
 namespace dda {
+namespace {
+
+double gain_after(double steps, const BlockSystem& system) {
+  const Integrator& integrator = system.stage_in_force().integrator;
+  if (integrator.is_static || integrator.is_explicit()) return 0;
+  const double kappa = 1 - integrator.gamma / (2 * integrator.beta);
+  const double rho = integrator.alpha_f / (1 - integrator.alpha_f);
+  const double left = kappa * steps * std::pow(rho, steps - 1);
+  return left * left * system.audit.energy_of_free_step();
+}
+
+}  // namespace
 
 double energy_of_a_free_step(const BlockSystem& system) {
   double energy = 0;
@@ -17,16 +29,14 @@ double energy_of_a_free_step(const BlockSystem& system) {
   return energy;
 }
 
+double gain_of_first_step(const BlockSystem& system) { return gain_after(1, system); }
+
 double gain_at_start(const BlockSystem& system) {
-  const Integrator& integrator = system.stage_in_force().integrator;
-  if (system.clock.step == 0 || integrator.is_static || integrator.is_explicit()) return 0;
+  if (system.clock.step == 0) return 0;
   const std::int64_t first =
       system.stage_in_force().chosen.dt.first_steps.number();  // accelerations begin anew after them
-  const auto steps = static_cast<double>(system.clock.step > first ? system.clock.step - first : system.clock.step);
-  const double kappa = 1 - integrator.gamma / (2 * integrator.beta);
-  const double rho = integrator.alpha_f / (1 - integrator.alpha_f);
-  const double left = kappa * steps * std::pow(rho, steps - 1);
-  return left * left * system.audit.energy_of_free_step();
+  return gain_after(static_cast<double>(system.clock.step > first ? system.clock.step - first : system.clock.step),
+                    system);
 }
 
 }  // namespace dda

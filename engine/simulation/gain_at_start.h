@@ -16,7 +16,11 @@ struct BlockSystem;
 // Kinetic energy of the velocities that the accelerations of now would make in one step, J per m of thickness.
 double energy_of_a_free_step(const BlockSystem& system);
 
-// The most that may be there of it at the end of the last step, J per m of thickness; 0 in static and explicit stages.
+// The most that may be there of it at the end of the first step, or of a part of it, J per m of thickness; 0 in static
+// and explicit stages.
+double gain_of_first_step(const BlockSystem& system);
+
+// The same at the end of the last step.
 double gain_at_start(const BlockSystem& system);
 
 }  // namespace dda

@@ -8,10 +8,6 @@
 namespace dda {
 namespace {
 
-// Forces stand still when they change by no more than this share of the largest contact force: far below what a stress
-// or displacement is read to.
-constexpr double force_tolerance = 1e-10;
-
 // Passes after each of which capacities follow the normal forces, which is quickest where it works. After that they do
 // so only when the statuses have settled for the capacities at hand, which is sure.
 constexpr int eager_passes = 10;
@@ -42,8 +38,7 @@ double zero_of(const Slope& slope, double at_zero, double at_one) {
 }  // namespace
 
 double negligible_force(const Iterate& at) {
-  const double largest = std::max(at.bolts.largest_force(), at.contacts.largest_force());
-  return std::max(force_tolerance * largest, at.round_off_of_forces);
+  return at.negligible_force(std::max(at.bolts.largest_force(), at.contacts.largest_force()));
 }
 
 void ConvexPasses::start(const Eigen::VectorXd& guess) {

@@ -20,10 +20,6 @@
 namespace dda {
 namespace {
 
-// The balance holds when no block is out of it by more than this share of the largest contact force: far below what a
-// stress or displacement is read to.
-constexpr double balance_tolerance = 1e-10;
-
 // An end may be off what it answers by this many times as much. (Once is too strict: where blocks just touch, ends hop
 // at that level, and walls of 10,000 bricks take two thirds more passes. A hundred times saves nothing.)
 constexpr double piece_tolerance = 10;
@@ -191,9 +187,7 @@ bool FrictionPasses::is_asked_for_more(const Iterate& at) const {
   return false;
 }
 
-double FrictionPasses::negligible_imbalance(const Iterate& at) const {
-  return std::max(balance_tolerance * largest_force_, at.round_off_of_forces);
-}
+double FrictionPasses::negligible_imbalance(const Iterate& at) const { return at.negligible_force(largest_force_); }
 
 // What the balance leaves at the increments reached. Where interfaces are linear the matrix gives their forces.
 void FrictionPasses::form_residual(const Iterate& at) {

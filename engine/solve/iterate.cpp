@@ -3,33 +3,39 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include "engine/contact/contact_sharing.h"
+#include "engine/core/parallel.h"
 #include "engine/solve/largest_entry.h"
 
 namespace dda {
-
-namespace {
-
-// Springs make forces of the increments that carry blocks along, and these cancel but for their last digits.
-double round_off_of_carrying(const StepProblem& problem) {
-  constexpr double share = 1e-15;
-  double largest = 0;
-  for (const int place : problem.contacts.places) {
-    const InterfaceElement& element = problem.contacts.elements[static_cast<std::size_t>(place)];
-    const double way = problem.guess.segment<2>(6 * element.block_a).norm();
-    largest = std::max(largest, element.stiffness.maxCoeff() * way);
-  }
-  return share * largest;
-}
-
-}  // namespace
 
 void Iterate::pose(const StepProblem& posed) {
   problem = &posed;
   constexpr double share =
       1e-13;  // of the largest on the right-hand side, moments as forces at the arm of a block's size
   round_off_of_forces = is_linear() ? 0 : share * largest_of_blocks(problem->rhs, problem->areas);
-  if (problem->begins_at_guess) round_off_of_forces = std::max(round_off_of_forces, round_off_of_carrying(*problem));
+}
+
+double Iterate::negligible_force(double largest_force) const {
+  return std::max(share_of_forces * largest_force, std::max(round_off_of_forces, round_off_of_carrying()));
+}
+
+double Iterate::round_off_of_carrying() const {
+  constexpr double share = 1e-15;
+  const std::span<const int> places = problem->contacts.places;
+  const auto carried = [&](std::size_t first, std::size_t last) {
+    double largest = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const InterfaceElement& element = problem->contacts.elements[static_cast<std::size_t>(places[i])];
+      const double way =
+          std::max(increment.segment<2>(6 * element.block_a).norm(), increment.segment<2>(6 * element.block_b).norm());
+      largest = larger(largest, element.stiffness.maxCoeff() * way);
+    }
+    return largest;
+  };
+  return share * parallel_reduce(places.size(), contacts_worth_sharing, larger, carried);
 }
 
 Status Iterate::bring_matrix_up_to_date(bool& changed) {

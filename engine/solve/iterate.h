@@ -27,6 +27,10 @@ struct Iterate {
   // No contact and no bolt: one linear solve is all there is to do.
   [[nodiscard]] bool is_linear() const { return contacts.empty() && bolts.empty(); }
 
+  // Forces stand still, and blocks are in balance, to this much where this is the largest force of contacts and bolts
+  // (N per m of thickness): a share of it far below what a stress or displacement is read to, or what round-off leaves.
+  [[nodiscard]] double negligible_force(double largest_force) const;
+
   // The problem from now on.
   void pose(const StepProblem& posed);
 
@@ -44,7 +48,11 @@ struct Iterate {
   }
 
  private:
+  static constexpr double share_of_forces = 1e-10;
+
   [[nodiscard]] Status refactor();
+  // Springs make forces of the increments that carry blocks along, and these cancel but for their last digits.
+  [[nodiscard]] double round_off_of_carrying() const;
 };
 
 }  // namespace dda

@@ -15,12 +15,39 @@ namespace {
 // Faces count as opposite within 25 degrees, as those of the voussoirs of an arch do.
 constexpr double opposite = 0.9;
 
-// A block is a piece of a beam when its area is at least this part of width times depth. Voussoirs have more, triangles
-// half.
+// A block is a piece of a beam when its area is at least this part of its width times its length along the axis, which
+// is taken from its centroid: twice the distance of that from the joint. Voussoirs have all of that, triangles three
+// quarters.
 constexpr double least_area = 0.9;
 
 double width_along(const Model& model, int block, const Vec2& normal) {
   return width_across(model, block, normal.unitOrthogonal());
+}
+
+// The rectangle around a block whose sides run along and across a direction, m2.
+double rectangle_around(const Model& model, int block, const Vec2& along) {
+  return width_along(model, block, along) * width_across(model, block, along);
+}
+
+// The axis of the beam that a block is a piece of, seen from a joint with this normal. The joints of a voussoir lean
+// against its axis, and seen along them it would look thicker than it is, so the axis is the direction near the normal
+// in which the block fills most of its width times depth. One of the sides of the rectangle that is filled most lies on
+// a side of the block. The normal itself stays the axis where no other direction is better by more than round-off.
+Vec2 beam_axis(const Model& model, int block, const Vec2& normal) {
+  const Ring& corners = block_of(model, block).shape.outer;
+  Vec2 axis = normal;
+  double least = (1 - 1e-9) * rectangle_around(model, block, normal);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 side = (corners[(i + 1) % corners.size()] - corners[i]).normalized();
+    for (const Vec2& direction : {side, Vec2(side.unitOrthogonal())}) {
+      if (std::abs(direction.dot(normal)) < opposite) continue;
+      const double around = rectangle_around(model, block, direction);
+      if (around >= least) continue;
+      least = (1 - 1e-9) * around;
+      axis = direction;
+    }
+  }
+  return axis;
 }
 
 // Where a joint holds a block.
@@ -47,6 +74,18 @@ double share_of_side(const Model& model, int block, const HeldSide& side) {
   return side.length / width_along(model, block, side.outward) * std::min(1.0, depth);
 }
 
+// How far the centroid of a block is from the middle of a joint along the axis of its beam, m.
+double distance_to_joint(const Model& model, const Interface& interface, int block, const Vec2& axis) {
+  const Vec2 middle = (interface.from + interface.to) / 2;
+  return std::abs((block_of(model, block).moments.centroid - middle).dot(axis));
+}
+
+bool is_piece_of_a_beam(const Model& model, const Interface& interface, int block, const Vec2& axis) {
+  const double length =
+      std::min(width_across(model, block, axis), 2 * distance_to_joint(model, interface, block, axis));
+  return block_of(model, block).moments.area > least_area * width_along(model, block, axis) * length;
+}
+
 // Joints at one end of a piece of a beam.
 struct EndJoints {
   double length = 0, longest = 0;  // m
@@ -58,15 +97,16 @@ struct EndJoints {
   [[nodiscard]] double split() const { return length > 0 ? 1 - longest / length : 0; }
 };
 
-// From 0, a piece of a beam with one joint at most on each end and none beside them, seen along `normal`, to 1, a part
+// From 0, a piece of a beam with one joint at most on each end and none beside them, seen along its axis, to 1, a part
 // of a mesh: with neighbours as thick as itself on half of a side, or with an end that is halved. In between a chip or
 // a thin layer at its side takes from the stiffness of a row as it grows, by less than it adds itself.
-double share_of_mesh(const Model& model, int block, const Vec2& normal, const HeldSides& sides,
+double share_of_mesh(const Model& model, const Interface& interface, int block, const HeldSides& sides,
                      const std::vector<bool>& held) {
+  const Vec2 axis = beam_axis(model, block, interface.normal);
   EndJoints ahead, behind;
   double left = 0, right = 0;
   for (const HeldSide& side : sides[static_cast<std::size_t>(block)]) {
-    const double along = side.outward.dot(normal);
+    const double along = side.outward.dot(axis);
     if (std::abs(along) >= opposite) {
       (along > 0 ? ahead : behind).add(side.length);
       continue;
@@ -74,19 +114,18 @@ double share_of_mesh(const Model& model, int block, const Vec2& normal, const He
     const bool is_held = held[static_cast<std::size_t>(side.neighbour)];
     const double share =
         share_of_side(model, block, side) * (is_held ? 1 : hold_elsewhere(model, block, side.neighbour, sides));
-    (side.outward.dot(normal.unitOrthogonal()) > 0 ? left : right) += share;
+    (side.outward.dot(axis.unitOrthogonal()) > 0 ? left : right) += share;
     if (2 * std::max(left, right) >= 1) return 1;  // nearly all blocks of a mesh, at their first neighbour
   }
-  const double around = width_along(model, block, normal) * width_across(model, block, normal);
-  if (block_of(model, block).moments.area <= least_area * around) return 1;
+  if (!is_piece_of_a_beam(model, interface, block, axis)) return 1;
   return std::min(1.0, 2 * std::max({left, right, ahead.split(), behind.split()}));
 }
 
 // By how much half a block turns under a moment, 1/N per m of thickness.
 double flexibility(const Model& model, const Interface& interface, int block) {
-  const Vec2 middle = (interface.from + interface.to) / 2;
-  const double distance = std::abs((block_of(model, block).moments.centroid - middle).dot(interface.normal));
-  const double width = width_along(model, block, interface.normal);
+  const Vec2 axis = beam_axis(model, block, interface.normal);
+  const double distance = distance_to_joint(model, interface, block, axis);
+  const double width = width_along(model, block, axis);
   return distance / (side_free_modulus(model.material_at_start(block)) * width * width * width / 12);
 }
 
@@ -161,7 +200,7 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     const auto is_held = [&](int block) -> bool { return held[static_cast<std::size_t>(block)]; };
     if (is_held(interface.block_a) && is_held(interface.block_b)) continue;
     const auto share_of_row = [&](int block) {
-      return is_held(block) ? 1 : 1 - share_of_mesh(model, block, interface.normal, sides, held);
+      return is_held(block) ? 1 : 1 - share_of_mesh(model, interface, block, sides, held);
     };
     double share = share_of_row(interface.block_a);
     if (share > 0) share *= share_of_row(interface.block_b);

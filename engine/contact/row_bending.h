@@ -15,8 +15,9 @@
 namespace dda {
 
 // Gives the joints of such rows this stiffness, of half the difference of the normal gap between their ends: joints
-// whose blocks both have one joint at most on each of the two faces that it is parallel to, none beside them, and a
-// cross-section that hardly changes. Held blocks are rigid, whatever touches them.
+// whose blocks both have one joint at most on each of two opposite faces, none beside them, and a cross-section that
+// hardly changes. Distances and widths are those along each block's own axis, against which joints may lean, as those
+// of a ring of voussoirs do. Held blocks are rigid, whatever touches them.
 //
 // Between such a row and a mesh, which has that of `stabilisation`, the stiffness goes over as neighbours at the sides
 // grow: a thin layer glued along a beam leaves it nearly what it is, and what hangs at one block of it alone all of

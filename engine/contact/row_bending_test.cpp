@@ -47,6 +47,32 @@ TEST(RowBending, EnergyOfATurnedJointIsThatOfItsBentHalves) {
   }
 }
 
+// The piece of a ring of radii `inner` and `outer` between two directions.
+Ring voussoir(double inner, double outer, double from, double to) {
+  const Vec2 first(std::cos(from), std::sin(from));
+  const Vec2 last(std::cos(to), std::sin(to));
+  return {inner * first, outer * first, outer * last, inner * last};
+}
+
+// Joints lean against the axes of both voussoirs, by half of what these turn by.
+TEST(RowBending, VoussoirsBendAsTheBeamsThatTheyArePiecesOf) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> any(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    const double turn = 0.02 + 0.75 * any(random);
+    const double inner = 2 + any(random);
+    const double thickness = (0.01 + 0.15 * any(random)) * inner;  // thicker ones are no pieces of a beam
+    const double outer = inner + thickness;
+    Model model = consistent_pair({{voussoir(inner, outer, -turn, 0), {}}, {voussoir(inner, outer, 0, turn), {}}});
+    place(model, 6 * any(random), Vec2(3, -1));
+    const double height = thickness * std::cos(turn / 2);                                  // across the axis
+    double to_joints = 0;                                                                  // from the centroids
+    for (const Block& block : model.blocks) to_joints += block.moments.area / height / 2;  // half of the mean length
+    const double stiffness = 4 * 1e9 * std::pow(height, 3) / 12 / to_joints / (thickness * thickness);
+    EXPECT_NEAR(bending_row(model) / stiffness, 1, 0.01) << turn << " " << thickness / inner;
+  }
+}
+
 TEST(RowBending, HeldBlocksAreRigid) {
   Model model = consistent_pair({{box_ring(-2, 0, 0, 1), {}}, {box_ring(0, -3, 4, 5), {}}});
   model.held_blocks.push_back({});

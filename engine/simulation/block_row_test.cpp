@@ -252,6 +252,97 @@ TEST(BeamOfOneRow, BendsAsABeam) {
   }
 }
 
+// Joints that lean by lot: the blocks are trapezoids, and their middles as far apart as those of rectangles.
+double deflection_with_leaning_joints(int blocks, double most, Random& random) {
+  Model model = row_of({}, 0, bond(InterfaceLaw::consistent), rock());
+  const double length = 1.5 * blocks;
+  double lean = 0;  // by how much the joint goes to the right from the axis to the top
+  for (int i = 0; i < blocks; ++i) {
+    const double next = i + 1 < blocks ? std::tan(between(-most, most, random)) / 2 : 0;
+    const double left = 1.5 * i;
+    const double right = left + 1.5;
+    model.blocks.emplace_back().shape = {{{left - lean, 0}, {right - next, 0}, {right + next, 1}, {left + lean, 1}},
+                                         {}};
+    lean = next;
+  }
+  model.blocks.push_back(rectangle("wall", -1, 0, 1, 1));
+  model.held_blocks.emplace_back().block = blocks;
+  model.edge_loads = {{blocks - 1, {length, 0}, {length, 1}, {0, -1e3}, Constant{}}};
+  model.stages = {balanced(Kinematics::small)};
+  Simulation simulation = simulation_of(model);
+  settle(simulation);
+  return -point_displacement(simulation.model(), simulation.state(), blocks - 1, {length, 0.5}).y();
+}
+
+TEST(BeamOfOneRow, BendsAsABeamWhereItsJointsLean) {
+  Random random(55);
+  Beam beam;
+  beam.lengths.assign(16, 1.5);
+  beam.moduli.assign(16, rock().young);
+  beam.height = 1;
+  beam.poisson = rock().poisson;
+  beam.force = 1e3;
+  for (const double most : {0.0, 0.05, 0.1, 0.2, 0.4})
+    for (int i = 0; i < 6; ++i) {
+      const double deflection = deflection_with_leaning_joints(16, most, random);
+      EXPECT_NEAR(deflection / deflection_at_end(beam), 1, 0.01 + 0.1 * most * most) << most << " " << i;
+    }
+}
+
+// ---- A ring of voussoirs, pulled apart at two opposite blocks.
+
+Model ring_of(int blocks, double radius, double thickness) {
+  Model model;
+  model.materials = {rock()};
+  model.joints = {bond(InterfaceLaw::consistent)};
+  std::vector<Vec2> directions;  // of the joints; the middle of the first block lies on the x axis
+  for (int i = 0; i < blocks; ++i) {
+    const double angle = 2 * std::numbers::pi * (i - 0.5) / blocks;
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Vec2& from = directions[i];
+    const Vec2& to = directions[(i + 1) % directions.size()];
+    const double inner = radius - thickness / 2;
+    const double outer = radius + thickness / 2;
+    model.blocks.emplace_back().shape = {{inner * from, outer * from, outer * to, inner * to}, {}};
+  }
+  return model;
+}
+
+double opening_of_ring(int blocks, double radius, double thickness, double force) {
+  Model model = ring_of(blocks, radius, thickness);
+  const double on_axis = radius * std::cos(std::numbers::pi / blocks);
+  model.point_loads = {{0, {on_axis, 0}, {force, 0}, Constant{}}, {blocks / 2, {-on_axis, 0}, {-force, 0}, Constant{}}};
+  const double stiffness = 1e3 * rock().young;
+  hold(0, {on_axis, 0}, Vec2::UnitX(), stiffness, model);
+  for (const int block : {0, blocks / 2})
+    hold(block, {block > 0 ? -on_axis : on_axis, 0}, Vec2::UnitY(), stiffness, model);
+  model.stages = {balanced(Kinematics::small)};
+  Simulation simulation = simulation_of(model);
+  settle(simulation);
+  return -point_displacement(simulation.model(), simulation.state(), blocks / 2, {-on_axis, 0}).x();
+}
+
+// Castigliano's theorem for a thin ring, with what its sections stretch and shear.
+double opening_by_theory(double radius, double thickness, double force) {
+  const Material material = rock();
+  const double shear = material.young / (2 * (1 + material.poisson));
+  const double bent = std::pow(radius / thickness, 3) * 12 / material.young;
+  const double strained = radius / thickness * (1 / material.young + 1 / shear);
+  return force * (bent * (std::numbers::pi / 4 - 2 / std::numbers::pi) + strained * std::numbers::pi / 4);
+}
+
+TEST(RingOfOneRow, BendsAsAThinRing) {
+  for (const int blocks : {12, 16, 32, 64})
+    for (const double thickness : {0.1, 0.3, 0.6}) {
+      const double by_blocks = opening_of_ring(blocks, 3, thickness, 1e3);
+      // Chords in place of arcs, and sections that are a fifth of the radius thick.
+      const double tolerance = 2.0 / (blocks * blocks) + 0.03 * thickness;
+      EXPECT_NEAR(by_blocks / opening_by_theory(3, thickness, 1e3), 1, tolerance) << blocks << " " << thickness;
+    }
+}
+
 // ---- Euler's load of a column whose foot is clamped, pushed aside by a ten-thousandth of the load on its head.
 
 double sway_of_column(double share_of_eulers_load, double height) {

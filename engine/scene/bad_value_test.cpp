@@ -268,7 +268,7 @@ const std::vector<Spoiled> values = {
     {"free field of a held side",
      R"([{"edge": "left"}])",
      R"([{"edge": "right", "free_field": true}])",
-     {"viscous_boundaries[0].edge is held at (4, 1) m", "let go before"}},
+     {"viscous_boundaries[0].edge is held at (4, ", "let go before"}},
     {"bolt from an unknown stage",
      R"("steps":)",
      R"("bolts": [{"from": [1, 0.5], "to": [3, 0.5], "stiffness": 1e8, "from_stage": "later"}], "steps":)",

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/core/error.h"
 #include "engine/model/common_centroid.h"
 #include "engine/scene/places.h"
+#include "engine/scene/row_end.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -65,25 +69,48 @@ Hold read_held_directions(const Field& field, PointSupport& support) {
   return hold;
 }
 
+double stiffness_of(const PointSupport& support, int block, const Model& model) {
+  return support.stiffness > 0 ? support.stiffness : support_stiffness_over_young * model.material_of(block).young;
+}
+
 void append_support(PointSupport support, int block, const Vec2& point, double share, Model& model) {
-  const double stiffness =
-      support.stiffness > 0 ? support.stiffness : support_stiffness_over_young * model.material_of(block).young;
+  support.stiffness = share * stiffness_of(support, block, model);
   support.block = block;
   support.point = point;
-  support.stiffness = share * stiffness;
   model.supports.push_back(std::move(support));
 }
 
-// Both ends of a stretch are held across it. Along it a clamped edge is held in its middle: held at both ends, a block
-// of constant strain could not strain along the edge at all, which near a clamp makes rock of nu above 0.4 as good as
-// rigid.
-void append_edge(PointSupport support, Hold hold, const Stretch& stretch, Model& model) {
+// Whether the springs of an edge hold across it, and not along it.
+bool holds_across(const PointSupport& support, const Vec2& across) {
+  constexpr double tolerance = 1e-6;
+  if (!support.direction.isZero(0)) return true;
+  return support.holds_x ? std::abs(across.y()) < tolerance : std::abs(across.x()) < tolerance;
+}
+
+// How far from the middle of a stretch the two points are that are held across it, over half of its length. Where a row
+// of blocks ends there they lie as near to each other as lets the block turn by what half of it would bend; held at the
+// corners it could not turn, and a roof of 8 blocks that is clamped at both ends sagged 0.59 as far as a beam.
+double reach_of_springs(const PointSupport& support, const Stretch& stretch, const GroundPlan& plan,
+                        const Model& model) {
+  if (!holds_across(support, stretch.inward)) return 1;
+  const auto bending = bending_of_row_end(stretch, plan, model);
+  if (!bending) return 1;
+  const double half_length = (stretch.to - stretch.from).norm() / 2;
+  return std::min(1.0, std::sqrt(*bending / stiffness_of(support, stretch.block, model)) / half_length);
+}
+
+// Both ends of a stretch are held across it, or points nearer to its middle where a row ends. Along it a clamped edge
+// is held in its middle: held at both ends, a block of constant strain could not strain along the edge at all, which
+// near a clamp makes rock of nu above 0.4 as good as rigid.
+void append_edge(PointSupport support, Hold hold, const Stretch& stretch, const GroundPlan& plan, Model& model) {
   if (hold == Hold::xy || hold == Hold::normal) support.direction = stretch.inward;
-  append_support(support, stretch.block, stretch.from, 0.5, model);
-  append_support(support, stretch.block, stretch.to, 0.5, model);
+  const double reach = reach_of_springs(support, stretch, plan, model);
+  const Vec2 middle = (stretch.from + stretch.to) / 2;
+  for (const Vec2& end : {stretch.from, stretch.to})
+    append_support(support, stretch.block, reach < 1 ? Vec2(middle + reach * (end - middle)) : end, 0.5, model);
   if (hold != Hold::xy) return;
   support.direction = stretch.inward.unitOrthogonal();
-  append_support(support, stretch.block, (stretch.from + stretch.to) / 2, 1, model);
+  append_support(support, stretch.block, middle, 1, model);
 }
 
 void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
@@ -104,7 +131,7 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
     append_support(support, block, point, 1, model);
     return;
   }
-  for (const Stretch& stretch : read_edge(field, plan, model)) append_edge(support, hold, stretch, model);
+  for (const Stretch& stretch : read_edge(field, plan, model)) append_edge(support, hold, stretch, plan, model);
 }
 
 // Whole blocks.

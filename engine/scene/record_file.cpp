@@ -194,12 +194,26 @@ class RecordReader {
       fail(here(), fmt::format("of {} columns", filled), fmt::format("{} as in the header", columns_.size()));
   }
 
-  [[nodiscard]] double value_in(const std::vector<std::string_view>& cells, std::size_t column,
-                                const Unit& unit) const {
+  [[nodiscard]] double value_in(const std::vector<std::string_view>& cells, std::size_t column, const Unit& unit) {
     if (column >= cells.size()) fail(here(column), "missing", "a finite number");
-    const double number = number_in(cells[column]) * unit.numerator / unit.denominator;
+    const double number = decimal_in(cells[column], column) * unit.numerator / unit.denominator;
     if (!std::isfinite(number)) fail(here(column), fmt::format("\"{}\"", shown(cells[column])), "a finite number");
     return number;
+  }
+
+  // A number with a decimal point or, where commas do not part columns, a decimal comma. It is the same in all of a
+  // file: commas in a file with decimal points part thousands.
+  [[nodiscard]] double decimal_in(std::string_view cell, std::size_t column) {
+    const auto mark = cell.find_first_of(separator_ == ',' ? "." : ".,");
+    if (mark == std::string_view::npos) return number_in(cell);
+    if (decimal_mark_ == 0) decimal_mark_ = cell[mark];
+    if (cell[mark] != decimal_mark_)
+      fail(here(column), fmt::format("\"{}\"", shown(cell)),
+           fmt::format("a finite number with \"{}\" before its decimals, as those before it", decimal_mark_));
+    if (cell[mark] == '.') return number_in(cell);
+    std::string text(cell);
+    text[mark] = '.';
+    return number_in(text);
   }
 
   const RecordRequest& request_;
@@ -209,6 +223,7 @@ class RecordReader {
   std::string_view line_;
   std::size_t line_number_ = 0;
   char separator_ = ',';
+  char decimal_mark_ = 0;  // 0: no number had one yet
   std::vector<Column> columns_;
   std::size_t time_column_ = 0, value_column_ = 0;
   Unit time_unit_{"", 1, 1}, value_unit_{"", 1, 1};

@@ -5,7 +5,8 @@
 //   0, 0, 0
 //   0.005, 0.0012, -0.0003
 //
-// Columns are separated by commas, semicolons or tabs, whichever the header has. A column's unit may stand behind its
+// Columns are separated by commas, semicolons or tabs, whichever the header has; where not by commas, numbers may have
+// decimal commas. A column's unit may stand behind its
 // name in [] or (). Line ends of either kind, a byte order mark and quotes around names are accepted.
 #pragma once
 

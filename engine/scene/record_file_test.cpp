@@ -57,6 +57,11 @@ TEST(RecordFile, OtherSeparators) {
   expect_three(read("t\ta\n0\t0\n0.5\t-1.5\n2\t20\n"));
 }
 
+TEST(RecordFile, DecimalCommasWhereCommasDoNotPartColumns) {
+  expect_three(read("t;a\n0;0\n0,5;-1,5\n2;2,0e1\n"));
+  expect_three(read("t [s]\ta\r\n0\t0\r\n\"0,5\"\t-1,5\r\n+2,00\t20\r\n"));
+}
+
 TEST(RecordFile, SeparatorsAtTheEndsOfRows) { expect_three(read("t,a,\n0,0,\n0.5,-1.5,,\n2,2e1\n")); }
 
 TEST(RecordFile, UnitsOfTheHeader) {
@@ -121,7 +126,9 @@ const std::vector<Bad> bad_records = {
     {"text", "t,a\n0,0\n\n1,fast\n", {"line 4, column \"a\"", "\"fast\"", "a finite number"}},
     {"number and more", "t,a\n0,0\n1,1 g\n", {"line 3, column \"a\"", "\"1 g\""}},
     {"two signs", "t,a\n0,0\n1,+-1\n", {"line 3, column \"a\"", "\"+-1\""}},
-    {"decimal comma", "t;a\n0;0\n1;1,5\n", {"line 3, column \"a\"", "\"1,5\""}},
+    {"commas after points", "t;a\n0;0.5\n1;1,500\n", {"line 3, column \"a\"", "\"1,500\"", "\".\" before"}},
+    {"points after commas", "t;a\n0;0,5\n1.5;1\n", {"line 3, column \"t\"", "\"1.5\"", "\",\" before"}},
+    {"thousands", "t;a\n0;0\n1;1,500.5\n", {"line 3, column \"a\"", "\"1,500.5\"", "a finite number"}},
     {"decimal commas between commas", "t,a\n0,0\n0,1,1,5\n0,2,2\n", {"line 3", "of 4 columns", "2 as in the header"}},
     {"NaN", "t,a\n0,0\n1,nan\n", {"line 3, column \"a\"", "\"nan\"", "a finite number"}},
     {"infinite time", "t,a\n0,0\ninf,1\n", {"line 3, column \"t\"", "\"inf\""}},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,6 +105,21 @@ void StressField::fill(Model& model) const {
   for (std::size_t i = 0; i < model.blocks.size(); ++i)
     if (!own_stress_[i] && (absent.empty() || !absent[i]))
       model.blocks[i].initial_stress = at(model.blocks[i].moments.centroid);
+}
+
+std::optional<std::string> StressField::remark_on_surface(const Model& model) const {
+  if (layers_.empty()) return std::nullopt;
+  bool is_for_any = false;
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    if (own_stress_[i]) continue;
+    if (model.blocks[i].moments.centroid.y() < surface_) return std::nullopt;
+    is_for_any = true;
+  }
+  if (!is_for_any) return std::nullopt;
+  return fmt::format(
+      "stress_field: its surface, at y = {:g} m, lies below the middles of all blocks, so none has a "
+      "pressure that grows with depth",
+      surface_);
 }
 
 void StressField::leave_to_themselves(const std::vector<int>& blocks) {

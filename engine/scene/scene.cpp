@@ -82,6 +82,7 @@ SceneParts read_parts(const Field& scene, const std::filesystem::path& folder, c
   choose_laws(scene, scheme, model);
   stresses.fill(model);
   read_what_acts(scene, parts, stresses, folder, model);
+  if (auto remark = stresses.remark_on_surface(model)) parts.remarks.push_back(std::move(*remark));
   read_peaks(scene, parts.groups, parts.openings, model);
   finish_around_blocks(model);
   return parts;

@@ -18,7 +18,7 @@ struct SceneParts {
   Model model;
   std::vector<std::string> groups;    // of each block
   std::vector<PlanOpening> openings;  // of all rock, in the order of the scene
-  std::vector<std::string> remarks;   // on cutting the rock, see cut_remarks.h
+  std::vector<std::string> remarks;   // on cutting the rock, see cut_remarks.h, and on fields that reach no block
 };
 
 // As read_scene and parse_scene.

@@ -2,6 +2,8 @@
 // same everywhere, and one that grows with depth below a level surface, in each layer of the ground as its rock weighs.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/builder/ground_plan.h"
@@ -17,6 +19,9 @@ class StressField {
 
   // Gives every block that states none, and is there in the first stage, the stress of the field at its centroid.
   void fill(Model& model) const;
+
+  // A sentence where all blocks that the field is for lie above its surface, so that none gets what grows with depth.
+  [[nodiscard]] std::optional<std::string> remark_on_surface(const Model& model) const;
 
   // These blocks got a stress in another way since: what lies beyond them exerts that one.
   void leave_to_themselves(const std::vector<int>& blocks);

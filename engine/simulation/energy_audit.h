@@ -41,8 +41,17 @@ struct StepForces {
 double inertia_work(const StepCoefficients& step, const BlockTerms& terms, const State& state,
                     const Eigen::VectorXd& d);
 
+// What the first steps of a stage make of its first accelerations and lose again, J per m of thickness
+// (gain_at_start.h): what is there of it for a while tells nothing of the run.
+struct MadeOfStart {
+  double free_step = 0;  // kinetic energy that these accelerations would give in one step
+  double left = 0;       // at most there of it at the end of the last step
+};
+
 class EnergyAudit {
  public:
+  MadeOfStart of_start;
+
   void start(const StoredEnergy& stored);
 
   // Work against dashpots in the step by the mean of their forces, and what the integrator's weights make of it; before
@@ -155,13 +164,6 @@ class EnergyAudit {
   // Blocks were removed, by which the stored energies fell.
   void blocks_removed(const StoredEnergy& before, const StoredEnergy& after);
 
-  // A stage begins with accelerations that would give this much kinetic energy in one step (gain_at_start.h).
-  void accelerations_begin(double energy) { free_step_ = energy; }
-  [[nodiscard]] double energy_of_free_step() const { return free_step_; }
-  // At the end of the last step at most this much is there of what first steps make of such a start and lose again (J
-  // per m of thickness): what is there of it for a while tells nothing of the run.
-  void made_of_start(double at_most) { of_start_ = at_most; }
-
   // Velocities were multiplied by `factor`.
   void velocities_damped(double factor);
 
@@ -185,14 +187,14 @@ class EnergyAudit {
   // The most, at the end of any step of a stage in motion, that was stored beyond what the stage began with and what
   // was brought in it (J per m of thickness), less what the stage's first steps made of its start. What a run gains for
   // a while it can lose again, and its sums at the end tell nothing of it.
-  [[nodiscard]] double most_gained() const { return std::max(most_gained_, lost_before_ - lost() - of_start_); }
+  [[nodiscard]] double most_gained() const { return std::max(most_gained_, lost_before_ - lost() - of_start.left); }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained, free_step,
-           of_start] = self;
-    archive(ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained, free_step,
-            of_start);
+    auto& [of_start, ledger, replaced, numerical_before, law_changes_before, damping_before, lost_before, most_gained] =
+        self;
+    archive(of_start.free_step, of_start.left, ledger, replaced, numerical_before, law_changes_before, damping_before,
+            lost_before, most_gained);
   }
 
  private:
@@ -209,8 +211,6 @@ class EnergyAudit {
   double damping_before_ = 0;      // and by damping
   double lost_before_ = 0;         // and all of them; -infinity in a stage in which nothing counts as gained
   double most_gained_ = 0;         // up to the start of the step under way
-  double free_step_ = 0;           // what the accelerations of the stage's start would give in a step
-  double of_start_ = 0;            // at most there of it at the end of the last step
 };
 
 }  // namespace dda

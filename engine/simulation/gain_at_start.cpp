@@ -15,7 +15,7 @@ double gain_after(double steps, const BlockSystem& system) {
   const double kappa = 1 - integrator.gamma / (2 * integrator.beta);
   const double rho = integrator.alpha_f / (1 - integrator.alpha_f);
   const double left = kappa * steps * std::pow(rho, steps - 1);
-  return left * left * system.audit.energy_of_free_step();
+  return left * left * system.audit.of_start.free_step;
 }
 
 }  // namespace

@@ -46,8 +46,8 @@ BlocksInMotion in_motion(const BlockSystem& s) {
 
 void begin_accelerations(BlockSystem& s) {
   set_held_rates(s.model, s.state);
-  s.audit.accelerations_begin(energy_of_a_free_step(s));
-  s.audit.made_of_start(gain_of_first_step(s));
+  s.audit.of_start.free_step = energy_of_a_free_step(s);
+  s.audit.of_start.left = gain_of_first_step(s);
 }
 
 // What accelerations still owe of the last steps, longer ones would give several times over: they begin anew, as those
@@ -180,7 +180,7 @@ Status Simulation::step() {
     return status;
   }
   ++s.clock.step;
-  s.audit.made_of_start(gain_at_start(s));
+  s.audit.of_start.left = gain_at_start(s);
   if (is_settling()) go_on_with_loads(in_situ_force_, pace_.is_long(), s);
   ++s.state.step;
   s.state.time = s.clock.start + s.stage().time_of(s.clock.step);

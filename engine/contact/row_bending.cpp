@@ -24,30 +24,50 @@ double width_along(const Model& model, int block, const Vec2& normal) {
   return width_across(model, block, normal.unitOrthogonal());
 }
 
-// The rectangle around a block whose sides run along and across a direction, m2.
-double rectangle_around(const Model& model, int block, const Vec2& along) {
-  return width_along(model, block, along) * width_across(model, block, along);
+// A block as a piece of a beam that runs through a joint.
+struct Piece {
+  int block;
+  Vec2 axis;             // of the beam
+  double width, length;  // m, across and along it
+  double to_joint = 0;   // m, of the centroid from the middle of the joint, along the axis
+
+  [[nodiscard]] double area_around() const { return width * length; }
+};
+
+Piece piece_along(const Model& model, int block, const Vec2& axis) {
+  return {block, axis, width_along(model, block, axis), width_across(model, block, axis)};
 }
 
-// The axis of the beam that a block is a piece of, seen from a joint with this normal. The joints of a voussoir lean
-// against its axis, and seen along them it would look thicker than it is, so the axis is the direction near the normal
-// in which the block fills most of its width times depth. One of the sides of the rectangle that is filled most lies on
-// a side of the block. The normal itself stays the axis where no other direction is better by more than round-off.
-Vec2 beam_axis(const Model& model, int block, const Vec2& normal) {
+// The joints of a voussoir lean against the axis of its beam, and seen along them it would look thicker than it is. So
+// the axis is the direction near the joint's normal in which the block fills most of its width times length. One of the
+// sides of the rectangle that is filled most lies on a side of the block. The normal itself stays the axis where no
+// other direction is better by more than round-off.
+Piece fullest_piece(const Model& model, int block, const Vec2& normal) {
+  constexpr double clearly_less = 1 - 1e-9;
+  Piece fullest = piece_along(model, block, normal);
+  if (block_of(model, block).moments.area >= clearly_less * fullest.area_around()) return fullest;
   const Ring& corners = block_of(model, block).shape.outer;
-  Vec2 axis = normal;
-  double least = (1 - 1e-9) * rectangle_around(model, block, normal);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 side = (corners[(i + 1) % corners.size()] - corners[i]).normalized();
     for (const Vec2& direction : {side, Vec2(side.unitOrthogonal())}) {
       if (std::abs(direction.dot(normal)) < opposite) continue;
-      const double around = rectangle_around(model, block, direction);
-      if (around >= least) continue;
-      least = (1 - 1e-9) * around;
-      axis = direction;
+      const Piece piece = piece_along(model, block, direction);
+      if (piece.area_around() < clearly_less * fullest.area_around()) fullest = piece;
     }
   }
-  return axis;
+  return fullest;
+}
+
+Piece piece_at(const Model& model, const Interface& interface, int block) {
+  Piece piece = fullest_piece(model, block, interface.normal);
+  const Vec2 middle = (interface.from + interface.to) / 2;
+  piece.to_joint = std::abs((block_of(model, block).moments.centroid - middle).dot(piece.axis));
+  return piece;
+}
+
+bool is_piece_of_a_beam(const Model& model, const Piece& piece) {
+  const double length = std::min(piece.length, 2 * piece.to_joint);
+  return block_of(model, piece.block).moments.area > least_area * piece.width * length;
 }
 
 // Where a joint holds a block.
@@ -74,18 +94,6 @@ double share_of_side(const Model& model, int block, const HeldSide& side) {
   return side.length / width_along(model, block, side.outward) * std::min(1.0, depth);
 }
 
-// How far the centroid of a block is from the middle of a joint along the axis of its beam, m.
-double distance_to_joint(const Model& model, const Interface& interface, int block, const Vec2& axis) {
-  const Vec2 middle = (interface.from + interface.to) / 2;
-  return std::abs((block_of(model, block).moments.centroid - middle).dot(axis));
-}
-
-bool is_piece_of_a_beam(const Model& model, const Interface& interface, int block, const Vec2& axis) {
-  const double length =
-      std::min(width_across(model, block, axis), 2 * distance_to_joint(model, interface, block, axis));
-  return block_of(model, block).moments.area > least_area * width_along(model, block, axis) * length;
-}
-
 // Joints at one end of a piece of a beam.
 struct EndJoints {
   double length = 0, longest = 0;  // m
@@ -100,9 +108,9 @@ struct EndJoints {
 // From 0, a piece of a beam with one joint at most on each end and none beside them, seen along its axis, to 1, a part
 // of a mesh: with neighbours as thick as itself on half of a side, or with an end that is halved. In between a chip or
 // a thin layer at its side takes from the stiffness of a row as it grows, by less than it adds itself.
-double share_of_mesh(const Model& model, const Interface& interface, int block, const HeldSides& sides,
-                     const std::vector<bool>& held) {
-  const Vec2 axis = beam_axis(model, block, interface.normal);
+double share_of_mesh(const Model& model, const Piece& piece, const HeldSides& sides, const std::vector<bool>& held) {
+  const int block = piece.block;
+  const Vec2& axis = piece.axis;
   EndJoints ahead, behind;
   double left = 0, right = 0;
   for (const HeldSide& side : sides[static_cast<std::size_t>(block)]) {
@@ -117,23 +125,18 @@ double share_of_mesh(const Model& model, const Interface& interface, int block, 
     (side.outward.dot(axis.unitOrthogonal()) > 0 ? left : right) += share;
     if (2 * std::max(left, right) >= 1) return 1;  // nearly all blocks of a mesh, at their first neighbour
   }
-  if (!is_piece_of_a_beam(model, interface, block, axis)) return 1;
+  if (!is_piece_of_a_beam(model, piece)) return 1;
   return std::min(1.0, 2 * std::max({left, right, ahead.split(), behind.split()}));
 }
 
 // By how much half a block turns under a moment, 1/N per m of thickness.
-double flexibility(const Model& model, const Interface& interface, int block) {
-  const Vec2 axis = beam_axis(model, block, interface.normal);
-  const double distance = distance_to_joint(model, interface, block, axis);
-  const double width = width_along(model, block, axis);
-  return distance / (side_free_modulus(model.material_at_start(block)) * width * width * width / 12);
+double flexibility(const Model& model, const Piece& piece) {
+  const double modulus = side_free_modulus(model.material_at_start(piece.block));
+  return piece.to_joint / (modulus * piece.width * piece.width * piece.width / 12);
 }
 
 // Stiffness against half the difference of the normal gap between the ends of a joint, N/m per m of thickness.
-double bending_stiffness(const Model& model, const Interface& interface, const std::vector<bool>& held) {
-  double turn = 0;
-  for (const int block : {interface.block_a, interface.block_b})
-    if (!held[static_cast<std::size_t>(block)]) turn += flexibility(model, interface, block);
+double bending_stiffness(const Interface& interface, double turn) {
   return 4 / (interface.length * interface.length * turn);
 }
 
@@ -199,15 +202,17 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     if (!may_bend(joint_of(model, interface), elements[i])) continue;
     const auto is_held = [&](int block) -> bool { return held[static_cast<std::size_t>(block)]; };
     if (is_held(interface.block_a) && is_held(interface.block_b)) continue;
-    const auto share_of_row = [&](int block) {
-      return is_held(block) ? 1 : 1 - share_of_mesh(model, interface, block, sides, held);
-    };
-    double share = share_of_row(interface.block_a);
-    if (share > 0) share *= share_of_row(interface.block_b);
+    double share = 1, turn = 0;  // held blocks are rigid
+    for (const int block : {interface.block_a, interface.block_b}) {
+      if (share <= 0 || is_held(block)) continue;
+      const Piece piece = piece_at(model, interface, block);
+      share *= 1 - share_of_mesh(model, piece, sides, held);
+      turn += flexibility(model, piece);
+    }
     if (share > 0) share *= 1 - tie_across(model, interface.block_a, interface.block_b, sides);
     if (share <= 0) continue;
     const double of_mesh = elements[i].stiffness(3);  // both differences have the same there
-    elements[i].stiffness(2) = std::lerp(of_mesh, bending_stiffness(model, interface, held), share);
+    elements[i].stiffness(2) = std::lerp(of_mesh, bending_stiffness(interface, turn), share);
     contacts.states[i].force(2) =
         elements[i].stiffness(2) * contacts.states[i].gap(2) + elements[i].by_loads(2) - elements[i].force_at_start(2);
   }

@@ -27,11 +27,11 @@ const StepSolution& ContactSolver::solve(const StepProblem& problem) {
   is_sure_ = false;
   if (problem.contacts.rule.capacity_is_given) {
     begin_at(problem.guess);
-    return go_on(problem);
+    return settle_from_here();
   }
   at_.increment.setZero();
   if (problem.held.move && friction_.has_something_to_settle(at_)) move_held_blocks();
-  return go_on(problem);
+  return settle_from_here();
 }
 
 // Where capacities are given there is one answer, and the way to it is the shorter the nearer it begins.
@@ -47,8 +47,12 @@ const StepSolution& ContactSolver::go_on(const StepProblem& problem) {
   at_.contacts.look_at(problem.contacts);
   at_.bolts.look_at(problem.bolts);
   at_.pose(problem);
-  if (problem.base_version != base_version_) at_.matrix.outdate();
-  base_version_ = problem.base_version;
+  return settle_from_here();
+}
+
+const StepSolution& ContactSolver::settle_from_here() {
+  if (at_.problem->base_version != base_version_) at_.matrix.outdate();
+  base_version_ = at_.problem->base_version;
   solution_.broken_contacts.clear();
   solution_.broken_links.clear();
   solution_.failure = Failure::none;

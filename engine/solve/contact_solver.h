@@ -79,6 +79,7 @@ class ContactSolver {
  private:
   void begin_at(const Eigen::VectorXd& increment);
   void move_held_blocks();
+  const StepSolution& settle_from_here();
   [[nodiscard]] Status settle();
   [[nodiscard]] Status settle_contacts();
   [[nodiscard]] bool settle_quickly();

@@ -1,6 +1,7 @@
 #include "engine/solve/iterate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,32 +11,51 @@
 #include "engine/solve/largest_entry.h"
 
 namespace dda {
+namespace {
+
+template <typename Value>
+double largest_of_contacts(const StepProblem& problem, const Value& value) {
+  const std::span<const int> places = problem.contacts.places;
+  const auto largest = [&](std::size_t first, std::size_t last) {
+    double so_far = 0;
+    for (std::size_t i = first; i < last; ++i)
+      so_far = larger(so_far, value(problem.contacts.elements[static_cast<std::size_t>(places[i])]));
+    return so_far;
+  };
+  return parallel_reduce(places.size(), contacts_worth_sharing, larger, largest);
+}
+
+}  // namespace
 
 void Iterate::pose(const StepProblem& posed) {
   problem = &posed;
   constexpr double share =
       1e-13;  // of the largest on the right-hand side, moments as forces at the arm of a block's size
   round_off_of_forces = is_linear() ? 0 : share * largest_of_blocks(problem->rhs, problem->areas);
+  largest_stiffness_ = largest_of_contacts(
+      posed, [](const InterfaceElement& element) -> double { return element.stiffness.maxCoeff(); });
 }
 
+// What carrying leaves is mostly far below the rest, which a bound tells without a look at every contact.
 double Iterate::negligible_force(double largest_force) const {
-  return std::max(share_of_forces * largest_force, std::max(round_off_of_forces, round_off_of_carrying()));
+  const double without = std::max(share_of_forces * largest_force, round_off_of_forces);
+  if (share_of_carrying * largest_stiffness_ * longest_way() <= without) return without;
+  return std::max(without, round_off_of_carrying());
+}
+
+double Iterate::longest_way() const {
+  double squared = 0;
+  for (Eigen::Index first = 0; first < increment.size(); first += 6)
+    squared = std::max(squared, increment.segment<2>(first).squaredNorm());
+  return std::sqrt(squared);
 }
 
 double Iterate::round_off_of_carrying() const {
-  constexpr double share = 1e-15;
-  const std::span<const int> places = problem->contacts.places;
-  const auto carried = [&](std::size_t first, std::size_t last) {
-    double largest = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      const InterfaceElement& element = problem->contacts.elements[static_cast<std::size_t>(places[i])];
-      const double way =
-          std::max(increment.segment<2>(6 * element.block_a).norm(), increment.segment<2>(6 * element.block_b).norm());
-      largest = larger(largest, element.stiffness.maxCoeff() * way);
-    }
-    return largest;
+  const auto way = [this](int block) { return increment.segment<2>(6 * block).norm(); };
+  const auto carried = [&](const InterfaceElement& element) {
+    return element.stiffness.maxCoeff() * std::max(way(element.block_a), way(element.block_b));
   };
-  return share * parallel_reduce(places.size(), contacts_worth_sharing, larger, carried);
+  return share_of_carrying * largest_of_contacts(*problem, carried);
 }
 
 Status Iterate::bring_matrix_up_to_date(bool& changed) {

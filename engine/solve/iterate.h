@@ -43,16 +43,20 @@ struct Iterate {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [costs, problem, round_off_of_forces, contacts, bolts, matrix, increment] = self;
+    auto& [costs, problem, round_off_of_forces, contacts, bolts, matrix, increment, largest_stiffness] = self;
     archive(contacts, bolts);  // the matrix is made anew, increments begin at zero
   }
 
  private:
   static constexpr double share_of_forces = 1e-10;
+  static constexpr double share_of_carrying = 1e-15;
 
   [[nodiscard]] Status refactor();
+  [[nodiscard]] double longest_way() const;
   // Springs make forces of the increments that carry blocks along, and these cancel but for their last digits.
   [[nodiscard]] double round_off_of_carrying() const;
+
+  double largest_stiffness_ = 0;  // of the contacts of the problem, N/m per m of thickness
 };
 
 }  // namespace dda

@@ -17,6 +17,21 @@ bool slides(const InterfaceState& before, const InterfaceState& after) {
   return before.slip != after.slip || std::ranges::find(after.status, ContactStatus::sliding) != after.status.end();
 }
 
+// What the strength of one end lets it bear in shear, N per m of thickness.
+double bearable(const EndStrength& strength, const InterfaceState& state, std::size_t end) {
+  const double pressure = std::max(0.0, -state.force(static_cast<Eigen::Index>(2 * end)));
+  return strength.cohesion_now(state.residual[end]) + strength.friction_now(state.residual[end]) * pressure;
+}
+
+// What both ends may bear at any moment of a step.
+double most_friction(const EndStrength& strength, const InterfaceState& before, const InterfaceState& after,
+                     const InterfaceTrial& trial) {
+  double most = 0;
+  for (const std::size_t end : {std::size_t{0}, std::size_t{1}})
+    most += std::max({trial.capacity[end], bearable(strength, before, end), bearable(strength, after, end)});
+  return most;
+}
+
 class Acceptance {
  public:
   Acceptance(const InterfaceTrials& trials, bool moves, BlockSystem& system)
@@ -38,24 +53,24 @@ class Acceptance {
     InterfaceState after = finish_trial(element, before, trials_[k]);
     if (strengths_[i].cohesion > 0) note_torn(element, after);
     after.dashpot = weight_ * dashpot_force(element, trials_[k]);
-    book(element, before, after, trials_[k].force, work);
+    book(element, strengths_[i], before, after, trials_[k], work);
     if (moves_) count_free_slip(element, trials_[k].gap, after);
     states_[i] = after;
   }
 
  private:
-  void book(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-            const Vec4& force, ContactWork& work) const {
-    const Vec4 dropped = force - after.force;
-    const bool drops = force != after.force;
+  void book(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& before,
+            const InterfaceState& after, const InterfaceTrial& trial, ContactWork& work) const {
+    const Vec4 dropped = trial.force - after.force;
+    const bool drops = trial.force != after.force;
     const Vec4 by_held = held_.empty() ? Vec4(Vec4::Zero()) : held_.gap_increment(element);
     if (drops) work.brought += weight_ * by_held.dot(dropped);  // the rest of their work is in audit_held_blocks
     const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
     // Slip of ends that do not rise in the step is not counted (open_close.h), but takes energy.
     if (before.status != after.status || slides(before, after) || drops || gaps_are_foreseen_ || bends ||
         !before.dashpot.isZero(0))
-      work.changed(element, before, after, {gap_increment(element, increment_), by_held}, weight_ * dropped,
-                   dashpot_delay_);
+      work.changed(element, before, after, {gap_increment(element, increment_), by_held},
+                   {weight_ * dropped, most_friction(strength, before, after, trial), dashpot_delay_});
   }
 
   const InterfaceTrials& trials_;

@@ -1,6 +1,7 @@
 #include "engine/simulation/contact_work.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "engine/contact/contact_set.h"
@@ -15,6 +16,10 @@ bool opens(const InterfaceState& before, const InterfaceState& after) {
   return ends_open(after) > ends_open(before);
 }
 
+double longest_slip(const InterfaceState& before, const InterfaceState& after) {
+  return std::max(std::abs(after.slip[0] - before.slip[0]), std::abs(after.slip[1] - before.slip[1]));
+}
+
 double share_of(double part, double all) { return all != 0 ? std::clamp(part / all, 0.0, 1.0) : 0; }
 
 }  // namespace
@@ -22,14 +27,14 @@ double share_of(double part, double all) { return all != 0 ? std::clamp(part / a
 // A spring that is let go within the step gives what it has stored. Its mean force over the step would do work on all
 // the way that a held block goes, most of it far from what it has left: nothing has gained that.
 void ContactWork::changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-                          const GapChange& gap_change, const Vec4& extra_force, double dashpot_delay) {
+                          const GapChange& gap_change, const WorkingForces& forces) {
   // What the balance of the step had of the contact: springs and dashpots together, and under steps that conserve
   // energy another mean than that of the springs at both ends of the step.
-  const Vec4 borne = (before.force + after.force) / 2 + extra_force;
+  const Vec4 borne = (before.force + after.force) / 2 + forces.extra;
   const double work = gap_change.all.dot(borne);
-  const Vec4 dashpot_force = (1 - dashpot_delay) * after.dashpot + dashpot_delay * before.dashpot;
+  const Vec4 dashpot_force = (1 - forces.dashpot_delay) * after.dashpot + forces.dashpot_delay * before.dashpot;
   double by_dashpot = gap_change.all.dot(dashpot_force);
-  double by_friction = 0;
+  double by_friction = 0, by_rise = 0;
   for (std::size_t end = 0; end < 2; ++end) {
     const auto normal_row = static_cast<Eigen::Index>(2 * end), shear_row = normal_row + 1;
     // Where a step turns the slip round, the mean force may point against it: that is no friction.
@@ -39,8 +44,9 @@ void ContactWork::changed(const InterfaceElement& element, const InterfaceState&
     }
     // What sliding up its own slope gives back against the normal force is no loss.
     if (const double rise = after.dilation[end] - before.dilation[end]; rise != 0)
-      by_friction += (borne(normal_row) - after.dashpot(normal_row)) * rise;
+      by_rise += (borne(normal_row) - after.dashpot(normal_row)) * rise;
   }
+  by_friction = std::min(by_friction, forces.most_friction * longest_slip(before, after)) + by_rise;
   const double stored = interface_energy(element, after) - interface_energy(element, before);
   friction += by_friction;
   dashpot += by_dashpot;

@@ -11,6 +11,18 @@ struct GapChange {
   Vec4 all, held;
 };
 
+// What an interface works with in a step beside the forces that its states before and after keep.
+struct WorkingForces {
+  Vec4 extra;  // what the balance had beyond that of `after`, times the weight of forces at the end of the step
+  // By its strength, N per m of thickness. Where another edge becomes the one that a vertex presses, what was normal
+  // force is shear in part, of which friction may hold little or nothing: it is let go, which friction does not do.
+  double most_friction;
+  // How far (as a share of a step) behind the middle of the step the moment lies to which its balance belongs. A
+  // dashpot has the force of the velocity in that middle and acts at that moment, by this share already in the motion
+  // of the step that follows: where blocks meet, its first force is one of full speed on half of the way.
+  double dashpot_delay;
+};
+
 // J per m of thickness.
 struct ContactWork {
   // By what moves held blocks against forces that the balance had but no state keeps, and off it what the mean of a
@@ -19,13 +31,8 @@ struct ContactWork {
   double friction = 0, dashpot = 0, numerical = 0;
 
   // Work of friction and of dashpots on one interface, and what status changes within the step make of it.
-  // `extra_force`: what the balance of the step had beyond the force that `after` keeps, times the weight of forces at
-  // the end of the step. `dashpot_delay`: how far (as a share of a step) behind the middle of the step the moment lies
-  // to which its balance belongs. A dashpot has the force of the velocity in that middle and acts at that moment, by
-  // this share already in the motion of the step that follows: where blocks meet, its first force is one of full speed
-  // on half of the way.
   void changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
-               const GapChange& gap_change, const Vec4& extra_force, double dashpot_delay);
+               const GapChange& gap_change, const WorkingForces& forces);
 
   ContactWork& operator+=(const ContactWork& more) {
     brought += more.brought;
